@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+#include "scene/Scene.h"
+
+#include <memory>
+
+namespace limn {
+
+/// A rectangle of pixels, y down from the top of the picture.
+struct PixelRect {
+  glm::ivec2 topLeft{0};
+  glm::ivec2 size{0};
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// Draws scenes with GLSL on the current OpenGL context (3.0 or newer). Owns textures and programs and keeps
+/// them while scenes share them: a new control point uploads a small table, a new camera nothing.
+/// All calls, construction and destruction included, need the same context to be current.
+class RayCaster {
+public:
+  /// Throws Error (openGl) where the driver lacks what drawing needs, naming it.
+  RayCaster();
+  ~RayCaster();
+  RayCaster(RayCaster&&) noexcept;
+  RayCaster& operator=(RayCaster&&) noexcept;
+
+  /// Draws the pixels of `tile` of a picture of `size` pixels into the bound framebuffer as premultiplied
+  /// RGBA without background; pixels outside the volume become zero. Any tiling gives the same picture bit
+  /// for bit. The framebuffer's lower left corner is the picture's.
+  void draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile);
+
+  /// Draws a whole picture off screen in 32-bit floats and reads it back.
+  Image render(const Scene& scene, const glm::ivec2& size);
+
+  /// How many shader programs were compiled so far: editing a control point must not raise it.
+  int compiledPrograms() const;
+
+  /// One sentence where the volume had to be down-sampled to fit the driver's textures, empty otherwise.
+  std::string limitation() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+} // namespace limn

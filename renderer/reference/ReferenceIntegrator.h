@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+#include "scene/Scene.h"
+
+#include <functional>
+#include <vector>
+
+namespace limn {
+
+/// A picture in double precision, and what the tests need to know about each ray.
+struct ReferencePicture {
+  glm::ivec2 size{0};
+  std::vector<glm::dvec4> pixels; ///< premultiplied RGBA without background, row by row from the top
+  std::vector<int> samples;       ///< the N of each pixel's ray, 0 where it misses the volume
+};
+
+/// Draws the definition itself (RENDERING section 7, standard discretisation) in double precision, on every
+/// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled.
+ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,
+                                 const std::function<bool()>& isCancelled = {});
+
+/// The picture rounded to floats.
+Image toImage(const ReferencePicture& picture);
+
+} // namespace limn

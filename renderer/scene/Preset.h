@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+#include <string>
+
+namespace limn {
+
+/// A named way to show a kind of data: a transfer function and, optionally, how it is lit and projected.
+/// `name` and `modality` are required; what is absent leaves the scene as it is.
+struct Preset {
+  std::string name;
+  std::string modality; ///< "CT", "MR", …
+  std::string note;     ///< one sentence: what it shows
+  TransferFunction transferFunction;
+  std::optional<GradientOpacity> gradientOpacity;
+  std::optional<Shading> shading;
+  std::optional<Projection> projection;
+
+  bool operator==(const Preset&) const = default;
+};
+
+/// The scene shown as the preset asks; camera, volume, crop and quality stay. The scene's shading model
+/// is kept where `keepModel` (a comparison is under way), otherwise the preset's applies.
+Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel = false);
+
+} // namespace limn

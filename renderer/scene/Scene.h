@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Camera.h"
+#include "scene/Shading.h"
+#include "scene/TransferFunction.h"
+#include "scene/Volume.h"
+
+#include <memory>
+#include <optional>
+
+namespace limn {
+
+/// Fog (RENDERING section 6; lecture, "OpenGL fog"): weighs a sample's colour by its distance to the eye.
+struct Fog {
+  enum class Mode { none, linear, exp, exp2 };
+  Mode mode = Mode::none;
+  glm::dvec3 color{0.0};
+  double densityPerMm = 0.0; ///< ≥ 0; exp and exp2
+  double startMm = 0.0;
+  double endMm = 1000.0; ///< linear
+  bool operator==(const Fog&) const = default;
+};
+
+/// The part of the volume box that is drawn, as fractions along the grid axes, 0 ≤ lower < upper ≤ 1.
+struct CropBox {
+  glm::dvec3 lower{0.0};
+  glm::dvec3 upper{1.0};
+  bool operator==(const CropBox&) const = default;
+};
+
+/// How the samples along a ray become one pixel (RENDERING section 7).
+enum class Projection { composite, mip, minip, average, xray, isosurface, compositeIsosurface };
+
+enum class Preintegration { automatic, always, never };
+
+/// What the picture costs and how close it comes to the integral.
+struct Quality {
+  double stepVoxels = 0.5; ///< in units of the smallest spacing, > 0
+  Preintegration preintegrated = Preintegration::automatic;
+  double earlyTermination = 0.998; ///< stop where alpha reaches it, 0 < e ≤ 1; 1 = never
+  bool jitter = false;
+  bool operator==(const Quality&) const = default;
+};
+
+/// Size of a written picture and the colour behind it (8-bit output only).
+struct ImageSettings {
+  int width = 512;
+  int height = 512;
+  glm::dvec3 background{0.05, 0.05, 0.08};
+  bool operator==(const ImageSettings&) const = default;
+};
+
+/// Everything a picture depends on, as one plain value. Renderers draw from it; only the session changes it.
+/// Two scenes are equal when they share the volume and agree in every number.
+struct Scene {
+  std::shared_ptr<const Volume> volume;
+  Camera camera;
+  TransferFunction transferFunction;
+  Shading shading;
+  std::optional<GradientOpacity> gradientOpacity;
+  Fog fog;
+  CropBox crop;
+  Projection projection = Projection::composite;
+  double isovalue = 300.0;
+  Quality quality;
+  ImageSettings image;
+
+  bool operator==(const Scene&) const = default;
+};
+
+} // namespace limn

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/Volume.h"
+#include "scene/Error.h"
+#include "scene/Histogram.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+namespace limn {
+namespace {
+
+Grid gridOf(int x, int y, int z) {
+  Grid grid;
+  grid.dims = {x, y, z};
+  return grid;
+}
+
+TEST(Volume, replacesNanAndInfinityByTheSmallestValidValue) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  const Volume volume(gridOf(4, 1, 1), std::vector<float>{5.0f, nan, -2.0f, inf}, {}, {}, {});
+  EXPECT_EQ(volume.invalidVoxels(), 2u);
+  EXPECT_EQ(volume.value({1, 0, 0}), -2.0);
+  EXPECT_EQ(volume.value({3, 0, 0}), -2.0);
+  EXPECT_EQ(volume.range(), (ValueRange{-2.0, 5.0}));
+}
+
+TEST(Volume, comparesPaddingInStoredValuesAndReplacesByTheSmallestScalarUnderANegativeSlope) {
+  // Slope -1: the stored value 30 is the smallest scalar.
+  const Volume volume(gridOf(4, 1, 1), std::vector<std::int16_t>{10, -2000, 30, 20}, {-1.0, 0.0},
+                      PaddingRange{-2000, -2000}, {});
+  EXPECT_EQ(volume.invalidVoxels(), 1u);
+  EXPECT_EQ(volume.value({1, 0, 0}), -30.0);
+  EXPECT_EQ(volume.range(), (ValueRange{-30.0, -10.0}));
+}
+
+TEST(Volume, refusesAVolumeWithoutAValidVoxel) {
+  EXPECT_THROW(Volume(gridOf(2, 1, 1), std::vector<std::uint8_t>{7, 7}, {}, PaddingRange{7, 7}, {}), Error);
+}
+
+TEST(Volume, refusesAnArrayThatDoesNotMatchItsDimensions) {
+  EXPECT_THROW(Volume(gridOf(2, 2, 2), std::vector<std::uint8_t>(7), {}, {}, {}), Error);
+}
+
+TEST(Volume, interpolatesBetweenCentresAndClampsBeyondThem) {
+  const Volume volume(gridOf(2, 2, 1), std::vector<std::uint8_t>{0, 10, 20, 30}, {}, {}, {});
+  EXPECT_DOUBLE_EQ(valueAt(volume, {0.5, 0.5, 0.0}), 15.0);
+  EXPECT_DOUBLE_EQ(valueAt(volume, {-0.5, 0.0, 0.4}), 0.0);
+  EXPECT_DOUBLE_EQ(valueAt(volume, {1.5, 1.5, -0.5}), 30.0);
+}
+
+TEST(Histogram, countsEveryValidVoxelOnce) {
+  const Volume volume(gridOf(5, 1, 1), std::vector<std::int16_t>{-9, 0, 50, 100, 100}, {},
+                      PaddingRange{-9, -9}, {});
+  const Histogram histogram = histogramOf(volume, 10);
+  EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}), 4u);
+  EXPECT_EQ(histogram.counts.front(), 1u);
+  EXPECT_EQ(histogram.counts[5], 1u);
+  EXPECT_EQ(histogram.counts.back(), 2u);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace limn::test {
+
+/// The folder of real volumes and facts shared beside the checkout (environment variable LIMN_SHARED, by
+/// default ../shared); it may not exist.
+inline std::filesystem::path sharedFolder() {
+  if (const char* given = std::getenv("LIMN_SHARED"))
+    return given;
+  return std::filesystem::path(LIMN_SOURCE_DIR) / ".." / "shared";
+}
+
+} // namespace limn::test
+
+/// Ends a test with its reason where a file of the shared folder is missing.
+#define LIMN_NEEDS_SHARED(relativePath)                                                                      \
+  if (!std::filesystem::exists(limn::test::sharedFolder() / (relativePath)))                                 \
+  GTEST_SKIP() << "needs the shared test data file "                                                         \
+               << (limn::test::sharedFolder() / (relativePath)).string()                                     \
+               << ", which this machine does not have"
