@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <cstdint>
+
+namespace limn {
+
+/// Names the user's act behind an edit. Edits of one drag share an id and become one undo step; `text` is what
+/// undo shows, in the imperative: "move point to 310 HU".
+struct Gesture {
+  std::uint64_t id = 0;
+  QString text;
+};
+
+/// An id no other gesture of this program run has.
+std::uint64_t nextGestureId();
+
+} // namespace limn
