@@ -8,6 +8,7 @@
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
 #include "widgets/view/Probe.h"
+#include "widgets/view/ViewOverlay.h"
 #include "widgets/view/ViewKeys.h"
 
 #include <QElapsedTimer>
@@ -120,6 +121,7 @@ protected:
 private:
   /// A pressed button until its release; `first` and `last` in logical pixels.
   struct Drag {
+    Qt::MouseButton button = Qt::NoButton;
     DragKind kind = DragKind::none;
     bool wipe = false;       ///< of the wipe's border
     bool mayPin = false;     ///< a Shift+click that has not moved yet
@@ -138,17 +140,22 @@ private:
   void refine();
   void startRefining();
   void updateState();
-  void paintOverlay();
   void fail(const QString& sentence);
   template <class Work> void guarded(Work&& work);
   std::vector<Scene> scenesOfSides() const;
   glm::ivec2 deviceSize() const;
   std::vector<PixelRect> rects() const;
-  QRectF logicalRect(int position) const;
   int sideShownAt(int position) const { return m_swapped ? 1 - position : position; }
-  QRectF labelRect(int position) const;
   void updatePanels();
   void wakeLabels();
+
+  // What stands above the pictures (CompareViewOverlay.cpp)
+  void paintOverlay();
+  void paintOrientation(QPainter& painter);
+  void paintScale(QPainter& painter);
+  QRectF logicalRect(int position) const;
+  SideLabel labelOf(int position) const;
+  QRectF labelRect(int position) const;
 
   // Input (CompareViewInput.cpp)
   void beginDrag(QMouseEvent* event);
@@ -185,6 +192,7 @@ private:
   std::optional<Probe> m_probe;
   QPointF m_probePoint;
   int m_hoveredLabel = -1;
+  bool m_wipeHovered = false;
   QVariantAnimation m_labelFade;
   QTimer m_labelTimer;
 

@@ -2,6 +2,7 @@
 #include "widgets/view/ScaleBar.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace limn {
 

@@ -28,4 +28,9 @@ void TileSchedule::finished(double ms) {
   m_rows = std::clamp(static_cast<int>(wanted), leastRows, mostRows);
 }
 
+void TileSchedule::finishedWhole(double ms) {
+  m_rowsDone = m_size.y;
+  m_spentMs = ms;
+}
+
 } // namespace limn

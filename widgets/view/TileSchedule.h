@@ -33,6 +33,9 @@ public:
   /// Notes that the strip `next()` named was drawn in `ms`.
   void finished(double ms);
 
+  /// Notes that the whole picture was drawn at once in `ms`.
+  void finishedWhole(double ms);
+
 private:
   glm::ivec2 m_size{0};
   int m_rowsDone = 0;

@@ -21,7 +21,7 @@ ViewCommand standardViewOf(int key, bool keypad, bool shift) {
     return pair(StandardView::superior, StandardView::inferior);
   if (key == Qt::Key_Insert || (keypad && key == Qt::Key_0))
     return LookFromNearest{};
-  return {};
+  return std::monostate{};
 }
 
 ViewCommand letterCommandOf(int key) {
@@ -49,7 +49,7 @@ ViewCommand letterCommandOf(int key) {
   case Qt::Key_Space:
     return Swap{};
   default:
-    return {};
+    return std::monostate{};
   }
 }
 
@@ -73,7 +73,7 @@ ViewCommand symbolCommandOf(int key) {
   case Qt::Key_Escape:
     return Cancel{};
   default:
-    return {};
+    return std::monostate{};
   }
 }
 
@@ -81,7 +81,7 @@ ViewCommand symbolCommandOf(int key) {
 
 ViewCommand commandOf(const QKeyEvent& event) {
   if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
-    return {};
+    return std::monostate{};
   const int key = event.key();
   const bool keypad = event.modifiers() & Qt::KeypadModifier;
   const bool shift = event.modifiers() & Qt::ShiftModifier;
@@ -90,7 +90,7 @@ ViewCommand commandOf(const QKeyEvent& event) {
   if (const ViewCommand command = symbolCommandOf(key); command.index() != 0)
     return command;
   if (shift)
-    return {};
+    return std::monostate{};
   if (key >= Qt::Key_0 && key <= Qt::Key_9 && !keypad)
     return WindowPreset{key - Qt::Key_0};
   return letterCommandOf(key);

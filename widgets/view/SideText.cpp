@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/SideLabel.h"
+#include "widgets/view/SideText.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -8,7 +8,7 @@ namespace limn {
 namespace {
 
 QString translated(const char* text) {
-  return QCoreApplication::translate("limn::SideLabel", text);
+  return QCoreApplication::translate("limn::SideText", text);
 }
 
 QString number(double value) {
