@@ -2,9 +2,9 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
-#include "widgets/curve/TransferFunctionEditor.h"
-#include "widgets/presets/PresetBrowser.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/TransferFunctionEditor.h"
+#include "widgets/PresetBrowser.h"
+#include "widgets/ShadingPanel.h"
 
 #include <QActionGroup>
 #include <QCloseEvent>

@@ -7,7 +7,7 @@
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
-#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/TransferFunctionEditor.h"
 
 #include <QDir>
 #include <QFileDialog>
