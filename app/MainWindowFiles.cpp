@@ -72,6 +72,9 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   const VolumeInfo& info = volume.info();
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
+  m_editor->setValueRange(volume.range());
+  m_pinnedValues.clear();
+  m_editor->setPinnedValues({});
   m_session.open(loaded);
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
