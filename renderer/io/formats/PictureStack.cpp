@@ -103,6 +103,15 @@ VoxelArray emptyArray(TypeDesc format) {
   }
 }
 
+// Refuses a header that asks for more pixels than its file can hold: the best compression that the formats
+// know is deflate's, 1032 to 1, of pixels of one bit.
+void requireRoom(const fs::path& file, const OIIO::ImageSpec& spec) {
+  constexpr std::uint64_t largestRatio = 8 * 1032;
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 ||
+      spec.image_bytes() / largestRatio > fs::file_size(file))
+    failReading(file, "its header asks for more pixels than the file can hold", copyAgain);
+}
+
 // Collects slices that all look like the first.
 class Stack {
 public:
@@ -111,6 +120,7 @@ public:
   // Reads the page the input stands at; `expectedSlices` only guides the room made.
   void addPage(OIIO::ImageInput& input, const fs::path& file, int page, std::size_t expectedSlices) {
     const Page current{input.spec_dimensions(page)};
+    requireRoom(file, current.spec);
     if (m_slices == 0) {
       m_first = current;
       m_format = keptFormat(file, current.spec.format);
