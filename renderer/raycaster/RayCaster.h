@@ -5,6 +5,8 @@
 #include "scene/Scene.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace limn {
 
@@ -34,10 +36,15 @@ public:
   /// Draws a whole picture off screen in 32-bit floats and reads it back.
   Image render(const Scene& scene, const glm::ivec2& size);
 
+  /// The number of samples of each pixel's ray, row by row from the top, 0 where it misses the volume: what
+  /// tests and error figures need beside the picture.
+  std::vector<int> sampleCounts(const Scene& scene, const glm::ivec2& size);
+
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;
 
-  /// One sentence where the volume had to be down-sampled to fit the driver's textures, empty otherwise.
+  /// A sentence each where the volume had to be down-sampled to fit the driver's textures and where the last
+  /// picture's step would have needed too many samples; empty otherwise.
   std::string limitation() const;
 
 private:
