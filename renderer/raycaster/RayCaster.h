@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/Gradient.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
