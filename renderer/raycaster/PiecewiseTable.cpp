@@ -84,7 +84,8 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<double>& 
   for (std::size_t bin = 0; bin < table.bins.size(); ++bin) {
     const auto low = static_cast<double>(bin);
     const auto before = std::lower_bound(places.begin(), places.end(), low - edgeMargin) - places.begin();
-    const auto after = std::upper_bound(places.begin(), places.end(), low + 1.0 + edgeMargin) - places.begin();
+    const auto after =
+        std::upper_bound(places.begin(), places.end(), low + 1.0 + edgeMargin) - places.begin();
     const auto index = static_cast<float>(before);
     table.bins[bin] = segments[static_cast<std::size_t>(before)].line;
     table.bins[bin].w = after > before ? -1.0f - index : index;

@@ -18,10 +18,10 @@ struct Knot {
 /// A piecewise linear function as two textures that `shaders/piecewise.glsl` reads without error: no filtered
 /// table, so steps stay sharp and spikes survive.
 ///
-/// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one after.
-/// It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour, 0). A bin
-/// without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the segment
-/// before the first of them) in its last channel.
+/// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one
+/// after. It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour,
+/// 0). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the
+/// segment before the first of them) in its last channel.
 struct PiecewiseTable {
   std::vector<glm::vec4> bins;
   std::vector<glm::vec4> segments; ///< rows of 256 segments

@@ -87,7 +87,9 @@ void setFog(const Setter& set, const Fog& fog) {
 }
 
 void setSamplers(const ShaderProgram& program) {
-  const auto unit = [&program](const char* sampler, TextureUnit u) { program.set(sampler, static_cast<int>(u)); };
+  const auto unit = [&program](const char* sampler, TextureUnit u) {
+    program.set(sampler, static_cast<int>(u));
+  };
   unit("u_volume", TextureUnit::volume);
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);

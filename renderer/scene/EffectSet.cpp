@@ -120,8 +120,7 @@ EffectSet canonical(EffectSet effects) {
   drop(!has(Effect::diffuse) && !has(Effect::specular),
        {Effect::twoSided, Effect::fixedLight, Effect::cutFaces});
   drop(has(Effect::opacityMap), {Effect::opacityFactor});
-  const bool usesRatio =
-      has(Effect::exponentMap) || has(Effect::opacityMap) || has(Effect::significance);
+  const bool usesRatio = has(Effect::exponentMap) || has(Effect::opacityMap) || has(Effect::significance);
   drop(!usesRatio, {Effect::gammaCurve, Effect::logCurve});
   const bool readsGradient =
       usesRatio || has(Effect::diffuse) || has(Effect::specular) || has(Effect::gradientOpacity);
@@ -138,8 +137,8 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   fogClauses(plan, scene.fog);
   plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
               "the crop box cuts the volume and samples are lit", "nothing is cut, or nothing is lit");
-  plan.clause(Effect::earlyTermination, scene.quality.earlyTermination < 1.0,
-              "rays end at the opacity set", "early termination is set to never");
+  plan.clause(Effect::earlyTermination, scene.quality.earlyTermination < 1.0, "rays end at the opacity set",
+              "early termination is set to never");
   plan.clause(Effect::longRays, 2.0 * facts.longestRaySamples > mostSamples,
               "the longest ray has too many samples for nested loops", "every ray is short enough");
   plan.clause(Effect::sampleCounts, false, "", "only tests draw it");

@@ -9,8 +9,8 @@
 
 namespace limn {
 
-/// What a picture may ask of a renderer beyond classifying and compositing. Each has one row in `describe`, one
-/// clause in `requiredEffects`, one guard in the shaders and one term in the reference.
+/// What a picture may ask of a renderer beyond classifying and compositing. Each has one row in `describe`,
+/// one clause in `requiredEffects`, one guard in the shaders and one term in the reference.
 enum class Effect : std::uint8_t {
   lighting,
   gradient,
