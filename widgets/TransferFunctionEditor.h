@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Histogram.h"
+#include "scene/TransferFunction.h"
+#include "widgets/Gesture.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QAbstractButton;
+
+namespace limn {
+
+class PointFields;
+class SpringSlider;
+class TransferFunctionCanvas;
+
+/// Shows a transfer function over the volume's histogram and asks for edits: the plot with its mouse and key
+/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve. It owns no undo:
+/// every edit goes out with its gesture, and setTransferFunction brings back what became of it. Esc during a drag
+/// sends the function from before under the same gesture.
+class TransferFunctionEditor : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit TransferFunctionEditor(QWidget* parent = nullptr);
+
+  void setTransferFunction(const TransferFunction& function);
+
+  /// Drawn behind the curve, logarithmic; empty counts for no volume.
+  void setHistogram(const Histogram& histogram);
+
+  /// Shown after values. "HU" also names tissues.
+  void setUnit(const QString& unit);
+
+  /// The values of the volume; the plot shows them all when they change.
+  void setValueRange(const ValueRange& range);
+
+  /// Marks the value under the pointer in the picture.
+  void setMarkedValue(std::optional<double> value);
+
+  /// Values that stay marked: pinned by Shift + click in the picture.
+  void setPinnedValues(const std::vector<double>& values);
+
+  TransferFunctionCanvas* canvas() const { return m_canvas; }
+  PointFields* fields() const { return m_fields; }
+  SpringSlider* opacitySlider() const { return m_opacity; }
+  SpringSlider* shiftSlider() const { return m_shift; }
+
+signals:
+  void transferFunctionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+  /// The value under the pointer in the plot.
+  void valueHovered(std::optional<double> value);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  QWidget* makeControlRow();
+  void connectCanvas();
+  void connectSliders();
+  void showSelection();
+  void openDetails(std::size_t index);
+  const TransferFunction& pullBase(std::uint64_t gestureId);
+  double shiftOf(double position) const;
+  int typedDecimals() const;
+  void showIcons();
+
+  TransferFunctionCanvas* m_canvas;
+  PointFields* m_fields;
+  SpringSlider* m_opacity;
+  SpringSlider* m_shift;
+  QAbstractButton* m_showAll;
+  ValueRange m_range{0.0, 1.0};
+  TransferFunction m_pullBase;
+  std::uint64_t m_pullId = 0;
+};
+
+} // namespace limn
