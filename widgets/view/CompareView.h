@@ -143,6 +143,7 @@ private:
   void fail(const QString& sentence);
   template <class Work> void guarded(Work&& work);
   std::vector<Scene> scenesOfSides() const;
+  GradientScale gradientScaleOfSide(int side) const;
   glm::ivec2 deviceSize() const;
   std::vector<PixelRect> rects() const;
   int sideShownAt(int position) const { return m_swapped ? 1 - position : position; }
