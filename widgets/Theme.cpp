@@ -63,7 +63,9 @@ ThemeColors themeColors(bool dark) {
           .curve = "#262b31"};
 }
 
-ThemeColors themeColors(const QPalette& palette) { return themeColors(isDark(palette)); }
+ThemeColors themeColors(const QPalette& palette) {
+  return themeColors(isDark(palette));
+}
 
 QPalette themePalette(bool dark) {
   const ThemeColors c = themeColors(dark);

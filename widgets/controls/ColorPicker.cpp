@@ -56,13 +56,17 @@ void ColorPicker::setColor(const glm::dvec3& color) {
   update();
 }
 
-QSize ColorPicker::sizeHint() const { return {236, 208}; }
+QSize ColorPicker::sizeHint() const {
+  return {236, 208};
+}
 
 QRectF ColorPicker::fieldRect() const {
   return {0.0, 0.0, width() - barWidth - gap, height() - 2.0 * (rowHeight + gap)};
 }
 
-QRectF ColorPicker::hueRect() const { return {width() - barWidth, 0.0, barWidth, fieldRect().height()}; }
+QRectF ColorPicker::hueRect() const {
+  return {width() - barWidth, 0.0, barWidth, fieldRect().height()};
+}
 
 QRectF ColorPicker::swatchRect(int index) const {
   const double pitch = (width() + 4.0) / swatches.size();

@@ -13,7 +13,9 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) { return QCoreApplication::translate("CurvePainting", text); }
+QString translated(const char* text) {
+  return QCoreApplication::translate("CurvePainting", text);
+}
 
 bool isSelected(const CanvasPicture& picture, std::size_t index) {
   return std::find(picture.selected.begin(), picture.selected.end(), index) != picture.selected.end();
@@ -29,7 +31,8 @@ void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString&
   const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
   const QRectF& plot = picture.transform.plot;
   QRectF box(QPointF(centreBottom.x() - size.width() / 2.0, centreBottom.y() - size.height()), size);
-  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0, std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
+  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0,
+                          std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
   if (box.top() < plot.top() + 2.0)
     box.moveTop(centreBottom.y() + 28.0);
   painter.setPen(QPen(picture.colors.border, 1.0));
@@ -68,8 +71,8 @@ void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
   painter.setOpacity(1.0);
   painter.setBrush(Qt::NoBrush);
   const bool hovered = picture.hoveredPart == CurveHit::Part::curve;
-  painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine, Qt::RoundCap,
-                      Qt::RoundJoin));
+  painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(line);
 }
 
@@ -110,8 +113,10 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
 }
 
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
-  for (const double value : picture.pinnedValues)
-    paintValueLine(painter, picture, value, Qt::SolidLine, valueText(value, picture.unit, picture.decimals));
+  if (picture.pinnedValue)
+    paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
+                   translated(QT_TRANSLATE_NOOP("CurvePainting", "pinned: %1"))
+                       .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
                    translated(QT_TRANSLATE_NOOP("CurvePainting", "in the picture: %1"))
@@ -127,7 +132,8 @@ void paintPoints(QPainter& painter, const CanvasPicture& picture) {
       continue;
     if (isSelected(picture, i) || picture.hoveredPoint == i) {
       painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(isSelected(picture, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
+      painter.setPen(
+          QPen(isSelected(picture, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
       painter.drawEllipse(centre, pointDiameter / 2.0 + 3.0, pointDiameter / 2.0 + 3.0);
     }
     painter.setBrush(toQColor(point.color));
@@ -163,8 +169,8 @@ void paintHover(QPainter& painter, const CanvasPicture& picture) {
     text += QStringLiteral(" · ") + tissue->name;
   const bool atLeft = x > plot.center().x();
   painter.setPen(picture.colors.text);
-  painter.drawText(plot.adjusted(10.0, 6.0, -10.0, 0.0), (atLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop,
-                   text);
+  painter.drawText(plot.adjusted(10.0, 6.0, -10.0, 0.0),
+                   (atLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop, text);
 }
 
 void paintEmptyState(QPainter& painter, const CanvasPicture& picture) {

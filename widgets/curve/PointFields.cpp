@@ -12,7 +12,8 @@
 
 namespace limn {
 
-TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices, double opacity) {
+TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices,
+                               double opacity) {
   TransferFunction edited = function;
   for (const std::size_t i : indices)
     edited.points[i].opacity = std::clamp(opacity, 0.0, 1.0);
@@ -46,15 +47,17 @@ PointFields::PointFields(QWidget* parent)
   m_value->setAccessibleName(tr("Value of the selected point"));
   m_opacity->setAccessibleName(tr("Opacity of the selected point"));
   m_color->setAccessibleName(tr("Colour of the selected point"));
-  m_opacity->setToolTip(tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)"));
+  m_opacity->setToolTip(
+      tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)"));
   m_color->setToolTip(tr("The colour in which tissue of this value is drawn"));
 
   connect(m_value, &NumberField::numberEdited, this, [this](double value) {
     const std::size_t i = m_selected.front();
     const TransferFunction moved = withPointMoved(m_function, i, value, m_function.points[i].opacity);
     m_value->setNumber(moved.points[i].value); // it may have stopped at a neighbour
-    emit functionEdited(moved, {nextGestureId(), tr("move point to %1").arg(valueText(
-                                                     moved.points[i].value, m_unit, m_value->decimals()))});
+    emit functionEdited(
+        moved, {nextGestureId(),
+                tr("move point to %1").arg(valueText(moved.points[i].value, m_unit, m_value->decimals()))});
   });
   connect(m_opacity, &NumberField::numberEdited, this, [this](double opacity) {
     emit functionEdited(withOpacityAt(m_function, m_selected, opacity),
@@ -66,8 +69,8 @@ PointFields::PointFields(QWidget* parent)
   setPoints({}, {}, {}, 1);
 }
 
-void PointFields::setPoints(const TransferFunction& function, const PointIndices& selected, const QString& unit,
-                            int decimals) {
+void PointFields::setPoints(const TransferFunction& function, const PointIndices& selected,
+                            const QString& unit, int decimals) {
   m_function = function;
   m_selected = selected;
   m_unit = unit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/TransferFunctionEditor.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 
 #include "widgets/Icons.h"
 #include "widgets/ValueText.h"
@@ -21,7 +21,9 @@
 namespace limn {
 namespace {
 
-QString factorText(double factor) { return QChar(0x00d7) + QString::number(factor, 'f', 2); }
+QString factorText(double factor) {
+  return QChar(0x00d7) + QString::number(factor, 'f', 2);
+}
 
 } // namespace
 
@@ -37,7 +39,8 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
           tr("<p>Moves the whole curve to lower or higher values, so that other tissue appears.</p>"
              "<p>Up to a quarter of the volume's range either way, default 0. It springs back when let go; "
              "Shift drags finer.</p>"),
-          {-1.0, 1.0, false}, 0.0, [this](double position) {
+          {-1.0, 1.0, false}, 0.0,
+          [this](double position) {
             const QString sign = position > 0.0 ? QStringLiteral("+") : QString();
             return sign + valueText(shiftOf(position), m_canvas->unit(), m_canvas->shownDecimals());
           })),
@@ -85,7 +88,8 @@ void TransferFunctionEditor::connectCanvas() {
   connect(m_canvas, &TransferFunctionCanvas::valueHovered, this, &TransferFunctionEditor::valueHovered);
   connect(m_canvas, &TransferFunctionCanvas::selectionChanged, this, &TransferFunctionEditor::showSelection);
   connect(m_canvas, &TransferFunctionCanvas::numbersRequested, m_fields, &PointFields::focusValue);
-  connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this, &TransferFunctionEditor::openDetails);
+  connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this,
+          &TransferFunctionEditor::openDetails);
   connect(m_fields, &PointFields::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
 }
 
@@ -96,9 +100,9 @@ void TransferFunctionEditor::connectSliders() {
   });
   connect(m_shift, &SpringSlider::pulled, this, [this](double position, std::uint64_t id) {
     const double offset = shiftOf(position);
-    m_canvas->edit(shifted(pullBase(id), offset),
-                   {id, tr("shift curve by %1")
-                            .arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
+    m_canvas->edit(
+        shifted(pullBase(id), offset),
+        {id, tr("shift curve by %1").arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
   });
   for (SpringSlider* slider : {m_opacity, m_shift})
     connect(slider, &SpringSlider::released, this, [this] { m_pullId = 0; });
@@ -126,23 +130,23 @@ void TransferFunctionEditor::setTransferFunction(const TransferFunction& functio
   showSelection();
 }
 
-void TransferFunctionEditor::setHistogram(const Histogram& histogram) { m_canvas->setHistogram(histogram); }
+void TransferFunctionEditor::setHistogram(const Histogram& histogram) {
+  m_range = histogram.range;
+  m_canvas->setHistogram(histogram);
+  showSelection();
+}
 
 void TransferFunctionEditor::setUnit(const QString& unit) {
   m_canvas->setUnit(unit);
   showSelection();
 }
 
-void TransferFunctionEditor::setValueRange(const ValueRange& range) {
-  m_range = range;
-  m_canvas->setValueRange(range);
-  showSelection();
+void TransferFunctionEditor::setMarkedValue(std::optional<double> value) {
+  m_canvas->setMarkedValue(value);
 }
 
-void TransferFunctionEditor::setMarkedValue(std::optional<double> value) { m_canvas->setMarkedValue(value); }
-
-void TransferFunctionEditor::setPinnedValues(const std::vector<double>& values) {
-  m_canvas->setPinnedValues(values);
+void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {
+  m_canvas->setPinnedValue(value);
 }
 
 void TransferFunctionEditor::showSelection() {

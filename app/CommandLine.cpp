@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/CommandLine.h"
+
+#include "app/WindowProgram.h"
+#include "app/commands/Arguments.h"
+#include "app/commands/InfoCommand.h"
+#include "app/commands/PresetsCommand.h"
+#include "app/commands/RenderCommand.h"
+#include "scene/Error.h"
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+
+#include <exception>
+
+namespace limn {
+namespace {
+
+int statusOf(Error::Kind kind) {
+  switch (kind) {
+  case Error::Kind::usage:
+    return 2;
+  case Error::Kind::input:
+    return 3;
+  case Error::Kind::openGl:
+    return 4;
+  case Error::Kind::other:
+    return 1;
+  }
+  return 1;
+}
+
+int parseAndRun(CLI::App& program, int argc, char** argv, const WindowArguments& window) {
+  try {
+    program.parse(argc, argv);
+    if (program.get_subcommands().empty())
+      return runWindow(argc, argv, window);
+    return 0;
+  } catch (const CLI::Success& asked) {
+    return program.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    note(std::string(error.what()) + " (see limn --help)");
+    return 2;
+  } catch (const Error& error) {
+    note(error.what());
+    return statusOf(error.kind());
+  } catch (const std::bad_alloc&) {
+    note("There is not enough memory for this; close other programs or use a smaller volume or picture.");
+    return 1;
+  } catch (const std::exception& error) {
+    note(std::string("Something unexpected failed: ") + error.what() +
+         ". Please report it with `limn info --system`.");
+    return 1;
+  }
+}
+
+} // namespace
+
+int runCommandLine(int argc, char** argv) {
+  QCoreApplication::setApplicationName(QStringLiteral("limn"));
+  QCoreApplication::setOrganizationName(QStringLiteral("limn"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
+  CLI::App program(
+      "Limn shows CT and MR volumes: shape a transfer function, compare classic and gradient-enhanced "
+      "Blinn-Phong. Not for diagnosis.",
+      "limn");
+  program.set_version_flag("--version", LIMN_VERSION);
+  WindowArguments window;
+  program.add_option("PATH", window.path,
+                     "open the window on this volume, DICOM folder, scene or Limn picture");
+  program.add_option("--screenshot", window.screenshot,
+                     "save a PNG of the window once its picture rests, then quit");
+  program.add_option("--theme", window.theme, "light or dark, for this run")
+      ->check(CLI::IsMember({"light", "dark"}));
+  program.footer("Example: limn head.nii.gz");
+  addInfoCommand(program);
+  addRenderCommand(program);
+  addPresetsCommand(program);
+  return parseAndRun(program, argc, argv, window);
+}
+
+} // namespace limn

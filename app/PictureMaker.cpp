@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/PictureMaker.h"
+
+#include "gl/HeadlessContext.h"
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/Error.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace limn {
+namespace {
+
+std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size) {
+  const HeadlessContext context;
+  RayCaster caster;
+  std::vector<MadePicture> pictures;
+  for (const Scene& scene : scenes) {
+    MadePicture picture{caster.render(scene, size), rendererName(), {}};
+    if (!caster.limitation().empty())
+      picture.notes.push_back(caster.limitation());
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                           int threads) {
+  std::vector<MadePicture> pictures;
+  for (const Scene& scene : scenes)
+    pictures.push_back({toImage(renderReference(scene, size, threads)), "reference (double precision)", {}});
+  return pictures;
+}
+
+} // namespace
+
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
+                                      int threads) {
+  if (engine == Engine::reference)
+    return makeWithReference(scenes, size, threads);
+  try {
+    return makeWithGl(scenes, size);
+  } catch (const Error& error) {
+    if (engine == Engine::gl || error.kind() != Error::Kind::openGl)
+      throw;
+    std::vector<MadePicture> pictures = makeWithReference(scenes, size, threads);
+    pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");
+    return pictures;
+  }
+}
+
+Image sideBySide(const Image& left, const Image& right) {
+  assert(left.size.y == right.size.y);
+  Image joined({left.size.x + right.size.x, left.size.y});
+  for (int y = 0; y < left.size.y; ++y) {
+    std::copy_n(&left.at(0, y), left.size.x, &joined.at(0, y));
+    std::copy_n(&right.at(0, y), right.size.x, &joined.at(left.size.x, y));
+  }
+  return joined;
+}
+
+} // namespace limn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+#include "scene/Scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// Which renderer draws a picture. `automatic` is GLSL, or the reference where there is no OpenGL.
+enum class Engine { automatic, gl, reference };
+
+/// A picture and what was noteworthy about making it.
+struct MadePicture {
+  Image image;
+  std::string engine;             ///< renderer string, or "reference (double precision)"
+  std::vector<std::string> notes; ///< one sentence each
+};
+
+/// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core.
+/// Throws Error.
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
+                                      int threads);
+
+/// Two pictures of one height side by side.
+Image sideBySide(const Image& left, const Image& right);
+
+} // namespace limn

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/PresetStore.h"
+
+#include "io/AtomicFile.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
+
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <cctype>
+
+namespace limn {
+
+PresetStore::PresetStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+PresetStore PresetStore::ofThisUser() {
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  return PresetStore(std::filesystem::path(data.toStdString()) / "presets");
+}
+
+std::filesystem::path PresetStore::fileOf(const std::string& name) const {
+  // Every byte that is not plain becomes its code, so that two names never share a file.
+  std::string plain;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    static constexpr char digits[] = "0123456789abcdef";
+    if (byte < 128 && (std::isalnum(byte) || c == '-' || c == ' '))
+      plain += c;
+    else
+      plain += {'%', digits[byte >> 4], digits[byte & 15]};
+  }
+  return m_folder / (plain + ".json");
+}
+
+PresetStore::Contents PresetStore::read() const {
+  Contents contents;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(m_folder, missing)) {
+    if (entry.path().extension() != ".json")
+      continue;
+    try {
+      contents.presets.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
+    } catch (const Error& error) {
+      contents.problems.emplace_back(error.what());
+    }
+  }
+  std::sort(contents.presets.begin(), contents.presets.end(),
+            [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  return contents;
+}
+
+void PresetStore::save(const Preset& preset) const {
+  std::error_code failed;
+  std::filesystem::create_directories(m_folder, failed);
+  writeFileAtomically(fileOf(preset.name), presetToJson(preset));
+}
+
+void PresetStore::remove(const std::string& name) const {
+  std::error_code failed;
+  std::filesystem::remove(fileOf(name), failed);
+  if (failed)
+    throw Error(Error::Kind::other, "Cannot delete the preset \"" + name + "\": " + failed.message() + ".");
+}
+
+} // namespace limn

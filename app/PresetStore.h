@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Preset.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// The user's own presets: one JSON file each in a folder.
+class PresetStore {
+public:
+  explicit PresetStore(std::filesystem::path folder);
+
+  /// A store in the platform's data folder for this program.
+  static PresetStore ofThisUser();
+
+  /// What could be read, by name, and one sentence for each file that could not.
+  struct Contents {
+    std::vector<Preset> presets;
+    std::vector<std::string> problems;
+  };
+  Contents read() const;
+
+  /// Writes a preset atomically, replacing the one of the same name. Throws Error.
+  void save(const Preset& preset) const;
+
+  /// Removes a preset by name; nothing happens where there is none. Throws Error.
+  void remove(const std::string& name) const;
+
+private:
+  std::filesystem::path fileOf(const std::string& name) const;
+  std::filesystem::path m_folder;
+};
+
+} // namespace limn

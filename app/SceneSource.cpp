@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/SceneSource.h"
+
+#include "app/BuiltInPresets.h"
+#include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
+#include "scene/Phantom.h"
+#include "scene/PresetFit.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+struct OpenedVolume {
+  std::shared_ptr<const Volume> volume;
+  std::string path;
+};
+
+std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Progress& progress) {
+  PhantomSpec spec;
+  if (const auto colon = source.find(':'); colon != std::string::npos) {
+    const std::string number = source.substr(colon + 1);
+    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), spec.spacingMm);
+    if (failed != std::errc() || end != number.data() + number.size())
+      throw Error(Error::Kind::usage,
+                  "\"" + source + "\" is not a phantom; write phantom:SPACING, such as phantom:1.5.");
+  }
+  if (progress.report)
+    progress.report(0.0, "Making the phantom");
+  return phantomVolume(spec, progress.isCancelled);
+}
+
+OpenedVolume openVolume(const std::string& source, const ReadOptions& options, const Progress& progress,
+                        std::vector<std::string>& notes) {
+  if (source == "sample") {
+    if (const auto head = installedSampleHead())
+      return {readVolume(*head, options, progress), head->string()};
+    notes.emplace_back(
+        "No example head is installed (package invesalius-examples), so the built-in phantom is shown.");
+    return {phantomNamed("phantom", progress), "phantom"};
+  }
+  const bool isPhantom = source == "phantom" || source.starts_with("phantom:");
+  if (isPhantom && !fs::exists(source))
+    return {phantomNamed(source, progress), source};
+  return {readVolume(source, options, progress), fs::absolute(source).lexically_normal().string()};
+}
+
+bool isSceneFile(const fs::path& path) {
+  return lowerExtension(path) == ".json" && fs::is_regular_file(path);
+}
+
+// A picture that Limn wrote carries its scene; any other image is a slice of a stack.
+std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
+  const std::string extension = lowerExtension(path);
+  const bool mayCarry =
+      extension == ".png" || extension == ".tif" || extension == ".tiff" || extension == ".exr";
+  if (!mayCarry || !fs::is_regular_file(path))
+    return std::nullopt;
+  const std::string description = readImageDescription(path);
+  if (description.find("\"limn_scene\"") == std::string::npos)
+    return std::nullopt;
+  SceneDocument document = parseScene(description, path.filename().string());
+  document.volume = (fs::absolute(path).parent_path() / document.volume).lexically_normal().string();
+  return document;
+}
+
+void completeScene(LoadedScene& loaded, bool hasCamera, bool hasTransferFunction) {
+  Scene& scene = loaded.scene;
+  if (!hasCamera)
+    scene.camera = defaultCamera(scene.volume->grid());
+  if (!hasTransferFunction) {
+    const Preset preset = bestFitting(builtInPresets(), *scene.volume);
+    scene = withPreset(scene, preset, true);
+    loaded.notes.push_back("Shown with the preset \"" + preset.name + "\".");
+  }
+}
+
+LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
+  LoadedScene loaded;
+  loaded.fromSceneFile = true;
+  loaded.scene = std::move(document.scene);
+  std::string source = document.volume;
+  // Built-in volumes are named without a folder; reading made the name absolute.
+  const std::string name = fs::path(source).filename().string();
+  if (!fs::exists(source) && (name == "phantom" || name == "sample" || name.starts_with("phantom:")))
+    source = name;
+  if (options.volume)
+    source = options.volume->string();
+  else if (source != name && !fs::exists(source))
+    throw Error(Error::Kind::input, "The scene's volume " + name +
+                                        " is not where the scene expects it; name it with "
+                                        "--volume PATH.");
+  const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
+  loaded.scene.volume = opened.volume;
+  loaded.volumePath = opened.path;
+  completeScene(loaded, document.hasCamera, document.hasTransferFunction);
+  return loaded;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> installedSampleHead() {
+  const fs::path head = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  return fs::exists(head) ? std::optional(head) : std::nullopt;
+}
+
+LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
+  if (isSceneFile(source))
+    return loadDocument(readSceneFile(source), options, progress);
+  if (auto document = sceneInPicture(source))
+    return loadDocument(std::move(*document), options, progress);
+  LoadedScene loaded;
+  const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
+  loaded.scene.volume = opened.volume;
+  loaded.volumePath = opened.path;
+  completeScene(loaded, false, false);
+  return loaded;
+}
+
+} // namespace limn

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/VolumeReader.h"
+#include "scene/Scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// What a person adds when naming a source.
+struct SourceOptions {
+  ReadOptions read;
+  std::optional<std::filesystem::path> volume; ///< replaces the volume that a scene or picture names
+};
+
+/// A scene ready to draw, and where its volume came from.
+struct LoadedScene {
+  Scene scene;                    ///< with volume, camera and transfer function
+  std::string volumePath;         ///< absolute path, or the built-in name ("phantom:1")
+  bool fromSceneFile = false;     ///< its shading and transfer function are the author's
+  std::vector<std::string> notes; ///< one sentence each: what the program chose
+};
+
+/// Loads anything that names a scene: a volume (see readVolume), a scene file, a picture written by Limn,
+/// `sample` (the CT head of an installed example, otherwise the phantom) or `phantom[:spacing in mm]`.
+/// A volume gets the default camera and the best-fitting preset. Throws Error and Cancelled.
+LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress);
+
+/// The CT head that Debian's invesalius-examples installs, where it is installed.
+std::optional<std::filesystem::path> installedSampleHead();
+
+} // namespace limn

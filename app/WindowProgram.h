@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace limn {
+
+/// How the window starts.
+struct WindowArguments {
+  std::string path;       ///< what to open; empty: the empty state
+  std::string screenshot; ///< PNG to save once the picture rests, then quit; empty: stay open
+  std::string theme;      ///< "light" or "dark"; empty: as set
+};
+
+/// Opens the window and runs until it closes. Returns the exit status. Throws Error (openGl) where there is
+/// no display.
+int runWindow(int argc, char** argv, const WindowArguments& arguments);
+
+} // namespace limn

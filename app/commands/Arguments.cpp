@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Arguments.h"
+
+#include "scene/Error.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+namespace limn {
+
+void addSourceArguments(CLI::App& command, SourceArguments& arguments, const std::string& what) {
+  command.add_option("SOURCE", arguments.source, what)->required();
+  command.add_option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
+  command
+      .add_option("--series", arguments.series,
+                  "number of the series in a DICOM folder, as `limn info` lists it")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--volume", arguments.volume, "where the volume of a scene or picture is now");
+  command.add_flag("--quiet", arguments.quiet, "no progress and no remarks on stderr");
+}
+
+SourceOptions sourceOptions(const SourceArguments& arguments) {
+  SourceOptions options;
+  if (!arguments.spacing.empty()) {
+    glm::dvec3 spacing(0.0);
+    char first = 0;
+    char second = 0;
+    std::istringstream text(arguments.spacing);
+    text >> spacing.x >> first >> spacing.y >> second >> spacing.z;
+    const bool complete = text && text.peek() == EOF && first == ',' && second == ',';
+    if (!complete || !(spacing.x > 0) || !(spacing.y > 0) || !(spacing.z > 0))
+      throw Error(Error::Kind::usage,
+                  "--spacing takes three positive numbers of millimetres, such as 0.5,0.5,1.2.");
+    options.read.spacingMm = spacing;
+  }
+  if (arguments.series > 0)
+    options.read.series = arguments.series;
+  if (!arguments.volume.empty())
+    options.volume = arguments.volume;
+  return options;
+}
+
+Progress terminalProgress(bool quiet) {
+  Progress progress;
+  if (quiet || !isatty(STDERR_FILENO))
+    return progress;
+  progress.report = [](double fraction, const std::string& what) {
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
+                 fraction >= 1.0 ? "\r\033[K" : "");
+  };
+  return progress;
+}
+
+glm::ivec2 parsedSize(const std::string& text) {
+  glm::ivec2 size(0);
+  char times = 0;
+  std::istringstream stream(text);
+  stream >> size.x >> times >> size.y;
+  if (!stream || stream.peek() != EOF || times != 'x' || size.x < 1 || size.y < 1 || size.x > 16384 ||
+      size.y > 16384)
+    throw Error(Error::Kind::usage,
+                "--size takes WIDTHxHEIGHT in pixels from 1x1 to 16384x16384, such as 800x600.");
+  return size;
+}
+
+void note(const std::string& sentence) {
+  std::fprintf(stderr, "limn: %s\n", sentence.c_str());
+}
+
+} // namespace limn

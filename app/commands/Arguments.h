@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/SceneSource.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace limn {
+
+/// The options that name a source, shared by every command that takes one.
+struct SourceArguments {
+  std::string source;
+  std::string spacing; ///< "X,Y,Z" in mm
+  int series = 0;      ///< 0: not given
+  std::string volume;
+  bool quiet = false;
+};
+
+/// Adds SOURCE and its options to a command.
+void addSourceArguments(CLI::App& command, SourceArguments& arguments, const std::string& what);
+
+/// What the arguments ask for. Throws Error (usage) for a spacing that is not three positive numbers.
+SourceOptions sourceOptions(const SourceArguments& arguments);
+
+/// Reports to stderr while it is a terminal and `quiet` is not set.
+Progress terminalProgress(bool quiet);
+
+/// "WxH" in pixels. Throws Error (usage).
+glm::ivec2 parsedSize(const std::string& text);
+
+/// Prints one line to stderr.
+void note(const std::string& sentence);
+
+} // namespace limn

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/InfoCommand.h"
+
+#include "app/commands/Arguments.h"
+#include "app/commands/SystemInfo.h"
+#include "scene/Error.h"
+#include "scene/Gradient.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct InfoArguments {
+  SourceArguments source;
+  bool json = false;
+  bool system = false;
+};
+
+struct Facts {
+  std::shared_ptr<const Volume> volume;
+  std::vector<SeriesSummary> series;
+  double gradientMax = 0.0;
+  double gradientPercentile = 0.0;
+};
+
+nlohmann::ordered_json toJson(const glm::dvec3& v) {
+  return nlohmann::ordered_json::array({v.x, v.y, v.z});
+}
+
+nlohmann::ordered_json toJson(const SeriesSummary& series) {
+  return {{"number", series.number},
+          {"description", series.description},
+          {"modality", series.modality},
+          {"dims", {series.dims.x, series.dims.y, series.dims.z}}};
+}
+
+void printJson(const Facts& facts) {
+  const Volume& volume = *facts.volume;
+  const Grid& grid = volume.grid();
+  nlohmann::ordered_json direction = nlohmann::ordered_json::array();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      direction.push_back(grid.direction[column][row]);
+  nlohmann::ordered_json series = nlohmann::ordered_json::array();
+  for (const SeriesSummary& one : facts.series)
+    series.push_back(toJson(one));
+  const nlohmann::ordered_json json = {
+      {"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+      {"spacing_mm", toJson(grid.spacingMm)},
+      {"origin_mm", toJson(grid.originMm)},
+      {"direction", direction},
+      {"type", voxelTypeName(volume.stored())},
+      {"range", {volume.range().lowest, volume.range().highest}},
+      {"invalid_voxels", volume.invalidVoxels()},
+      {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
+      {"series", series},
+      {"warnings", volume.info().warnings}};
+  std::cout << json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void printText(const Facts& facts) {
+  const Volume& volume = *facts.volume;
+  const Grid& grid = volume.grid();
+  const std::string unit = volume.info().unit.empty() ? "" : " " + volume.info().unit;
+  const std::string perMm = (volume.info().unit.empty() ? "value" : volume.info().unit) + "/mm";
+  std::printf("format      %s%s%s\n", volume.info().format.c_str(),
+              volume.info().modality.empty() ? "" : ", ", volume.info().modality.c_str());
+  std::printf("dimensions  %d x %d x %d voxels\n", grid.dims.x, grid.dims.y, grid.dims.z);
+  std::printf("spacing     %.4g x %.4g x %.4g mm%s\n", grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z,
+              volume.info().spacingKnown ? "" : " (assumed)");
+  std::printf("origin      %.6g, %.6g, %.6g mm (LPS)\n", grid.originMm.x, grid.originMm.y, grid.originMm.z);
+  for (int row = 0; row < 3; ++row)
+    std::printf("%s% .6f % .6f % .6f\n", row == 0 ? "direction   " : "            ", grid.direction[0][row],
+                grid.direction[1][row], grid.direction[2][row]);
+  if (!volume.info().orientationKnown)
+    std::printf("            orientation unknown\n");
+  std::printf("type        %s, value = %.6g * stored + %.6g\n", voxelTypeName(volume.stored()).c_str(),
+              volume.rescale().slope, volume.rescale().intercept);
+  std::printf("range       %.6g to %.6g%s\n", volume.range().lowest, volume.range().highest, unit.c_str());
+  std::printf("invalid     %zu voxels\n", volume.invalidVoxels());
+  std::printf("gradient    largest %.6g, 99.5th percentile %.6g %s\n", facts.gradientMax,
+              facts.gradientPercentile, perMm.c_str());
+  for (const SeriesSummary& series : facts.series)
+    std::printf("series %-4d %s %d x %d x %d %s\n", series.number, series.modality.c_str(), series.dims.x,
+                series.dims.y, series.dims.z, series.description.c_str());
+  for (const std::string& warning : volume.info().warnings)
+    std::printf("warning     %s\n", warning.c_str());
+}
+
+void runInfo(const InfoArguments& arguments) {
+  if (arguments.system) {
+    printSystemInfo();
+    return;
+  }
+  if (arguments.source.source.empty())
+    throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
+  Facts facts;
+  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
+                                       terminalProgress(arguments.source.quiet));
+  facts.volume = loaded.scene.volume;
+  facts.series = listSeries(loaded.volumePath);
+  facts.gradientMax = largestGradient(*facts.volume);
+  facts.gradientPercentile = gradientPercentile(*facts.volume, 99.5);
+  arguments.json ? printJson(facts) : printText(facts);
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& root) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command =
+      root.add_subcommand("info", "what a volume is: grid, values, gradients, series, warnings");
+  addSourceArguments(*command, arguments->source, "volume, DICOM folder, scene, or `phantom:SPACING`");
+  command->get_option("SOURCE")->required(false);
+  command->add_flag("--json", arguments->json, "one JSON object on stdout");
+  command->add_flag("--system", arguments->system,
+                    "versions, renderer and limits for a bug report; nothing personal");
+  command->footer("Example: limn info head.nii.gz --json");
+  command->callback([arguments] { runInfo(*arguments); });
+}
+
+} // namespace limn

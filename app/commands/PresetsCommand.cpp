@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/PresetsCommand.h"
+
+#include "app/BuiltInPresets.h"
+#include "app/PresetStore.h"
+#include "app/commands/Arguments.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
+
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+void listPresets() {
+  for (const Preset& preset : builtInPresets())
+    std::printf("%-18s %-4s built-in  %s\n", preset.name.c_str(), preset.modality.c_str(),
+                preset.note.c_str());
+  const PresetStore::Contents own = PresetStore::ofThisUser().read();
+  for (const Preset& preset : own.presets)
+    std::printf("%-18s %-4s own       %s\n", preset.name.c_str(), preset.modality.c_str(),
+                preset.note.c_str());
+  for (const std::string& problem : own.problems)
+    note(problem);
+}
+
+void showPreset(const std::string& name) {
+  std::vector<Preset> presets = builtInPresets();
+  for (const Preset& own : PresetStore::ofThisUser().read().presets)
+    presets.push_back(own);
+  for (const Preset& preset : presets)
+    if (preset.name == name) {
+      std::cout << presetToJson(preset);
+      return;
+    }
+  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; `limn presets list` names them all.");
+}
+
+} // namespace
+
+void addPresetsCommand(CLI::App& root) {
+  CLI::App* command = root.add_subcommand("presets", "the built-in presets and your own");
+  command->require_subcommand(1);
+  command->footer("Example: limn presets show \"CT bone\"");
+  command->add_subcommand("list", "names, modality and what each shows")->callback(listPresets);
+  auto name = std::make_shared<std::string>();
+  CLI::App* show = command->add_subcommand("show", "one preset as JSON");
+  show->add_option("NAME", *name, "the preset's name")->required();
+  show->footer("Example: limn presets show \"CT bone\"");
+  show->callback([name] { showPreset(*name); });
+}
+
+} // namespace limn

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/RenderCommand.h"
+
+#include "app/BuiltInPresets.h"
+#include "app/PictureMaker.h"
+#include "app/PresetStore.h"
+#include "app/commands/Arguments.h"
+#include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
+#include "scene/PresetFit.h"
+
+#include <chrono>
+#include <map>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct RenderArguments {
+  SourceArguments source;
+  std::string out;
+  std::string size;
+  std::string engine = "auto";
+  std::string model;
+  std::string preset;
+  std::string view;
+  double stepVoxels = 0.0; ///< 0: not given
+  int threads = 0;
+};
+
+const std::map<std::string, Engine> engines{
+    {"auto", Engine::automatic}, {"gl", Engine::gl}, {"reference", Engine::reference}};
+
+const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
+                                                 {"classic", ShadingModel::classic},
+                                                 {"enhanced", ShadingModel::enhanced},
+                                                 {"robust", ShadingModel::robust}};
+
+const std::map<std::string, StandardView> views{
+    {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
+    {"left", StandardView::left},         {"right", StandardView::right},
+    {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
+
+template <class Value>
+Value chosen(const std::map<std::string, Value>& choices, const std::string& word,
+             const std::string& option) {
+  if (const auto found = choices.find(word); found != choices.end())
+    return found->second;
+  std::string known;
+  for (const auto& [name, value] : choices)
+    known += (known.empty() ? "" : ", ") + name;
+  throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
+}
+
+Preset presetNamed(const std::string& name) {
+  std::vector<Preset> presets = builtInPresets();
+  for (Preset& own : PresetStore::ofThisUser().read().presets)
+    presets.push_back(std::move(own));
+  std::string known;
+  for (const Preset& preset : presets) {
+    if (preset.name == name)
+      return preset;
+    known += (known.empty() ? "" : ", ") + preset.name;
+  }
+  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; there are: " + known + ".");
+}
+
+Scene adjusted(Scene scene, const RenderArguments& arguments) {
+  if (!arguments.preset.empty())
+    scene = withPreset(scene, fittedTo(presetNamed(arguments.preset), *scene.volume), true);
+  if (!arguments.view.empty())
+    scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
+  if (arguments.stepVoxels > 0.0)
+    scene.quality.stepVoxels = arguments.stepVoxels;
+  if (!arguments.size.empty()) {
+    const glm::ivec2 size = parsedSize(arguments.size);
+    scene.image.width = size.x;
+    scene.image.height = size.y;
+  }
+  return scene;
+}
+
+Scene withModel(Scene scene, ShadingModel model) {
+  scene.shading.model = model;
+  return scene;
+}
+
+MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
+  const Engine engine = chosen(engines, arguments.engine, "--engine");
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  if (arguments.model != "compare")
+    return makePictures({scene}, size, engine, arguments.threads).front();
+  const glm::ivec2 half(size.x / 2, size.y);
+  if (half.x < 1)
+    throw Error(Error::Kind::usage, "A comparison needs a picture at least two pixels wide; see --size.");
+  std::vector<MadePicture> pair =
+      makePictures({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half,
+                   engine, arguments.threads);
+  pair.front().image = sideBySide(pair[0].image, pair[1].image);
+  return std::move(pair.front());
+}
+
+void runRender(const RenderArguments& arguments) {
+  if (arguments.engine == "cpu")
+    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl or reference.");
+  LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
+                                 terminalProgress(arguments.source.quiet));
+  Scene scene = adjusted(std::move(loaded.scene), arguments);
+  if (!arguments.model.empty() && arguments.model != "compare")
+    scene.shading.model = chosen(models, arguments.model, "--model");
+  const auto start = std::chrono::steady_clock::now();
+  const MadePicture picture = pictureOf(scene, arguments);
+  const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+  // The picture may travel: it names its volume without folders.
+  const std::string volume = std::filesystem::path(loaded.volumePath).filename().string();
+  writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(scene, volume));
+  if (arguments.source.quiet)
+    return;
+  if (arguments.preset.empty())
+    for (const std::string& remark : loaded.notes)
+      note(remark);
+  for (const std::string& warning : scene.volume->info().warnings)
+    note(warning);
+  for (const std::string& remark : picture.notes)
+    note(remark);
+  char line[160];
+  std::snprintf(line, sizeof line, "%d x %d pixels in %.0f ms (set-up included) on %s", picture.image.size.x,
+                picture.image.size.y, ms.count(), picture.engine.c_str());
+  note(line);
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& root) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = root.add_subcommand("render", "a picture of a scene or volume");
+  addSourceArguments(*command, arguments->source,
+                     "scene file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+  command->add_option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr")->required();
+  command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command->add_option("--engine", arguments->engine, "auto, gl or reference (double precision, slow)");
+  command->add_option("--model", arguments->model,
+                      "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
+  command->add_option("--preset", arguments->preset,
+                      "name of a built-in or own preset; see `limn presets list`");
+  command->add_option("--view", arguments->view, "anterior, posterior, left, right, superior or inferior");
+  command->add_option("--step", arguments->stepVoxels, "sampling step in units of the smallest voxel spacing")
+      ->check(CLI::Range(1e-4, 1e4));
+  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      ->check(CLI::Range(1, 4096));
+  command->footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
+  command->callback([arguments] { runRender(*arguments); });
+}
+
+} // namespace limn

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Preset.h"
+#include "scene/Scene.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace limn {
+
+/// A scene file as read: the scene without its volume, and what the file left to the program.
+struct SceneDocument {
+  std::string volume;               ///< path as written in the file, relative to its folder
+  Scene scene;                      ///< `scene.volume` is empty
+  bool hasCamera = false;           ///< false: place the default camera once the volume is read
+  bool hasTransferFunction = false; ///< false: choose the best-fitting preset
+};
+
+/// Reads the text of a scene file. `name` is how errors call it. Unknown keys are refused by name, numbers
+/// outside their range with the range. Throws Error (input).
+SceneDocument parseScene(std::string_view text, const std::string& name);
+
+/// Reads a scene file from disk; `volume` becomes absolute. Throws Error (input).
+SceneDocument readSceneFile(const std::filesystem::path& path);
+
+/// A scene as JSON with every key written out; `volume` is stored as given.
+std::string sceneToJson(const Scene& scene, const std::string& volume);
+
+/// Reads the text of a preset file. Throws Error (input).
+Preset parsePreset(std::string_view text, const std::string& name);
+
+/// A preset as JSON; keys that it leaves open are absent.
+std::string presetToJson(const Preset& preset);
+
+/// The whole of a file as text. Throws Error (input) where it is missing, unreadable or over `limit` bytes.
+std::string readTextFile(const std::filesystem::path& path, std::size_t limit = 16u << 20);
+
+} // namespace limn

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/JsonFields.h"
+#include "io/scenefile/SceneFile.h"
+
+#include "scene/Error.h"
+
+#include <fstream>
+
+namespace limn {
+namespace {
+
+constexpr Limits exponentLimits{0.0, 1024.0, true};
+constexpr Limits coefficientLimits{0.0, 8.0};
+
+nlohmann::json parsed(std::string_view text, const std::string& name) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw Error(Error::Kind::input, name + " is not valid JSON (the mistake is near byte " +
+                                        std::to_string(error.byte) +
+                                        "); open it in a text editor to repair it.");
+  }
+}
+
+void readRange(JsonFields& fields, const std::string& key, CoefficientRange& range, const Limits& limits) {
+  if (fields.pair(key, range.atFlat, range.atBoundary, limits) && range.atFlat > range.atBoundary)
+    fields.fail(key, "must name the smaller number first");
+}
+
+Camera readCamera(JsonFields fields) {
+  Camera camera;
+  fields.choice(
+      "projection", camera.projection,
+      {{"perspective", Camera::Projection::perspective}, {"orthographic", Camera::Projection::orthographic}});
+  fields.vector("position", camera.position);
+  fields.vector("target", camera.target);
+  fields.vector("up", camera.up);
+  fields.number("fov_y_deg", camera.fovYDeg, {0.0, 170.0, true});
+  fields.number("height_mm", camera.heightMm, positive);
+  fields.finish();
+  return camera;
+}
+
+TransferFunction readTransferFunction(JsonFields fields) {
+  TransferFunction function;
+  fields.number("unit_distance_mm", function.unitDistanceMm, positive);
+  if (fields.has("points")) {
+    const nlohmann::json& points = fields.child("points");
+    if (!points.is_array())
+      fields.fail("points", "must be a list of control points");
+    for (const nlohmann::json& item : points) {
+      JsonFields point(item, fields.document(), "transfer_function.points");
+      ControlPoint control;
+      if (!point.number("value", control.value))
+        point.fail("value", "is missing");
+      point.vector("color", control.color, fraction);
+      point.number("opacity", control.opacity, fraction);
+      point.finish();
+      function.points.push_back(control);
+    }
+  }
+  fields.finish();
+  return normalised(std::move(function));
+}
+
+GradientReference readGradientReference(JsonFields& shading) {
+  const nlohmann::json& value = shading.child("gradient_reference");
+  if (value == "auto")
+    return AutomaticReference{};
+  if (value == "max")
+    return LargestReference{};
+  if (value.is_object()) {
+    PercentileReference reference;
+    JsonFields fields = shading.object("gradient_reference");
+    if (!fields.number("percentile", reference.percent, {0.0, 100.0, true}))
+      fields.fail("percentile", "is missing");
+    fields.finish();
+    return reference;
+  }
+  FixedReference reference;
+  if (!value.is_number())
+    shading.fail("gradient_reference",
+                 "must be \"auto\", \"max\", {\"percentile\": p} or a number in value/mm");
+  shading.number("gradient_reference", reference.valuePerMm, positive);
+  return reference;
+}
+
+GradientCurve readGradientCurve(JsonFields fields) {
+  GradientCurve curve;
+  fields.choice("type", curve.type,
+                {{"linear", GradientCurve::Type::linear},
+                 {"gamma", GradientCurve::Type::gamma},
+                 {"log", GradientCurve::Type::log}});
+  if (curve.type == GradientCurve::Type::gamma)
+    fields.number("gamma", curve.parameter, positive);
+  if (curve.type == GradientCurve::Type::log)
+    fields.number("b", curve.parameter, positive);
+  fields.finish();
+  return curve;
+}
+
+void readLightDirection(JsonFields& fields, Shading& shading) {
+  if (!fields.has("light_direction"))
+    return;
+  if (fields.child("light_direction") == "headlight") {
+    shading.lightDirection.reset();
+    return;
+  }
+  glm::dvec3 direction(0.0);
+  fields.vector("light_direction", direction);
+  if (!(glm::length(direction) > 0.0))
+    fields.fail("light_direction", "must be \"headlight\" or a direction that is not zero");
+  shading.lightDirection = direction;
+}
+
+void readRobustFields(JsonFields& fields, Shading& shading) {
+  fields.boolean("energy_factor", shading.energyFactor);
+  if (fields.has("significance")) {
+    shading.significance.reset();
+    Significance window;
+    if (!fields.child("significance").is_null()) {
+      fields.pair("significance", window.low, window.high, fraction);
+      if (!(window.low < window.high))
+        fields.fail("significance", "must name the smaller number first");
+      shading.significance = window;
+    }
+  }
+  if (fields.has("knee")) {
+    shading.knee.reset();
+    double knee = 0.0;
+    if (!fields.child("knee").is_null()) {
+      fields.number("knee", knee, {0.0, 0.999});
+      shading.knee = knee;
+    }
+  }
+}
+
+Shading readShading(JsonFields fields) {
+  Shading shading;
+  fields.choice("model", shading.model,
+                {{"none", ShadingModel::none},
+                 {"classic", ShadingModel::classic},
+                 {"enhanced", ShadingModel::enhanced},
+                 {"robust", ShadingModel::robust}});
+  fields.number("ambient", shading.ambient, notNegative);
+  fields.number("diffuse", shading.diffuse, notNegative);
+  fields.number("specular", shading.specular, notNegative);
+  fields.number("ambient_intensity", shading.ambientIntensity, notNegative);
+  fields.number("light_intensity", shading.lightIntensity, notNegative);
+  fields.number("exponent", shading.exponent, exponentLimits);
+  readRange(fields, "exponent_range", shading.exponentRange, exponentLimits);
+  readRange(fields, "opacity_range", shading.opacityRange, coefficientLimits);
+  if (fields.has("gradient_reference"))
+    shading.gradientReference = readGradientReference(fields);
+  if (fields.has("gradient_curve"))
+    shading.gradientCurve = readGradientCurve(fields.object("gradient_curve"));
+  readRobustFields(fields, shading);
+  fields.choice("specular_color", shading.specularColor,
+                {{"material", SpecularColor::material}, {"light", SpecularColor::light}});
+  fields.choice("reflection", shading.reflection,
+                {{"blinn", Reflection::blinn}, {"phong", Reflection::phong}});
+  fields.boolean("two_sided", shading.twoSided);
+  readLightDirection(fields, shading);
+  fields.finish();
+  return shading;
+}
+
+std::optional<GradientOpacity> readGradientOpacity(JsonFields& parent) {
+  if (parent.child("gradient_opacity").is_null())
+    return std::nullopt;
+  JsonFields fields = parent.object("gradient_opacity");
+  GradientOpacity curve;
+  if (!fields.has("points") || !fields.child("points").is_array())
+    fields.fail("points", "must be a list of {\"gradient\", \"opacity\"}");
+  for (const nlohmann::json& item : fields.child("points")) {
+    JsonFields point(item, fields.document(), "gradient_opacity.points");
+    GradientOpacityPoint control;
+    if (!point.number("gradient", control.gradient, notNegative))
+      point.fail("gradient", "is missing");
+    point.number("opacity", control.opacity, fraction);
+    point.finish();
+    if (!curve.points.empty() && control.gradient < curve.points.back().gradient)
+      point.fail("gradient", "must not be smaller than that of the point before");
+    curve.points.push_back(control);
+  }
+  fields.finish();
+  return curve;
+}
+
+Fog readFog(JsonFields fields) {
+  Fog fog;
+  fields.choice("mode", fog.mode,
+                {{"none", Fog::Mode::none},
+                 {"linear", Fog::Mode::linear},
+                 {"exp", Fog::Mode::exp},
+                 {"exp2", Fog::Mode::exp2}});
+  fields.vector("color", fog.color, fraction);
+  fields.number("density_per_mm", fog.densityPerMm, notNegative);
+  fields.number("start_mm", fog.startMm);
+  fields.number("end_mm", fog.endMm);
+  fields.finish();
+  return fog;
+}
+
+CropBox readCrop(JsonFields fields) {
+  CropBox crop;
+  fields.vector("lower", crop.lower, fraction);
+  fields.vector("upper", crop.upper, fraction);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(crop.lower[axis] < crop.upper[axis]))
+      fields.fail("lower", "must be smaller than \"crop.upper\" on every axis");
+  fields.finish();
+  return crop;
+}
+
+bool readProjection(JsonFields& fields, Projection& projection) {
+  return fields.choice("projection", projection,
+                       {{"composite", Projection::composite},
+                        {"mip", Projection::mip},
+                        {"minip", Projection::minip},
+                        {"average", Projection::average},
+                        {"xray", Projection::xray},
+                        {"isosurface", Projection::isosurface},
+                        {"composite_isosurface", Projection::compositeIsosurface}});
+}
+
+Quality readQuality(JsonFields fields) {
+  Quality quality;
+  fields.number("step_voxels", quality.stepVoxels, {0.0, 1e6, true});
+  fields.choice("preintegrated", quality.preintegrated,
+                {{"auto", Preintegration::automatic},
+                 {"always", Preintegration::always},
+                 {"never", Preintegration::never}});
+  fields.number("early_termination", quality.earlyTermination, {0.0, 1.0, true});
+  fields.boolean("jitter", quality.jitter);
+  if (fields.has("tolerance_levels"))
+    fields.fail("tolerance_levels", "is not supported yet; use step_voxels");
+  fields.finish();
+  return quality;
+}
+
+ImageSettings readImageSettings(JsonFields fields) {
+  ImageSettings image;
+  fields.integer("width", image.width, 1, 16384);
+  fields.integer("height", image.height, 1, 16384);
+  fields.vector("background", image.background, fraction);
+  fields.finish();
+  return image;
+}
+
+void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
+  int version = 0;
+  if (!fields.integer(key, version, 1, 1000000))
+    fields.fail(key, "is missing, so this is not a Limn " + what);
+  if (version != 1)
+    fields.fail(key,
+                "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
+}
+
+} // namespace
+
+SceneDocument parseScene(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsed(text, name);
+  JsonFields fields(json, name, "");
+  requireVersion(fields, "limn_scene", "scene");
+  SceneDocument document;
+  Scene& scene = document.scene;
+  if (!fields.text("volume", document.volume) || document.volume.empty())
+    fields.fail("volume", "is missing; name the file or folder of the volume");
+  document.hasCamera = fields.has("camera");
+  if (document.hasCamera)
+    scene.camera = readCamera(fields.object("camera"));
+  document.hasTransferFunction = fields.has("transfer_function");
+  if (document.hasTransferFunction)
+    scene.transferFunction = readTransferFunction(fields.object("transfer_function"));
+  if (fields.has("shading"))
+    scene.shading = readShading(fields.object("shading"));
+  if (fields.has("gradient_opacity"))
+    scene.gradientOpacity = readGradientOpacity(fields);
+  if (fields.has("fog"))
+    scene.fog = readFog(fields.object("fog"));
+  if (fields.has("crop"))
+    scene.crop = readCrop(fields.object("crop"));
+  readProjection(fields, scene.projection);
+  if (fields.has("isosurface")) {
+    JsonFields isosurface = fields.object("isosurface");
+    isosurface.number("value", scene.isovalue);
+    isosurface.finish();
+  }
+  if (fields.has("quality"))
+    scene.quality = readQuality(fields.object("quality"));
+  if (fields.has("image"))
+    scene.image = readImageSettings(fields.object("image"));
+  fields.finish();
+  return document;
+}
+
+SceneDocument readSceneFile(const std::filesystem::path& path) {
+  SceneDocument document = parseScene(readTextFile(path), path.filename().string());
+  document.volume =
+      (std::filesystem::absolute(path).parent_path() / document.volume).lexically_normal().string();
+  return document;
+}
+
+Preset parsePreset(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsed(text, name);
+  JsonFields fields(json, name, "");
+  requireVersion(fields, "limn_preset", "preset");
+  Preset preset;
+  if (!fields.text("name", preset.name) || preset.name.empty())
+    fields.fail("name", "is missing");
+  fields.text("modality", preset.modality);
+  fields.text("note", preset.note);
+  if (!fields.has("transfer_function"))
+    fields.fail("transfer_function", "is missing");
+  preset.transferFunction = readTransferFunction(fields.object("transfer_function"));
+  if (fields.has("gradient_opacity"))
+    preset.gradientOpacity = readGradientOpacity(fields);
+  if (fields.has("shading"))
+    preset.shading = readShading(fields.object("shading"));
+  Projection projection = Projection::composite;
+  if (readProjection(fields, projection))
+    preset.projection = projection;
+  fields.finish();
+  return preset;
+}
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t limit) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(Error::Kind::input, "Cannot read " + path.filename().string() + ": " + why);
+  };
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(path, failed);
+  if (failed)
+    refuse("there is no such file; check the path.");
+  if (size > limit)
+    refuse("it is far larger than any file of this kind; choose another file.");
+  std::ifstream file(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!file.read(text.data(), static_cast<std::streamsize>(size)))
+    refuse("it cannot be opened; check that you may read it.");
+  return text;
+}
+
+} // namespace limn

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/SceneFile.h"
+
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json toJson(const Camera& camera) {
+  const bool perspective = camera.projection == Camera::Projection::perspective;
+  return {{"projection", perspective ? "perspective" : "orthographic"},
+          {"position", toJson(camera.position)},
+          {"target", toJson(camera.target)},
+          {"up", toJson(camera.up)},
+          {"fov_y_deg", camera.fovYDeg},
+          {"height_mm", camera.heightMm}};
+}
+
+Json toJson(const TransferFunction& function) {
+  Json points = Json::array();
+  for (const ControlPoint& point : function.points)
+    points.push_back({{"value", point.value}, {"color", toJson(point.color)}, {"opacity", point.opacity}});
+  return {{"unit_distance_mm", function.unitDistanceMm}, {"points", points}};
+}
+
+Json toJson(const GradientReference& reference) {
+  if (const auto* percentile = std::get_if<PercentileReference>(&reference))
+    return {{"percentile", percentile->percent}};
+  if (const auto* fixed = std::get_if<FixedReference>(&reference))
+    return fixed->valuePerMm;
+  return std::holds_alternative<LargestReference>(reference) ? "max" : "auto";
+}
+
+Json toJson(const GradientCurve& curve) {
+  if (curve.type == GradientCurve::Type::gamma)
+    return {{"type", "gamma"}, {"gamma", curve.parameter}};
+  if (curve.type == GradientCurve::Type::log)
+    return {{"type", "log"}, {"b", curve.parameter}};
+  return {{"type", "linear"}};
+}
+
+Json toJson(const CoefficientRange& range) {
+  return Json::array({range.atFlat, range.atBoundary});
+}
+
+const char* nameOf(ShadingModel model) {
+  switch (model) {
+  case ShadingModel::none:
+    return "none";
+  case ShadingModel::classic:
+    return "classic";
+  case ShadingModel::enhanced:
+    return "enhanced";
+  case ShadingModel::robust:
+    return "robust";
+  }
+  return "";
+}
+
+Json toJson(const Shading& shading) {
+  Json json = {{"model", nameOf(shading.model)},
+               {"ambient", shading.ambient},
+               {"diffuse", shading.diffuse},
+               {"specular", shading.specular},
+               {"ambient_intensity", shading.ambientIntensity},
+               {"light_intensity", shading.lightIntensity},
+               {"exponent", shading.exponent},
+               {"exponent_range", toJson(shading.exponentRange)},
+               {"opacity_range", toJson(shading.opacityRange)},
+               {"gradient_reference", toJson(shading.gradientReference)},
+               {"gradient_curve", toJson(shading.gradientCurve)},
+               {"energy_factor", shading.energyFactor}};
+  json["significance"] =
+      shading.significance ? Json::array({shading.significance->low, shading.significance->high}) : Json();
+  json["knee"] = shading.knee ? Json(*shading.knee) : Json();
+  json["specular_color"] = shading.specularColor == SpecularColor::material ? "material" : "light";
+  json["reflection"] = shading.reflection == Reflection::blinn ? "blinn" : "phong";
+  json["two_sided"] = shading.twoSided;
+  json["light_direction"] = shading.lightDirection ? toJson(*shading.lightDirection) : Json("headlight");
+  return json;
+}
+
+Json toJson(const std::optional<GradientOpacity>& curve) {
+  if (!curve)
+    return nullptr;
+  Json points = Json::array();
+  for (const GradientOpacityPoint& point : curve->points)
+    points.push_back({{"gradient", point.gradient}, {"opacity", point.opacity}});
+  return {{"points", points}};
+}
+
+Json toJson(const Fog& fog) {
+  static constexpr const char* modes[] = {"none", "linear", "exp", "exp2"};
+  return {{"mode", modes[static_cast<int>(fog.mode)]},
+          {"color", toJson(fog.color)},
+          {"density_per_mm", fog.densityPerMm},
+          {"start_mm", fog.startMm},
+          {"end_mm", fog.endMm}};
+}
+
+const char* nameOf(Projection projection) {
+  static constexpr const char* names[] = {
+      "composite", "mip", "minip", "average", "xray", "isosurface", "composite_isosurface"};
+  return names[static_cast<int>(projection)];
+}
+
+Json toJson(const Quality& quality) {
+  static constexpr const char* preintegration[] = {"auto", "always", "never"};
+  return {{"step_voxels", quality.stepVoxels},
+          {"preintegrated", preintegration[static_cast<int>(quality.preintegrated)]},
+          {"early_termination", quality.earlyTermination},
+          {"jitter", quality.jitter}};
+}
+
+} // namespace
+
+std::string sceneToJson(const Scene& scene, const std::string& volume) {
+  const Json json = {{"limn_scene", 1},
+                     {"volume", volume},
+                     {"camera", toJson(scene.camera)},
+                     {"transfer_function", toJson(scene.transferFunction)},
+                     {"shading", toJson(scene.shading)},
+                     {"gradient_opacity", toJson(scene.gradientOpacity)},
+                     {"fog", toJson(scene.fog)},
+                     {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
+                     {"projection", nameOf(scene.projection)},
+                     {"isosurface", {{"value", scene.isovalue}}},
+                     {"quality", toJson(scene.quality)},
+                     {"image",
+                      {{"width", scene.image.width},
+                       {"height", scene.image.height},
+                       {"background", toJson(scene.image.background)}}}};
+  // File names may hold bytes that are not UTF-8; they are replaced rather than lost with the whole scene.
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+std::string presetToJson(const Preset& preset) {
+  Json json = {{"limn_preset", 1},
+               {"name", preset.name},
+               {"modality", preset.modality},
+               {"note", preset.note},
+               {"transfer_function", toJson(preset.transferFunction)}};
+  if (preset.gradientOpacity)
+    json["gradient_opacity"] = toJson(preset.gradientOpacity);
+  if (preset.shading)
+    json["shading"] = toJson(*preset.shading);
+  if (preset.projection)
+    json["projection"] = nameOf(*preset.projection);
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace limn

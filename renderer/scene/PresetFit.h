@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Histogram.h"
+#include "scene/Preset.h"
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// Whether a volume's scalars are Hounsfield units: said by the file, or evident from a range that starts at
+/// air (-3100..-900) and reaches beyond soft tissue (> 150).
+bool looksLikeHounsfield(const Volume& volume);
+
+/// The value below which `fraction` (0..1) of the counted voxels lie, to within one bin.
+double quantile(const Histogram& histogram, double fraction);
+
+/// A function for data without a known scale: transparent up to the threshold that best separates background
+/// from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), then a ramp up to the 99.5 % quantile.
+TransferFunction automaticRamp(const Histogram& histogram);
+
+/// A preset moved onto data without an absolute scale (MR): its first and last point go to the 0.5 % and
+/// 99.8 % quantiles of the volume's values. CT presets stay where Hounsfield put them.
+Preset fittedTo(const Preset& preset, const Volume& volume);
+
+/// The preset a volume opens with: by modality and value range from `builtIn`, fitted; the automatic ramp
+/// where none suits. `builtIn` may be empty.
+Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume);
+
+} // namespace limn

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/Phantom.h"
+#include "scene/Gradient.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+TEST(Phantom, gradientIsTheDerivativeOfTheValue) {
+  // The edges are smooth steps, whose second derivative jumps by up to 6 · 9000 HU / (1 mm)² at their ends
+  // (metal); there a central difference of half width h errs by h/4 of the jump: 0.14 HU/mm at h = 1e-5 mm.
+  const double h = 1e-5;
+  int edges = 0;
+  for (double x = -80; x <= 80; x += 7.3)
+    for (double y = -100; y <= 95; y += 6.1)
+      for (double z = -120; z <= 105; z += 8.7) {
+        const glm::dvec3 p(x, y, z);
+        const glm::dvec3 exact = phantomGradient(p);
+        for (int axis = 0; axis < 3; ++axis) {
+          glm::dvec3 step(0.0);
+          step[axis] = h;
+          EXPECT_NEAR((phantomValue(p + step) - phantomValue(p - step)) / (2.0 * h), exact[axis], 0.14);
+        }
+        edges += glm::length(exact) > 1.0;
+      }
+  EXPECT_GT(edges, 100);
+}
+
+TEST(Phantom, holdsTheTissuesItPromises) {
+  EXPECT_EQ(phantomValue({0, 0, 130}), -1000.0);            // air above the head
+  EXPECT_NEAR(phantomValue({0, 0, 18 + 70.0}), 38.0, 1e-9); // cortex
+  EXPECT_NEAR(phantomValue({10, -14, 30}), 8.0, 1e-9);      // ventricle
+  EXPECT_NEAR(phantomValue({0, 0, 18 + 79.5}), 450.0, 1.0); // diploë
+  EXPECT_NEAR(phantomValue({31, -84, -6}), 12.0, 1e-9);     // eye
+}
+
+TEST(Phantom, samplesItsFormulaAtVoxelCentres) {
+  const auto volume = phantomVolume({.spacingMm = 8.0});
+  const glm::ivec3 index(12, 14, 20);
+  const double exact = phantomValue(indexToWorld(volume->grid(), index));
+  EXPECT_NEAR(volume->value(index), exact, 0.5 + 1e-9); // rounded to whole HU
+  EXPECT_EQ(volume->info().unit, "HU");
+}
+
+TEST(Phantom, noiseHasTheSpreadAskedForAndRepeats) {
+  const auto clean = phantomVolume({.spacingMm = 4.0});
+  const auto noisy = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0, .seed = 7});
+  const auto again = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0, .seed = 7});
+  EXPECT_EQ(noisy->stored(), again->stored());
+  double sum = 0.0;
+  double squares = 0.0;
+  int count = 0;
+  const glm::ivec3 dims = clean->grid().dims;
+  for (int k = 20; k < 40; ++k)
+    for (int j = 20; j < 40; ++j)
+      for (int i = 10; i < dims.x - 10; ++i, ++count) {
+        const double difference = noisy->value({i, j, k}) - clean->value({i, j, k});
+        sum += difference;
+        squares += difference * difference;
+      }
+  // 11,200 samples: the mean's standard error is 10/√11200 ≈ 0.1, the deviation's 0.07.
+  EXPECT_NEAR(sum / count, 0.0, 0.5);
+  EXPECT_NEAR(std::sqrt(squares / count), 10.0, 0.4);
+}
+
+} // namespace
+} // namespace limn

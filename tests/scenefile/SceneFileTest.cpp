@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/SceneFile.h"
+
+#include "scene/Error.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseScene(text, "test.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+Scene unusualScene() {
+  Scene scene;
+  scene.camera = {Camera::Projection::orthographic, {1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 42.5, 123.25};
+  scene.transferFunction = {0.5, {{-200.125, {0.1, 0.2, 0.3}, 0.0}, {1.0 / 3.0, {1, 1, 1}, 0.7}}};
+  scene.shading.model = ShadingModel::robust;
+  scene.shading.exponentRange = {2.5, 99};
+  scene.shading.gradientReference = PercentileReference{97.25};
+  scene.shading.gradientCurve = {GradientCurve::Type::log, 9};
+  scene.shading.significance.reset();
+  scene.shading.knee = 0.6;
+  scene.shading.specularColor = SpecularColor::light;
+  scene.shading.reflection = Reflection::phong;
+  scene.shading.twoSided = true;
+  scene.shading.lightDirection = glm::dvec3(1, -1, 0.5);
+  scene.gradientOpacity = GradientOpacity{{{0, 0}, {120.5, 1}}};
+  scene.fog = {Fog::Mode::exp2, {0.1, 0.2, 0.3}, 0.004, 10, 900};
+  scene.crop = {{0.1, 0, 0}, {1, 0.5, 0.75}};
+  scene.projection = Projection::compositeIsosurface;
+  scene.isovalue = 255.5;
+  scene.quality = {0.125, Preintegration::never, 1.0, false};
+  scene.image = {640, 480, {0, 0, 0}};
+  return scene;
+}
+
+TEST(SceneFile, whatIsWrittenIsReadBackToTheLastBit) {
+  const Scene scene = unusualScene();
+  const SceneDocument document = parseScene(sceneToJson(scene, "a folder/b.nii.gz"), "test.json");
+  EXPECT_EQ(document.scene, scene);
+  EXPECT_EQ(document.volume, "a folder/b.nii.gz");
+  EXPECT_TRUE(document.hasCamera);
+  EXPECT_TRUE(document.hasTransferFunction);
+}
+
+TEST(SceneFile, missingKeysTakeTheDefaultsOfTheDefinition) {
+  const SceneDocument document = parseScene(R"({"limn_scene": 1, "volume": "v.nii"})", "test.json");
+  Scene defaults;
+  EXPECT_EQ(document.scene, defaults);
+  EXPECT_FALSE(document.hasCamera);
+  EXPECT_FALSE(document.hasTransferFunction);
+}
+
+TEST(SceneFile, refusesUnknownKeysByName) {
+  EXPECT_NE(
+      refusalOf(R"({"limn_scene": 1, "volume": "v", "shading": {"exponnent": 3}})").find("shading.exponnent"),
+      std::string::npos);
+}
+
+TEST(SceneFile, refusesNumbersOutsideTheirRangeWithTheRange) {
+  const std::string refusal = refusalOf(R"({"limn_scene": 1, "volume": "v", "shading": {"exponent": 5000}})");
+  EXPECT_NE(refusal.find("1024"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("5000"), std::string::npos) << refusal;
+}
+
+TEST(SceneFile, refusesWhatIsNotASceneInOneSentence) {
+  for (const char* text :
+       {"", "[]", "{", "{\"limn_scene\": 2, \"volume\": \"v\"}", "{\"volume\": \"v\"}", "{\"limn_scene\": 1}",
+        "{\"limn_scene\": 1, \"volume\": 7}", R"({"limn_scene": 1, "volume": "v", "camera": []})",
+        R"({"limn_scene": 1, "volume": "v", "transfer_function": {"points": [{"opacity": 1}]}})",
+        R"({"limn_scene": 1, "volume": "v", "shading": {"exponent_range": [9, 3]}})",
+        R"({"limn_scene": 1, "volume": "v", "crop": {"lower": [0.5,0,0], "upper": [0.5,1,1]}})"}) {
+    const std::string refusal = refusalOf(text);
+    EXPECT_NE(refusal, "accepted") << text;
+    EXPECT_NE(refusal.find("test.json"), std::string::npos) << refusal;
+  }
+}
+
+TEST(SceneFile, writesAsciiOnly) {
+  const std::string text = sceneToJson(Scene{}, "Schädel.nii");
+  for (const char c : text)
+    EXPECT_GE(c, 0);
+  EXPECT_EQ(parseScene(text, "t").volume, "Schädel.nii");
+}
+
+TEST(PresetFile, whatIsWrittenIsReadBack) {
+  const Preset preset{.name = "Knochen",
+                      .modality = "CT",
+                      .note = "Bone in warm colours",
+                      .transferFunction = unusualScene().transferFunction,
+                      .gradientOpacity = std::nullopt,
+                      .shading = unusualScene().shading,
+                      .projection = Projection::mip};
+  EXPECT_EQ(parsePreset(presetToJson(preset), "p"), preset);
+}
+
+} // namespace
+} // namespace limn
