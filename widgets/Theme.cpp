@@ -103,6 +103,7 @@ QString themeStyleSheet(bool dark) {
                                                               {"@accentText", c.accentText},
                                                               {"@accent", c.accent}}};
   QString sheet = QString::fromUtf8(file.readAll());
+  sheet.replace(QLatin1String("@check"), dark ? QStringLiteral("check-dark") : QStringLiteral("check-light"));
   for (const auto& [name, color] : names)
     sheet.replace(QLatin1String(name), color.name());
   return sheet;

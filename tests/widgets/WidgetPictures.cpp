@@ -40,7 +40,8 @@ void saveEditor(const QString& prefix) {
   const PlotTransform plot = editor.canvas()->transform();
   const QPointF hovered(xOfValue(plot, -90.0), yOfOpacity(plot, 0.7));
   save(editor, {1200, 260}, prefix + "editor.png");
-  QMouseEvent move(QEvent::MouseMove, hovered, editor.canvas()->mapToGlobal(hovered), Qt::NoButton, Qt::NoButton, {});
+  QMouseEvent move(QEvent::MouseMove, hovered, editor.canvas()->mapToGlobal(hovered), Qt::NoButton,
+                   Qt::NoButton, {});
   QApplication::sendEvent(editor.canvas(), &move);
   editor.canvas()->setFineLowOpacities(true);
   editor.canvas()->setPinnedValue(1800.0);
@@ -69,7 +70,12 @@ void savePanels(const QString& prefix) {
   open->setModelsShown({ShadingModel::robust});
   compared->setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
   const std::vector<Preset> presets = samplePresets();
-  browser->setPresets(presets, {[&] { Preset own = presets[1]; own.name = "My temporal bone"; own.note.clear(); return own; }()});
+  browser->setPresets(presets, {[&] {
+                        Preset own = presets[1];
+                        own.name = "My temporal bone";
+                        own.note.clear();
+                        return own;
+                      }()});
   for (const QString& name : iconNames())
     icons->addItem(new QListWidgetItem(themedIcon(name, QApplication::palette()), name));
   icons->setIconSize({24, 24});

@@ -21,7 +21,7 @@ constexpr std::array<const char*, 8> swatches{"#f4ecd8", "#f0cf7a", "#e0a98c", "
 
 constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
-constexpr double rowHeight = 24.0;
+constexpr double rowHeight = 26.0;
 
 } // namespace
 

@@ -66,7 +66,7 @@ void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
   colors.setTransform(QTransform::fromTranslate(plot.left(), 0.0));
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors);
-  painter.setOpacity(0.42);
+  painter.setOpacity(0.36);
   painter.drawPolygon(area);
   painter.setOpacity(1.0);
   painter.setBrush(Qt::NoBrush);
@@ -153,24 +153,28 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
               centre - QPointF(0.0, 12.0));
 }
 
-void paintHover(QPainter& painter, const CanvasPicture& picture) {
+void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.hoveredValue || picture.readOut)
     return;
   const QRectF& plot = picture.transform.plot;
-  const double value = *picture.hoveredValue;
-  const double x = xOfValue(picture.transform, value);
+  const double x = xOfValue(picture.transform, *picture.hoveredValue);
   painter.setPen(QPen(withAlpha(picture.colors.secondaryText, 130), 1.0));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+}
+
+// On the axis, where it hides no part of the curve.
+void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.hoveredValue || picture.readOut)
+    return;
+  const double value = *picture.hoveredValue;
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
     text += translated(QT_TRANSLATE_NOOP("CurvePainting", " · opacity %1"))
                 .arg(plainNumber(classify(picture.function, value).opacity, 3));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;
-  const bool atLeft = x > plot.center().x();
-  painter.setPen(picture.colors.text);
-  painter.drawText(plot.adjusted(10.0, 6.0, -10.0, 0.0),
-                   (atLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop, text);
+  paintBubble(painter, picture, text,
+              {xOfValue(picture.transform, value), picture.transform.plot.bottom() + plotBottom - 1.0});
 }
 
 void paintEmptyState(QPainter& painter, const CanvasPicture& picture) {
@@ -188,16 +192,17 @@ void paintCurve(QPainter& painter, const CanvasPicture& picture) {
   painter.setClipRect(plot.adjusted(-1.0, -1.0, 1.0, 1.0));
   if (!picture.histogram.isNull())
     painter.drawPixmap(plot.topLeft(), picture.histogram);
-  else if (picture.function.points.empty())
+  else
     paintEmptyState(painter, picture);
   paintTissueBand(painter, picture);
   paintCurveLine(painter, picture);
-  paintHover(painter, picture);
+  paintHoverLine(painter, picture);
   paintMarkedValues(painter, picture);
   painter.restore();
 
   paintBar(painter, picture);
   paintPoints(painter, picture);
+  paintHoverText(painter, picture);
   paintReadOut(painter, picture);
   if (picture.band) {
     painter.setPen(QPen(picture.colors.accent, 1.0));

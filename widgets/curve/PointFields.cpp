@@ -40,7 +40,7 @@ PointFields::PointFields(QWidget* parent)
   layout->addWidget(m_opacity);
   layout->addWidget(m_color);
   m_which->setForegroundRole(QPalette::PlaceholderText);
-  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("No point selected")) + 4);
+  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(88).arg(88)));
   m_value->setFixedWidth(104);
   m_opacity->setFixedWidth(64);
   m_opacity->setSingleStep(0.01);
@@ -75,7 +75,8 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_selected = selected;
   m_unit = unit;
   m_which->setText(describedSelection());
-  setEnabled(!selected.empty());
+  for (QWidget* field : std::initializer_list<QWidget*>{m_value, m_opacity, m_color})
+    field->setVisible(!selected.empty());
   m_value->setEnabled(selected.size() == 1);
   m_value->setToolTip(selected.size() > 1
                           ? tr("Several points are selected: move them together in the plot")
@@ -98,7 +99,7 @@ void PointFields::focusValue() {
 
 QString PointFields::describedSelection() const {
   if (m_selected.empty())
-    return tr("No point selected");
+    return tr("Click the curve to add a point");
   if (m_selected.size() > 1)
     return tr("%1 points").arg(m_selected.size());
   return tr("Point %1 of %2").arg(m_selected.front() + 1).arg(m_function.points.size());

@@ -30,7 +30,7 @@ QString factorText(double factor) {
 TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
     : QWidget(parent), m_canvas(new TransferFunctionCanvas), m_fields(new PointFields),
       m_opacity(new SpringSlider(
-          tr("Opacity"),
+          tr("Overall opacity"),
           tr("<p>Makes everything visible more solid or more transparent; what is invisible stays so.</p>"
              "<p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
           {0.1, 10.0, true}, 1.0, factorText)),
@@ -44,7 +44,7 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
             const QString sign = position > 0.0 ? QStringLiteral("+") : QString();
             return sign + valueText(shiftOf(position), m_canvas->unit(), m_canvas->shownDecimals());
           })),
-      m_showAll(new QToolButton) {
+      m_fine(new QCheckBox(tr("Fine low opacities"))), m_showAll(new QToolButton) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 4);
   layout->setSpacing(0);
@@ -57,11 +57,11 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
 }
 
 QWidget* TransferFunctionEditor::makeControlRow() {
-  auto* fine = new QCheckBox(tr("Fine low opacities"));
-  fine->setToolTip(tr("<p>Stretches the lower part of the opacity axis, where small changes show most in the "
-                      "picture; the curve itself stays.</p><p>On or off, default off.</p>"));
-  fine->setAccessibleName(tr("Fine low opacities"));
-  connect(fine, &QCheckBox::toggled, m_canvas, &TransferFunctionCanvas::setFineLowOpacities);
+  m_fine->setToolTip(
+      tr("<p>Stretches the lower part of the opacity axis, where small changes show most in the "
+         "picture; the curve itself stays.</p><p>On or off, default off.</p>"));
+  m_fine->setAccessibleName(tr("Fine low opacities"));
+  connect(m_fine, &QAbstractButton::toggled, m_canvas, &TransferFunctionCanvas::setFineLowOpacities);
   m_showAll->setToolTip(tr("Show all values of the volume (also: double click on the axis)"));
   m_showAll->setAccessibleName(tr("Show all values"));
   connect(m_showAll, &QAbstractButton::clicked, m_canvas, &TransferFunctionCanvas::resetView);
@@ -74,8 +74,10 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   layout->addStretch(1);
   layout->addWidget(m_opacity);
   layout->addWidget(m_shift);
-  layout->addWidget(fine);
+  layout->addWidget(m_fine);
   layout->addWidget(m_showAll);
+  // The row never makes the window wider: resizeEvent hides what has another way.
+  row->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return row;
 }
 
@@ -166,6 +168,13 @@ void TransferFunctionEditor::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange)
     showIcons();
   QWidget::changeEvent(event);
+}
+
+void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
+  m_shift->setVisible(width() >= 900);   // the bar above the plot shifts too
+  m_opacity->setVisible(width() >= 640); // dragging all points does nearly the same
+  m_fine->setVisible(width() >= 480);
+  QWidget::resizeEvent(event);
 }
 
 void TransferFunctionEditor::showIcons() {

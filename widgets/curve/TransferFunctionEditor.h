@@ -54,6 +54,7 @@ signals:
 
 protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   QWidget* makeControlRow();
@@ -70,6 +71,7 @@ private:
   PointFields* m_fields;
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
+  QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
   ValueRange m_range{0.0, 1.0};
   TransferFunction m_pullBase;

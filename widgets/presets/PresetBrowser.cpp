@@ -55,6 +55,7 @@ void PresetBrowser::makeList() {
   m_filtered->setFilterRole(presetRole::searchText);
   m_list->setModel(m_filtered);
   m_list->setItemDelegate(new PresetDelegate(m_list));
+  m_list->setObjectName(QStringLiteral("presetList"));
   m_list->setHeaderHidden(true);
   m_list->setRootIsDecorated(false);
   m_list->setIndentation(0);
