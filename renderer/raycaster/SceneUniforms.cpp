@@ -115,7 +115,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setLighting(set, scene);
   setCut(set, scene);
   setFog(set, scene.fog);
-  set("u_lastTransmittance", 1.0 - scene.quality.earlyTermination);
+  set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
 }
 
 } // namespace limn

@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <sstream>
 
 #include <gdcmImage.h>
+#include <gdcmJPEG12Codec.h>
+#include <gdcmJPEG16Codec.h>
+#include <gdcmJPEG8Codec.h>
 #include <gdcmSequenceOfFragments.h>
 #include <gdcmTrace.h>
 
@@ -61,7 +65,7 @@ std::optional<CodestreamFacts> jpeg2000Facts(const DicomCodestream& stream) {
                          word(stream, at + 32)};
 }
 
-void requireAgreement(const DicomHeader& header, const DicomCodestream& stream) {
+CodestreamFacts agreedFacts(const DicomHeader& header, const DicomCodestream& stream) {
   const auto facts = factsOf(stream);
   if (!facts)
     fail(header, "are damaged or in a form this program does not read");
@@ -75,6 +79,15 @@ void requireAgreement(const DicomHeader& header, const DicomCodestream& stream) 
   if ((facts->bits + 7) / 8 * 8 != header.format.bitsAllocated)
     fail(header, "have " + std::to_string(facts->bits) + " bits where the header says " +
                      std::to_string(header.format.bitsAllocated));
+  return *facts;
+}
+
+// Whether the mark that closes a JPEG or JPEG-LS picture stands at the end, but for padding.
+bool isClosed(const DicomCodestream& stream) {
+  std::size_t end = stream.size();
+  while (end > 2 && (stream[end - 1] == 0x00 || (stream[end - 1] == 0xFF && stream[end - 2] != 0xFF)))
+    --end;
+  return end > 2 && stream[end - 2] == 0xFF && stream[end - 1] == 0xD9;
 }
 
 void silenceGdcm() {
@@ -113,6 +126,54 @@ gdcm::Image imageOf(const DicomHeader& header, gdcm::TransferSyntax::TSType synt
   return image;
 }
 
+// Decodes classic JPEG by the codec of its own depth: GDCM's choice by the header tries a wrong one first.
+template <class Codec>
+DicomRawFrame decodedJpeg(const DicomHeader& header, const DicomCodestream& stream) {
+  const gdcm::Image image = imageOf(header, gdcm::TransferSyntax::JPEGBaselineProcess1);
+  Codec codec;
+  codec.SetDimensions(image.GetDimensions());
+  codec.SetPlanarConfiguration(0);
+  codec.SetPhotometricInterpretation(image.GetPhotometricInterpretation());
+  codec.ImageCodec::SetPixelFormat(image.GetPixelFormat());
+  std::istringstream in(std::string(stream.begin(), stream.end()));
+  std::ostringstream out;
+  if (!codec.DecodeByStreams(in, out))
+    fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
+  const std::string pixels = out.str();
+  return {{pixels.begin(), pixels.end()}, codec.GetPhotometricInterpretation().GetString()};
+}
+
+DicomRawFrame decodedByImage(const DicomHeader& header, const DicomCodestream& stream,
+                             gdcm::TransferSyntax::TSType syntax) {
+  gdcm::Image image = imageOf(header, syntax);
+  image.SetDataElement(encapsulated(stream));
+  DicomRawFrame frame;
+  if (image.GetBufferLength() != frameBytes(header))
+    fail(header, "do not fill the picture");
+  frame.bytes.resize(frameBytes(header));
+  if (!image.GetBuffer(reinterpret_cast<char*>(frame.bytes.data())))
+    fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
+  frame.photometric = image.GetPhotometricInterpretation().GetString();
+  return frame;
+}
+
+bool isClassicJpeg(gdcm::TransferSyntax::TSType syntax) {
+  using Syntax = gdcm::TransferSyntax;
+  return syntax == Syntax::JPEGBaselineProcess1 || syntax == Syntax::JPEGExtendedProcess2_4 ||
+         syntax == Syntax::JPEGExtendedProcess3_5 || syntax == Syntax::JPEGSpectralSelectionProcess6_8 ||
+         syntax == Syntax::JPEGFullProgressionProcess10_12 || syntax == Syntax::JPEGLosslessProcess14 ||
+         syntax == Syntax::JPEGLosslessProcess14_1;
+}
+
+DicomRawFrame decodedByGdcm(const DicomHeader& header, const DicomCodestream& stream,
+                            gdcm::TransferSyntax::TSType syntax, int bits) {
+  if (!isClassicJpeg(syntax))
+    return decodedByImage(header, stream, syntax);
+  return bits <= 8    ? decodedJpeg<gdcm::JPEG8Codec>(header, stream)
+         : bits <= 12 ? decodedJpeg<gdcm::JPEG12Codec>(header, stream)
+                      : decodedJpeg<gdcm::JPEG16Codec>(header, stream);
+}
+
 } // namespace
 
 std::optional<CodestreamFacts> factsOf(const DicomCodestream& stream) {
@@ -127,23 +188,21 @@ DicomRawFrame decoded(const DicomHeader& header, const DicomCodestream& stream) 
   const auto syntax = gdcm::TransferSyntax::GetTSType(header.transferSyntax.c_str());
   if (syntax == gdcm::TransferSyntax::TS_END)
     fail(header, "are in a form this program does not read");
-  requireAgreement(header, stream);
+  const CodestreamFacts facts = agreedFacts(header, stream);
+  const bool isJpeg2000 = stream[0] != 0xFF || stream[1] != 0xD8;
+  if (!isJpeg2000 && !isClosed(stream))
+    fail(header, "are cut off");
   silenceGdcm();
   DicomRawFrame frame;
   try {
-    gdcm::Image image = imageOf(header, syntax);
-    image.SetDataElement(encapsulated(stream));
-    if (image.GetBufferLength() != frameBytes(header))
-      fail(header, "do not fill the picture");
-    frame.bytes.resize(frameBytes(header));
-    if (!image.GetBuffer(reinterpret_cast<char*>(frame.bytes.data())))
-      fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
-    frame.photometric = image.GetPhotometricInterpretation().GetString();
+    frame = decodedByGdcm(header, stream, syntax, facts.bits);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
     fail(header, std::string("cannot be decoded: ") + error.what());
   }
+  if (frame.bytes.size() != frameBytes(header))
+    fail(header, "do not fill the picture");
   return frame;
 }
 

@@ -14,7 +14,8 @@ constexpr double largestEvenness = 0.05;    // of the median distance: averaged 
 constexpr double smallestUnevenness = 1e-3; // of the median: below, positions were only rounded
 constexpr double largestDisplacement = 0.5; // of the spacing: a slice averaging may move so far
 constexpr double largestBridge = 4.0;       // of the median distance: a longer gap is not interpolated
-constexpr double straight = 0.1;            // pixels of sideways shift over the whole stack
+constexpr double unnoticed = 0.1;           // pixels a slice may be shifted sideways: rounding
+constexpr double straight = 0.5;            // pixels: up to here stacked with a warning, beyond resampled
 constexpr std::size_t mostRefinement = 4;   // how many planes may be made of one slice
 
 std::string decimal(double value, int digits = 3) {
@@ -104,7 +105,12 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
     lowest = glm::min(lowest, placement.shift);
     highest = glm::max(highest, placement.shift);
   }
-  if (std::max(highest.x - lowest.x, highest.y - lowest.y) <= straight) {
+  const double sideways = std::max({highest.x, -lowest.x, highest.y, -lowest.y});
+  if (sideways <= straight) {
+    if (sideways > unnoticed)
+      warnings.push_back("The slices are stacked straight although they lie up to " +
+                         decimal(sideways * std::max(grid.spacingMm.x, grid.spacingMm.y)) +
+                         " mm sideways of each other.");
     for (DicomPlacement& placement : geometry.placements)
       placement.shift = glm::dvec2(0.0);
     return;

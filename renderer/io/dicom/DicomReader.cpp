@@ -172,9 +172,10 @@ std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const
     std::vector<std::string> warnings;
     noteScan(path, scan, warnings);
     DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
-    requireSeries(series);
+    series = withoutCopies(std::move(series), warnings);
     if (isPlaced(series))
       series = onePhase(series, warnings);
+    requireSeries(series);
     return volumeOf(path, series, options, progress, std::move(warnings));
   } catch (const std::bad_alloc&) {
     throw Error(Error::Kind::input,
