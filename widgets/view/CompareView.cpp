@@ -113,6 +113,11 @@ void CompareView::setTool(ViewTool tool) {
   emit toolChanged(tool);
 }
 
+void CompareView::setOverlayVisible(bool visible) {
+  m_overlayVisible = visible;
+  update();
+}
+
 void CompareView::setLoading(double fraction, const QString& text) {
   m_loading->setProgress(fraction, text);
   m_loading->show();
@@ -259,7 +264,8 @@ void CompareView::paintGL() {
     const glm::ivec2 size = deviceSize();
     m_pictures->show({m_layout, rects(), size, wipeColumn(size.x, m_wipe), m_swapped},
                      defaultFramebufferObject(), background);
-    paintOverlay();
+    if (m_overlayVisible)
+      paintOverlay();
   } else {
     glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
                  static_cast<float>(background.b), 1.0f);
