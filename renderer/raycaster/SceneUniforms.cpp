@@ -93,6 +93,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_volume", TextureUnit::volume);
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);
+  unit("u_functionOccupancy", TextureUnit::functionOccupancy);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }
@@ -115,7 +116,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setLighting(set, scene);
   setCut(set, scene);
   setFog(set, scene.fog);
-  set("u_lastTransmittance", 1.0 - scene.quality.earlyTermination);
+  set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
 }
 
 } // namespace limn

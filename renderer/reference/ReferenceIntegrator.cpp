@@ -76,6 +76,7 @@ glm::dvec4 Marcher::march(const FieldSampler<T>& field, const FramedRay& ray, co
   const double units = dt / scene.transferFunction.unitDistanceMm;
   const RayLight light = lightAlong(ray.direction * grid.spacingMm, towardsLight);
   const bool endsEarly = scene.quality.earlyTermination < 1.0;
+  const double last = lastTransmittance(scene.quality.earlyTermination);
   glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
   for (int i = 0; i < count; ++i) {
     const double t = span.begin + (i + 0.5) * dt;
@@ -85,7 +86,7 @@ glm::dvec4 Marcher::march(const FieldSampler<T>& field, const FramedRay& ray, co
     if (!(classified.opacity > 0.0))
       continue;
     addSample(field, cell, classified, centred, t - ray.eye, light, units, sum);
-    if (endsEarly && 1.0 - sum.a >= scene.quality.earlyTermination)
+    if (endsEarly && sum.a <= last)
       break;
   }
   return {glm::dvec3(sum), 1.0 - sum.a};

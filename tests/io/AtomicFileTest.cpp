@@ -2,7 +2,8 @@
 #include "io/AtomicFile.h"
 
 #include "scene/Error.h"
-#include "support/TestFolder.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,58 +12,55 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::bytesOfFile;
-using test::TestFolder;
-
-std::size_t filesIn(const fs::path& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
+using test::entriesOf;
+using test::TemporaryFolder;
 
 TEST(AtomicFile, writesANewFileAndReplacesAnOldOne) {
-  const TestFolder folder;
-  writeFileAtomically(folder / "a.json", "first");
-  EXPECT_EQ(bytesOfFile(folder / "a.json"), "first");
-  writeFileAtomically(folder / "a.json", "");
-  EXPECT_EQ(bytesOfFile(folder / "a.json"), "");
-  EXPECT_EQ(filesIn(folder.path()), 1u);
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "first");
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "first");
+  writeFileAtomically(folder.path() / "a.json", "");
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "");
+  EXPECT_EQ(entriesOf(folder.path()), 1u);
 }
 
 TEST(AtomicFile, aFailingWriterLeavesTheOldFileAndNoOther) {
-  const TestFolder folder;
-  writeFileAtomically(folder / "a.json", "old");
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "old");
   const auto failing = [](const fs::path& temporary) {
     test::writeBytes(temporary, "half");
     throw Error(Error::Kind::other, "disk full");
   };
-  EXPECT_THROW(replaceAtomically(folder / "a.json", failing), Error);
-  EXPECT_EQ(bytesOfFile(folder / "a.json"), "old");
-  EXPECT_EQ(filesIn(folder.path()), 1u);
+  EXPECT_THROW(replaceAtomically(folder.path() / "a.json", failing), Error);
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "old");
+  EXPECT_EQ(entriesOf(folder.path()), 1u);
 }
 
 TEST(AtomicFile, aMissingFolderIsAnErrorThatNamesTheFile) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   try {
-    writeFileAtomically(folder / "none" / "a.json", "text");
+    writeFileAtomically(folder.path() / "none" / "a.json", "text");
     FAIL() << "nothing was thrown";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("a.json"), std::string::npos) << error.what();
   }
-  EXPECT_EQ(filesIn(folder.path()), 0u);
+  EXPECT_EQ(entriesOf(folder.path()), 0u);
 }
 
 TEST(AtomicFile, aFolderIsNeverReplaced) {
-  const TestFolder folder;
-  fs::create_directory(folder / "sub");
-  EXPECT_THROW(writeFileAtomically(folder / "sub", "text"), Error);
-  EXPECT_TRUE(fs::is_directory(folder / "sub"));
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "sub");
+  EXPECT_THROW(writeFileAtomically(folder.path() / "sub", "text"), Error);
+  EXPECT_TRUE(fs::is_directory(folder.path() / "sub"));
 }
 
 TEST(AtomicFile, theRightsOfTheOldFileStay) {
-  const TestFolder folder;
-  writeFileAtomically(folder / "a.json", "old");
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "old");
   const fs::perms rights = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
-  fs::permissions(folder / "a.json", rights);
-  writeFileAtomically(folder / "a.json", "new");
-  EXPECT_EQ(fs::status(folder / "a.json").permissions(), rights);
+  fs::permissions(folder.path() / "a.json", rights);
+  writeFileAtomically(folder.path() / "a.json", "new");
+  EXPECT_EQ(fs::status(folder.path() / "a.json").permissions(), rights);
 }
 
 } // namespace
