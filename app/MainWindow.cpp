@@ -2,9 +2,9 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
-#include "widgets/TransferFunctionEditor.h"
-#include "widgets/PresetBrowser.h"
-#include "widgets/ShadingPanel.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/shading/ShadingPanel.h"
 
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -97,10 +97,7 @@ void MainWindow::connectView() {
   connect(m_view, &CompareView::openFileRequested, this, &MainWindow::openFile);
   connect(m_view, &CompareView::sampleRequested, this, [this] { openSource(QStringLiteral("sample")); });
   connect(m_view, &CompareView::loadingCancelled, &m_loader, &VolumeLoader::cancel);
-  connect(m_view, &CompareView::pinRequested, this, [this](double value) {
-    m_pinnedValues.push_back(value);
-    m_editor->setPinnedValues(m_pinnedValues);
-  });
+  connect(m_view, &CompareView::pinRequested, m_editor, &TransferFunctionEditor::setPinnedValue);
 }
 
 void MainWindow::connectPanels() {

@@ -103,7 +103,6 @@ private:
   Session m_session;
   VolumeLoader m_loader;
   Histogram m_histogram;
-  std::vector<double> m_pinnedValues; ///< pinned in the picture, marked in the curve
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
   QString m_source; ///< as it was asked for, to read it again with other options

@@ -7,7 +7,7 @@
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
-#include "widgets/TransferFunctionEditor.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -72,9 +72,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   const VolumeInfo& info = volume.info();
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
-  m_editor->setValueRange(volume.range());
-  m_pinnedValues.clear();
-  m_editor->setPinnedValues({});
+  m_editor->setPinnedValue(std::nullopt);
   m_session.open(loaded);
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")

@@ -3,7 +3,7 @@
 
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
-#include "widgets/PresetBrowser.h"
+#include "widgets/presets/PresetBrowser.h"
 
 #include <QActionGroup>
 #include <QApplication>

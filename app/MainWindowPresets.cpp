@@ -4,7 +4,7 @@
 #include "app/BuiltInPresets.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
-#include "widgets/PresetBrowser.h"
+#include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
 

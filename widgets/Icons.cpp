@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSvgRenderer>
 
 #include <cassert>
@@ -65,7 +66,9 @@ QIcon themedIcon(const QString& name, const QPalette& palette) {
 
 QStringList iconNames() {
   loadWidgetResources();
+  // Those of one fixed colour belong to the style sheet.
   QStringList names = QDir(QStringLiteral(":/limn/icons")).entryList({QStringLiteral("*.svg")});
+  names = names.filter(QRegularExpression(QStringLiteral("^(?!check|chevron)")));
   for (QString& name : names)
     name.chop(4);
   return names;

@@ -4,10 +4,14 @@
 #include <QResource>
 
 // Qt's macro declares a function and so must stand outside every namespace.
-static void initialiseResources() { Q_INIT_RESOURCE(limn_widgets); }
+static void initialiseResources() {
+  Q_INIT_RESOURCE(limn_widgets);
+}
 
 namespace limn {
 
-void loadWidgetResources() { initialiseResources(); }
+void loadWidgetResources() {
+  initialiseResources();
+}
 
 } // namespace limn

@@ -63,7 +63,9 @@ ThemeColors themeColors(bool dark) {
           .curve = "#262b31"};
 }
 
-ThemeColors themeColors(const QPalette& palette) { return themeColors(isDark(palette)); }
+ThemeColors themeColors(const QPalette& palette) {
+  return themeColors(isDark(palette));
+}
 
 QPalette themePalette(bool dark) {
   const ThemeColors c = themeColors(dark);
@@ -101,6 +103,7 @@ QString themeStyleSheet(bool dark) {
                                                               {"@accentText", c.accentText},
                                                               {"@accent", c.accent}}};
   QString sheet = QString::fromUtf8(file.readAll());
+  sheet.replace(QLatin1String("@check"), dark ? QStringLiteral("check-dark") : QStringLiteral("check-light"));
   for (const auto& [name, color] : names)
     sheet.replace(QLatin1String(name), color.name());
   return sheet;

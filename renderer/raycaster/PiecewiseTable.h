@@ -18,16 +18,17 @@ struct Knot {
 /// A piecewise linear function as two textures that `shaders/piecewise.glsl` reads without error: no filtered
 /// table, so steps stay sharp and spikes survive.
 ///
-/// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one after.
-/// It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour, 0). A bin
-/// without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the segment
-/// before the first of them) in its last channel.
+/// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one
+/// after. It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour,
+/// 0). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the
+/// segment before the first of them) in its last channel.
 struct PiecewiseTable {
   std::vector<glm::vec4> bins;
+  std::vector<float> occupancy;    ///< the largest opacity in each bin, margins included
   std::vector<glm::vec4> segments; ///< rows of 256 segments
   glm::ivec2 segmentsSize{0};      ///< in texels
   glm::vec3 domain{0.0f};          ///< first x, bins per unit of x, index of the last bin
-  int loopSteps = 0;               ///< the most knots that a lookup steps over in a loop
+  int loopSteps = 0;               ///< the most knots beyond two in a bin, which a lookup loops over
 };
 
 /// Tabulates knots of ascending x for arguments in `limits`; no knots make the zero function.

@@ -87,10 +87,13 @@ void setFog(const Setter& set, const Fog& fog) {
 }
 
 void setSamplers(const ShaderProgram& program) {
-  const auto unit = [&program](const char* sampler, TextureUnit u) { program.set(sampler, static_cast<int>(u)); };
+  const auto unit = [&program](const char* sampler, TextureUnit u) {
+    program.set(sampler, static_cast<int>(u));
+  };
   unit("u_volume", TextureUnit::volume);
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);
+  unit("u_functionOccupancy", TextureUnit::functionOccupancy);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }
@@ -113,7 +116,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setLighting(set, scene);
   setCut(set, scene);
   setFog(set, scene.fog);
-  set("u_lastTransmittance", 1.0 - scene.quality.earlyTermination);
+  set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
 }
 
 } // namespace limn

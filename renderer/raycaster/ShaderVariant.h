@@ -9,8 +9,8 @@ namespace limn {
 /// The vertex shader of every program.
 ShaderSource vertexSource();
 
-/// The fragment shader of a canonical set of effects: a prelude of `#define`s and the building blocks that the
-/// set calls for, in the order of the stage contract (shaders/README.md).
+/// The fragment shader of a canonical set of effects: a prelude of `#define`s and the building blocks that
+/// the set calls for, in the order of the stage contract (shaders/README.md).
 ShaderSource fragmentSource(EffectSet effects);
 
 } // namespace limn

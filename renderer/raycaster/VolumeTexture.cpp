@@ -131,8 +131,8 @@ std::string VolumeTexture::limitation() const {
   const auto times = [](const glm::ivec3& v) {
     return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
   };
-  return "The volume of " + times(m_dims) + " voxels is too large for the graphics driver and is shown with " +
-         times(m_size - 2) + ".";
+  return "The volume of " + times(m_dims) +
+         " voxels is too large for the graphics driver and is shown with " + times(m_size - 2) + ".";
 }
 
 } // namespace limn

@@ -12,7 +12,7 @@ namespace limn {
 /// Voxels as the shaders read them: normalised over the volume's range, with an apron of one voxel on every
 /// side extrapolated linearly (f[-1] = 2f[0] - f[1]; a copy along an axis of one voxel).
 struct TextureVoxels {
-  glm::ivec3 size{0};     ///< with the apron
+  glm::ivec3 size{0};      ///< with the apron
   glm::ivec3 reduction{1}; ///< voxels of the volume per texel, along each axis
   std::vector<float> texels;
 };

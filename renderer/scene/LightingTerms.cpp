@@ -18,8 +18,7 @@ LightingTerms withoutUnused(LightingTerms terms) {
   }
   if (terms.exponent.atFlat == terms.exponent.atBoundary)
     terms.energyFactor = false;
-  const bool isGammaOne =
-      terms.curve.type == GradientCurve::Type::gamma && terms.curve.parameter == 1.0;
+  const bool isGammaOne = terms.curve.type == GradientCurve::Type::gamma && terms.curve.parameter == 1.0;
   if (isGammaOne || terms.curve.type == GradientCurve::Type::linear || !terms.usesRatio())
     terms.curve = {};
   // The sum cannot pass the knee: each colour channel is at most 1.

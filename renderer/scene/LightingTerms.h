@@ -9,15 +9,15 @@ namespace limn {
 /// not use has its neutral value. Two shadings with equal terms give the same picture.
 struct LightingTerms {
   bool isLit = false;
-  double ambient = 1.0;                   ///< ka·Ia
-  double diffuse = 0.0;                   ///< kd·Id
-  double specular = 0.0;                  ///< ks·Id
-  CoefficientRange exponent{1.0, 1.0};    ///< SPmin, SPmax
-  CoefficientRange opacity{1.0, 1.0};     ///< Omin, Omax
-  GradientCurve curve;                    ///< linear where nothing uses r
-  bool energyFactor = false;              ///< false where SPmin = SPmax: the factor is 1
+  double ambient = 1.0;                ///< ka·Ia
+  double diffuse = 0.0;                ///< kd·Id
+  double specular = 0.0;               ///< ks·Id
+  CoefficientRange exponent{1.0, 1.0}; ///< SPmin, SPmax
+  CoefficientRange opacity{1.0, 1.0};  ///< Omin, Omax
+  GradientCurve curve;                 ///< linear where nothing uses r
+  bool energyFactor = false;           ///< false where SPmin = SPmax: the factor is 1
   std::optional<Significance> significance;
-  std::optional<double> knee;             ///< absent: clamp to [0,1]
+  std::optional<double> knee; ///< absent: clamp to [0,1]
   SpecularColor specularColor = SpecularColor::material;
   Reflection reflection = Reflection::blinn;
   bool twoSided = false;

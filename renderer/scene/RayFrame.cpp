@@ -50,8 +50,7 @@ RayFrame rayFrame(const Camera& camera, const Grid& grid, const glm::ivec2& size
 FramedRay framedRay(const RayFrame& frame, int x, int y, const glm::ivec2& size) {
   const double cx = x + 0.5 - size.x / 2.0;
   const double cy = size.y / 2.0 - (y + 0.5);
-  const double length =
-      std::sqrt(1.0 + (cx * cx + cy * cy) * frame.tangentPerPixel * frame.tangentPerPixel);
+  const double length = std::sqrt(1.0 + (cx * cx + cy * cy) * frame.tangentPerPixel * frame.tangentPerPixel);
   FramedRay ray;
   ray.anchor = frame.anchor + cx * frame.anchorX + cy * frame.anchorY;
   ray.direction = (frame.direction + cx * frame.directionX + cy * frame.directionY) / length;

@@ -72,6 +72,12 @@ inline constexpr double stepCountGuard = 1e-6;
 /// N = max(1, ceil(length/step · (1 - stepCountGuard))), limited to `most`.
 int sampleCount(double lengthMm, double stepMm, int most = mostSamples);
 
+/// The transmittance at which a ray ends. A hair above 1 - e, so that a ray of exactly that opacity ends in
+/// float as in double; early termination costs far more than this 1e-4 of the light that is left.
+inline double lastTransmittance(double earlyTermination) {
+  return (1.0 - earlyTermination) * (1.0 + 1e-4);
+}
+
 /// The step of a scene in mm.
 double stepMm(const Scene& scene);
 

@@ -25,7 +25,9 @@ void ColorButton::setColor(const glm::dvec3& color) {
   update();
 }
 
-QSize ColorButton::sizeHint() const { return {36, 26}; }
+QSize ColorButton::sizeHint() const {
+  return {36, 26};
+}
 
 void ColorButton::paintEvent(QPaintEvent*) {
   const ThemeColors colors = themeColors(palette());

@@ -21,7 +21,7 @@ constexpr std::array<const char*, 8> swatches{"#f4ecd8", "#f0cf7a", "#e0a98c", "
 
 constexpr double barWidth = 16.0;
 constexpr double gap = 8.0;
-constexpr double rowHeight = 24.0;
+constexpr double rowHeight = 26.0;
 
 } // namespace
 
@@ -56,13 +56,17 @@ void ColorPicker::setColor(const glm::dvec3& color) {
   update();
 }
 
-QSize ColorPicker::sizeHint() const { return {236, 208}; }
+QSize ColorPicker::sizeHint() const {
+  return {236, 208};
+}
 
 QRectF ColorPicker::fieldRect() const {
   return {0.0, 0.0, width() - barWidth - gap, height() - 2.0 * (rowHeight + gap)};
 }
 
-QRectF ColorPicker::hueRect() const { return {width() - barWidth, 0.0, barWidth, fieldRect().height()}; }
+QRectF ColorPicker::hueRect() const {
+  return {width() - barWidth, 0.0, barWidth, fieldRect().height()};
+}
 
 QRectF ColorPicker::swatchRect(int index) const {
   const double pitch = (width() + 4.0) / swatches.size();

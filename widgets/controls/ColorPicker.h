@@ -11,8 +11,8 @@ class QLineEdit;
 
 namespace limn {
 
-/// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and the
-/// hex code to type. Live: every move of the mouse reports.
+/// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and
+/// the hex code to type. Live: every move of the mouse reports.
 class ColorPicker : public QWidget {
   Q_OBJECT
 

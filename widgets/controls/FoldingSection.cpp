@@ -83,7 +83,9 @@ void FoldingSection::setFolded(bool folded) {
   showArrow();
 }
 
-void FoldingSection::setSummary(const QString& summary) { m_summary->setText(summary); }
+void FoldingSection::setSummary(const QString& summary) {
+  m_summary->setText(summary);
+}
 
 bool FoldingSection::eventFilter(QObject* watched, QEvent* event) {
   if (watched != m_header || !asksToFold(*event))

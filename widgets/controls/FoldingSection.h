@@ -8,8 +8,8 @@ class QVBoxLayout;
 
 namespace limn {
 
-/// A titled part of a panel that folds away; click, Enter or Space on the header folds it. The header can say in
-/// a few words what is inside ("off").
+/// A titled part of a panel that folds away; click, Enter or Space on the header folds it. The header can say
+/// in a few words what is inside ("off").
 class FoldingSection : public QWidget {
   Q_OBJECT
 

@@ -29,7 +29,9 @@ void NumberField::stepBy(int steps) {
   reportIfChanged();
 }
 
-QString NumberField::textFromValue(double value) const { return plainNumber(value, decimals()); }
+QString NumberField::textFromValue(double value) const {
+  return plainNumber(value, decimals());
+}
 
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
@@ -40,7 +42,8 @@ void NumberField::wheelEvent(QWheelEvent* event) {
 
 void NumberField::reportIfChanged() {
   // The display rounds: an untouched field must not replace the exact number by its rounding.
-  const double shownBefore = std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());
+  const double shownBefore =
+      std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());
   if (value() == shownBefore)
     return;
   m_number = value();

@@ -5,8 +5,8 @@
 
 namespace limn {
 
-/// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It keeps
-/// the exact number it was given, whatever it rounds for display, and shows no trailing zeros.
+/// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
+/// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
 

@@ -15,7 +15,8 @@ void showPopupAt(QWidget& popup, const QRect& anchor) {
   int y = anchor.bottom() + 4;
   if (y + size.height() > screen.bottom())
     y = anchor.top() - 4 - size.height();
-  const int x = std::clamp(anchor.left(), screen.left(), std::max(screen.left(), screen.right() - size.width()));
+  const int x =
+      std::clamp(anchor.left(), screen.left(), std::max(screen.left(), screen.right() - size.width()));
   popup.move(x, std::max(screen.top(), y));
   popup.show();
 }

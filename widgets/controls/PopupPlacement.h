@@ -6,7 +6,8 @@ class QWidget;
 
 namespace limn {
 
-/// Shows a pop-up window under `anchor` (global pixels), or above it where the screen ends; always on the screen.
+/// Shows a pop-up window under `anchor` (global pixels), or above it where the screen ends; always on the
+/// screen.
 void showPopupAt(QWidget& popup, const QRect& anchor);
 
 } // namespace limn

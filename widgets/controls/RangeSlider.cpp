@@ -39,12 +39,10 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
 
   connect(m_slider, &TrackSlider::valuesEdited, this,
           [this](const std::vector<double>& values, std::uint64_t id) { edit(values[0], values[1], id); });
-  connect(m_lower, &NumberField::numberEdited, this, [this](double v) {
-    edit(std::min(v, m_upper->number()), m_upper->number(), nextGestureId());
-  });
-  connect(m_upper, &NumberField::numberEdited, this, [this](double v) {
-    edit(m_lower->number(), std::max(v, m_lower->number()), nextGestureId());
-  });
+  connect(m_lower, &NumberField::numberEdited, this,
+          [this](double v) { edit(std::min(v, m_upper->number()), m_upper->number(), nextGestureId()); });
+  connect(m_upper, &NumberField::numberEdited, this,
+          [this](double v) { edit(m_lower->number(), std::max(v, m_lower->number()), nextGestureId()); });
   connect(m_label, &ResetLabel::resetRequested, this,
           [this] { edit(m_spec.defaultValue, m_spec.defaultUpper, nextGestureId()); });
 }

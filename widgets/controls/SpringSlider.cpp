@@ -8,8 +8,8 @@
 
 namespace limn {
 
-SpringSlider::SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
-                           std::function<QString(double)> readOut, QWidget* parent)
+SpringSlider::SpringSlider(const QString& label, const QString& help, const SliderScale& scale,
+                           double neutral, std::function<QString(double)> readOut, QWidget* parent)
     : QWidget(parent), m_number(new QLabel(readOut(neutral))), m_slider(new TrackSlider(scale, 1)) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

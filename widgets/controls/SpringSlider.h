@@ -14,8 +14,8 @@ namespace limn {
 
 class TrackSlider;
 
-/// A slider for relative changes: it springs back to its neutral place when let go. The number pulled to shows
-/// while it is held.
+/// A slider for relative changes: it springs back to its neutral place when let go. The number pulled to
+/// shows while it is held.
 class SpringSlider : public QWidget {
   Q_OBJECT
 

@@ -66,10 +66,16 @@ QPointF TrackSlider::handleCentre(int handle) const {
   return {handleRadius + 1.0 + fraction * trackWidth(), height() / 2.0};
 }
 
-QSize TrackSlider::sizeHint() const { return {140, 20}; }
-QSize TrackSlider::minimumSizeHint() const { return {60, 20}; }
+QSize TrackSlider::sizeHint() const {
+  return {140, 20};
+}
+QSize TrackSlider::minimumSizeHint() const {
+  return {60, 20};
+}
 
-double TrackSlider::trackWidth() const { return std::max(1.0, width() - 2.0 * (handleRadius + 1.0)); }
+double TrackSlider::trackWidth() const {
+  return std::max(1.0, width() - 2.0 * (handleRadius + 1.0));
+}
 
 int TrackSlider::handleAt(double x) const {
   if (m_values.size() == 1)
@@ -131,7 +137,8 @@ void TrackSlider::paintEvent(QPaintEvent*) {
   const double from = m_values.size() == 1 ? originX : handleCentre(0).x();
   const double to = handleCentre(static_cast<int>(m_values.size()) - 1).x();
   painter.setBrush(isEnabled() ? colors.accent : colors.disabledText);
-  painter.drawRoundedRect(QRectF(QPointF(from, middle - 2.0), QPointF(to, middle + 2.0)).normalized(), 2.0, 2.0);
+  painter.drawRoundedRect(QRectF(QPointF(from, middle - 2.0), QPointF(to, middle + 2.0)).normalized(), 2.0,
+                          2.0);
 
   for (int i = 0; i < static_cast<int>(m_values.size()); ++i) {
     const bool active = hasFocus() && i == m_active;

@@ -10,9 +10,9 @@
 
 namespace limn {
 
-/// A track with one handle or two. A press on the track brings the nearest handle there; Shift drags ten times
-/// finer, Esc takes the drag back; Left/Right, Page keys, Home and End move the handle that has the focus, and
-/// the wheel does where the slider is focused. Two handles do not pass each other.
+/// A track with one handle or two. A press on the track brings the nearest handle there; Shift drags ten
+/// times finer, Esc takes the drag back; Left/Right, Page keys, Home and End move the handle that has the
+/// focus, and the wheel does where the slider is focused. Two handles do not pass each other.
 class TrackSlider : public QWidget {
   Q_OBJECT
 

@@ -35,8 +35,7 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
   connect(m_slider, &TrackSlider::valuesEdited, this,
           [this](const std::vector<double>& values, std::uint64_t id) { edit(values[0], id); });
   connect(m_field, &NumberField::numberEdited, this, [this](double v) { edit(v, nextGestureId()); });
-  connect(m_label, &ResetLabel::resetRequested, this,
-          [this] { edit(m_spec.defaultValue, nextGestureId()); });
+  connect(m_label, &ResetLabel::resetRequested, this, [this] { edit(m_spec.defaultValue, nextGestureId()); });
 }
 
 void ValueSlider::setValue(double value) {

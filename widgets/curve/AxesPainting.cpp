@@ -54,11 +54,12 @@ void paintOpacityAxis(QPainter& painter, const CanvasPicture& picture) {
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
   const QRectF& plot = picture.transform.plot;
   const double textTop = plot.bottom() + stripGap + stripHeight + 3.0;
-  const QString unit = picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
+  const QString unit =
+      picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
   const double unitWidth = painter.fontMetrics().horizontalAdvance(unit) + 12.0;
   painter.setPen(picture.colors.secondaryText);
-  painter.drawText(QRectF(plot.right() - unitWidth, textTop, unitWidth, 20.0), Qt::AlignRight | Qt::AlignVCenter,
-                   unit);
+  painter.drawText(QRectF(plot.right() - unitWidth, textTop, unitWidth, 20.0),
+                   Qt::AlignRight | Qt::AlignVCenter, unit);
   const int most = std::max(2, static_cast<int>(plot.width() / pixelsPerTick));
   const AxisTicks ticks = niceTicks(picture.transform.visible, most);
   for (const double value : ticks.values) {

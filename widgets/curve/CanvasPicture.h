@@ -20,20 +20,21 @@ struct CanvasPicture {
   PlotTransform transform;
   ThemeColors colors;
   QString unit;
-  int decimals = 0;                    ///< of shown values
-  QPixmap histogram;                   ///< null without a volume
+  int decimals = 0;  ///< of shown values
+  QPixmap histogram; ///< null without a volume
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;
-  std::optional<double> markedValue;   ///< probed in the picture
-  std::vector<double> pinnedValues;
-  std::optional<QRectF> band;          ///< of the selection under way
-  std::optional<std::size_t> readOut;  ///< the point whose numbers show beside it
+  std::optional<double> markedValue;  ///< probed in the picture
+  std::optional<double> pinnedValue;  ///< kept from a click in the picture
+  std::optional<QRectF> band;         ///< of the selection under way
+  std::optional<std::size_t> readOut; ///< the point whose numbers show beside it
   CurveHit::Part hoveredPart = CurveHit::Part::nothing;
   bool focused = false;
 };
 
-/// Margins around the plot, pixels: room for the bar above, opacity labels left, colour strip and ticks below.
+/// Margins around the plot, pixels: room for the bar above, opacity labels left, colour strip and ticks
+/// below.
 inline constexpr double plotLeft = 52.0;
 inline constexpr double plotTop = 20.0;
 inline constexpr double plotRight = 12.0;

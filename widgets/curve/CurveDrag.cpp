@@ -14,7 +14,9 @@ namespace {
 constexpr double startDistance = 3.0; // pixels before a press becomes a drag
 constexpr double pixelsPerDoubling = 120.0;
 
-QString translated(const char* text) { return QCoreApplication::translate("CurveDrag", text); }
+QString translated(const char* text) {
+  return QCoreApplication::translate("CurveDrag", text);
+}
 
 TransferFunction draggedPoints(const CurveDrag& drag, const PlotTransform& transform, QPointF travelled,
                                bool lockAxis) {

@@ -13,18 +13,18 @@ namespace limn {
 struct CurveDrag {
   enum class Kind { none, points, shift, width, band, pan };
   Kind kind = Kind::none;
-  TransferFunction before;      ///< what the travel applies to
-  TransferFunction restored;    ///< what Esc brings back: without the point that the press itself added
-  bool added = false;           ///< the press added the grabbed point
-  PointIndices moved;           ///< kind points
-  std::size_t grabbed = 0;      ///< kind points: the one under the pointer
-  PointIndices selectedBefore;  ///< kind band
-  QPointF press;                ///< pixels
-  QPointF last;                 ///< pixels: the latest pointer position
-  QPointF travelled;            ///< pixels: counts a tenth while Alt is held
-  double pressValue = 0.0;      ///< kind width
-  bool fromGrip = false;        ///< kind width: Alt on the grip rather than an end of the bar
-  bool started = false;         ///< the pointer left the press by a few pixels
+  TransferFunction before;     ///< what the travel applies to
+  TransferFunction restored;   ///< what Esc brings back: without the point that the press itself added
+  bool added = false;          ///< the press added the grabbed point
+  PointIndices moved;          ///< kind points
+  std::size_t grabbed = 0;     ///< kind points: the one under the pointer
+  PointIndices selectedBefore; ///< kind band
+  QPointF press;               ///< pixels
+  QPointF last;                ///< pixels: the latest pointer position
+  QPointF travelled;           ///< pixels: counts a tenth while Alt is held
+  double pressValue = 0.0;     ///< kind width
+  bool fromGrip = false;       ///< kind width: Alt on the grip rather than an end of the bar
+  bool started = false;        ///< the pointer left the press by a few pixels
   std::uint64_t gestureId = 0;
 };
 

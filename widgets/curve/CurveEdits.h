@@ -11,8 +11,8 @@ namespace limn {
 /// Indices of points, ascending.
 using PointIndices = std::vector<std::size_t>;
 
-/// Moves several points together. The value offset is shortened where a moved point would pass one that stays;
-/// opacities stop at 0 and 1 one by one.
+/// Moves several points together. The value offset is shortened where a moved point would pass one that
+/// stays; opacities stop at 0 and 1 one by one.
 TransferFunction withPointsMoved(const TransferFunction& function, const PointIndices& indices,
                                  double valueOffset, double opacityOffset);
 

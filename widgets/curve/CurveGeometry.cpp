@@ -11,12 +11,15 @@ namespace {
 
 constexpr double barAbovePlot = 9.0;
 
-double distance(const QPointF& a, const QPointF& b) { return QLineF(a, b).length(); }
+double distance(const QPointF& a, const QPointF& b) {
+  return QLineF(a, b).length();
+}
 
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b) {
   const QPointF along = b - a;
   const double squared = QPointF::dotProduct(along, along);
-  const double share = squared > 0.0 ? std::clamp(QPointF::dotProduct(p - a, along) / squared, 0.0, 1.0) : 0.0;
+  const double share =
+      squared > 0.0 ? std::clamp(QPointF::dotProduct(p - a, along) / squared, 0.0, 1.0) : 0.0;
   return distance(p, a + share * along);
 }
 
@@ -38,8 +41,7 @@ void appendRamp(QPolygonF& polygon, const PlotTransform& transform, const QPoint
   for (int i = 1; i <= pieces; ++i) {
     // Crowd the pieces where the cube root bends most: towards the lower end.
     const double even = static_cast<double>(i) / pieces;
-    const double share =
-        fromValue.y() < toValue.y() ? even * even : 1.0 - (1.0 - even) * (1.0 - even);
+    const double share = fromValue.y() < toValue.y() ? even * even : 1.0 - (1.0 - even) * (1.0 - even);
     const QPointF value = fromValue + share * (toValue - fromValue);
     polygon << QPointF(xOfValue(transform, value.x()), yOfOpacity(transform, value.y()));
   }
@@ -111,7 +113,8 @@ CurveHit hitAt(const PlotTransform& transform, const TransferFunction& function,
   return {};
 }
 
-PointIndices pointsInside(const PlotTransform& transform, const TransferFunction& function, const QRectF& band) {
+PointIndices pointsInside(const PlotTransform& transform, const TransferFunction& function,
+                          const QRectF& band) {
   PointIndices inside;
   for (std::size_t i = 0; i < function.points.size(); ++i)
     if (band.contains(positionOf(transform, function.points[i])))

@@ -10,12 +10,13 @@
 
 namespace limn {
 
-inline constexpr double pointDiameter = 10.0;    ///< pixels
-inline constexpr double pointHitRadius = 10.0;   ///< pixels, so the hit area is 20 wide
-inline constexpr double curveHitDistance = 6.0;  ///< pixels
-inline constexpr double handleHitRadius = 10.0;  ///< pixels
+inline constexpr double pointDiameter = 10.0;   ///< pixels
+inline constexpr double pointHitRadius = 10.0;  ///< pixels, so the hit area is 20 wide
+inline constexpr double curveHitDistance = 6.0; ///< pixels
+inline constexpr double handleHitRadius = 10.0; ///< pixels
 
-/// The bar above the plot that spans the curve: the grip at its middle moves the whole curve, its ends widen it.
+/// The bar above the plot that spans the curve: the grip at its middle moves the whole curve, its ends widen
+/// it.
 struct CurveBar {
   QPointF start;
   QPointF grip;
@@ -41,6 +42,7 @@ std::optional<CurveBar> curveBar(const PlotTransform& transform, const TransferF
 CurveHit hitAt(const PlotTransform& transform, const TransferFunction& function, const QPointF& position);
 
 /// The points inside a rectangle of pixels.
-PointIndices pointsInside(const PlotTransform& transform, const TransferFunction& function, const QRectF& band);
+PointIndices pointsInside(const PlotTransform& transform, const TransferFunction& function,
+                          const QRectF& band);
 
 } // namespace limn

@@ -13,7 +13,9 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) { return QCoreApplication::translate("CurvePainting", text); }
+QString translated(const char* text) {
+  return QCoreApplication::translate("CurvePainting", text);
+}
 
 bool isSelected(const CanvasPicture& picture, std::size_t index) {
   return std::find(picture.selected.begin(), picture.selected.end(), index) != picture.selected.end();
@@ -29,7 +31,8 @@ void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString&
   const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
   const QRectF& plot = picture.transform.plot;
   QRectF box(QPointF(centreBottom.x() - size.width() / 2.0, centreBottom.y() - size.height()), size);
-  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0, std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
+  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0,
+                          std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
   if (box.top() < plot.top() + 2.0)
     box.moveTop(centreBottom.y() + 28.0);
   painter.setPen(QPen(picture.colors.border, 1.0));
@@ -63,13 +66,13 @@ void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
   colors.setTransform(QTransform::fromTranslate(plot.left(), 0.0));
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors);
-  painter.setOpacity(0.42);
+  painter.setOpacity(0.36);
   painter.drawPolygon(area);
   painter.setOpacity(1.0);
   painter.setBrush(Qt::NoBrush);
   const bool hovered = picture.hoveredPart == CurveHit::Part::curve;
-  painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine, Qt::RoundCap,
-                      Qt::RoundJoin));
+  painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
   painter.drawPolyline(line);
 }
 
@@ -110,8 +113,10 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
 }
 
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
-  for (const double value : picture.pinnedValues)
-    paintValueLine(painter, picture, value, Qt::SolidLine, valueText(value, picture.unit, picture.decimals));
+  if (picture.pinnedValue)
+    paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
+                   translated(QT_TRANSLATE_NOOP("CurvePainting", "pinned: %1"))
+                       .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
                    translated(QT_TRANSLATE_NOOP("CurvePainting", "in the picture: %1"))
@@ -127,7 +132,8 @@ void paintPoints(QPainter& painter, const CanvasPicture& picture) {
       continue;
     if (isSelected(picture, i) || picture.hoveredPoint == i) {
       painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(isSelected(picture, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
+      painter.setPen(
+          QPen(isSelected(picture, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
       painter.drawEllipse(centre, pointDiameter / 2.0 + 3.0, pointDiameter / 2.0 + 3.0);
     }
     painter.setBrush(toQColor(point.color));
@@ -147,24 +153,28 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
               centre - QPointF(0.0, 12.0));
 }
 
-void paintHover(QPainter& painter, const CanvasPicture& picture) {
+void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.hoveredValue || picture.readOut)
     return;
   const QRectF& plot = picture.transform.plot;
-  const double value = *picture.hoveredValue;
-  const double x = xOfValue(picture.transform, value);
+  const double x = xOfValue(picture.transform, *picture.hoveredValue);
   painter.setPen(QPen(withAlpha(picture.colors.secondaryText, 130), 1.0));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+}
+
+// On the axis, where it hides no part of the curve.
+void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.hoveredValue || picture.readOut)
+    return;
+  const double value = *picture.hoveredValue;
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
     text += translated(QT_TRANSLATE_NOOP("CurvePainting", " · opacity %1"))
                 .arg(plainNumber(classify(picture.function, value).opacity, 3));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;
-  const bool atLeft = x > plot.center().x();
-  painter.setPen(picture.colors.text);
-  painter.drawText(plot.adjusted(10.0, 6.0, -10.0, 0.0), (atLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop,
-                   text);
+  paintBubble(painter, picture, text,
+              {xOfValue(picture.transform, value), picture.transform.plot.bottom() + plotBottom - 1.0});
 }
 
 void paintEmptyState(QPainter& painter, const CanvasPicture& picture) {
@@ -182,16 +192,17 @@ void paintCurve(QPainter& painter, const CanvasPicture& picture) {
   painter.setClipRect(plot.adjusted(-1.0, -1.0, 1.0, 1.0));
   if (!picture.histogram.isNull())
     painter.drawPixmap(plot.topLeft(), picture.histogram);
-  else if (picture.function.points.empty())
+  else
     paintEmptyState(painter, picture);
   paintTissueBand(painter, picture);
   paintCurveLine(painter, picture);
-  paintHover(painter, picture);
+  paintHoverLine(painter, picture);
   paintMarkedValues(painter, picture);
   painter.restore();
 
   paintBar(painter, picture);
   paintPoints(painter, picture);
+  paintHoverText(painter, picture);
   paintReadOut(painter, picture);
   if (picture.band) {
     painter.setPen(QPen(picture.colors.accent, 1.0));

@@ -9,8 +9,9 @@
 
 namespace limn {
 
-/// The histogram's outline as heights 0..1, one per pixel column of the plot's visible range: log1p(count) over
-/// that of the fullest bin. Where several bins share a column the fullest shows; between bin centres it is linear.
+/// The histogram's outline as heights 0..1, one per pixel column of the plot's visible range: log1p(count)
+/// over that of the fullest bin. Where several bins share a column the fullest shows; between bin centres it
+/// is linear.
 std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns);
 
 /// The filled outline in the size of the plot, transparent elsewhere.

@@ -38,7 +38,8 @@ double valuePerPixel(const PlotTransform& t) {
 
 ValueRange zoomedAtX(const PlotTransform& t, double x, double factor, const ValueRange& full) {
   const double fullWidth = full.highest - full.lowest;
-  const double width = std::clamp((t.visible.highest - t.visible.lowest) / factor, fullWidth * 1e-5, fullWidth);
+  const double width =
+      std::clamp((t.visible.highest - t.visible.lowest) / factor, fullWidth * 1e-5, fullWidth);
   const double share = std::clamp((x - t.plot.left()) / t.plot.width(), 0.0, 1.0);
   const double lowest = valueAtX(t, x) - share * width;
   return keptWithin({lowest, lowest + width}, full);

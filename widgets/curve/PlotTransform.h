@@ -10,9 +10,9 @@ namespace limn {
 /// Maps (value, opacity) to pixels of the plot and back, in double precision: values left to right, opacity
 /// bottom to top.
 struct PlotTransform {
-  QRectF plot{0.0, 0.0, 1.0, 1.0};   ///< pixels
-  ValueRange visible{0.0, 1.0};      ///< values at the plot's left and right edge, lowest < highest
-  bool fineLowOpacities = false;     ///< the axis shows the cube root, so 0.001 is a tenth of the height
+  QRectF plot{0.0, 0.0, 1.0, 1.0}; ///< pixels
+  ValueRange visible{0.0, 1.0};    ///< values at the plot's left and right edge, lowest < highest
+  bool fineLowOpacities = false;   ///< the axis shows the cube root, so 0.001 is a tenth of the height
   bool operator==(const PlotTransform&) const = default;
 };
 

@@ -12,7 +12,8 @@
 
 namespace limn {
 
-TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices, double opacity) {
+TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices,
+                               double opacity) {
   TransferFunction edited = function;
   for (const std::size_t i : indices)
     edited.points[i].opacity = std::clamp(opacity, 0.0, 1.0);
@@ -39,22 +40,24 @@ PointFields::PointFields(QWidget* parent)
   layout->addWidget(m_opacity);
   layout->addWidget(m_color);
   m_which->setForegroundRole(QPalette::PlaceholderText);
-  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("No point selected")) + 4);
+  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(88).arg(88)));
   m_value->setFixedWidth(104);
   m_opacity->setFixedWidth(64);
   m_opacity->setSingleStep(0.01);
   m_value->setAccessibleName(tr("Value of the selected point"));
   m_opacity->setAccessibleName(tr("Opacity of the selected point"));
   m_color->setAccessibleName(tr("Colour of the selected point"));
-  m_opacity->setToolTip(tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)"));
+  m_opacity->setToolTip(
+      tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)"));
   m_color->setToolTip(tr("The colour in which tissue of this value is drawn"));
 
   connect(m_value, &NumberField::numberEdited, this, [this](double value) {
     const std::size_t i = m_selected.front();
     const TransferFunction moved = withPointMoved(m_function, i, value, m_function.points[i].opacity);
     m_value->setNumber(moved.points[i].value); // it may have stopped at a neighbour
-    emit functionEdited(moved, {nextGestureId(), tr("move point to %1").arg(valueText(
-                                                     moved.points[i].value, m_unit, m_value->decimals()))});
+    emit functionEdited(
+        moved, {nextGestureId(),
+                tr("move point to %1").arg(valueText(moved.points[i].value, m_unit, m_value->decimals()))});
   });
   connect(m_opacity, &NumberField::numberEdited, this, [this](double opacity) {
     emit functionEdited(withOpacityAt(m_function, m_selected, opacity),
@@ -66,13 +69,14 @@ PointFields::PointFields(QWidget* parent)
   setPoints({}, {}, {}, 1);
 }
 
-void PointFields::setPoints(const TransferFunction& function, const PointIndices& selected, const QString& unit,
-                            int decimals) {
+void PointFields::setPoints(const TransferFunction& function, const PointIndices& selected,
+                            const QString& unit, int decimals) {
   m_function = function;
   m_selected = selected;
   m_unit = unit;
   m_which->setText(describedSelection());
-  setEnabled(!selected.empty());
+  for (QWidget* field : std::initializer_list<QWidget*>{m_value, m_opacity, m_color})
+    field->setVisible(!selected.empty());
   m_value->setEnabled(selected.size() == 1);
   m_value->setToolTip(selected.size() > 1
                           ? tr("Several points are selected: move them together in the plot")
@@ -95,7 +99,7 @@ void PointFields::focusValue() {
 
 QString PointFields::describedSelection() const {
   if (m_selected.empty())
-    return tr("No point selected");
+    return tr("Click the curve to add a point");
   if (m_selected.size() > 1)
     return tr("%1 points").arg(m_selected.size());
   return tr("Point %1 of %2").arg(m_selected.front() + 1).arg(m_function.points.size());

@@ -14,8 +14,8 @@ namespace limn {
 class ColorButton;
 class NumberField;
 
-/// The numbers of the selected point to type: value, opacity, colour. Several points share opacity and colour;
-/// their values are moved in the plot.
+/// The numbers of the selected point to type: value, opacity, colour. Several points share opacity and
+/// colour; their values are moved in the plot.
 class PointFields : public QWidget {
   Q_OBJECT
 

@@ -22,7 +22,6 @@ PointPopup::PointPopup(const TransferFunction& function, std::size_t index, cons
   layout->addWidget(m_fields);
   layout->addWidget(m_picker, 0, Qt::AlignHCenter);
   m_fields->setPoints(function, {index}, unit, decimals);
-  m_fields->colorButton()->hide(); // the picker below says it
   m_picker->setColor(function.points[index].color);
 
   connect(m_fields, &PointFields::functionEdited, this, &PointPopup::change);

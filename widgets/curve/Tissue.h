@@ -15,9 +15,10 @@ struct Tissue {
   ValueRange range; ///< HU; open ends reach ±1e6
 };
 
-/// The usual tissue of a CT number in HU, or nothing between the ranges, where only mixtures lie. Ranges overlap
-/// in patients; these follow the tables of Buzug, "Computed Tomography" (Springer 2008), p. 475, and Prokop and
-/// Galanski, "Spiral and Multislice Computed Tomography of the Body" (Thieme 2003), with the gaps left open.
+/// The usual tissue of a CT number in HU, or nothing between the ranges, where only mixtures lie. Ranges
+/// overlap in patients; these follow the tables of Buzug, "Computed Tomography" (Springer 2008), p. 475, and
+/// Prokop and Galanski, "Spiral and Multislice Computed Tomography of the Body" (Thieme 2003), with the gaps
+/// left open.
 std::optional<Tissue> tissueAt(double hounsfield);
 
 } // namespace limn

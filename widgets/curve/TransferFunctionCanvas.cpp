@@ -29,14 +29,18 @@ void TransferFunctionCanvas::setTransferFunction(const TransferFunction& functio
   if (function.points.size() != m_function.points.size())
     m_selected.clear();
   m_function = function;
-  if (!m_range)
+  if (m_histogram.counts.empty())
     resetView();
   update();
 }
 
 void TransferFunctionCanvas::setHistogram(const Histogram& histogram) {
+  const bool sameRange =
+      histogram.range == m_histogram.range && m_histogram.counts.empty() == histogram.counts.empty();
   m_histogram = histogram;
   m_histogramPicture = {};
+  if (!sameRange)
+    resetView();
   update();
 }
 
@@ -45,20 +49,13 @@ void TransferFunctionCanvas::setUnit(const QString& unit) {
   update();
 }
 
-void TransferFunctionCanvas::setValueRange(const ValueRange& range) {
-  if (m_range == range)
-    return;
-  m_range = range;
-  resetView();
-}
-
 void TransferFunctionCanvas::setMarkedValue(std::optional<double> value) {
   m_markedValue = value;
   update();
 }
 
-void TransferFunctionCanvas::setPinnedValues(const std::vector<double>& values) {
-  m_pinnedValues = values;
+void TransferFunctionCanvas::setPinnedValue(std::optional<double> value) {
+  m_pinnedValue = value;
   update();
 }
 
@@ -73,7 +70,9 @@ PlotTransform TransferFunctionCanvas::transform() const {
   return {plot, m_visible, m_fineLowOpacities};
 }
 
-int TransferFunctionCanvas::shownDecimals() const { return decimalsFor(valuePerPixel(transform())); }
+int TransferFunctionCanvas::shownDecimals() const {
+  return decimalsFor(valuePerPixel(transform()));
+}
 
 double TransferFunctionCanvas::valueUnit() const {
   if (m_unit == QLatin1String("HU"))
@@ -83,7 +82,7 @@ double TransferFunctionCanvas::valueUnit() const {
 }
 
 ValueRange TransferFunctionCanvas::fullRange() const {
-  ValueRange full = m_range.value_or(ValueRange{1e300, -1e300});
+  ValueRange full = m_histogram.counts.empty() ? ValueRange{1e300, -1e300} : m_histogram.range;
   for (const ControlPoint& point : m_function.points) {
     full.lowest = std::min(full.lowest, point.value);
     full.highest = std::max(full.highest, point.value);
@@ -96,7 +95,9 @@ ValueRange TransferFunctionCanvas::fullRange() const {
   return {full.lowest - margin, full.highest + margin};
 }
 
-void TransferFunctionCanvas::resetView() { showView(fullRange()); }
+void TransferFunctionCanvas::resetView() {
+  showView(fullRange());
+}
 
 void TransferFunctionCanvas::showView(const ValueRange& visible) {
   m_visible = visible;
@@ -107,7 +108,9 @@ bool TransferFunctionCanvas::isSelected(std::size_t index) const {
   return std::find(m_selected.begin(), m_selected.end(), index) != m_selected.end();
 }
 
-QString TransferFunctionCanvas::textOf(double value) const { return valueText(value, m_unit, shownDecimals()); }
+QString TransferFunctionCanvas::textOf(double value) const {
+  return valueText(value, m_unit, shownDecimals());
+}
 
 void TransferFunctionCanvas::selectPoints(const PointIndices& indices) {
   if (indices == m_selected)
@@ -128,8 +131,9 @@ void TransferFunctionCanvas::deleteSelected() {
   const TransferFunction remaining = withPointsDeleted(m_function, deleted);
   if (remaining == m_function)
     return;
-  const QString text = deleted.size() > 1 ? tr("delete %1 points").arg(deleted.size())
-                                          : tr("delete point at %1").arg(textOf(m_function.points[deleted[0]].value));
+  const QString text = deleted.size() > 1
+                           ? tr("delete %1 points").arg(deleted.size())
+                           : tr("delete point at %1").arg(textOf(m_function.points[deleted[0]].value));
   // The neighbour is next in hand, so that Delete can be pressed again.
   const std::size_t next = std::min(deleted.front(), remaining.points.size() - 1);
   edit(remaining, {nextGestureId(), text});
@@ -167,7 +171,7 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.selected = m_selected;
   picture.hoveredValue = m_hoveredValue;
   picture.markedValue = m_markedValue;
-  picture.pinnedValues = m_pinnedValues;
+  picture.pinnedValue = m_pinnedValue;
   picture.hoveredPart = m_hovered.part;
   picture.focused = hasFocus();
   if (m_hovered.part == CurveHit::Part::point)

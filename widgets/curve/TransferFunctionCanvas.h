@@ -15,9 +15,9 @@ class QMenu;
 namespace limn {
 
 /// The plot of a transfer function over the histogram, with all its gestures (the table "TF canvas" of the
-/// users' conventions): see the members of TransferFunctionEditor for what is shown. Every point can be moved,
-/// the first and the last too: outside them the function is constant, so they are no different from others, and
-/// a clinician moves a CT ramp by its ends. One point always stays.
+/// users' conventions): see the members of TransferFunctionEditor for what is shown. Every point can be
+/// moved, the first and the last too: outside them the function is constant, so they are no different from
+/// others, and a clinician moves a CT ramp by its ends. One point always stays.
 class TransferFunctionCanvas : public QWidget {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ public:
   explicit TransferFunctionCanvas(QWidget* parent = nullptr);
 
   void setTransferFunction(const TransferFunction& function);
+  /// Shows every value of another range; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
   void setUnit(const QString& unit);
-  void setValueRange(const ValueRange& range);
   void setMarkedValue(std::optional<double> value);
-  void setPinnedValues(const std::vector<double>& values);
+  void setPinnedValue(std::optional<double> value);
   void setFineLowOpacities(bool fine);
 
   const TransferFunction& transferFunction() const { return m_function; }
@@ -106,17 +106,17 @@ private:
   TransferFunction m_function;
   Histogram m_histogram;
   QString m_unit;
-  std::optional<ValueRange> m_range;
   ValueRange m_visible{0.0, 1.0};
   std::optional<double> m_markedValue;
-  std::vector<double> m_pinnedValues;
+  std::optional<double> m_pinnedValue;
   bool m_fineLowOpacities = false;
 
   PointIndices m_selected;
   CurveDrag m_drag;
   CurveHit m_hovered;
   std::optional<double> m_hoveredValue;
-  std::optional<std::size_t> m_addedByPress; ///< so that a double click on the curve does not also open details
+  std::optional<std::size_t>
+      m_addedByPress; ///< so that a double click on the curve does not also open details
   std::uint64_t m_keyGestureId = 0;
   bool m_spaceHeld = false;
 

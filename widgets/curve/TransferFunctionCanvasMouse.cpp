@@ -87,7 +87,8 @@ void TransferFunctionCanvas::pressCurve(const QPointF& position) {
   const double value = valueAtX(plot, position.x());
   std::size_t index = 0;
   const TransferFunction before = m_function;
-  const TransferFunction added = withPointAdded(m_function, value, classify(m_function, value).opacity, &index);
+  const TransferFunction added =
+      withPointAdded(m_function, value, classify(m_function, value).opacity, &index);
   const std::uint64_t id = nextGestureId();
   edit(added, {id, tr("add point at %1").arg(textOf(value))});
   selectPoints({index});
@@ -127,8 +128,7 @@ void TransferFunctionCanvas::continueDrag(const QMouseEvent& event) {
   if (m_drag.kind == CurveDrag::Kind::pan)
     return showView(pannedBy(plot, last.x() - event.position().x(), fullRange()));
   if (m_drag.kind == CurveDrag::Kind::band) {
-    PointIndices inside =
-        pointsInside(plot, m_function, QRectF(m_drag.press, event.position()).normalized());
+    PointIndices inside = pointsInside(plot, m_function, QRectF(m_drag.press, event.position()).normalized());
     for (const std::size_t i : m_drag.selectedBefore)
       if (std::find(inside.begin(), inside.end(), i) == inside.end())
         inside.push_back(i);
@@ -167,8 +167,7 @@ void TransferFunctionCanvas::endDrag() {
 void TransferFunctionCanvas::cancelDrag() {
   const CurveDrag cancelled = m_drag;
   m_drag = {};
-  edit(cancelled.restored,
-       {cancelled.gestureId, dragText(cancelled, m_function, m_unit, shownDecimals())});
+  edit(cancelled.restored, {cancelled.gestureId, dragText(cancelled, m_function, m_unit, shownDecimals())});
   update();
 }
 
@@ -241,6 +240,8 @@ void TransferFunctionCanvas::showMenu(const QPoint& position) {
   menu->addSeparator();
   menu->addAction(tr("Select all points"), this, &TransferFunctionCanvas::selectAll);
   menu->addAction(tr("Show all values"), this, &TransferFunctionCanvas::resetView);
+  if (m_pinnedValue)
+    menu->addAction(tr("Remove the pin"), this, [this] { setPinnedValue(std::nullopt); });
   menu->popup(mapToGlobal(position));
 }
 

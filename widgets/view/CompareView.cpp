@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
+#include <epoxy/gl.h> // before any OpenGL header of Qt
 
 #include "widgets/view/CompareView.h"
 
@@ -8,7 +8,6 @@
 #include "widgets/view/ViewPictures.h"
 
 #include <QOpenGLContext>
-#include <QPointer>
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +69,12 @@ void CompareView::setScene(const Scene& scene) {
     return;
   const bool otherVolume = scene.volume != m_scene.volume;
   const bool otherKind = otherVolume || scene.projection != m_scene.projection;
-  if (otherVolume) {
+  Scene asShown = scene;
+  asShown.camera = m_scene.camera;
+  if (asShown != m_scene) // more than the camera: what failed may work now
     m_error.clear();
+  if (otherVolume)
     m_probe.reset();
-  }
   if (otherKind)
     m_quality.forget();
   if (scene.shading != m_scene.shading)
@@ -112,6 +113,11 @@ void CompareView::setTool(ViewTool tool) {
   emit toolChanged(tool);
 }
 
+void CompareView::setOverlayVisible(bool visible) {
+  m_overlayVisible = visible;
+  update();
+}
+
 void CompareView::setLoading(double fraction, const QString& text) {
   m_loading->setProgress(fraction, text);
   m_loading->show();
@@ -147,6 +153,10 @@ std::vector<Scene> CompareView::scenesOfSides() const {
   for (int side = 0; side < pictureCount(m_layout); ++side)
     scenes.push_back(sceneOfSide(side));
   return scenes;
+}
+
+GradientScale CompareView::gradientScaleOfSide(int side) const {
+  return m_pictures && side < m_pictures->count() ? m_pictures->side(side).gradientScale() : GradientScale{};
 }
 
 glm::ivec2 CompareView::deviceSize() const {
@@ -254,7 +264,8 @@ void CompareView::paintGL() {
     const glm::ivec2 size = deviceSize();
     m_pictures->show({m_layout, rects(), size, wipeColumn(size.x, m_wipe), m_swapped},
                      defaultFramebufferObject(), background);
-    paintOverlay();
+    if (m_overlayVisible)
+      paintOverlay();
   } else {
     glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
                  static_cast<float>(background.b), 1.0f);
@@ -311,7 +322,7 @@ void CompareView::updateState() {
   for (int i = 0; i < m_pictures->count(); ++i) {
     const SidePicture& side = m_pictures->side(i);
     state.sides.push_back(
-        {side.scene().shading.model, side.schedule().fraction(), side.shownStepVoxels(), side.completeMs()});
+        {side.scene().shading.model, side.fraction(), side.shownStepVoxels(), side.completeMs()});
     state.resting = state.resting && side.finished();
   }
   if (state == m_state)

@@ -57,6 +57,9 @@ public:
   void setTool(ViewTool tool);
   ViewTool tool() const { return m_tool; }
 
+  /// Whether labels, letters, scale and notes stand above the pictures; they do by default.
+  void setOverlayVisible(bool visible);
+
   /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
@@ -143,6 +146,7 @@ private:
   void fail(const QString& sentence);
   template <class Work> void guarded(Work&& work);
   std::vector<Scene> scenesOfSides() const;
+  GradientScale gradientScaleOfSide(int side) const;
   glm::ivec2 deviceSize() const;
   std::vector<PixelRect> rects() const;
   int sideShownAt(int position) const { return m_swapped ? 1 - position : position; }
@@ -178,6 +182,7 @@ private:
   double m_wipe = 0.5;
   ViewTool m_tool = ViewTool::rotate;
   bool m_swapped = false;
+  bool m_overlayVisible = true;
 
   std::unique_ptr<ViewPictures> m_pictures; ///< lives with the OpenGL context
   InteractionQuality m_quality;

@@ -190,8 +190,10 @@ std::optional<Probe> CompareView::probeAt(const QPointF& point) const {
   const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < place.size.x && pixel.y < place.size.y;
   if (!inside)
     return std::nullopt;
-  const Scene scene = sceneOfSide(sideShownAt(position));
-  return probeAlong(scene, rayThroughPixel(scene.camera, pixel.x, pixel.y, place.size));
+  const int side = sideShownAt(position);
+  const Scene scene = sceneOfSide(side);
+  return probeAlong(scene, gradientScaleOfSide(side),
+                    rayThroughPixel(scene.camera, pixel.x, pixel.y, place.size));
 }
 
 void CompareView::showProbe(const std::optional<Probe>& probe, const QPointF& point) {

@@ -60,6 +60,11 @@ QRectF CompareView::labelRect(int position) const {
 void CompareView::paintOverlay() {
   QPainter painter(this);
   painter.setRenderHint(QPainter::TextAntialiasing);
+  if (m_layout == CompareLayout::sideBySide) {
+    const QRectF left = logicalRect(0);
+    const QRectF right = logicalRect(1);
+    painter.fillRect(QRectF(left.topRight(), right.bottomLeft()), QColor(70, 76, 88));
+  }
   paintOrientation(painter);
   paintScale(painter);
   if (m_layout == CompareLayout::wipe)
@@ -84,8 +89,14 @@ void CompareView::paintOrientation(QPainter& painter) {
   const int pictures = m_layout == CompareLayout::sideBySide ? 2 : 1;
   for (int position = 0; position < pictures; ++position) {
     const QRectF side = logicalRect(position);
+    double column = side.center().x();
+    if (m_layout == CompareLayout::wipe && std::abs(m_wipe * width() - column) < 2 * margin)
+      column = m_wipe * width() + 2 * margin; // beside the border, not under it
+    const QRectF label = labelRect(position);
+    const bool inTheWay = std::abs(column - label.center().x()) < label.width() / 2 + 2 * margin;
     if (m_scene.volume->info().orientationKnown)
-      paintLetters(painter, orientationLetters(m_scene.camera), side);
+      paintLetters(painter, orientationLetters(m_scene.camera), side, column,
+                   inTheWay ? label.bottom() + margin / 3 : side.top());
     else
       paintNote(painter, tr("Orientation unknown"), {side.center().x(), side.bottom() - margin},
                 Qt::AlignHCenter);

@@ -25,6 +25,9 @@ public:
 
   static QualityLevel levelAt(int index); ///< 0 is full quality, levelCount - 1 the coarsest
 
+  /// What a picture is expected to cost at a level, relative to full quality.
+  static double relativeCost(int index);
+
   /// The level for a frame of `pixels` pixels over all sides: the coarsest until something was measured.
   int levelFor(double pixels) const;
 

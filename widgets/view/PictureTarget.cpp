@@ -11,36 +11,29 @@
 namespace limn {
 namespace {
 
-unsigned makeTexture(GLint filter) {
-  GLuint texture = 0;
-  glGenTextures(1, &texture);
+void setSampling(unsigned texture, GLint filter) {
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  return texture;
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 } // namespace
 
-PictureTarget::~PictureTarget() {
-  glDeleteFramebuffers(1, &m_framebuffer);
-  glDeleteTextures(1, &m_texture);
+PictureTarget::PictureTarget() {
+  setSampling(texture(), GL_LINEAR);
 }
 
 void PictureTarget::resize(const glm::ivec2& size) {
   if (size == m_size)
     return;
-  if (m_texture == 0) {
-    m_texture = makeTexture(GL_LINEAR);
-    glGenFramebuffers(1, &m_framebuffer);
-  }
-  glBindTexture(GL_TEXTURE_2D, m_texture);
+  glBindTexture(GL_TEXTURE_2D, texture());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
   glBindTexture(GL_TEXTURE_2D, 0);
-  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_texture, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture(), 0);
   m_size = {0, 0};
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
@@ -51,12 +44,12 @@ void PictureTarget::resize(const glm::ivec2& size) {
 }
 
 void PictureTarget::bind() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
 }
 
 Image PictureTarget::read() const {
   Image image(m_size);
-  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
   // OpenGL's rows go upwards.
@@ -68,14 +61,12 @@ Image PictureTarget::read() const {
   return image;
 }
 
-ByteTexture::~ByteTexture() {
-  glDeleteTextures(1, &m_texture);
+ByteTexture::ByteTexture() {
+  setSampling(texture(), GL_NEAREST);
 }
 
 void ByteTexture::upload(const glm::ivec2& size, const unsigned char* bytes) {
-  if (m_texture == 0)
-    m_texture = makeTexture(GL_NEAREST);
-  glBindTexture(GL_TEXTURE_2D, m_texture);
+  glBindTexture(GL_TEXTURE_2D, texture());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);

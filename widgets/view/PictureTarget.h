@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gl/GlObjects.h"
 #include "scene/Image.h"
 
 namespace limn {
 
 /// A picture on the GPU that can be drawn into and shown: one texture of premultiplied RGBA, 32-bit floats,
-/// lower left corner first. Needs the same OpenGL context current for every call and for its end.
+/// lower left corner first.
 class PictureTarget {
 public:
-  PictureTarget() = default;
-  ~PictureTarget();
-  PictureTarget(const PictureTarget&) = delete;
-  PictureTarget& operator=(const PictureTarget&) = delete;
+  PictureTarget();
 
   /// Makes room for `size` pixels; keeps what is there where the size is the same. Throws Error (openGl)
   /// where the driver cannot.
@@ -24,30 +22,27 @@ public:
   /// Reads the picture back; waits for the drawing to end.
   Image read() const;
 
-  unsigned texture() const { return m_texture; }
-  glm::ivec2 size() const { return m_size; }
+  unsigned texture() const { return m_texture.name(); }
+  bool isEmpty() const { return m_size.x == 0; }
 
 private:
-  unsigned m_texture = 0;
-  unsigned m_framebuffer = 0;
+  GlTexture m_texture;
+  GlFramebuffer m_framebuffer;
   glm::ivec2 m_size{0};
 };
 
 /// A finished 8-bit picture on the GPU, RGBA, lower left corner first.
 class ByteTexture {
 public:
-  ByteTexture() = default;
-  ~ByteTexture();
-  ByteTexture(const ByteTexture&) = delete;
-  ByteTexture& operator=(const ByteTexture&) = delete;
+  ByteTexture();
 
   /// Uploads `size.x · size.y · 4` bytes, rows from bottom to top.
   void upload(const glm::ivec2& size, const unsigned char* bytes);
 
-  unsigned texture() const { return m_texture; }
+  unsigned texture() const { return m_texture.name(); }
 
 private:
-  unsigned m_texture = 0;
+  GlTexture m_texture;
 };
 
 } // namespace limn

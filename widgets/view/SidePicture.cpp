@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
+#include <epoxy/gl.h> // before any OpenGL header of Qt
 
 #include "widgets/view/SidePicture.h"
 
 #include "widgets/view/PictureBytes.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -19,11 +20,17 @@ template <class Work> double timedMs(Work&& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+// A picture coarser than this is bettered once before the full one is drawn, at about a seventh of its cost.
+constexpr int veryCoarse = 5;
+constexpr int middleLevel = 3;
+
 } // namespace
 
 void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_scene = scene;
   m_size = size;
+  m_pass = 0;
+  m_hasMiddlePass = false;
   m_schedule = TileSchedule(size);
   m_finished = false;
   m_image.reset();
@@ -42,19 +49,56 @@ double SidePicture::drawCoarsely(RayCaster& caster, int level) {
   glFinish();
   const double ms = timedMs([&] { caster.draw(scene, size, {{0, 0}, size}); });
   m_coarseFactor = quality.stepFactor;
+  m_gradientScale = caster.gradientScale();
   if (level == 0) {
     m_schedule.finishedWhole(ms);
     m_completeMs = ms;
+  } else if (level >= veryCoarse) {
+    m_pass = middleLevel;
+    m_hasMiddlePass = true;
+    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size));
   }
   return ms;
 }
 
 void SidePicture::drawStrip(RayCaster& caster) {
-  m_full.resize(m_size);
-  m_full.bind();
-  m_schedule.finished(timedMs([&] { caster.draw(m_scene, m_size, m_schedule.next()); }));
-  if (m_schedule.complete())
+  const QualityLevel quality = InteractionQuality::levelAt(m_pass);
+  PictureTarget& target = m_pass == 0 ? m_full : m_middle;
+  const glm::ivec2 size = sizeAt(quality, m_size);
+  const Scene scene = withQualityLevel(m_scene, quality);
+  target.resize(size);
+  target.bind();
+  m_schedule.finished(timedMs([&] { caster.draw(scene, size, m_schedule.next()); }));
+  if (!m_schedule.complete())
+    return;
+  if (m_pass == 0) {
     m_completeMs = m_schedule.spentMs();
+    return;
+  }
+  std::swap(m_coarse, m_middle);
+  m_coarseFactor = quality.stepFactor;
+  m_pass = 0;
+  m_schedule = TileSchedule(m_size);
+}
+
+double SidePicture::fraction() const {
+  const double middle = m_hasMiddlePass ? InteractionQuality::relativeCost(middleLevel) : 0.0;
+  const double done = m_pass == 0 ? middle + m_schedule.fraction() : middle * m_schedule.fraction();
+  return done / (middle + 1.0);
+}
+
+int SidePicture::rowsDone() const {
+  if (m_finished || m_pass == 0)
+    return m_finished ? m_size.y : m_schedule.rowsDone();
+  // Smoothing reaches half a row further: leave out what would reach into rows not drawn yet.
+  const double rowHeight = 1.0 / InteractionQuality::levelAt(m_pass).imageScale;
+  return static_cast<int>(std::max(0, m_schedule.rowsDone() - 1) * rowHeight);
+}
+
+unsigned SidePicture::finerTexture() const {
+  if (m_finished)
+    return m_bytesTexture.texture();
+  return m_pass == 0 ? m_full.texture() : m_middle.texture();
 }
 
 void SidePicture::finish() {
@@ -70,16 +114,16 @@ void SidePicture::show(const PicturePresenter& presenter, PicturePresenter::Plac
   const int done = rowsDone();
   if (done > 0) {
     placement.part.size.y = done;
-    presenter.show(fullTexture(), placement, m_scene.image.background);
+    presenter.show(finerTexture(), placement, m_scene.image.background);
   }
-  if (done < part.size.y && m_coarse.texture() != 0) {
+  if (done < part.size.y && hasCoarser()) {
     placement.part = {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}};
-    presenter.show(coarseTexture(), placement, m_scene.image.background);
+    presenter.show(coarserTexture(), placement, m_scene.image.background);
   }
 }
 
 double SidePicture::shownStepVoxels() const {
-  return m_scene.quality.stepVoxels * (rowsDone() >= m_size.y ? 1.0 : m_coarseFactor);
+  return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseFactor);
 }
 
 } // namespace limn

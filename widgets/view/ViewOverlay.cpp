@@ -91,19 +91,20 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
   painter.restore();
 }
 
-void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side) {
+void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
+                  double labelBottom) {
   painter.save();
   painter.setFont(titleFont(painter.font()));
   const QFontMetricsF metrics(painter.font());
   const double height = metrics.height();
   const double width = metrics.horizontalAdvance(QStringLiteral("WWW"));
-  const QPointF centre = side.center();
+  const double middle = side.center().y();
   const auto place = [&](double x, double y) { return QRectF(x - width / 2, y - height / 2, width, height); };
   const double inset = margin + height / 2;
-  paintOutlined(painter, place(side.left() + inset, centre.y()), QString::fromStdString(letters.left));
-  paintOutlined(painter, place(side.right() - inset, centre.y()), QString::fromStdString(letters.right));
-  paintOutlined(painter, place(centre.x(), side.top() + inset), QString::fromStdString(letters.top));
-  paintOutlined(painter, place(centre.x(), side.bottom() - inset), QString::fromStdString(letters.bottom));
+  paintOutlined(painter, place(side.left() + inset, middle), QString::fromStdString(letters.left));
+  paintOutlined(painter, place(side.right() - inset, middle), QString::fromStdString(letters.right));
+  paintOutlined(painter, place(column, std::max(side.top() + margin, labelBottom) + height / 2), QString::fromStdString(letters.top));
+  paintOutlined(painter, place(column, side.bottom() - inset), QString::fromStdString(letters.bottom));
   painter.restore();
 }
 

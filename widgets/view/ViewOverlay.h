@@ -28,7 +28,9 @@ QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side,
 /// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on any
 /// picture.
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
-void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side);
+/// The upper letter keeps clear of `labelBottom`; the upper and lower ones stand at `column`.
+void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
+                  double labelBottom);
 void paintScaleBar(QPainter& painter, const ScaleBar& bar, const QString& text, const QRectF& side);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);

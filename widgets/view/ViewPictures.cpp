@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h>
+#include <epoxy/gl.h> // before any OpenGL header of Qt
 
 #include "widgets/view/ViewPictures.h"
 
@@ -54,7 +54,7 @@ bool ViewPictures::refine(double budgetMs) {
   for (SidePicture* side = leastComplete(); side; side = leastComplete()) {
     side->drawStrip(m_caster);
     const SidePicture* next = leastComplete();
-    if (next && msSince(start) + next->schedule().predictedMs() > budgetMs)
+    if (next && msSince(start) + next->predictedMs() > budgetMs)
       return false;
   }
   // Read one picture back per turn: it takes about as long as a few strips.
@@ -69,9 +69,9 @@ bool ViewPictures::refine(double budgetMs) {
 SidePicture* ViewPictures::leastComplete() {
   const auto end = m_sides.begin() + m_count;
   const auto least = std::min_element(m_sides.begin(), end, [](const SidePicture& a, const SidePicture& b) {
-    return a.schedule().fraction() < b.schedule().fraction();
+    return a.fraction() < b.fraction();
   });
-  return least == end || least->schedule().complete() ? nullptr : &*least;
+  return least == end || least->complete() ? nullptr : &*least;
 }
 
 void ViewPictures::show(const Arrangement& arrangement, unsigned framebuffer,
@@ -106,11 +106,11 @@ void ViewPictures::showDifference(const Arrangement& arrangement, const glm::dve
   PicturePresenter::Placement placement{arrangement.size.y, place, place};
   placement.part.size.y = done;
   if (done > 0)
-    m_presenter.showDifference(left.fullTexture(), right.fullTexture(), placement, background,
+    m_presenter.showDifference(left.finerTexture(), right.finerTexture(), placement, background,
                                differenceGain);
   placement.part = {{place.topLeft.x, place.topLeft.y + done}, {place.size.x, place.size.y - done}};
-  if (done < place.size.y && left.coarseTexture() != 0 && right.coarseTexture() != 0)
-    m_presenter.showDifference(left.coarseTexture(), right.coarseTexture(), placement, background,
+  if (done < place.size.y && left.hasCoarser() && right.hasCoarser())
+    m_presenter.showDifference(left.coarserTexture(), right.coarserTexture(), placement, background,
                                differenceGain);
 }
 

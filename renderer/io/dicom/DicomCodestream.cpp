@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomCodestream.h"
 
+#include "io/dicom/DicomJpeg.h"
 #include "scene/Error.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::optional<CodestreamFacts> jpeg2000Facts(const DicomCodestream& stream) {
                          word(stream, at + 32)};
 }
 
-void requireAgreement(const DicomHeader& header, const DicomCodestream& stream) {
+CodestreamFacts agreedFacts(const DicomHeader& header, const DicomCodestream& stream) {
   const auto facts = factsOf(stream);
   if (!facts)
     fail(header, "are damaged or in a form this program does not read");
@@ -75,6 +76,16 @@ void requireAgreement(const DicomHeader& header, const DicomCodestream& stream) 
   if ((facts->bits + 7) / 8 * 8 != header.format.bitsAllocated)
     fail(header, "have " + std::to_string(facts->bits) + " bits where the header says " +
                      std::to_string(header.format.bitsAllocated));
+  return *facts;
+}
+
+// Whether the mark that closes a picture (one for JPEG, JPEG-LS and JPEG 2000) stands at the end, but for
+// padding.
+bool isClosed(const DicomCodestream& stream) {
+  std::size_t end = stream.size();
+  while (end > 2 && (stream[end - 1] == 0x00 || (stream[end - 1] == 0xFF && stream[end - 2] != 0xFF)))
+    --end;
+  return end > 2 && stream[end - 2] == 0xFF && stream[end - 1] == 0xD9;
 }
 
 void silenceGdcm() {
@@ -107,10 +118,51 @@ gdcm::Image imageOf(const DicomHeader& header, gdcm::TransferSyntax::TSType synt
                                          narrow(format.bitsStored), narrow(format.highBit),
                                          format.isSigned ? 1 : 0));
   image.SetPlanarConfiguration(0);
-  image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation(
-      gdcm::PhotometricInterpretation::GetPIType(format.photometric.c_str())));
+  const std::string photometric = format.samples == 1 ? "MONOCHROME2" : format.photometric;
+  image.SetPhotometricInterpretation(
+      gdcm::PhotometricInterpretation(gdcm::PhotometricInterpretation::GetPIType(photometric.c_str())));
   image.SetTransferSyntax(gdcm::TransferSyntax(syntax));
   return image;
+}
+
+// The colours of a JPEG stream are as the header says, unless the stream itself is marked as Y, Cb, Cr.
+DicomRawFrame decodedJpeg(const DicomHeader& header, const DicomCodestream& stream, int bits) {
+  try {
+    JpegPicture picture = bits <= 8    ? decodeJpeg8(stream)
+                          : bits <= 12 ? decodeJpeg12(stream)
+                                       : decodeJpeg16(stream);
+    const bool isYbr = header.format.samples == 3 && picture.isMarkedYbr;
+    return {std::move(picture.bytes), isYbr ? "YBR_FULL" : header.format.photometric};
+  } catch (const JpegDamage& damage) {
+    fail(header, std::string("are damaged or cut off (") + damage.what() + ")");
+  }
+}
+
+DicomRawFrame decodedByImage(const DicomHeader& header, const DicomCodestream& stream,
+                             gdcm::TransferSyntax::TSType syntax) {
+  gdcm::Image image = imageOf(header, syntax);
+  image.SetDataElement(encapsulated(stream));
+  DicomRawFrame frame;
+  if (image.GetBufferLength() != frameBytes(header))
+    fail(header, "do not fill the picture");
+  frame.bytes.resize(frameBytes(header));
+  if (!image.GetBuffer(reinterpret_cast<char*>(frame.bytes.data())))
+    fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
+  frame.photometric = image.GetPhotometricInterpretation().GetString();
+  return frame;
+}
+
+bool isClassicJpeg(gdcm::TransferSyntax::TSType syntax) {
+  using Syntax = gdcm::TransferSyntax;
+  return syntax == Syntax::JPEGBaselineProcess1 || syntax == Syntax::JPEGExtendedProcess2_4 ||
+         syntax == Syntax::JPEGExtendedProcess3_5 || syntax == Syntax::JPEGSpectralSelectionProcess6_8 ||
+         syntax == Syntax::JPEGFullProgressionProcess10_12 || syntax == Syntax::JPEGLosslessProcess14 ||
+         syntax == Syntax::JPEGLosslessProcess14_1;
+}
+
+DicomRawFrame decodedByGdcm(const DicomHeader& header, const DicomCodestream& stream,
+                            gdcm::TransferSyntax::TSType syntax, int bits) {
+  return isClassicJpeg(syntax) ? decodedJpeg(header, stream, bits) : decodedByImage(header, stream, syntax);
 }
 
 } // namespace
@@ -127,23 +179,20 @@ DicomRawFrame decoded(const DicomHeader& header, const DicomCodestream& stream) 
   const auto syntax = gdcm::TransferSyntax::GetTSType(header.transferSyntax.c_str());
   if (syntax == gdcm::TransferSyntax::TS_END)
     fail(header, "are in a form this program does not read");
-  requireAgreement(header, stream);
+  const CodestreamFacts facts = agreedFacts(header, stream);
+  if (!isClosed(stream))
+    fail(header, "are cut off");
   silenceGdcm();
   DicomRawFrame frame;
   try {
-    gdcm::Image image = imageOf(header, syntax);
-    image.SetDataElement(encapsulated(stream));
-    if (image.GetBufferLength() != frameBytes(header))
-      fail(header, "do not fill the picture");
-    frame.bytes.resize(frameBytes(header));
-    if (!image.GetBuffer(reinterpret_cast<char*>(frame.bytes.data())))
-      fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
-    frame.photometric = image.GetPhotometricInterpretation().GetString();
+    frame = decodedByGdcm(header, stream, syntax, facts.bits);
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
     fail(header, std::string("cannot be decoded: ") + error.what());
   }
+  if (frame.bytes.size() != frameBytes(header))
+    fail(header, "do not fill the picture");
   return frame;
 }
 

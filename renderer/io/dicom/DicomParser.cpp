@@ -225,14 +225,39 @@ Encoding sniffed(Parser& parser, const std::string& transferSyntax) {
   return encoding;
 }
 
-// Skips the preamble where there is one.
-std::uint64_t startOfElements(Parser& parser) {
-  if (parser.end() < 132)
-    return 0;
-  parser.moveTo(128);
-  const bool hasPreamble = parser.bytes(4) == "DICM";
-  parser.moveTo(0);
-  return hasPreamble ? 132 : 0;
+// Whether three sound elements of group 0002 or 0008 follow.
+bool startsSoundly(Parser& parser, std::uint64_t start) {
+  try {
+    parser.moveTo(start);
+    const Encoding encoding = sniffed(parser, "");
+    DicomTag previous = 0;
+    for (int i = 0; i < 3; ++i) {
+      const ElementHeader header = parser.element(encoding);
+      const auto group = header.tag >> 16;
+      if (header.tag <= previous || (group != 2 && group != 8) || header.length % 2 != 0 ||
+          (encoding.isExplicit && !isVr(header.vr)))
+        return false;
+      previous = header.tag;
+      parser.skip(header.length);
+    }
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// Finds the first element: behind the preamble, or at once. A file stripped of group 0002 may keep the byte
+// that padded its last value.
+std::optional<std::uint64_t> startOfElements(Parser& parser) {
+  if (parser.end() >= 132) {
+    parser.moveTo(128);
+    if (parser.bytes(4) == "DICM")
+      return 132;
+  }
+  for (const std::uint64_t start : {0, 1})
+    if (startsSoundly(parser, start))
+      return start;
+  return std::nullopt;
 }
 
 // Reads group 0002, which is always explicit and little-endian.
@@ -254,42 +279,20 @@ DicomDataset metaInformation(Parser& parser) {
 
 bool startsAsDicom(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  std::string start(132, '\0');
-  in.read(start.data(), 132);
-  if (in.gcount() == 132 && start.compare(128, 4, "DICM") == 0)
-    return true;
-  const bool isLittle = (start[0] == 2 || start[0] == 8) && start[1] == 0;
-  const bool isBig = start[0] == 0 && (start[1] == 8);
-  if (in.gcount() < 32 || !(isLittle || isBig))
+  if (!in)
     return false;
-  try {
-    in.clear();
-    Parser parser(in, path.filename().string());
-    Encoding encoding = sniffed(parser, "");
-    DicomTag previous = 0;
-    for (int i = 0; i < 3; ++i) {
-      const ElementHeader header = parser.element(encoding);
-      const auto group = header.tag >> 16;
-      const bool isSound = header.tag > previous && (group == 2 || group == 8) && header.length % 2 == 0 &&
-                           (!encoding.isExplicit || isVr(header.vr));
-      if (!isSound)
-        return false;
-      previous = header.tag;
-      parser.skip(header.length);
-    }
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
+  Parser parser(in, path.filename().string());
+  return startOfElements(parser).has_value();
 }
 
 DicomFile parseDicom(const std::filesystem::path& path) {
-  if (!startsAsDicom(path))
-    throw Error(Error::Kind::input, "The file " + path.filename().string() + " is not DICOM.");
   DicomFile file;
   auto in = openDicomStream(path, 0);
   Parser parser(*in, path.filename().string());
-  parser.moveTo(startOfElements(parser));
+  const auto start = startOfElements(parser);
+  if (!start)
+    throw Error(Error::Kind::input, "The file " + path.filename().string() + " is not DICOM.");
+  parser.moveTo(*start);
   const DicomDataset meta = metaInformation(parser);
   file.transferSyntax = textOf(meta, tag::transferSyntax);
   if (textOf(meta, tag::mediaStorageClass) == "1.2.840.10008.1.3.10") {

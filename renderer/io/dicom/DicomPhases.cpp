@@ -61,19 +61,6 @@ std::vector<Station> stationsOf(const DicomSeries& series) {
   return stations;
 }
 
-int dropCopies(std::vector<Station>& stations) {
-  int dropped = 0;
-  for (Station& station : stations) {
-    std::set<std::pair<std::string, int>> seen;
-    const auto isCopy = [&](const DicomSlice& slice) {
-      return !slice.header->sopInstance.empty() &&
-             !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
-    };
-    dropped += static_cast<int>(std::erase_if(station, isCopy));
-  }
-  return dropped;
-}
-
 bool isSettled(const std::vector<Station>& stations) {
   return std::all_of(stations.begin(), stations.end(), [](const Station& s) { return s.size() == 1; });
 }
@@ -126,11 +113,20 @@ void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<s
 
 } // namespace
 
-DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings) {
-  std::vector<Station> stations = stationsOf(series);
-  if (const int copies = dropCopies(stations))
+DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings) {
+  std::set<std::pair<std::string, int>> seen;
+  const auto copies = std::erase_if(series, [&](const DicomSlice& slice) {
+    return !slice.header->sopInstance.empty() &&
+           !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
+  });
+  if (copies > 0)
     warnings.push_back(std::to_string(copies) + (copies == 1 ? " image is a copy" : " images are copies") +
                        " of another of the series and left out.");
+  return series;
+}
+
+DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings) {
+  std::vector<Station> stations = stationsOf(series);
   const auto repeated = static_cast<std::size_t>(
       std::count_if(stations.begin(), stations.end(), [](const Station& s) { return s.size() > 1; }));
   std::size_t images = 0;

@@ -5,8 +5,11 @@
 
 namespace limn {
 
-/// Leaves one slice at each position of a placed, sorted series: copies of an image are dropped, of several
-/// phases (temporal position, trigger time, echo …) one is kept, all with a warning. Returns them sorted.
+/// Drops images found more than once (one SOP instance UID), with a warning.
+DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings);
+
+/// Leaves one slice at each position of a placed, sorted series: of several phases (temporal position,
+/// trigger time, echo …) one is kept, with a warning. Returns them sorted.
 DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings);
 
 } // namespace limn

@@ -30,6 +30,10 @@ bool haveOneSpacing(const DicomFrame& a, const DicomFrame& b) {
 }
 
 bool makeOneVolume(const DicomSlice& a, const DicomSlice& b) {
+  // Several frames without positions are a whole of their own.
+  const bool isStack = a.header->frames.size() > 1 && !a.frame().positionMm;
+  if (isStack && a.header != b.header)
+    return false;
   const auto facts = [](const DicomHeader& h) {
     return std::tie(h.seriesInstance, h.studyInstance, h.columns, h.rows, h.format.samples,
                     h.format.photometric);

@@ -84,7 +84,7 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   scene.shading.model = ShadingModel::enhanced;
   EXPECT_EQ(sideDetails(scene, 23.4), QString::fromUtf8("SP 1–64 · O 0–3 · 23 ms"));
   scene.projection = Projection::mip;
-  EXPECT_EQ(sideDetails(scene, 4.25), QString::fromUtf8("Maximum intensity · 4.2 ms"));
+  EXPECT_EQ(sideDetails(scene, 4.16), QString::fromUtf8("Maximum intensity · 4.2 ms"));
 }
 
 } // namespace

@@ -27,7 +27,7 @@ Scene layers() {
 const Ray throughTheMiddle{{3.5, -50.0, 3.5}, {0.0, 1.0, 0.0}};
 
 TEST(Probe, findsTheDenseLayerBehindAThinOne) {
-  const auto probe = probeAlong(layers(), throughTheMiddle);
+  const auto probe = probeAlong(layers(), {}, throughTheMiddle);
   ASSERT_TRUE(probe);
   // The ramp between the layers lies at 19..20; the first samples of 500 after it win, for T falls quickly.
   EXPECT_GT(probe->value, 300.0);
@@ -38,24 +38,35 @@ TEST(Probe, findsTheDenseLayerBehindAThinOne) {
 TEST(Probe, findsTheThinLayerWhereItHidesTheDenseOne) {
   Scene scene = layers();
   scene.transferFunction.points[1].opacity = 0.95;
-  const auto probe = probeAlong(scene, throughTheMiddle);
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
   ASSERT_TRUE(probe);
   EXPECT_NEAR(probe->positionMm.y, 9.5, 1.0);
 }
 
+TEST(Probe, seesThroughWhatTheEnhancedModelHides) {
+  Scene scene = layers();
+  scene.transferFunction.points[1].opacity = 0.95;
+  scene.shading.model = ShadingModel::enhanced;
+  // Inside the thin layer the gradient and so O are 0; at its front, (100 - 0)/2 mm of 200, O is 0.75.
+  scene.transferFunction.points[0].value = 99.0;
+  const auto probe = probeAlong(scene, {200.0, 200.0}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_GT(probe->positionMm.y, 18.5);
+}
+
 TEST(Probe, findsNothingBesideTheVolumeOrInTransparency) {
-  EXPECT_FALSE(probeAlong(layers(), {{30.0, -50.0, 3.5}, {0.0, 1.0, 0.0}}));
-  EXPECT_FALSE(probeAlong(layers(), {{3.5, 80.0, 3.5}, {0.0, 1.0, 0.0}})); // looking away
+  EXPECT_FALSE(probeAlong(layers(), {}, {{30.0, -50.0, 3.5}, {0.0, 1.0, 0.0}}));
+  EXPECT_FALSE(probeAlong(layers(), {}, {{3.5, 80.0, 3.5}, {0.0, 1.0, 0.0}})); // looking away
   Scene transparent = layers();
   transparent.transferFunction.points.clear();
-  EXPECT_FALSE(probeAlong(transparent, throughTheMiddle));
-  EXPECT_FALSE(probeAlong(Scene{}, throughTheMiddle));
+  EXPECT_FALSE(probeAlong(transparent, {}, throughTheMiddle));
+  EXPECT_FALSE(probeAlong(Scene{}, {}, throughTheMiddle));
 }
 
 TEST(Probe, staysInsideTheCropBox) {
   Scene scene = layers();
   scene.crop.upper.y = 0.5; // the dense layer is cut away: index 19.5 and more
-  const auto probe = probeAlong(scene, throughTheMiddle);
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
   ASSERT_TRUE(probe);
   EXPECT_LT(probe->index.y, 19.5);
 }
@@ -63,20 +74,20 @@ TEST(Probe, staysInsideTheCropBox) {
 TEST(Probe, takesTheExtremeOfAProjectionOfExtremes) {
   Scene scene = layers();
   scene.projection = Projection::mip;
-  EXPECT_EQ(probeAlong(scene, throughTheMiddle)->value, 500.0);
+  EXPECT_EQ(probeAlong(scene, {}, throughTheMiddle)->value, 500.0);
   scene.projection = Projection::minip;
-  EXPECT_EQ(probeAlong(scene, throughTheMiddle)->value, 0.0);
+  EXPECT_EQ(probeAlong(scene, {}, throughTheMiddle)->value, 0.0);
 }
 
 TEST(Probe, takesTheFirstCrossingOfAnIsosurface) {
   Scene scene = layers();
   scene.projection = Projection::isosurface;
   scene.isovalue = 50.0;
-  const auto probe = probeAlong(scene, throughTheMiddle);
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
   ASSERT_TRUE(probe);
   EXPECT_NEAR(probe->positionMm.y, 9.5, 0.5); // half a voxel of step
   scene.isovalue = 600.0;
-  EXPECT_FALSE(probeAlong(scene, throughTheMiddle));
+  EXPECT_FALSE(probeAlong(scene, {}, throughTheMiddle));
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 #include <optional>
-#include <vector>
 
 class QAbstractButton;
 
@@ -19,9 +18,9 @@ class SpringSlider;
 class TransferFunctionCanvas;
 
 /// Shows a transfer function over the volume's histogram and asks for edits: the plot with its mouse and key
-/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve. It owns no undo:
-/// every edit goes out with its gesture, and setTransferFunction brings back what became of it. Esc during a drag
-/// sends the function from before under the same gesture.
+/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve. It owns no
+/// undo: every edit goes out with its gesture, and setTransferFunction brings back what became of it. Esc
+/// during a drag sends the function from before under the same gesture.
 class TransferFunctionEditor : public QWidget {
   Q_OBJECT
 
@@ -30,20 +29,18 @@ public:
 
   void setTransferFunction(const TransferFunction& function);
 
-  /// Drawn behind the curve, logarithmic; empty counts for no volume.
+  /// Drawn behind the curve, logarithmic. Its range is the volume's, and the plot shows all of it when it
+  /// changes; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
 
   /// Shown after values. "HU" also names tissues.
   void setUnit(const QString& unit);
 
-  /// The values of the volume; the plot shows them all when they change.
-  void setValueRange(const ValueRange& range);
-
   /// Marks the value under the pointer in the picture.
   void setMarkedValue(std::optional<double> value);
 
-  /// Values that stay marked: pinned by Shift + click in the picture.
-  void setPinnedValues(const std::vector<double>& values);
+  /// Marks a value until another is pinned or its mark is removed from the plot's menu.
+  void setPinnedValue(std::optional<double> value);
 
   TransferFunctionCanvas* canvas() const { return m_canvas; }
   PointFields* fields() const { return m_fields; }
@@ -57,6 +54,7 @@ signals:
 
 protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   QWidget* makeControlRow();
@@ -73,6 +71,7 @@ private:
   PointFields* m_fields;
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
+  QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
   ValueRange m_range{0.0, 1.0};
   TransferFunction m_pullBase;

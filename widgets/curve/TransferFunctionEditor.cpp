@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/TransferFunctionEditor.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 
 #include "widgets/Icons.h"
 #include "widgets/ValueText.h"
@@ -21,14 +21,16 @@
 namespace limn {
 namespace {
 
-QString factorText(double factor) { return QChar(0x00d7) + QString::number(factor, 'f', 2); }
+QString factorText(double factor) {
+  return QChar(0x00d7) + QString::number(factor, 'f', 2);
+}
 
 } // namespace
 
 TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
     : QWidget(parent), m_canvas(new TransferFunctionCanvas), m_fields(new PointFields),
       m_opacity(new SpringSlider(
-          tr("Opacity"),
+          tr("Overall opacity"),
           tr("<p>Makes everything visible more solid or more transparent; what is invisible stays so.</p>"
              "<p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
           {0.1, 10.0, true}, 1.0, factorText)),
@@ -37,11 +39,12 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
           tr("<p>Moves the whole curve to lower or higher values, so that other tissue appears.</p>"
              "<p>Up to a quarter of the volume's range either way, default 0. It springs back when let go; "
              "Shift drags finer.</p>"),
-          {-1.0, 1.0, false}, 0.0, [this](double position) {
+          {-1.0, 1.0, false}, 0.0,
+          [this](double position) {
             const QString sign = position > 0.0 ? QStringLiteral("+") : QString();
             return sign + valueText(shiftOf(position), m_canvas->unit(), m_canvas->shownDecimals());
           })),
-      m_showAll(new QToolButton) {
+      m_fine(new QCheckBox(tr("Fine low opacities"))), m_showAll(new QToolButton) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 4);
   layout->setSpacing(0);
@@ -54,11 +57,11 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
 }
 
 QWidget* TransferFunctionEditor::makeControlRow() {
-  auto* fine = new QCheckBox(tr("Fine low opacities"));
-  fine->setToolTip(tr("<p>Stretches the lower part of the opacity axis, where small changes show most in the "
-                      "picture; the curve itself stays.</p><p>On or off, default off.</p>"));
-  fine->setAccessibleName(tr("Fine low opacities"));
-  connect(fine, &QCheckBox::toggled, m_canvas, &TransferFunctionCanvas::setFineLowOpacities);
+  m_fine->setToolTip(
+      tr("<p>Stretches the lower part of the opacity axis, where small changes show most in the "
+         "picture; the curve itself stays.</p><p>On or off, default off.</p>"));
+  m_fine->setAccessibleName(tr("Fine low opacities"));
+  connect(m_fine, &QAbstractButton::toggled, m_canvas, &TransferFunctionCanvas::setFineLowOpacities);
   m_showAll->setToolTip(tr("Show all values of the volume (also: double click on the axis)"));
   m_showAll->setAccessibleName(tr("Show all values"));
   connect(m_showAll, &QAbstractButton::clicked, m_canvas, &TransferFunctionCanvas::resetView);
@@ -71,8 +74,10 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   layout->addStretch(1);
   layout->addWidget(m_opacity);
   layout->addWidget(m_shift);
-  layout->addWidget(fine);
+  layout->addWidget(m_fine);
   layout->addWidget(m_showAll);
+  // The row never makes the window wider: resizeEvent hides what has another way.
+  row->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return row;
 }
 
@@ -85,7 +90,8 @@ void TransferFunctionEditor::connectCanvas() {
   connect(m_canvas, &TransferFunctionCanvas::valueHovered, this, &TransferFunctionEditor::valueHovered);
   connect(m_canvas, &TransferFunctionCanvas::selectionChanged, this, &TransferFunctionEditor::showSelection);
   connect(m_canvas, &TransferFunctionCanvas::numbersRequested, m_fields, &PointFields::focusValue);
-  connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this, &TransferFunctionEditor::openDetails);
+  connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this,
+          &TransferFunctionEditor::openDetails);
   connect(m_fields, &PointFields::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
 }
 
@@ -96,9 +102,9 @@ void TransferFunctionEditor::connectSliders() {
   });
   connect(m_shift, &SpringSlider::pulled, this, [this](double position, std::uint64_t id) {
     const double offset = shiftOf(position);
-    m_canvas->edit(shifted(pullBase(id), offset),
-                   {id, tr("shift curve by %1")
-                            .arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
+    m_canvas->edit(
+        shifted(pullBase(id), offset),
+        {id, tr("shift curve by %1").arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
   });
   for (SpringSlider* slider : {m_opacity, m_shift})
     connect(slider, &SpringSlider::released, this, [this] { m_pullId = 0; });
@@ -126,23 +132,23 @@ void TransferFunctionEditor::setTransferFunction(const TransferFunction& functio
   showSelection();
 }
 
-void TransferFunctionEditor::setHistogram(const Histogram& histogram) { m_canvas->setHistogram(histogram); }
+void TransferFunctionEditor::setHistogram(const Histogram& histogram) {
+  m_range = histogram.range;
+  m_canvas->setHistogram(histogram);
+  showSelection();
+}
 
 void TransferFunctionEditor::setUnit(const QString& unit) {
   m_canvas->setUnit(unit);
   showSelection();
 }
 
-void TransferFunctionEditor::setValueRange(const ValueRange& range) {
-  m_range = range;
-  m_canvas->setValueRange(range);
-  showSelection();
+void TransferFunctionEditor::setMarkedValue(std::optional<double> value) {
+  m_canvas->setMarkedValue(value);
 }
 
-void TransferFunctionEditor::setMarkedValue(std::optional<double> value) { m_canvas->setMarkedValue(value); }
-
-void TransferFunctionEditor::setPinnedValues(const std::vector<double>& values) {
-  m_canvas->setPinnedValues(values);
+void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {
+  m_canvas->setPinnedValue(value);
 }
 
 void TransferFunctionEditor::showSelection() {
@@ -162,6 +168,13 @@ void TransferFunctionEditor::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange)
     showIcons();
   QWidget::changeEvent(event);
+}
+
+void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
+  m_shift->setVisible(width() >= 900);   // the bar above the plot shifts too
+  m_opacity->setVisible(width() >= 640); // dragging all points does nearly the same
+  m_fine->setVisible(width() >= 480);
+  QWidget::resizeEvent(event);
 }
 
 void TransferFunctionEditor::showIcons() {
