@@ -77,11 +77,21 @@ TEST_F(CanvasFixture, enterAsksForNumbers) {
 }
 
 TEST_F(CanvasFixture, itsKeysComeBeforeTheWindowsShortcuts) {
+  m_canvas.selectPoints({2});
+  m_canvas.setAttribute(Qt::WA_UnderMouse);
   for (const int key : {Qt::Key_Space, Qt::Key_Delete, Qt::Key_Left, Qt::Key_Return}) {
     QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
     event.ignore();
     QApplication::sendEvent(&m_canvas, &event);
     EXPECT_TRUE(event.isAccepted()) << key;
+  }
+  m_canvas.setAttribute(Qt::WA_UnderMouse, false);
+  m_canvas.selectPoints({});
+  for (const int key : {Qt::Key_Space, Qt::Key_Left}) { // nothing to pan or move: the picture's keys
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    event.ignore();
+    QApplication::sendEvent(&m_canvas, &event);
+    EXPECT_FALSE(event.isAccepted()) << key;
   }
   QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
   undo.ignore();

@@ -84,7 +84,10 @@ TEST_F(PresetBrowserTest, arrowsAndEnterChooseFromTheSearchField) {
 }
 
 TEST_F(PresetBrowserTest, onlyOwnPresetsCanBeDeleted) {
-  auto* deletion = m_browser.findChild<QToolButton*>();
+  QToolButton* deletion = nullptr;
+  for (QToolButton* button : m_browser.findChildren<QToolButton*>()) // the search field has some of its own
+    if (button->accessibleName() == QStringLiteral("Delete preset"))
+      deletion = button;
   ASSERT_NE(deletion, nullptr);
   click(QStringLiteral("CT bone"));
   EXPECT_FALSE(deletion->isEnabled());
