@@ -72,6 +72,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   const VolumeInfo& info = volume.info();
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
+  m_editor->setPinnedValue(std::nullopt);
   m_session.open(loaded);
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")

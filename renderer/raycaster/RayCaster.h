@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/Gradient.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace limn {
 
@@ -34,10 +37,18 @@ public:
   /// Draws a whole picture off screen in 32-bit floats and reads it back.
   Image render(const Scene& scene, const glm::ivec2& size);
 
+  /// The number of samples of each pixel's ray, row by row from the top, 0 where it misses the volume: what
+  /// tests and error figures need beside the picture.
+  std::vector<int> sampleCounts(const Scene& scene, const glm::ivec2& size);
+
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;
 
-  /// One sentence where the volume had to be down-sampled to fit the driver's textures, empty otherwise.
+  /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads r.
+  const GradientScale& gradientScale() const;
+
+  /// A sentence each where the volume had to be down-sampled to fit the driver's textures and where the last
+  /// picture's step would have needed too many samples; empty otherwise.
   std::string limitation() const;
 
 private:

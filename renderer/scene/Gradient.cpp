@@ -104,14 +104,16 @@ double gradientPercentile(const Volume& volume, double percent) {
   return moduli[index];
 }
 
+GradientReference resolvedReference(const Shading& shading) {
+  if (!std::holds_alternative<AutomaticReference>(shading.gradientReference))
+    return shading.gradientReference;
+  if (shading.model == ShadingModel::robust)
+    return PercentileReference{99.5};
+  return LargestReference{};
+}
+
 GradientScale gradientScale(const Volume& volume, const Shading& shading) {
-  GradientReference reference = shading.gradientReference;
-  if (std::holds_alternative<AutomaticReference>(reference)) {
-    if (shading.model == ShadingModel::robust)
-      reference = PercentileReference{99.5};
-    else
-      reference = LargestReference{};
-  }
+  const GradientReference reference = resolvedReference(shading);
   GradientScale scale;
   scale.largest = largestGradient(volume);
   if (const auto* percentile = std::get_if<PercentileReference>(&reference))

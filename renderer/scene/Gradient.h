@@ -28,6 +28,10 @@ struct GradientScale {
   bool operator==(const GradientScale&) const = default;
 };
 
+/// The shading's gradient reference with the automatic one replaced by the model's: the 99.5th percentile for
+/// robust, the largest modulus otherwise.
+GradientReference resolvedReference(const Shading& shading);
+
 /// Resolves the shading's gradient reference for a volume. Costs a pass over the volume (two with a
 /// percentile): keep the result while volume, model and reference stay.
 GradientScale gradientScale(const Volume& volume, const Shading& shading);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/SavedState.h"
+
+#include <epoxy/gl.h>
+
+namespace limn {
+namespace {
+
+constexpr GLenum capabilityNames[SavedState::capabilities] = {
+    GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DITHER, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB};
+
+void enable(GLenum capability, bool on) {
+  if (on)
+    glEnable(capability);
+  else
+    glDisable(capability);
+}
+
+} // namespace
+
+SavedState::SavedState() {
+  for (int i = 0; i < capabilities; ++i) {
+    m_enabled[i] = glIsEnabled(capabilityNames[i]);
+    glDisable(capabilityNames[i]);
+  }
+  glGetBooleanv(GL_COLOR_WRITEMASK, m_colorMask.data());
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glGetIntegerv(GL_VIEWPORT, m_viewport.data());
+  glGetIntegerv(GL_SCISSOR_BOX, m_scissorBox.data());
+  glGetIntegerv(GL_CURRENT_PROGRAM, &m_program);
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &m_vertexArray);
+  glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &m_arrayBuffer);
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &m_unpackAlignment);
+  glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &m_unpackBuffer);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &m_activeTexture);
+  for (int unit = 0; unit < textureUnits; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textures2D[unit]);
+    glGetIntegerv(GL_TEXTURE_BINDING_3D, &m_textures3D[unit]);
+  }
+}
+
+SavedState::~SavedState() {
+  for (int unit = 0; unit < textureUnits; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textures2D[unit]));
+    glBindTexture(GL_TEXTURE_3D, static_cast<GLuint>(m_textures3D[unit]));
+  }
+  glActiveTexture(static_cast<GLenum>(m_activeTexture));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, m_unpackAlignment);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(m_unpackBuffer));
+  glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(m_arrayBuffer));
+  glBindVertexArray(static_cast<GLuint>(m_vertexArray));
+  glUseProgram(static_cast<GLuint>(m_program));
+  glScissor(m_scissorBox[0], m_scissorBox[1], m_scissorBox[2], m_scissorBox[3]);
+  glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+  glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);
+  for (int i = 0; i < capabilities; ++i)
+    enable(capabilityNames[i], m_enabled[i]);
+}
+
+} // namespace limn

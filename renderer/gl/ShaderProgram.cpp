@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/ShaderProgram.h"
+
+#include "scene/Error.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace limn {
+namespace {
+
+// A shader object lives until its program is linked.
+struct Shader {
+  explicit Shader(GLenum stage) : name(glCreateShader(stage)) {}
+  ~Shader() { glDeleteShader(name); }
+  Shader(const Shader&) = delete;
+  Shader& operator=(const Shader&) = delete;
+  GLuint name;
+};
+
+std::string shaderLog(GLuint shader) {
+  GLint length = 0;
+  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+  glGetShaderInfoLog(shader, length, nullptr, log.data());
+  return log.c_str();
+}
+
+std::string programLog(GLuint program) {
+  GLint length = 0;
+  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+  glGetProgramInfoLog(program, length, nullptr, log.data());
+  return log.c_str();
+}
+
+void compile(const Shader& shader, const ShaderSource& source) {
+  const char* text = source.text.c_str();
+  glShaderSource(shader.name, 1, &text, nullptr);
+  glCompileShader(shader.name);
+  GLint isCompiled = GL_FALSE;
+  glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
+  if (isCompiled != GL_TRUE)
+    throw Error(Error::Kind::openGl,
+                "The graphics driver refused a shader; please report this with the driver's name and this "
+                "message: " +
+                    withFileLines(shaderLog(shader.name), source));
+}
+
+} // namespace
+
+void ShaderSource::append(const std::string& file, const std::string& block) {
+  text += block;
+  int number = 0;
+  std::istringstream stream(block);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back({file, ++number});
+}
+
+std::string withFileLines(const std::string& log, const ShaderSource& source) {
+  // The number after the source string's number: "0:12", "0(12)".
+  static const std::regex place(R"((^|\s)0[:(](\d+)\)?)");
+  std::istringstream stream(log);
+  std::string translated;
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, place)) {
+      const auto number = static_cast<std::size_t>(std::stoul(match[2]));
+      if (number >= 1 && number <= source.lines.size()) {
+        const ShaderSource::Line& origin = source.lines[number - 1];
+        line = match.prefix().str() + match[1].str() + origin.file + ":" + std::to_string(origin.line) +
+               match.suffix().str();
+      }
+    }
+    translated += line + "\n";
+  }
+  return translated;
+}
+
+ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment) {
+  const Shader vertexShader(GL_VERTEX_SHADER);
+  const Shader fragmentShader(GL_FRAGMENT_SHADER);
+  compile(vertexShader, vertex);
+  compile(fragmentShader, fragment);
+  glAttachShader(m_program.name(), vertexShader.name);
+  glAttachShader(m_program.name(), fragmentShader.name);
+  glBindAttribLocation(m_program.name(), 0, "a_corner");
+  glBindFragDataLocation(m_program.name(), 0, "fragColor");
+  glLinkProgram(m_program.name());
+  GLint isLinked = GL_FALSE;
+  glGetProgramiv(m_program.name(), GL_LINK_STATUS, &isLinked);
+  glDetachShader(m_program.name(), vertexShader.name);
+  glDetachShader(m_program.name(), fragmentShader.name);
+  if (isLinked != GL_TRUE)
+    throw Error(Error::Kind::openGl,
+                "The graphics driver could not link a shader program; please report this with the driver's "
+                "name and this message: " +
+                    programLog(m_program.name()));
+}
+
+void ShaderProgram::use() const {
+  glUseProgram(m_program.name());
+}
+
+int ShaderProgram::location(const char* uniform) const {
+  const auto known = m_locations.find(uniform);
+  if (known != m_locations.end())
+    return known->second;
+  return m_locations[uniform] = glGetUniformLocation(m_program.name(), uniform);
+}
+
+void ShaderProgram::set(const char* uniform, int value) const {
+  glUniform1i(location(uniform), value);
+}
+void ShaderProgram::set(const char* uniform, float value) const {
+  glUniform1f(location(uniform), value);
+}
+void ShaderProgram::set(const char* uniform, const glm::vec2& value) const {
+  glUniform2f(location(uniform), value.x, value.y);
+}
+void ShaderProgram::set(const char* uniform, const glm::vec3& value) const {
+  glUniform3f(location(uniform), value.x, value.y, value.z);
+}
+
+} // namespace limn

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// A file of the folder shaders, carried in the binary.
+struct EmbeddedShader {
+  std::string name;
+  std::string text;
+};
+
+const std::vector<EmbeddedShader>& embeddedShaders();
+
+/// The text of one file; it must exist.
+const std::string& embeddedShader(const std::string& name);
+
+} // namespace limn

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/PiecewiseTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int binCount = 1024;
+constexpr int segmentsPerRow = 256;
+constexpr int texelsPerSegment = 3;
+constexpr float beyondAll = 3e38f;
+
+// A sample's bin is computed in float; a knot this near to an edge, in bins, belongs to both sides.
+constexpr double edgeMargin = 1e-3;
+
+// Knots as the shader sees them.
+struct FloatKnot {
+  float x;
+  glm::vec4 value;
+};
+
+struct Segment {
+  glm::vec4 line, color, colorSlope;
+};
+
+Segment segmentBetween(const FloatKnot& left, const FloatKnot& right) {
+  const double width = static_cast<double>(right.x) - left.x;
+  const glm::dvec4 slope =
+      width > 0.0 ? (glm::dvec4(right.value) - glm::dvec4(left.value)) / width : glm::dvec4(0.0);
+  return {{left.x, left.value.a, static_cast<float>(slope.a), right.x},
+          {left.value.r, left.value.g, left.value.b, 0.0f},
+          {static_cast<float>(slope.r), static_cast<float>(slope.g), static_cast<float>(slope.b), 0.0f}};
+}
+
+Segment constantSegment(const FloatKnot& knot, float end) {
+  return {{knot.x, knot.value.a, 0.0f, end}, {knot.value.r, knot.value.g, knot.value.b, 0.0f}, glm::vec4(0)};
+}
+
+std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
+  std::vector<Segment> segments;
+  segments.push_back(constantSegment(knots.front(), knots.front().x));
+  for (std::size_t k = 1; k < knots.size(); ++k)
+    segments.push_back(segmentBetween(knots[k - 1], knots[k]));
+  segments.push_back(constantSegment(knots.back(), beyondAll));
+  return segments;
+}
+
+void storeSegments(const std::vector<Segment>& segments, PiecewiseTable& table) {
+  const int rows = static_cast<int>((segments.size() + segmentsPerRow - 1) / segmentsPerRow);
+  table.segmentsSize = {segmentsPerRow * texelsPerSegment, rows};
+  table.segments.assign(static_cast<std::size_t>(table.segmentsSize.x) * rows, glm::vec4(0.0f));
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    table.segments[texelsPerSegment * i] = segments[i].line;
+    table.segments[texelsPerSegment * i + 1] = segments[i].color;
+    table.segments[texelsPerSegment * i + 2] = segments[i].colorSlope;
+  }
+}
+
+// Places of the knots in units of bins. Where the domain has no width one bin serves all arguments.
+std::vector<double> placesOf(const std::vector<FloatKnot>& knots, const ValueRange& limits,
+                             PiecewiseTable& table) {
+  const double first = std::max<double>(knots.front().x, limits.lowest);
+  const double last = std::min<double>(knots.back().x, limits.highest);
+  const float low = static_cast<float>(first);
+  const double perUnit = last > low ? binCount / (last - low) : 0.0;
+  const bool hasWidth = perUnit > 0.0 && perUnit < 1e30;
+  table.bins.resize(hasWidth ? binCount : 1);
+  table.domain = {hasWidth ? low : 0.0f, hasWidth ? static_cast<float>(perUnit) : 0.0f,
+                  static_cast<float>(table.bins.size() - 1)};
+  std::vector<double> places;
+  for (const FloatKnot& knot : knots) {
+    if (hasWidth)
+      places.push_back((static_cast<double>(knot.x) - low) * table.domain.y);
+    else
+      places.push_back(knot.x < limits.lowest ? -1.0 : knot.x > limits.highest ? 2.0 : 0.5);
+  }
+  return places;
+}
+
+// The function is linear between knots: its largest value in a bin lies at the bin's ends or at its knots.
+float largestOpacityIn(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
+                       std::size_t before, std::size_t after, double low, double high) {
+  const auto valueAt = [&segments](std::size_t segment, double x) {
+    const glm::vec4& line = segments[segment].line;
+    return static_cast<float>(line.y + (x - line.x) * line.z);
+  };
+  float largest = std::max(valueAt(before, low), valueAt(after, high));
+  for (std::size_t k = before; k < after; ++k)
+    largest = std::max(largest, knots[k].value.a);
+  return largest;
+}
+
+void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
+               const std::vector<double>& places, PiecewiseTable& table) {
+  table.occupancy.resize(table.bins.size());
+  for (std::size_t bin = 0; bin < table.bins.size(); ++bin) {
+    const auto low = static_cast<double>(bin);
+    const auto before = std::lower_bound(places.begin(), places.end(), low - edgeMargin) - places.begin();
+    const auto after =
+        std::upper_bound(places.begin(), places.end(), low + 1.0 + edgeMargin) - places.begin();
+    const auto index = static_cast<float>(before);
+    table.bins[bin] = segments[static_cast<std::size_t>(before)].line;
+    table.bins[bin].w = after > before ? -1.0f - index : index;
+    const double perUnit = table.domain.y > 0.0f ? table.domain.y : 1.0;
+    table.occupancy[bin] = largestOpacityIn(
+        segments, knots, static_cast<std::size_t>(before), static_cast<std::size_t>(after),
+        table.domain.x + (low - edgeMargin) / perUnit, table.domain.x + (low + 1.0 + edgeMargin) / perUnit);
+    // The shader steps over two knots before it loops.
+    table.loopSteps = std::max(table.loopSteps, static_cast<int>(after - before) - 2);
+  }
+}
+
+} // namespace
+
+PiecewiseTable piecewiseTable(const std::vector<Knot>& knots, const ValueRange& limits) {
+  std::vector<FloatKnot> rounded;
+  for (const Knot& knot : knots)
+    rounded.push_back({static_cast<float>(std::clamp(knot.x, -1e30, 1e30)), glm::vec4(knot.value)});
+  if (rounded.empty())
+    rounded.push_back({0.0f, glm::vec4(0.0f)});
+  PiecewiseTable table;
+  const std::vector<Segment> segments = segmentsOf(rounded);
+  storeSegments(segments, table);
+  storeBins(segments, rounded, placesOf(rounded, limits, table), table);
+  return table;
+}
+
+PiecewiseTable tableOf(const TransferFunction& function, const ValueRange& range) {
+  std::vector<Knot> knots;
+  for (const ControlPoint& point : function.points)
+    knots.push_back({normalisedValue(range, point.value), glm::dvec4(point.color, point.opacity)});
+  return piecewiseTable(knots, {0.0, range.highest > range.lowest ? 1.0 : 0.0});
+}
+
+PiecewiseTable tableOf(const GradientOpacity& curve, double unit) {
+  std::vector<Knot> knots;
+  for (const GradientOpacityPoint& point : curve.points)
+    knots.push_back({point.gradient / (unit > 0.0 ? unit : 1.0), glm::dvec4(0.0, 0.0, 0.0, point.opacity)});
+  // No difference of normalised voxels is longer than √3 in these units.
+  return piecewiseTable(knots, {0.0, 1.75});
+}
+
+} // namespace limn

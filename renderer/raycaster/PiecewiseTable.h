@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace limn {
+
+/// A knot of a piecewise linear function; several at one x make a step, where the last one holds.
+struct Knot {
+  double x = 0.0;
+  glm::dvec4 value{0.0}; ///< rgb and opacity
+};
+
+/// A piecewise linear function as two textures that `shaders/piecewise.glsl` reads without error: no filtered
+/// table, so steps stay sharp and spikes survive.
+///
+/// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one
+/// after. It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour,
+/// 0). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the
+/// segment before the first of them) in its last channel.
+struct PiecewiseTable {
+  std::vector<glm::vec4> bins;
+  std::vector<float> occupancy;    ///< the largest opacity in each bin, margins included
+  std::vector<glm::vec4> segments; ///< rows of 256 segments
+  glm::ivec2 segmentsSize{0};      ///< in texels
+  glm::vec3 domain{0.0f};          ///< first x, bins per unit of x, index of the last bin
+  int loopSteps = 0;               ///< the most knots beyond two in a bin, which a lookup loops over
+};
+
+/// Tabulates knots of ascending x for arguments in `limits`; no knots make the zero function.
+PiecewiseTable piecewiseTable(const std::vector<Knot>& knots, const ValueRange& limits);
+
+/// A scalar on the scale of the volume texture: (value - lowest)/(highest - lowest), or value - lowest where
+/// the volume is constant. Voxels and control points go through the same arithmetic.
+inline double normalisedValue(const ValueRange& range, double value) {
+  const double width = range.highest - range.lowest;
+  return width > 0.0 ? (value - range.lowest) / width : value - range.lowest;
+}
+
+/// The tables of a transfer function and of a gradient-opacity curve (whose x is in `unit` value/mm).
+PiecewiseTable tableOf(const TransferFunction& function, const ValueRange& range);
+PiecewiseTable tableOf(const GradientOpacity& curve, double unit);
+
+} // namespace limn

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/RayCaster.h"
+
+#include "gl/SavedState.h"
+#include "gl/ShaderProgram.h"
+#include "raycaster/SceneTextures.h"
+#include "raycaster/SceneUniforms.h"
+#include "raycaster/ShaderVariant.h"
+#include "scene/EffectSet.h"
+#include "scene/Error.h"
+#include "scene/RayFrame.h"
+
+#include <epoxy/gl.h>
+
+#include <map>
+
+namespace limn {
+namespace {
+
+// Pictures drawn off screen go to the driver in pieces that no watchdog takes for a hang.
+constexpr int tileSize = 256;
+
+void requireOpenGl3() {
+  if (epoxy_gl_version() < 30 || !epoxy_is_desktop_gl())
+    throw Error(Error::Kind::openGl,
+                "The graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
+                    std::to_string(epoxy_gl_version() % 10) +
+                    ", but drawing needs OpenGL 3.0; update the driver or install Mesa's "
+                    "software driver (libgl1-mesa-dri).");
+}
+
+void bind(TextureUnit unit, unsigned target, unsigned texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(target, texture);
+}
+
+// A framebuffer of floats, bound while it lives.
+class FloatTarget {
+public:
+  explicit FloatTarget(const glm::ivec2& size) {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawBefore);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readBefore);
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textureBefore);
+    glBindTexture(GL_TEXTURE_2D, m_color.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textureBefore));
+    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      restore();
+      throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
+                                           std::to_string(size.x) + "×" + std::to_string(size.y) +
+                                           " pixels in floats; try a smaller one or --engine reference.");
+    }
+  }
+  ~FloatTarget() { restore(); }
+  FloatTarget(const FloatTarget&) = delete;
+  FloatTarget& operator=(const FloatTarget&) = delete;
+
+private:
+  void restore() const {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawBefore));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readBefore));
+  }
+
+  GlTexture m_color;
+  GlFramebuffer m_framebuffer;
+  GLint m_drawBefore = 0;
+  GLint m_readBefore = 0;
+  GLint m_textureBefore = 0;
+};
+
+// Reads the framebuffer bound; its rows go from the bottom up.
+Image readBack(const glm::ivec2& size) {
+  Image flipped(size);
+  GLint alignment = 4;
+  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, flipped.pixels.data());
+  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
+  Image image(size);
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x)
+      image.at(x, y) = flipped.at(x, size.y - 1 - y);
+  return image;
+}
+
+} // namespace
+
+struct RayCaster::Parts {
+  SceneTextures textures;
+  std::map<EffectSet, ShaderProgram> programs;
+  GlBuffer corners;
+  GlVertexArray vertexArray;
+  std::string stepLimitation;
+
+  Parts();
+  const ShaderProgram& program(EffectSet effects);
+  EffectSet prepare(const Scene& scene, bool countsSamples);
+  void draw(const Scene& scene, bool countsSamples, const glm::ivec2& size, const PixelRect& tile);
+  Image render(const Scene& scene, bool countsSamples, const glm::ivec2& size);
+  void noteStepLimit(const Scene& scene);
+};
+
+RayCaster::Parts::Parts() {
+  const SavedState saved;
+  const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+  glBindVertexArray(vertexArray.name());
+  glBindBuffer(GL_ARRAY_BUFFER, corners.name());
+  glBufferData(GL_ARRAY_BUFFER, sizeof(triangle), triangle, GL_STATIC_DRAW);
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+const ShaderProgram& RayCaster::Parts::program(EffectSet effects) {
+  const auto known = programs.find(effects);
+  if (known != programs.end())
+    return known->second;
+  return programs.emplace(effects, ShaderProgram(vertexSource(), fragmentSource(effects))).first->second;
+}
+
+void RayCaster::Parts::noteStepLimit(const Scene& scene) {
+  const int most = sampleLimit(textures);
+  stepLimitation.clear();
+  if (longestRaySamples(scene) > most)
+    stepLimitation = "The step is so small that long rays would need more than " + std::to_string(most) +
+                     " samples; they are drawn with that number.";
+}
+
+EffectSet RayCaster::Parts::prepare(const Scene& scene, bool countsSamples) {
+  textures.update(scene);
+  noteStepLimit(scene);
+  if (countsSamples)
+    return EffectSet().with(Effect::sampleCounts);
+  const EffectSet effects = requiredEffects(scene, textures.facts(scene)).effects;
+  textures.measure(scene, effects);
+  return effects;
+}
+
+void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::ivec2& size,
+                            const PixelRect& tile) {
+  requireDrawable(scene);
+  const SavedState saved;
+  const ShaderProgram& shader = program(prepare(scene, countsSamples));
+  shader.use();
+  setUniforms(shader, scene, size, textures);
+  bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
+  bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
+  bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
+  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
+  bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
+  bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
+  // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
+  glViewport(0, 0, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(tile.topLeft.x, size.y - tile.topLeft.y - tile.size.y, tile.size.x, tile.size.y);
+  glBindVertexArray(vertexArray.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+Image RayCaster::Parts::render(const Scene& scene, bool countsSamples, const glm::ivec2& size) {
+  const FloatTarget target(size);
+  for (int y = 0; y < size.y; y += tileSize)
+    for (int x = 0; x < size.x; x += tileSize) {
+      draw(scene, countsSamples, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
+      glFlush();
+    }
+  return readBack(size);
+}
+
+RayCaster::RayCaster() {
+  requireOpenGl3();
+  m_parts = std::make_unique<Parts>();
+}
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+void RayCaster::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile) {
+  m_parts->draw(scene, false, size, tile);
+}
+
+Image RayCaster::render(const Scene& scene, const glm::ivec2& size) {
+  return m_parts->render(scene, false, size);
+}
+
+std::vector<int> RayCaster::sampleCounts(const Scene& scene, const glm::ivec2& size) {
+  const Image image = m_parts->render(scene, true, size);
+  std::vector<int> counts;
+  for (const glm::vec4& pixel : image.pixels)
+    counts.push_back(static_cast<int>(pixel.r));
+  return counts;
+}
+
+int RayCaster::compiledPrograms() const {
+  return static_cast<int>(m_parts->programs.size());
+}
+
+const GradientScale& RayCaster::gradientScale() const {
+  return m_parts->textures.gradientScale();
+}
+
+std::string RayCaster::limitation() const {
+  return m_parts->textures.limitation() + m_parts->stepLimitation;
+}
+
+} // namespace limn

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "raycaster/PiecewiseTable.h"
+#include "raycaster/VolumeTexture.h"
+#include "scene/EffectSet.h"
+#include "scene/Gradient.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace limn {
+
+/// A piecewise function on the graphics card.
+class FunctionTexture {
+public:
+  void upload(const PiecewiseTable& table);
+
+  unsigned bins() const { return m_bins.name(); }
+  unsigned segments() const { return m_segments.name(); }
+  unsigned occupancy() const { return m_occupancy.name(); }
+  const glm::vec3& domain() const { return m_domain; }
+  int loopSteps() const { return m_loopSteps; }
+
+private:
+  GlTexture m_bins;
+  GlTexture m_segments;
+  GlTexture m_occupancy;
+  glm::vec3 m_domain{0.0f};
+  int m_loopSteps = 0;
+};
+
+/// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
+/// what differs from the scene before and nothing else.
+class SceneTextures {
+public:
+  /// Uploads volume and functions; changes texture bindings.
+  void update(const Scene& scene);
+
+  /// Measures the gradients of the volume of the last update, where an effect reads them.
+  void measure(const Scene& scene, EffectSet effects);
+
+  /// Facts on which the effects of the scene of the last update depend.
+  SceneFacts facts(const Scene& scene) const;
+
+  const VolumeTexture& volume() const { return *m_volumeTexture; }
+  const FunctionTexture& function() const { return m_function; }
+  const FunctionTexture& gradientCurve() const { return m_gradientCurve; }
+
+  /// Valid where an effect reads the gradient, after `measure`.
+  const GradientScale& gradientScale() const { return m_gradientScale; }
+
+  /// One sentence where the volume is shown down-sampled, otherwise empty.
+  std::string limitation() const { return m_volumeTexture ? m_volumeTexture->limitation() : std::string(); }
+
+  /// The unit of gradients in the shaders, value/mm: the volume's range per smallest spacing.
+  double gradientUnit() const;
+
+private:
+  void updateVolume(const Scene& scene);
+
+  std::shared_ptr<const Volume> m_volume;
+  std::optional<VolumeTexture> m_volumeTexture;
+  std::optional<TransferFunction> m_functionShown;
+  FunctionTexture m_function;
+  std::optional<GradientOpacity> m_gradientOpacityShown;
+  FunctionTexture m_gradientCurve;
+  GradientScale m_gradientScale;
+  std::optional<double> m_largestGradient;
+  std::map<double, double> m_percentiles;
+};
+
+} // namespace limn

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/SceneUniforms.h"
+
+#include "scene/LightingTerms.h"
+#include "scene/RayFrame.h"
+#include "scene/StableMath.h"
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// Sets uniforms from doubles.
+struct Setter {
+  const ShaderProgram& program;
+  void operator()(const char* name, double value) const { program.set(name, static_cast<float>(value)); }
+  void operator()(const char* name, const glm::dvec2& value) const { program.set(name, glm::vec2(value)); }
+  void operator()(const char* name, const glm::dvec3& value) const { program.set(name, glm::vec3(value)); }
+};
+
+void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int most) {
+  const Grid& grid = scene.volume->grid();
+  const RayFrame frame = rayFrame(scene.camera, grid, size);
+  const IndexBox box = croppedBox(grid, scene.crop);
+  set("u_pictureCentre", glm::dvec2(size) / 2.0);
+  set("u_anchor", frame.anchor);
+  set("u_anchorX", frame.anchorX);
+  set("u_anchorY", frame.anchorY);
+  set("u_direction", frame.direction);
+  set("u_directionX", frame.directionX);
+  set("u_directionY", frame.directionY);
+  set("u_tangentPerPixel", frame.tangentPerPixel);
+  set("u_anchorDistance", frame.anchorDistanceMm);
+  set("u_boxLower", box.lower);
+  set("u_boxUpper", box.upper);
+  set("u_spacing", grid.spacingMm);
+  set("u_stepsPerMm", 1.0 / stepMm(scene));
+  set("u_mostSamples", static_cast<double>(most));
+}
+
+void setVolume(const Setter& set, const VolumeTexture& texture) {
+  set("u_textureScale", texture.scale());
+  set("u_textureOffset", texture.offset());
+  set("u_textureLower", texture.lower());
+  set("u_textureUpper", texture.upper());
+  set("u_texel", texture.texel());
+}
+
+void setGradient(const Setter& set, const Scene& scene, const SceneTextures& textures) {
+  const Grid& grid = scene.volume->grid();
+  const glm::dvec3 texelMm = grid.spacingMm * glm::dvec3(textures.volume().reduction());
+  const GradientScale& scale = textures.gradientScale();
+  const double unit = textures.gradientUnit();
+  set("u_gradientScale", smallestSpacingMm(grid) / (2.0 * texelMm));
+  set("u_flatModulus", unit > 0.0 ? std::ldexp(scale.largest / unit, -20) : 0.0);
+  set("u_perReference", scale.reference > 0.0 ? unit / scale.reference : 0.0);
+  set("u_gradientDomain", glm::dvec3(textures.gradientCurve().domain()));
+}
+
+void setLighting(const Setter& set, const Scene& scene) {
+  const LightingTerms terms = lightingTerms(scene.shading);
+  set("u_ambient", terms.ambient);
+  set("u_diffuse", terms.diffuse);
+  set("u_specular", terms.specular);
+  set("u_exponent", glm::dvec2(terms.exponent.atFlat, terms.exponent.atBoundary));
+  set("u_opacity", glm::dvec2(terms.opacity.atFlat, terms.opacity.atBoundary));
+  set("u_curve", terms.curve.parameter);
+  set("u_knee", terms.knee.value_or(1.0));
+  const Significance significance = terms.significance.value_or(Significance{});
+  set("u_significance", glm::dvec2(significance.low, significance.high));
+  if (terms.lightDirection)
+    set("u_lightDirection", towardsLightAlongAxes(*terms.lightDirection, scene.volume->grid()));
+}
+
+void setCut(const Setter& set, const Scene& scene) {
+  const CutPlanes cut = cutPlanes(scene.volume->grid(), scene.crop);
+  set("u_cutLower", cut.lower);
+  set("u_cutUpper", cut.upper);
+  set("u_cutDepth", smallestSpacingMm(scene.volume->grid()));
+}
+
+void setFog(const Setter& set, const Fog& fog) {
+  set("u_fogColor", fog.color);
+  set("u_fogStart", fog.startMm);
+  set("u_fogEnd", fog.endMm);
+  set("u_fogDensity", fog.densityPerMm);
+}
+
+void setSamplers(const ShaderProgram& program) {
+  const auto unit = [&program](const char* sampler, TextureUnit u) {
+    program.set(sampler, static_cast<int>(u));
+  };
+  unit("u_volume", TextureUnit::volume);
+  unit("u_functionBins", TextureUnit::functionBins);
+  unit("u_functionSegments", TextureUnit::functionSegments);
+  unit("u_functionOccupancy", TextureUnit::functionOccupancy);
+  unit("u_gradientBins", TextureUnit::gradientBins);
+  unit("u_gradientSegments", TextureUnit::gradientSegments);
+}
+
+} // namespace
+
+int sampleLimit(const SceneTextures& textures) {
+  return mostSamples / (1 + textures.function().loopSteps() + textures.gradientCurve().loopSteps());
+}
+
+void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::ivec2& size,
+                 const SceneTextures& textures) {
+  const Setter set{program};
+  setSamplers(program);
+  setRays(set, scene, size, sampleLimit(textures));
+  setVolume(set, textures.volume());
+  set("u_functionDomain", glm::dvec3(textures.function().domain()));
+  set("u_perUnitDistance", 1.0 / scene.transferFunction.unitDistanceMm);
+  setGradient(set, scene, textures);
+  setLighting(set, scene);
+  setCut(set, scene);
+  setFog(set, scene.fog);
+  set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
+}
+
+} // namespace limn

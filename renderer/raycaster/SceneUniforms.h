@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/ShaderProgram.h"
+#include "raycaster/SceneTextures.h"
+
+namespace limn {
+
+/// The texture units of the shaders' samplers.
+enum class TextureUnit {
+  volume,
+  functionBins,
+  functionSegments,
+  functionOccupancy,
+  gradientBins,
+  gradientSegments
+};
+
+/// The most samples that one ray may take: `mostSamples`, less where each needs many steps through the
+/// transfer function, because drivers limit the iterations of all loops together.
+int sampleLimit(const SceneTextures& textures);
+
+/// Sets every uniform of a program in use from the scene; those that the program has not are ignored. What
+/// the shaders compute in float is converted here and nowhere else.
+void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::ivec2& size,
+                 const SceneTextures& textures);
+
+} // namespace limn

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/ShaderProgram.h"
+#include "scene/EffectSet.h"
+
+namespace limn {
+
+/// The vertex shader of every program.
+ShaderSource vertexSource();
+
+/// The fragment shader of a canonical set of effects: a prelude of `#define`s and the building blocks that
+/// the set calls for, in the order of the stage contract (shaders/README.md).
+ShaderSource fragmentSource(EffectSet effects);
+
+} // namespace limn

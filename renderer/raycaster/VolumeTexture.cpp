@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/VolumeTexture.h"
+
+#include "raycaster/PiecewiseTable.h"
+#include "scene/Error.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+glm::ivec3 reducedDims(const glm::ivec3& dims, const glm::ivec3& reduction) {
+  return (dims + reduction - 1) / reduction;
+}
+
+// Writes the inner texels, each the mean of its box of voxels.
+template <class T>
+void fillInner(const std::vector<T>& stored, const Volume& volume, TextureVoxels& voxels) {
+  const glm::ivec3 dims = volume.grid().dims;
+  const glm::ivec3 inner = voxels.size - 2;
+  const Rescale rescale = volume.rescale();
+  for (int k = 0; k < inner.z; ++k)
+    for (int j = 0; j < inner.y; ++j) {
+      float* row = &voxels.texels[voxelOffset(voxels.size, 1, j + 1, k + 1)];
+      for (int i = 0; i < inner.x; ++i) {
+        const glm::ivec3 from = glm::ivec3(i, j, k) * voxels.reduction;
+        const glm::ivec3 to = glm::min(from + voxels.reduction, dims);
+        double sum = 0.0;
+        for (int z = from.z; z < to.z; ++z)
+          for (int y = from.y; y < to.y; ++y)
+            for (int x = from.x; x < to.x; ++x)
+              sum += static_cast<double>(stored[voxelOffset(dims, x, y, z)]);
+        const glm::ivec3 box = to - from;
+        const double mean = sum / (static_cast<double>(box.x) * box.y * box.z);
+        row[i] =
+            static_cast<float>(normalisedValue(volume.range(), rescale.slope * mean + rescale.intercept));
+      }
+    }
+}
+
+// Extrapolates one texel beyond both ends of every line along an axis.
+void fillApron(TextureVoxels& voxels, int axis) {
+  const glm::ivec3 size = voxels.size;
+  const std::ptrdiff_t strides[3] = {1, size.x, static_cast<std::ptrdiff_t>(size.x) * size.y};
+  const std::ptrdiff_t stride = strides[axis];
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const int inner = size[axis] - 2;
+  for (int b = 0; b < size[v]; ++b)
+    for (int a = 0; a < size[u]; ++a) {
+      float* line = voxels.texels.data() + a * strides[u] + b * strides[v];
+      const float first = line[stride];
+      const float last = line[inner * stride];
+      line[0] = inner > 1 ? 2.0f * first - line[2 * stride] : first;
+      line[(inner + 1) * stride] = inner > 1 ? 2.0f * last - line[(inner - 1) * stride] : last;
+    }
+}
+
+bool fits(const glm::ivec3& size) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+  if (std::max({size.x, size.y, size.z}) > largest)
+    return false;
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, GL_R32F, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, nullptr);
+  GLint width = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+  return width == size.x;
+}
+
+// Uploads into the texture bound; false where the driver has no memory for it.
+bool upload(const TextureVoxels& voxels) {
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R32F, voxels.size.x, voxels.size.y, voxels.size.z, 0, GL_RED, GL_FLOAT,
+               voxels.texels.data());
+  return glGetError() == GL_NO_ERROR;
+}
+
+// Halves the resolution along the axis that has most texels.
+void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
+  const glm::ivec3 reduced = reducedDims(dims, reduction);
+  const int axis = reduced.x >= reduced.y && reduced.x >= reduced.z ? 0 : reduced.y >= reduced.z ? 1 : 2;
+  if (reduced[axis] < 2)
+    throw Error(Error::Kind::openGl, "The graphics driver refused even a tiny 3D texture; update the driver "
+                                     "or draw with --engine reference.");
+  ++reduction[axis];
+}
+
+} // namespace
+
+TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction) {
+  TextureVoxels voxels;
+  voxels.reduction = reduction;
+  voxels.size = reducedDims(volume.grid().dims, reduction) + 2;
+  voxels.texels.resize(static_cast<std::size_t>(voxels.size.x) * voxels.size.y * voxels.size.z);
+  visitVoxels(volume, [&](const auto& stored) { fillInner(stored, volume, voxels); });
+  for (int axis = 0; axis < 3; ++axis)
+    fillApron(voxels, axis);
+  return voxels;
+}
+
+VolumeTexture::VolumeTexture(const Volume& volume) : m_dims(volume.grid().dims) {
+  glBindTexture(GL_TEXTURE_3D, m_texture.name());
+  for (;;) {
+    while (!fits(reducedDims(m_dims, m_reduction) + 2))
+      reduceLongest(m_dims, m_reduction);
+    const TextureVoxels voxels = textureVoxels(volume, m_reduction);
+    m_size = voxels.size;
+    if (upload(voxels))
+      break;
+    reduceLongest(m_dims, m_reduction);
+  }
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+  // The centre of the box lies at dims/(2·reduction) texels from the apron, the texture's at its half.
+  const glm::dvec3 covered = glm::dvec3(m_dims) / glm::dvec3(m_reduction);
+  m_shift = (covered - glm::dvec3(m_size - 2)) / 2.0 / glm::dvec3(m_size);
+}
+
+glm::dvec3 VolumeTexture::scale() const {
+  return 1.0 / (glm::dvec3(m_reduction) * glm::dvec3(m_size));
+}
+
+std::string VolumeTexture::limitation() const {
+  if (m_reduction == glm::ivec3(1))
+    return {};
+  const auto times = [](const glm::ivec3& v) {
+    return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
+  };
+  return "The volume of " + times(m_dims) +
+         " voxels is too large for the graphics driver and is shown with " + times(m_size - 2) + ".";
+}
+
+} // namespace limn

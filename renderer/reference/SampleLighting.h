@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Gradient.h"
+#include "scene/LightingTerms.h"
+#include "scene/RayFrame.h"
+
+namespace limn {
+
+/// What lighting needs of a ray, the same for all its samples; unit vectors along the grid's axes.
+struct RayLight {
+  glm::dvec3 toViewer{0.0};
+  glm::dvec3 toLight{0.0};
+  glm::dvec3 halfway{0.0};
+};
+
+/// The light along a ray of unit direction (grid axes). `towardsLight` absent: headlight.
+RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>& towardsLight);
+
+/// The normalised gradient modulus r after its curve (RENDERING section 2).
+double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus);
+
+/// The colour of a lit sample (RENDERING sections 4 and 5); the material itself where the terms are unlit.
+glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
+               const glm::dvec3& normal, double ratio);
+
+/// The factor on the colour of an object at `z` mm from the eye (RENDERING section 6).
+double fogFactor(const Fog& fog, double z);
+
+/// The outward normal of the cut face within `depthMm` of a position, otherwise `normal` (section 7).
+glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, double depthMm,
+                         const glm::dvec3& centredIndex, const glm::dvec3& normal);
+
+/// The gradient-opacity curve G at a modulus, value/mm; 1 without points.
+double gradientOpacityAt(const GradientOpacity& curve, double modulus);
+
+} // namespace limn

@@ -1,0 +1,19 @@
+// Fog weighs the object's colour by its distance to the eye (lecture, "OpenGL Fog").
+
+uniform vec3 u_fogColor;
+uniform float u_fogStart;
+uniform float u_fogEnd;
+uniform float u_fogDensity;
+
+vec3 fogged(vec3 color, float z) {
+#ifdef EFFECT_FOG_LINEAR
+  float f = fogLinear(z, u_fogStart, u_fogEnd);
+#endif
+#ifdef EFFECT_FOG_EXP
+  float f = fogExp(z, u_fogStart, u_fogDensity);
+#endif
+#ifdef EFFECT_FOG_EXP2
+  float f = fogExp2(z, u_fogStart, u_fogDensity);
+#endif
+  return f * color + (1.0 - f) * u_fogColor;
+}

@@ -1,0 +1,10 @@
+// The gradient-opacity curve G (lecture, boundary opacity).
+
+uniform sampler2D u_gradientBins;
+uniform sampler2D u_gradientSegments;
+uniform vec3 u_gradientDomain;
+
+float gradientOpacity(float modulus) {
+  float segment, start;
+  return piecewise(u_gradientBins, u_gradientSegments, u_gradientDomain, modulus, segment, start);
+}

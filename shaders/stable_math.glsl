@@ -1,0 +1,89 @@
+// Twins of renderer/scene/StableMath.h in float, under the same names.
+
+const float largestOpacity = 1.0 - 1.0 / 16777216.0;
+const float shortestHalfVector = 1e-6;
+const float log2OfE = 1.4426950408889634;
+
+float oneMinusExpNeg(float x) {
+  // Below the bound the series is exact to the last bit; above it the difference has lost at most two.
+  if (x < 0.25)
+    return x * (1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0))))));
+  return 1.0 - exp2(-x * log2OfE);
+}
+
+float minusLog1mOpacity(float a) {
+  a = clamp(a, 0.0, largestOpacity);
+  if (a > 0.5)
+    return -log(1.0 - a);
+  // -log(1-a) = 2 atanh(a/(2-a)), whose series needs few terms for an argument up to 1/3.
+  float z = a / (2.0 - a);
+  float s = z * z;
+  return 2.0 * z *
+         (1.0 + s * (1.0 / 3.0 + s * (1.0 / 5.0 + s * (1.0 / 7.0 + s * (1.0 / 9.0 + s * (1.0 / 11.0 + s * (1.0 / 13.0)))))));
+}
+
+vec4 safeNormal(vec3 v) {
+  float m = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  if (!(m > 1e-37) || !(m < 3e38))
+    return vec4(0.0);
+  vec3 q = v / m;
+  float l = length(q);
+  return vec4(q / l, m * l);
+}
+
+float blinnTerm(float cosine, float exponent) {
+  // 1 - cosine is exact near 1, where the power is sensitive; no pow, whose edge cases differ between drivers.
+  if (!(cosine > 0.0))
+    return 0.0;
+  return exp2(-exponent * log2OfE * minusLog1mOpacity(1.0 - min(cosine, 1.0)));
+}
+
+vec3 knee(vec3 color, float k) {
+  float m = max(max(color.r, color.g), color.b);
+  if (!(m > k))
+    return color;
+  float d = 1.0 - k;
+  return color * ((1.0 - d * d / (m + 1.0 - 2.0 * k)) / m);
+}
+
+float energyFactor(float exponent, float largestExponent) {
+  return (exponent + 8.0) / (largestExponent + 8.0);
+}
+
+float significanceWeight(float low, float high, float r) {
+  if (!(high > low))
+    return r >= high ? 1.0 : 0.0;
+  float x = clamp((r - low) / (high - low), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+float gammaCurve(float r, float gamma) {
+  return r > 0.0 ? exp2(gamma * log2(r)) : 0.0;
+}
+
+float logCurve(float r, float b) {
+  // log(1 + x) x / ((1 + x) - 1) is exact to rounding for small x as well (Kahan).
+  float x = b * r;
+  float y = 1.0 + x;
+  float logOfX = y == 1.0 ? x : log(y) * x / (y - 1.0);
+  return logOfX / log(1.0 + b);
+}
+
+float mapped(float x, float low, float high) {
+  return x * (high - low) + low;
+}
+
+float fogLinear(float z, float start, float end) {
+  if (!(end > start))
+    return z < start ? 1.0 : 0.0;
+  return clamp((end - z) / (end - start), 0.0, 1.0);
+}
+
+float fogExp(float z, float start, float density) {
+  return exp2(-log2OfE * density * max(0.0, z - start));
+}
+
+float fogExp2(float z, float start, float density) {
+  float x = density * max(0.0, z - start);
+  return exp2(-log2OfE * x * x);
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn::test {
+
+/// One ray of a scene with a closed form: a picture of one pixel whose ray runs through the box's centre.
+struct AnalyticRay {
+  std::string id;   ///< of the case
+  std::string what; ///< which of its settings
+  Scene scene;
+  std::optional<double> alpha; ///< expected; what is absent is not stated by the case
+  std::optional<glm::dvec3> color;
+  double tolerance = 0.0;   ///< of the double-precision reference
+  double glTolerance = 0.0; ///< of a renderer in floats
+  /// Fewer samples for a renderer in floats, whose tolerance they meet; 0: the scene's own step.
+  double glStepVoxels = 0.0;
+};
+
+/// The cases of kind `render` of analytic_cases.json that name a homogeneous, opacity-correction, ramp,
+/// layer, fog, gradient-enhanced, early-termination or transfer-function scene that midpoint compositing
+/// draws.
+std::vector<AnalyticRay> analyticRays(const nlohmann::json& cases);
+
+/// Parts of the above, by group.
+std::vector<AnalyticRay> homogeneousRays(const nlohmann::json& one);
+std::vector<AnalyticRay> rampRays(const nlohmann::json& one);
+std::vector<AnalyticRay> layerRays(const nlohmann::json& one);
+std::vector<AnalyticRay> shadingRays(const nlohmann::json& one);
+
+/// A volume from values along y, one voxel wide, centred on the origin.
+std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm);
+
+/// A homogeneous box of one voxel centred on the origin.
+std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0);
+
+/// An unlit scene of one pixel seen orthographically along `direction`, without early termination.
+Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
+
+/// The step in voxels that gives `samples` samples over `lengthMm`.
+double stepFor(const Scene& scene, double lengthMm, double samples);
+
+/// A function of one point: the same colour and opacity everywhere.
+TransferFunction constantFunction(double opacity, const glm::dvec3& color, double unitDistanceMm = 1.0);
+
+/// A ray with the id and the tolerances of its case.
+AnalyticRay rayOf(const nlohmann::json& one, std::string what, Scene scene);
+
+double expectedOf(const nlohmann::json& one, const char* key);
+
+} // namespace limn::test
