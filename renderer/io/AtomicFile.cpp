@@ -50,7 +50,6 @@ public:
       const Descriptor made(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
       if (made.number() >= 0) {
         m_path = path;
-        keepRights(made.number());
         return;
       }
       if (errno != EEXIST)
@@ -68,29 +67,25 @@ public:
 
   const fs::path& path() const { return m_path; }
 
-  // Puts the bytes on the disk before the name points to them, then the name.
+  // Puts the bytes on the disk before the name points to them. A file that is replaced hands on its rights.
   void replaceTarget() {
-    flush(m_path, O_RDWR);
+    if (!flush(m_path, O_RDONLY))
+      failWriting(m_target, errno);
+    struct stat old {};
+    if (::stat(m_target.c_str(), &old) == 0 && ::chmod(m_path.c_str(), old.st_mode & 07777) != 0)
+      failWriting(m_target, errno);
     if (::rename(m_path.c_str(), m_target.c_str()) != 0)
       failWriting(m_target, errno);
     m_path.clear();
+    // The file is whole now; where a folder cannot be flushed its new name reaches the disk a little later.
     const fs::path folder = m_target.parent_path();
     flush(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
   }
 
 private:
-  // A file that is replaced hands on its rights.
-  void keepRights(int descriptor) {
-    struct stat old {};
-    if (::stat(m_target.c_str(), &old) == 0 && ::fchmod(descriptor, old.st_mode & 07777) != 0)
-      failWriting(m_target, errno);
-  }
-
-  void flush(const fs::path& path, int flags) {
+  static bool flush(const fs::path& path, int flags) {
     const Descriptor opened(::open(path.c_str(), flags | O_CLOEXEC));
-    // Some file systems cannot flush a folder; that is no failure of the file.
-    if (opened.number() < 0 || (::fsync(opened.number()) != 0 && errno != EINVAL))
-      failWriting(m_target, errno);
+    return opened.number() >= 0 && ::fsync(opened.number()) == 0;
   }
 
   fs::path m_target;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/PictureStack.h"
+
 #include "io/ImageFile.h"
 #include "io/VolumeBytes.h"
+#include <OpenImageIO/imageio.h>
 
 namespace limn {
 namespace {
@@ -76,6 +78,50 @@ TEST(PictureStack, picturesThatDoNotMatchAreRefused) {
   writeSlice(folder.path() / "2.png", 2);
   writeSlice(folder.path() / "3.tif", 3);
   EXPECT_NE(refusalOf(folder.path()).find("several kinds"), std::string::npos);
+}
+
+// A TIFF of three pages of 4 x 2 floats: page and pixel number, p + 0.25 i.
+void writePages(const std::filesystem::path& file) {
+  const auto output = OIIO::ImageOutput::create(file.string());
+  const OIIO::ImageSpec spec(4, 2, 1, OIIO::TypeDesc::FLOAT);
+  for (int page = 0; page < 3; ++page) {
+    std::vector<float> samples;
+    for (int i = 0; i < 8; ++i)
+      samples.push_back(static_cast<float>(page) + 0.25f * static_cast<float>(i));
+    output->open(file.string(), spec,
+                 page == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage);
+    output->write_image(OIIO::TypeDesc::FLOAT, samples.data());
+  }
+  output->close();
+}
+
+TEST(PictureStack, thePagesOfATiffAreSlicesInTheirOwnType) {
+  const TemporaryFolder folder;
+  writePages(folder.path() / "a.tif");
+  const auto volume = readVolume(folder.path() / "a.tif");
+  EXPECT_EQ(volume->grid().dims, glm::ivec3(4, 2, 3));
+  EXPECT_EQ(voxelTypeName(volume->stored()), "float32");
+  // Row 1, column 2 is pixel 6.
+  EXPECT_EQ(volume->value({2, 1, 2}), 3.5);
+}
+
+// A cut may fall behind the last pixel, into tags that do not matter; then all voxels must be there.
+TEST(PictureStack, aTiffThatEndsEarlyIsRefusedNotShortened) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.tif";
+  writePages(file);
+  const std::string bytes = bytesOfFile(file);
+  const auto whole = readVolume(file);
+  std::size_t refused = 0, cuts = 0;
+  for (std::size_t size = 8; size < bytes.size(); size += 13, ++cuts) {
+    writeBytes(file, bytes.substr(0, size));
+    try {
+      EXPECT_EQ(readVolume(file)->stored(), whole->stored()) << "cut to " << size;
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, cuts * 3 / 4);
 }
 
 TEST(PictureStack, aDamagedPictureIsRefused) {

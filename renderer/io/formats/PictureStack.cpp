@@ -2,6 +2,7 @@
 #include "io/formats/PictureStack.h"
 
 #include "io/formats/ReadError.h"
+#include "io/formats/TiffPages.h"
 #include "io/formats/Voxels.h"
 
 #include <OpenImageIO/imageio.h>
@@ -119,6 +120,8 @@ public:
 
   // Reads the page the input stands at; `expectedSlices` only guides the room made.
   void addPage(OIIO::ImageInput& input, const fs::path& file, int page, std::size_t expectedSlices) {
+    if (!input.seek_subimage(page, 0))
+      failReading(file, "the picture is damaged (" + input.geterror() + ")", copyAgain);
     const Page current{input.spec_dimensions(page)};
     requireRoom(file, current.spec);
     if (m_slices == 0) {
@@ -194,14 +197,6 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const fs::path& file) {
   return input;
 }
 
-int pagesOf(OIIO::ImageInput& input) {
-  int pages = 1;
-  while (input.seek_subimage(pages, 0))
-    ++pages;
-  input.geterror(); // The search ends in an error, which is none.
-  return pages;
-}
-
 // Whether the last numbers in the names rise by one step throughout.
 bool numbersAreEven(const std::vector<fs::path>& files) {
   std::set<long long> steps;
@@ -261,9 +256,10 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
   Stack stack(path);
   std::set<std::string> kinds;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    kinds.insert(kindOf(files[i]));
+    const std::string kind = kindOf(files[i]);
+    kinds.insert(kind);
+    const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
     const auto input = openPicture(files[i]);
-    const int pages = pagesOf(*input);
     if (files.size() > 1 && pages > 1)
       failReading(path, "its picture " + files[i].filename().string() + " has several pages",
                   "open that file by itself");
