@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 namespace limn {
@@ -111,6 +112,17 @@ void requireRoom(const fs::path& file, const OIIO::ImageSpec& spec) {
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 ||
       spec.image_bytes() / largestRatio > fs::file_size(file))
     failReading(file, "its header asks for more pixels than the file can hold", copyAgain);
+}
+
+// Refuses a JPEG file without the mark of its end: the decoder fills what is missing with grey.
+void requireJpegEnd(const fs::path& file) {
+  using namespace std::string_view_literals;
+  constexpr std::streamoff tailBytes = 4096;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(stream.tellg()) - tailBytes));
+  const std::string tail{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (tail.rfind("\xff\xd9"sv) == std::string::npos)
+    failReading(file, "the picture is cut off", copyAgain);
 }
 
 // Collects slices that all look like the first.
@@ -258,6 +270,8 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string kind = kindOf(files[i]);
     kinds.insert(kind);
+    if (kind == "JPEG")
+      requireJpegEnd(files[i]);
     const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
     const auto input = openPicture(files[i]);
     if (files.size() > 1 && pages > 1)
