@@ -30,10 +30,11 @@ std::uint64_t voxelCount(const std::filesystem::path& file, const glm::ivec3& di
 /// A header's number as a dimension. Throws Error where it is not within 1 .. 2³¹-1.
 int dimension(const std::filesystem::path& file, double value);
 
-/// Reads exactly the voxels that `layout` describes, growing only as bytes arrive. Throws Error, naming
-/// `file`, where the bytes end early; Cancelled.
+/// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
+/// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end
+/// early; Cancelled.
 VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                      const Progress& progress);
+                      const Progress& progress, std::uint64_t certain = 0);
 
 /// Opens `location` and reads exactly the voxels that `layout` describes.
 VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
