@@ -41,7 +41,8 @@ struct Canvas {
 };
 
 Scene robustPhantom() {
-  Scene scene = test::headScene(phantomVolume({.spacingMm = 5.0}), ShadingModel::robust);
+  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 5.0});
+  Scene scene = test::headScene(volume, ShadingModel::robust);
   scene.quality = {.stepVoxels = 0.5};
   return scene;
 }
