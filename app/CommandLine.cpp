@@ -30,11 +30,11 @@ int statusOf(Error::Kind kind) {
   return 1;
 }
 
-int parseAndRun(CLI::App& program, int argc, char** argv, const std::string& path) {
+int parseAndRun(CLI::App& program, int argc, char** argv, const WindowArguments& window) {
   try {
     program.parse(argc, argv);
     if (program.get_subcommands().empty())
-      return runWindow(argc, argv, path);
+      return runWindow(argc, argv, window);
     return 0;
   } catch (const CLI::Success& asked) {
     return program.exit(asked);
@@ -65,13 +65,18 @@ int runCommandLine(int argc, char** argv) {
       "Blinn-Phong. Not for diagnosis.",
       "limn");
   program.set_version_flag("--version", LIMN_VERSION);
-  std::string path;
-  program.add_option("PATH", path, "open the window on this volume, DICOM folder, scene or Limn picture");
+  WindowArguments window;
+  program.add_option("PATH", window.path,
+                     "open the window on this volume, DICOM folder, scene or Limn picture");
+  program.add_option("--screenshot", window.screenshot,
+                     "save a PNG of the window once its picture rests, then quit");
+  program.add_option("--theme", window.theme, "light or dark, for this run")
+      ->check(CLI::IsMember({"light", "dark"}));
   program.footer("Example: limn head.nii.gz");
   addInfoCommand(program);
   addRenderCommand(program);
   addPresetsCommand(program);
-  return parseAndRun(program, argc, argv, path);
+  return parseAndRun(program, argc, argv, window);
 }
 
 } // namespace limn

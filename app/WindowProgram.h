@@ -5,8 +5,15 @@
 
 namespace limn {
 
-/// Opens the window on `path` (empty: the empty state) and runs until it closes. Returns the exit status; 4
-/// where there is no display.
-int runWindow(int argc, char** argv, const std::string& path);
+/// How the window starts.
+struct WindowArguments {
+  std::string path;       ///< what to open; empty: the empty state
+  std::string screenshot; ///< PNG to save once the picture rests, then quit; empty: stay open
+  std::string theme;      ///< "light" or "dark"; empty: as set
+};
+
+/// Opens the window and runs until it closes. Returns the exit status. Throws Error (openGl) where there is
+/// no display.
+int runWindow(int argc, char** argv, const WindowArguments& arguments);
 
 } // namespace limn

@@ -7,8 +7,8 @@
 
 namespace limn {
 
-/// Names the user's act behind an edit. Edits of one drag share an id and become one undo step; `text` is what
-/// undo shows, in the imperative: "move point to 310 HU".
+/// Names the user's act behind an edit. Edits of one drag share an id and become one undo step; `text` is
+/// what undo shows, in the imperative: "move point to 310 HU".
 struct Gesture {
   std::uint64_t id = 0;
   QString text;

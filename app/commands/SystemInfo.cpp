@@ -4,6 +4,7 @@
 #include "gl/HeadlessContext.h"
 #include "scene/Error.h"
 
+#include <QString>
 #include <QSysInfo>
 #include <QtGlobal>
 

@@ -198,6 +198,10 @@ int RayCaster::compiledPrograms() const {
   return static_cast<int>(m_parts->programs.size());
 }
 
+const GradientScale& RayCaster::gradientScale() const {
+  return m_parts->textures.gradientScale();
+}
+
 std::string RayCaster::limitation() const {
   return m_parts->textures.limitation() + m_parts->stepLimitation;
 }

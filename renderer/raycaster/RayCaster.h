@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/Gradient.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
@@ -42,6 +43,9 @@ public:
 
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;
+
+  /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads r.
+  const GradientScale& gradientScale() const;
 
   /// A sentence each where the volume had to be down-sampled to fit the driver's textures and where the last
   /// picture's step would have needed too many samples; empty otherwise.

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MainWindow.h"
+
+#include "app/MessageBar.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/shading/ShadingPanel.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace limn {
+
+MainWindow::MainWindow(PresetStore presets, QWidget* parent)
+    : QMainWindow(parent), m_presetStore(std::move(presets)) {
+  setObjectName(QStringLiteral("limnWindow"));
+  setAcceptDrops(true);
+  setMinimumSize(800, 560);
+  layOut();
+  makeActions();
+  connectView();
+  connectPanels();
+  connectLoader();
+  refreshPresets();
+  connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
+  resize(1440, 900);
+  restoreGeometry(m_settings.windowGeometry());
+  restoreState(m_settings.windowState());
+  setCompareLayout(CompareLayout::sideBySide);
+  showScene(m_session.scene());
+}
+
+MainWindow::~MainWindow() {
+  // The view's last words must not reach a window half gone.
+  m_view->disconnect(this);
+}
+
+void MainWindow::layOut() {
+  auto* centre = new QWidget(this);
+  m_messages = new MessageBar(centre);
+  m_view = new CompareView(centre);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(m_messages);
+  column->addWidget(m_view, 1);
+  setCentralWidget(centre);
+
+  m_editor = new TransferFunctionEditor(this);
+  m_shading = new ShadingPanel(this);
+  m_presets = new PresetBrowser(this);
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  m_presetDock = addDock(tr("Presets"), QStringLiteral("presetDock"), m_presets, Qt::LeftDockWidgetArea);
+  m_shadingDock =
+      addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
+  m_curveDock =
+      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_editor, Qt::BottomDockWidgetArea);
+  resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
+  resizeDocks({m_curveDock}, {280}, Qt::Vertical);
+
+  m_volumeLabel = new QLabel(this);
+  m_probeLabel = new QLabel(this);
+  m_pictureLabel = new QLabel(this);
+  statusBar()->addWidget(m_volumeLabel);
+  statusBar()->addWidget(m_probeLabel, 1);
+  statusBar()->addPermanentWidget(m_pictureLabel);
+  m_probeLabel->setAlignment(Qt::AlignCenter);
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
+                                 Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::connectView() {
+  connect(m_view, &CompareView::cameraEdited, &m_session, &Session::setCamera);
+  connect(m_view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
+  connect(m_view, &CompareView::probed, this, &MainWindow::showProbe);
+  connect(m_view, &CompareView::pictureStateChanged, this, &MainWindow::showPictureState);
+  connect(m_view, &CompareView::errorOccurred, this, &MainWindow::showError);
+  connect(m_view, &CompareView::modelChosen, this, &MainWindow::setSideModel);
+  connect(m_view, &CompareView::windowPresetRequested, this, &MainWindow::applyWindowPreset);
+  connect(m_view, &CompareView::shortcutListRequested, this, &MainWindow::showShortcuts);
+  connect(m_view, &CompareView::maximiseRequested, m_focusAction, &QAction::trigger);
+  connect(m_view, &CompareView::openFolderRequested, this, &MainWindow::openFolder);
+  connect(m_view, &CompareView::openFileRequested, this, &MainWindow::openFile);
+  connect(m_view, &CompareView::sampleRequested, this, [this] { openSource(QStringLiteral("sample")); });
+  connect(m_view, &CompareView::loadingCancelled, &m_loader, &VolumeLoader::cancel);
+  connect(m_view, &CompareView::pinRequested, m_editor, &TransferFunctionEditor::setPinnedValue);
+}
+
+void MainWindow::connectPanels() {
+  connect(m_editor, &TransferFunctionEditor::transferFunctionEdited, &m_session,
+          &Session::setTransferFunction);
+  connect(m_shading, &ShadingPanel::shadingEdited, &m_session, &Session::setShading);
+  connect(m_shading, &ShadingPanel::qualityEdited, &m_session, &Session::setQuality);
+  connect(m_presets, &PresetBrowser::presetChosen, this, &MainWindow::applyPreset);
+  connect(m_presets, &PresetBrowser::saveRequested, this, &MainWindow::savePreset);
+  connect(m_presets, &PresetBrowser::deleteRequested, this, &MainWindow::deletePreset);
+  connect(m_messages, &MessageBar::actionRequested, this, &MainWindow::askForSpacing);
+}
+
+void MainWindow::showScene(const Scene& scene) {
+  m_view->setScene(scene);
+  m_editor->setTransferFunction(scene.transferFunction);
+  m_shading->setShading(scene.shading);
+  m_shading->setQuality(scene.quality);
+  showModels();
+  m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
+  for (QAction* action : m_sceneActions)
+    action->setEnabled(scene.volume != nullptr);
+}
+
+void MainWindow::showModels() {
+  const ShadingModel single = m_session.scene().shading.model;
+  m_view->setModels(m_leftModel, m_rightModel);
+  if (m_view->compareLayout() == CompareLayout::single)
+    m_shading->setModelsShown({single});
+  else
+    m_shading->setModelsShown({m_leftModel, m_rightModel});
+  for (QAction* action : m_modelActions->actions())
+    action->setChecked(action->data().toInt() == static_cast<int>(single));
+}
+
+void MainWindow::setCompareLayout(CompareLayout layout) {
+  m_view->setCompareLayout(layout);
+  for (QAction* action : m_layoutActions->actions())
+    if (action->data().toInt() == static_cast<int>(layout))
+      action->setChecked(true);
+  showModels();
+}
+
+void MainWindow::showPictureState(const PictureState& state) {
+  if (state.sides.empty()) {
+    m_pictureLabel->clear();
+    return;
+  }
+  const QString step = tr("step %1 voxels").arg(state.sides.front().stepVoxels, 0, 'g', 3);
+  double ms = 0.0;
+  bool timed = true;
+  for (const SideState& side : state.sides) {
+    timed = timed && side.completeMs.has_value();
+    ms += side.completeMs.value_or(0.0);
+  }
+  QString text = state.resting ? step : tr("refining · %1").arg(step);
+  if (state.resting && timed)
+    text += tr(" · %1 ms").arg(ms, 0, 'f', 0);
+  m_pictureLabel->setText(text + tr(" · GLSL"));
+  m_pictureLabel->setToolTip(
+      tr("The sampling step of the picture on screen, in units of the smallest voxel spacing, and "
+         "the time it took to draw."));
+  if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
+    m_messages->show(MessageBar::Kind::warning, state.limitation);
+}
+
+void MainWindow::showProbe(const std::optional<Probe>& probe) {
+  m_editor->setMarkedValue(probe ? std::optional(probe->value) : std::nullopt);
+  if (!probe || !m_session.scene().volume) {
+    m_probeLabel->clear();
+    return;
+  }
+  const QString unit = QString::fromStdString(m_session.scene().volume->info().unit);
+  m_probeLabel->setText(tr("%1 %2 at cursor · %3, %4, %5 mm")
+                            .arg(probe->value, 0, 'f', unit.isEmpty() ? 2 : 0)
+                            .arg(unit)
+                            .arg(probe->positionMm.x, 0, 'f', 1)
+                            .arg(probe->positionMm.y, 0, 'f', 1)
+                            .arg(probe->positionMm.z, 0, 'f', 1));
+}
+
+void MainWindow::updateTitle() {
+  const auto& volume = m_session.scene().volume;
+  QString title = tr("Limn · not for diagnosis");
+  if (volume) {
+    QString what = m_source == QStringLiteral("sample") ? tr("Sample head") : QString();
+    if (what.isEmpty())
+      what = QString::fromStdString(std::filesystem::path(m_session.volumePath()).filename().string());
+    const PatientLabel& patient = volume->info().patient;
+    if (m_patientAction->isChecked())
+      for (const std::string& part : {patient.name, patient.id, patient.studyDate})
+        if (!part.empty())
+          what += QStringLiteral(" · ") + QString::fromStdString(part);
+    title = what + QStringLiteral(" — ") + title;
+  }
+  setWindowTitle(title);
+}
+
+void MainWindow::showError(const QString& sentence) {
+  m_messages->show(MessageBar::Kind::error, sentence);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (m_focusAction->isChecked())
+    m_focusAction->trigger();
+  m_settings.setWindow(saveGeometry(), saveState());
+  m_loader.cancel();
+  event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && m_focusAction)
+    refreshIcons();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
+    event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  openSource(event->mimeData()->urls().front().toLocalFile());
+}
+
+} // namespace limn

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/PresetStore.h"
+#include "app/Session.h"
+#include "app/Settings.h"
+#include "app/VolumeLoader.h"
+#include "widgets/view/CompareView.h"
+
+#include <QMainWindow>
+
+class QActionGroup;
+class QDockWidget;
+class QLabel;
+class QMenu;
+
+namespace limn {
+
+class MessageBar;
+class PresetBrowser;
+class ShadingPanel;
+class TransferFunctionEditor;
+
+/// The window: the picture in the middle, presets left, properties right, the curve below. Holds every
+/// connection between components and no state of its own that a component could hold.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+public:
+  /// `presets` is where own presets are kept.
+  explicit MainWindow(PresetStore presets = PresetStore::ofThisUser(), QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Starts loading a volume, DICOM folder, scene or Limn picture.
+  void openSource(const QString& source, const SourceOptions& options = {});
+
+  const Session& session() const { return m_session; }
+  CompareView& view() { return *m_view; }
+  TransferFunctionEditor& editor() { return *m_editor; }
+  const VolumeLoader& loader() const { return m_loader; }
+
+  void setCompareLayout(CompareLayout layout);
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  // MainWindow.cpp
+  void layOut();
+  void connectView();
+  void connectPanels();
+  void showScene(const Scene& scene);
+  void showModels();
+  void showPictureState(const PictureState& state);
+  void showProbe(const std::optional<Probe>& probe);
+  void updateTitle();
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+
+  // MainWindowMenus.cpp
+  void makeActions();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makePresetMenu();
+  void makeHelpMenu();
+  void makeToolBar();
+  void refreshIcons();
+  void setModel(ShadingModel model);
+  void setSideModel(int side, ShadingModel model);
+  void setOrthographic(bool orthographic);
+  void applyThemeChoice(const QString& choice);
+  void setFocusMode(bool on);
+  void showShortcuts();
+  void showAbout();
+
+  // MainWindowFiles.cpp
+  void connectLoader();
+  void openFile();
+  void openFolder();
+  void closeVolume();
+  void showLoaded(const LoadedScene& loaded, const Histogram& histogram);
+  void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
+  void askForSpacing();
+  void refreshRecentMenu();
+  void saveScene();
+  void savePicture();
+
+  // MainWindowPresets.cpp
+  void refreshPresets();
+  void applyPreset(const QString& name);
+  void applyWindowPreset(int number);
+  void savePreset();
+  void deletePreset(const QString& name);
+  std::vector<Preset> allPresets() const;
+
+  void showError(const QString& sentence);
+
+  Settings m_settings;
+  PresetStore m_presetStore;
+  Session m_session;
+  VolumeLoader m_loader;
+  Histogram m_histogram;
+  ShadingModel m_leftModel = ShadingModel::classic;
+  ShadingModel m_rightModel = ShadingModel::enhanced;
+  QString m_source; ///< as it was asked for, to read it again with other options
+  SourceOptions m_sourceOptions;
+
+  CompareView* m_view = nullptr;
+  MessageBar* m_messages = nullptr;
+  TransferFunctionEditor* m_editor = nullptr;
+  ShadingPanel* m_shading = nullptr;
+  PresetBrowser* m_presets = nullptr;
+  QDockWidget* m_presetDock = nullptr;
+  QDockWidget* m_shadingDock = nullptr;
+  QDockWidget* m_curveDock = nullptr;
+
+  QLabel* m_volumeLabel = nullptr;
+  QLabel* m_probeLabel = nullptr;
+  QLabel* m_pictureLabel = nullptr;
+
+  QMenu* m_recentMenu = nullptr;
+  QMenu* m_viewsMenu = nullptr;
+  QActionGroup* m_layoutActions = nullptr;
+  QActionGroup* m_modelActions = nullptr;
+  QAction* m_orthographicAction = nullptr;
+  QAction* m_patientAction = nullptr;
+  QAction* m_focusAction = nullptr;
+  QList<QAction*> m_sceneActions; ///< enabled while a volume is open
+};
+
+} // namespace limn

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MainWindow.h"
+
+#include "app/MessageBar.h"
+#include "app/PictureMaker.h"
+#include "io/AtomicFile.h"
+#include "io/ImageFile.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QStandardPaths>
+#include <QStatusBar>
+
+namespace limn {
+
+void MainWindow::connectLoader() {
+  connect(&m_loader, &VolumeLoader::progressed, m_view, &CompareView::setLoading);
+  connect(&m_loader, &VolumeLoader::loaded, this, &MainWindow::showLoaded);
+  connect(&m_loader, &VolumeLoader::seriesFound, this, &MainWindow::chooseSeries);
+  connect(&m_loader, &VolumeLoader::cancelled, m_view, &CompareView::clearLoading);
+  connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
+    m_view->clearLoading();
+    m_settings.removeRecentSource(source);
+    refreshRecentMenu();
+    showError(sentence);
+  });
+}
+
+void MainWindow::openSource(const QString& source, const SourceOptions& options) {
+  m_messages->hide();
+  m_source = source;
+  m_sourceOptions = options;
+  m_view->setLoading(-1.0, tr("Opening %1").arg(QFileInfo(source).fileName()));
+  m_loader.start(source, options);
+}
+
+void MainWindow::openFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open a volume, scene or Limn picture"), QString(),
+                                   tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti "
+                                      "*.vtk *.dcm *.inv3 *.hdr *.tif *.tiff "
+                                      "*.png *.jpg *.json *.exr);;All files (*)"));
+  if (!path.isEmpty())
+    openSource(path);
+}
+
+void MainWindow::openFolder() {
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open a DICOM folder or an image stack"));
+  if (!path.isEmpty())
+    openSource(path);
+}
+
+void MainWindow::closeVolume() {
+  m_messages->hide();
+  m_session.open({});
+  m_editor->setHistogram({});
+  m_volumeLabel->clear();
+  updateTitle();
+}
+
+void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram) {
+  m_view->clearLoading();
+  m_histogram = histogram;
+  const Volume& volume = *loaded.scene.volume;
+  const VolumeInfo& info = volume.info();
+  m_editor->setUnit(QString::fromStdString(info.unit));
+  m_editor->setHistogram(histogram);
+  m_editor->setPinnedValue(std::nullopt);
+  m_session.open(loaded);
+  const Grid& grid = volume.grid();
+  m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
+                             .arg(grid.dims.x)
+                             .arg(grid.dims.y)
+                             .arg(grid.dims.z)
+                             .arg(grid.spacingMm.x, 0, 'g', 3)
+                             .arg(grid.spacingMm.y, 0, 'g', 3)
+                             .arg(grid.spacingMm.z, 0, 'g', 3)
+                             .arg(volume.range().lowest, 0, 'g', 5)
+                             .arg(volume.range().highest, 0, 'g', 5)
+                             .arg(QString::fromStdString(info.unit)));
+  QStringList remarks;
+  for (const std::string& warning : info.warnings)
+    remarks << QString::fromStdString(warning);
+  if (volume.invalidVoxels() > 0)
+    remarks << tr("%L1 voxels hold no data and are shown as the smallest value.").arg(volume.invalidVoxels());
+  if (!remarks.isEmpty())
+    m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
+                     info.spacingKnown ? QString() : tr("Set spacing…"));
+  for (const std::string& note : loaded.notes)
+    statusBar()->showMessage(QString::fromStdString(note), 6000);
+  m_settings.addRecentSource(m_source);
+  refreshRecentMenu();
+  updateTitle();
+}
+
+void MainWindow::chooseSeries(const QString& source, const std::vector<SeriesSummary>& series) {
+  m_view->clearLoading();
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Choose a series"));
+  dialog->setLabelText(tr("This folder holds %1 series.").arg(series.size()));
+  dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
+  dialog->setOkButtonText(tr("Open"));
+  QStringList rows;
+  for (const SeriesSummary& one : series)
+    rows << tr("%1 · %2 · %3×%4, %5 images · %6")
+                .arg(one.number)
+                .arg(QString::fromStdString(one.modality))
+                .arg(one.dims.x)
+                .arg(one.dims.y)
+                .arg(one.dims.z)
+                .arg(QString::fromStdString(one.description));
+  dialog->setComboBoxItems(rows);
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, source, series, rows](const QString& row) {
+    const auto index = rows.indexOf(row);
+    SourceOptions options = m_sourceOptions;
+    options.read.series = series[static_cast<std::size_t>(index)].number;
+    openSource(source, options);
+  });
+  dialog->open();
+}
+
+void MainWindow::askForSpacing() {
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Voxel spacing"));
+  dialog->setLabelText(tr("Distance between voxel centres along x, y and z in millimetres:"));
+  const glm::dvec3 spacing =
+      m_session.scene().volume ? m_session.scene().volume->grid().spacingMm : glm::dvec3(1.0);
+  dialog->setTextValue(QStringLiteral("%1, %2, %3").arg(spacing.x).arg(spacing.y).arg(spacing.z));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+    const QStringList numbers = text.split(QLatin1Char(','));
+    glm::dvec3 entered(0.0);
+    bool valid = numbers.size() == 3;
+    for (int axis = 0; valid && axis < 3; ++axis) {
+      entered[axis] = numbers[axis].trimmed().toDouble(&valid);
+      valid = valid && entered[axis] > 0.0;
+    }
+    if (!valid) {
+      showError(tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
+      return;
+    }
+    SourceOptions options = m_sourceOptions;
+    options.read.spacingMm = entered;
+    openSource(m_source, options);
+  });
+  dialog->open();
+}
+
+void MainWindow::refreshRecentMenu() {
+  m_recentMenu->clear();
+  for (const QString& source : m_settings.recentSources()) {
+    const QString label =
+        source == QStringLiteral("sample") ? tr("Sample head") : QFileInfo(source).fileName();
+    QAction* action = m_recentMenu->addAction(label, this, [this, source] { openSource(source); });
+    action->setToolTip(QDir::toNativeSeparators(source));
+  }
+  m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
+}
+
+void MainWindow::saveScene() {
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the scene"), QStringLiteral("scene.json"),
+                                                    tr("Limn scene (*.json)"));
+  if (path.isEmpty())
+    return;
+  const std::filesystem::path target(path.toStdString());
+  const std::filesystem::path volume(m_session.volumePath());
+  // A relative name survives moving scene and volume together.
+  const std::filesystem::path named =
+      volume.is_absolute() ? volume.lexically_relative(std::filesystem::absolute(target).parent_path())
+                           : volume;
+  try {
+    writeFileAtomically(target, sceneToJson(m_session.scene(), named.string()));
+  } catch (const Error& error) {
+    showError(QString::fromStdString(error.what()));
+  }
+}
+
+void MainWindow::savePicture() {
+  const std::optional<Image> left = m_view->restingImage(0);
+  if (!left) {
+    statusBar()->showMessage(tr("The picture is still refining; save it when the line under it is gone."),
+                             4000);
+    return;
+  }
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save the picture"), folder + QStringLiteral("/limn.png"),
+                                   tr("Pictures (*.png *.tif *.jpg *.exr)"));
+  if (path.isEmpty())
+    return;
+  const std::optional<Image> right =
+      m_view->compareLayout() == CompareLayout::sideBySide ? m_view->restingImage(1) : std::nullopt;
+  const std::string volume = std::filesystem::path(m_session.volumePath()).filename().string();
+  try {
+    writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
+               m_session.scene().image.background, sceneToJson(m_view->sceneOfSide(0), volume));
+  } catch (const Error& error) {
+    showError(QString::fromStdString(error.what()));
+  }
+}
+
+} // namespace limn

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MessageBar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace limn {
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
+      m_more(new QToolButton(this)), m_action(new QToolButton(this)) {
+  setObjectName(QStringLiteral("messageBar"));
+  setAutoFillBackground(true);
+  for (QLabel* label : {m_sentence, m_details}) {
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  m_more->setText(tr("Details"));
+  m_more->setCheckable(true);
+  m_more->setToolTip(tr("Shows every remark about this volume."));
+  auto* close = new QToolButton(this);
+  close->setText(tr("Dismiss"));
+  close->setToolTip(tr("Hides this message."));
+  auto* row = new QHBoxLayout;
+  row->addWidget(m_sentence, 1);
+  for (QToolButton* button : {m_action, m_more, close}) {
+    button->setAccessibleName(button->text());
+    row->addWidget(button, 0, Qt::AlignTop);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 8, 8, 8);
+  column->setSpacing(4);
+  column->addLayout(row);
+  column->addWidget(m_details);
+  connect(m_more, &QToolButton::toggled, this, &MessageBar::setDetailsShown);
+  connect(m_action, &QToolButton::clicked, this, &MessageBar::actionRequested);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  hide();
+}
+
+void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const QString& action) {
+  setProperty("kind", kind == Kind::error ? QStringLiteral("error") : QStringLiteral("warning"));
+  style()->unpolish(this);
+  style()->polish(this);
+  m_sentence->setText(sentence);
+  m_details->setText(details.join(QLatin1Char('\n')));
+  m_more->setVisible(!details.isEmpty());
+  m_more->setChecked(false);
+  setDetailsShown(false);
+  m_action->setText(action);
+  m_action->setAccessibleName(action);
+  m_action->setVisible(!action.isEmpty());
+  QFrame::show();
+}
+
+QString MessageBar::sentence() const {
+  return m_sentence->text();
+}
+
+void MessageBar::setDetailsShown(bool shown) {
+  m_details->setVisible(shown);
+}
+
+} // namespace limn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Screenshot.h"
+
+#include "app/MainWindow.h"
+
+#include <QApplication>
+#include <QTimer>
+
+#include <cstdio>
+
+namespace limn {
+namespace {
+
+void grabAndQuit(MainWindow& window, const QString& path) {
+  const bool saved = window.grab().save(path);
+  if (!saved)
+    std::fprintf(stderr, "limn: Cannot write the screenshot %s; check that its folder exists.\n",
+                 qPrintable(path));
+  QApplication::exit(saved ? 0 : 1);
+}
+
+} // namespace
+
+void saveScreenshotAtRest(MainWindow& window, const QString& path) {
+  QObject::connect(&window.loader(), &VolumeLoader::failed, &window,
+                   [](const QString&, const QString& sentence) {
+                     std::fprintf(stderr, "limn: %s\n", qPrintable(sentence));
+                     QApplication::exit(1);
+                   });
+  if (!window.loader().isLoading()) {
+    QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });
+    return;
+  }
+  QObject::connect(&window.view(), &CompareView::pictureStateChanged, &window,
+                   [&window, path](const PictureState& state) {
+                     // The labels and panels catch up before the picture is taken.
+                     if (state.resting && window.session().scene().volume)
+                       QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });
+                   });
+}
+
+} // namespace limn

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace limn {
+
+class MainWindow;
+
+/// Saves a picture of the whole window once its volume is loaded and drawn at full quality, then quits the
+/// program: with status 0, or 1 where loading or saving failed.
+void saveScreenshotAtRest(MainWindow& window, const QString& path);
+
+} // namespace limn

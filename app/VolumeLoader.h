@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/SceneSource.h"
+#include "scene/Histogram.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace limn {
+
+/// Loads scenes on a worker thread, one at a time; starting another cancels the one under way. Signals come
+/// on the thread the loader lives in.
+class VolumeLoader : public QObject {
+  Q_OBJECT
+
+public:
+  explicit VolumeLoader(QObject* parent = nullptr);
+  ~VolumeLoader() override;
+
+  void start(const QString& source, const SourceOptions& options);
+  void cancel();
+  bool isLoading() const { return m_job != nullptr; }
+
+signals:
+  void progressed(double fraction, const QString& what);
+  void loaded(const limn::LoadedScene& scene, const limn::Histogram& histogram);
+  /// The folder holds several series and none was chosen.
+  void seriesFound(const QString& source, const std::vector<limn::SeriesSummary>& series);
+  void failed(const QString& source, const QString& sentence);
+  void cancelled();
+
+private:
+  struct Job {
+    std::atomic<bool> isCancelled{false};
+  };
+  void run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options);
+  template <class Function>
+  void deliver(const std::shared_ptr<Job>& job, Function&& function);
+
+  std::shared_ptr<Job> m_job; ///< the load whose results count; null at rest
+  std::vector<std::jthread> m_threads;
+};
+
+} // namespace limn

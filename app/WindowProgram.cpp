@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowProgram.h"
+
+#include "app/MainWindow.h"
+#include "app/Screenshot.h"
+#include "scene/Error.h"
+#include "widgets/Theme.h"
+#include "widgets/view/SurfaceFormat.h"
+
+#include <QApplication>
+
+namespace limn {
+namespace {
+
+ThemeChoice themeNamed(const QString& name) {
+  if (name == QStringLiteral("dark"))
+    return ThemeChoice::dark;
+  return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
+}
+
+bool hasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+} // namespace
+
+int runWindow(int argc, char** argv, const WindowArguments& arguments) {
+  if (!hasDisplay())
+    throw Error(Error::Kind::openGl,
+                "There is no display to open a window on; `limn render` makes pictures without "
+                "one.");
+  QSurfaceFormat::setDefaultFormat(limnSurfaceFormat());
+  QApplication application(argc, argv);
+  QApplication::setApplicationDisplayName(QStringLiteral("Limn"));
+  const QString theme =
+      arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
+  applyTheme(application, themeNamed(theme));
+  MainWindow window;
+  window.show();
+  if (!arguments.path.empty())
+    window.openSource(QString::fromStdString(arguments.path));
+  if (!arguments.screenshot.empty())
+    saveScreenshotAtRest(window, QString::fromStdString(arguments.screenshot));
+  return QApplication::exec();
+}
+
+} // namespace limn

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace limn {
+
+/// Replaces `target` by what `write` puts into the temporary file it is given: a new name in the same folder
+/// with the same ending. The target is complete or untouched: on any failure the temporary file is removed.
+/// Throws Error, and whatever `write` throws.
+void replaceAtomically(const std::filesystem::path& target,
+                       const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// Replaces `target` by a file of these bytes; complete or untouched. Throws Error.
+void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes);
+
+} // namespace limn

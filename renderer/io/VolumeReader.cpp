@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/VolumeReader.h"
+
+#include "io/dicom/DicomReader.h"
+#include "io/formats/Bytes.h"
+#include "io/formats/HeaderText.h"
+#include "io/formats/InVesaliusProject.h"
+#include "io/formats/MetaImageFile.h"
+#include "io/formats/NiftiFile.h"
+#include "io/formats/NrrdFile.h"
+#include "io/formats/NrrdHeader.h"
+#include "io/formats/PictureStack.h"
+#include "io/formats/ReadError.h"
+#include "io/formats/VtkLegacyFile.h"
+#include "io/formats/VtkXmlFile.h"
+
+#include <cmath>
+#include <new>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t probeBytes = 4096;
+
+constexpr const char* knownFormats = "open a DICOM folder, NIfTI, NRRD, MetaImage, VTI or VTK image, a stack "
+                                     "of TIFF, PNG or JPEG pictures, or an InVesalius project";
+
+void requireUsable(const ReadOptions& options) {
+  if (!options.spacingMm)
+    return;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!((*options.spacingMm)[axis] > 0.0) || !std::isfinite((*options.spacingMm)[axis]))
+      throw Error(Error::Kind::usage, "The spacing must be three positive numbers of millimetres.");
+}
+
+// The file beside `path` that describes it: the same name with the ending of a header.
+std::optional<fs::path> headerBeside(const fs::path& path) {
+  for (const char* ending : {".mhd", ".nhdr", ".hdr"}) {
+    fs::path candidate = path;
+    candidate.replace_extension(ending);
+    std::error_code problem;
+    if (candidate != path && fs::is_regular_file(candidate, problem))
+      return candidate;
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void failUnknown(const fs::path& path) {
+  const std::string ending = lowerCase(path.extension().string());
+  if (const auto header = headerBeside(path))
+    failReading(path, "it holds voxels without their size",
+                "open " + header->filename().string() + " instead");
+  if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin" || ending == ".txt")
+    failReading(path, "it does not say the size and type of a volume in a way that Limn knows",
+                "write a small MetaImage header (.mhd) that names the raw file beside it, and open that");
+  failReading(path, "its content is of no known kind", knownFormats);
+}
+
+// The reader of a file is chosen by its content; only the voxel file of a NIfTI pair goes by its name.
+VolumeParts readFile(const fs::path& path, const Progress& progress) {
+  const std::string start = firstBytes(path, probeBytes);
+  if (start.empty())
+    failReading(path, "the file is empty", copyAgain);
+  if (parseNiftiHeader(start) || isAnalyzeHeader(start))
+    return readNifti(path, progress);
+  if (isTar(start))
+    return readInVesalius(path, progress);
+  if (isNrrd(start))
+    return readNrrd(path, progress);
+  if (isMetaImage(start))
+    return readMetaImage(path, progress);
+  if (isVtkLegacy(start))
+    return readVtkLegacy(path, progress);
+  if (isVtkXml(start))
+    return readVtkXml(path, progress);
+  if (isPicture(start))
+    return readPictures(path, {path}, progress);
+  const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
+  if (lowerCase(inner.extension().string()) == ".img")
+    return readNifti(path, progress);
+  failUnknown(path);
+}
+
+VolumeParts readFolder(const fs::path& path, const Progress& progress) {
+  const std::vector<fs::path> pictures = picturesIn(path);
+  if (pictures.empty())
+    failReading(path, "the folder holds no DICOM, TIFF, PNG or JPEG slices",
+                "open the folder that holds the slices, or a volume file");
+  return readPictures(path, pictures, progress);
+}
+
+// Applies what the person adds, says what is not known, and makes the volume.
+std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, const ReadOptions& options) {
+  VolumeInfo& info = parts.info;
+  if (options.spacingMm) {
+    parts.grid.spacingMm = *options.spacingMm;
+    info.spacingKnown = true;
+  }
+  if (!info.spacingKnown)
+    info.warnings.emplace_back(
+        "Spacing unknown: where the file does not give it, 1 mm is assumed; give it with "
+        "--spacing X,Y,Z.");
+  if (!info.orientationKnown)
+    info.warnings.emplace_back("Orientation unknown: the file does not say which side is left.");
+  try {
+    return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
+                                          std::move(info));
+  } catch (const Error& error) {
+    throw Error(error.kind(), "Cannot read " + path.string() + ": " + error.what());
+  }
+}
+
+std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptions& options,
+                                           const Progress& progress) {
+  const bool isFolder = fs::is_directory(path);
+  if (isDicom(path))
+    return readDicom(path, options, progress);
+  return finished(path, isFolder ? readFolder(path, progress) : readFile(path, progress), options);
+}
+
+} // namespace
+
+std::vector<SeriesSummary> listSeries(const fs::path& path) {
+  std::error_code problem;
+  if (!fs::exists(path, problem))
+    failReading(path, "there is no such file or folder", "check the name");
+  return isDicom(path) ? listDicomSeries(path) : std::vector<SeriesSummary>();
+}
+
+std::shared_ptr<const Volume> readVolume(const fs::path& path, const ReadOptions& options,
+                                         const Progress& progress) {
+  requireUsable(options);
+  std::error_code problem;
+  if (!fs::exists(path, problem))
+    failReading(path, "there is no such file or folder", "check the name");
+  try {
+    return readExisting(path, options, progress);
+  } catch (const std::bad_alloc&) {
+    failReading(path, "there is not enough memory for it", "close other programs or save a smaller volume");
+  } catch (const fs::filesystem_error& error) {
+    failReading(path, error.code().message(), "check the name and the right to read it");
+  }
+}
+
+} // namespace limn

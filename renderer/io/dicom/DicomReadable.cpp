@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/dicom/DicomHeader.h"
+#include "scene/Error.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// No compressor in use shrinks a picture further than this; a header that says so is damaged.
+constexpr std::uint64_t largestCompression = 1u << 16;
+
+[[noreturn]] void refuse(const DicomHeader& header, const std::string& why) {
+  throw Error(Error::Kind::input, "The DICOM file " + header.path.filename().string() + " " + why);
+}
+
+void requirePicture(const DicomHeader& header) {
+  if (header.sopClass == "1.2.840.10008.1.3.10")
+    refuse(header, "is the index of a medium (DICOMDIR) and no image; open the folder that holds it.");
+  if (!header.pixels)
+    refuse(header, "holds no image" +
+                       (header.modality.empty() ? std::string() : " (its kind is " + header.modality + ")") +
+                       "; open the folder of an image series instead.");
+  if (header.pixels->isFloatingPoint)
+    refuse(header,
+           "stores its pixels as floating-point numbers, which this program does not read from DICOM; "
+           "convert it to NIfTI.");
+  if (header.isMosaic)
+    refuse(header, "is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.");
+  if (!header.frameCountFlaw.empty())
+    refuse(header, "gives '" + header.frameCountFlaw + "' as its number of frames; its header is damaged.");
+  if (header.isFilm)
+    refuse(header,
+           "is a film: its frames follow each other in time and not in space, so they make no volume.");
+  const std::string compressed = "1.2.840.10008.1.2.4.";
+  if (header.transferSyntax.rfind(compressed + "10", 0) == 0)
+    refuse(header, "is a video, whose frames make no volume; export the series as single images.");
+  if (header.transferSyntax == compressed + "94" || header.transferSyntax == compressed + "95")
+    refuse(header, "only names a server that holds its pixels (JPIP); export the images themselves.");
+}
+
+void requireFormat(const DicomHeader& header) {
+  const DicomPixelFormat& format = header.format;
+  if (header.columns == 0 || header.rows == 0)
+    refuse(header, "says its picture is " + std::to_string(header.columns) + " × " +
+                       std::to_string(header.rows) + " pixels; its header is damaged.");
+  const int bits = format.bitsAllocated;
+  if (bits != 8 && bits != 16 && bits != 32)
+    refuse(header, "stores " + std::to_string(bits) +
+                       " bits per pixel, which this program does not read; convert it to 8, 16 or 32 bits.");
+  if (format.bitsStored < 1 || format.bitsStored > bits || format.highBit < format.bitsStored - 1 ||
+      format.highBit >= bits)
+    refuse(header, "contradicts itself: " + std::to_string(format.bitsStored) + " bits up to bit " +
+                       std::to_string(format.highBit) + " stored in " + std::to_string(bits) +
+                       "; its header is damaged.");
+  if (format.samples != 1 && format.samples != 3)
+    refuse(header, "has " + std::to_string(format.samples) +
+                       " samples per pixel; only grey (1) and colour (3) can be opened.");
+  if (format.photometric == "PALETTE COLOR" && !header.palette)
+    refuse(header, "is coloured by a palette this program cannot read; export it as grey values.");
+  if (!header.pixels->isEncapsulated && format.photometric.rfind("YBR_", 0) == 0 &&
+      format.photometric != "YBR_FULL")
+    refuse(header, "stores uncompressed colour with reduced resolution (" + format.photometric +
+                       "), which this program does not read; export it as grey values.");
+}
+
+} // namespace
+
+void requireWhole(const DicomHeader& header) {
+  const DicomPixelLocation& pixels = *header.pixels;
+  const std::uint64_t present = pixels.streamLength - std::min(pixels.offset, pixels.streamLength);
+  const std::uint64_t needed = frameBytes(header) * header.frames.size();
+  if (pixels.isEncapsulated) {
+    if (needed / largestCompression > present)
+      refuse(header, "is too short for the " + std::to_string(header.frames.size()) + " pictures of " +
+                         std::to_string(header.columns) + " × " + std::to_string(header.rows) +
+                         " pixels it announces; it is damaged or cut off. Copy it again from its source.");
+    return;
+  }
+  if (std::min(pixels.length, present) < needed)
+    refuse(header, "is cut off: its pixels need " + std::to_string(needed) + " bytes, and it holds " +
+                       std::to_string(std::min(pixels.length, present)) + ". Copy it again from its source.");
+}
+
+void requireSupported(const DicomHeader& header) {
+  requirePicture(header);
+  requireFormat(header);
+}
+
+} // namespace limn

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/dicom/DicomReader.h"
+
+#include "io/dicom/DicomGeometry.h"
+#include "io/dicom/DicomPhases.h"
+#include "io/dicom/DicomResample.h"
+#include "io/dicom/DicomScan.h"
+#include "io/dicom/DicomVoxels.h"
+#include "scene/Error.h"
+
+#include <algorithm>
+#include <new>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t mostFilesLookedAt = 2000;
+constexpr double mostVoxels = 4e9;
+
+// The part of the progress that a step takes.
+Progress part(const Progress& whole, double from, double to) {
+  Progress result;
+  result.isCancelled = whole.isCancelled;
+  if (whole.report)
+    result.report = [report = whole.report, from, to](double fraction, const std::string& what) {
+      report(from + (to - from) * fraction, what);
+    };
+  return result;
+}
+
+std::string nameOf(const std::filesystem::path& path) {
+  return path.has_filename() ? path.filename().string() : path.string();
+}
+
+std::string listed(const SeriesSummary& summary) {
+  std::string text = std::to_string(summary.number) + " (" + summary.modality;
+  if (!summary.description.empty())
+    text += " '" + summary.description + "'";
+  return text + ", " + std::to_string(summary.dims.x) + " × " + std::to_string(summary.dims.y) + ", " +
+         std::to_string(summary.dims.z) + (summary.dims.z == 1 ? " image)" : " images)");
+}
+
+std::string listed(const std::vector<DicomSeries>& all, std::size_t except) {
+  constexpr std::size_t mostNamed = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(all.size(), mostNamed); ++i)
+    if (i != except)
+      text += (text.empty() ? "" : ", ") + listed(summaryOf(all[i], static_cast<int>(i) + 1));
+  if (all.size() > mostNamed)
+    text += " and " + std::to_string(all.size() - mostNamed) + " more";
+  return text;
+}
+
+DicomSeries chosenSeries(const std::filesystem::path& path, const std::vector<DicomSeries>& all,
+                         const ReadOptions& options, std::vector<std::string>& warnings) {
+  const int count = static_cast<int>(all.size());
+  if (options.series && (*options.series < 1 || *options.series > count))
+    throw Error(Error::Kind::input, nameOf(path) + " has no series " + std::to_string(*options.series) +
+                                        "; it holds " + listed(all, all.size()) + ".");
+  const auto index = static_cast<std::size_t>(options.series.value_or(1) - 1);
+  if (!options.series && count > 1)
+    warnings.push_back(std::to_string(count) + " series were found and the largest is shown, " +
+                       listed(summaryOf(all[0], 1)) + "; the others are " + listed(all, 0) +
+                       ". Choose one by its number.");
+  return all[index];
+}
+
+void noteScan(const std::filesystem::path& path, const DicomScan& scan, std::vector<std::string>& warnings) {
+  if (scan.damaged > 0)
+    warnings.push_back(
+        std::to_string(scan.damaged) + (scan.damaged == 1 ? " DICOM file has" : " DICOM files have") +
+        " a damaged header and was left out (" + scan.firstDamaged + "): slices may be missing.");
+  const bool isOneImage = !std::filesystem::is_directory(path) && scan.images.size() == 1 &&
+                          scan.images.front().frames.size() == 1;
+  if (isOneImage)
+    warnings.emplace_back("This is a single image; open its folder to see the whole series.");
+}
+
+void requireImages(const std::filesystem::path& path, const DicomScan& scan) {
+  if (!scan.images.empty())
+    return;
+  std::string found = "no DICOM files";
+  if (scan.withoutImage > 0)
+    found = "DICOM objects without images only (reports, plans or indices)";
+  if (scan.damaged > 0)
+    found = "DICOM files with damaged headers only, the first of them " + scan.firstDamaged;
+  throw Error(Error::Kind::input,
+              "The folder " + nameOf(path) + " holds " + found + "; choose the folder of an image series.");
+}
+
+void requireSeries(const DicomSeries& series) {
+  const DicomHeader* checked = nullptr;
+  for (const DicomSlice& slice : series) {
+    if (slice.header == checked)
+      continue;
+    checked = slice.header;
+    requireSupported(*checked);
+    requireWhole(*checked);
+  }
+}
+
+void requireMemory(const std::filesystem::path& path, const glm::ivec3& dims) {
+  if (static_cast<double>(dims.x) * dims.y * dims.z > mostVoxels)
+    throw Error(Error::Kind::input, nameOf(path) + " makes a volume of " + std::to_string(dims.x) + " × " +
+                                        std::to_string(dims.y) + " × " + std::to_string(dims.z) +
+                                        " voxels, more than can be shown; choose a smaller series.");
+}
+
+void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
+  if (!options.spacingMm)
+    return;
+  geometry.grid.spacingMm = *options.spacingMm;
+  geometry.spacingKnown = true;
+}
+
+VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
+                  std::vector<std::string> warnings) {
+  const DicomHeader& first = *series.front().header;
+  VolumeInfo info;
+  info.format = "DICOM";
+  info.modality = first.modality;
+  info.unit = first.unit;
+  info.orientationKnown = geometry.orientationKnown;
+  info.spacingKnown = geometry.spacingKnown;
+  info.warnings = std::move(warnings);
+  info.patient = first.patient;
+  return info;
+}
+
+std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const DicomSeries& series,
+                                       const ReadOptions& options, const Progress& progress,
+                                       std::vector<std::string> warnings) {
+  DicomGeometry geometry = geometryOf(series, warnings);
+  const DicomHeader& first = *series.front().header;
+  const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
+  requireMemory(path, glm::max(sourceDims, geometry.grid.dims));
+  DicomVoxels voxels =
+      readVoxels(series, part(progress, 0.3, geometry.needsResampling ? 0.8 : 1.0), warnings);
+  if (geometry.needsResampling)
+    voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.8, 1.0));
+  applySpacing(options, geometry);
+  return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
+                                        voxels.padding, infoOf(series, geometry, std::move(warnings)));
+}
+
+} // namespace
+
+bool isDicom(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(path, error))
+    return startsAsDicom(path);
+  if (!std::filesystem::is_directory(path, error))
+    return false;
+  std::filesystem::recursive_directory_iterator entry(
+      path, std::filesystem::directory_options::skip_permission_denied, error);
+  std::size_t looked = 0;
+  for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored) && startsAsDicom(entry->path()))
+      return true;
+    if (++looked > mostFilesLookedAt)
+      return false;
+  }
+  return false;
+}
+
+std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const ReadOptions& options,
+                                        const Progress& progress) {
+  try {
+    const DicomScan scan = scanDicom(path, part(progress, 0.0, 0.3));
+    requireImages(path, scan);
+    std::vector<std::string> warnings;
+    noteScan(path, scan, warnings);
+    DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
+    series = withoutCopies(std::move(series), warnings);
+    if (isPlaced(series))
+      series = onePhase(series, warnings);
+    requireSeries(series);
+    return volumeOf(path, series, options, progress, std::move(warnings));
+  } catch (const std::bad_alloc&) {
+    throw Error(Error::Kind::input,
+                nameOf(path) + " does not fit into the memory of this computer; choose a smaller series.");
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw Error(Error::Kind::input, nameOf(path) + " cannot be read (" + error.code().message() + ").");
+  }
+}
+
+std::vector<SeriesSummary> listDicomSeries(const std::filesystem::path& path) {
+  if (!isDicom(path))
+    return {};
+  const DicomScan scan = scanDicom(path, {});
+  std::vector<SeriesSummary> summaries;
+  for (const DicomSeries& series : seriesOf(scan.images))
+    if (series.front().header->pixels)
+      summaries.push_back(summaryOf(series, static_cast<int>(summaries.size()) + 1));
+  return summaries;
+}
+
+} // namespace limn

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/VolumeReader.h"
+#include "io/dicom/DicomHeader.h"
+
+namespace limn {
+
+/// The images found under a path.
+struct DicomScan {
+  std::vector<DicomHeader> images;
+  int withoutImage = 0; ///< DICOM objects that hold no image: reports, plans, indices
+  int damaged = 0;      ///< files whose header could not be read
+  std::string firstDamaged;
+};
+
+/// The regular files under a folder and its subfolders, sorted by path; links to folders are not followed.
+/// Throws Error (input) where there are more than a study ever holds.
+std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder);
+
+/// Reads the headers of a file or of all DICOM files under a folder; for a DICOMDIR, under the folder that
+/// holds it. What is not DICOM is passed over. Reports fractions 0..1.
+/// Throws Error (input) where a single file is no DICOM or damaged; Cancelled.
+DicomScan scanDicom(const std::filesystem::path& path, const Progress& progress);
+
+/// Throws Cancelled where the caller asked to stop, otherwise reports how far the work is.
+void reportOrStop(const Progress& progress, double fraction, const std::string& what);
+
+} // namespace limn

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/dicom/DicomVoxels.h"
+
+#include "io/dicom/DicomPixelReader.h"
+#include "io/dicom/DicomScan.h"
+#include "io/dicom/DicomUnpack.h"
+#include "scene/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+namespace limn {
+namespace {
+
+bool isPalette(const DicomHeader& header) {
+  return header.format.photometric == "PALETTE COLOR";
+}
+
+// An array of `count` zeros in the narrowest type that holds the stored values of every slice.
+VoxelArray arrayFor(const DicomSeries& series, std::size_t count) {
+  int bits = 8;
+  bool anySigned = false;
+  bool anyUnsigned = false;
+  for (const DicomSlice& slice : series) {
+    const DicomHeader& header = *slice.header;
+    bits = std::max(bits, isPalette(header) ? 16 : header.format.bitsAllocated);
+    (header.format.isSigned ? anySigned : anyUnsigned) = true;
+  }
+  if (anySigned && anyUnsigned)
+    bits *= 2; // the next wider signed type holds both
+  if (bits > 32)
+    return std::vector<double>(count);
+  if (bits == 32)
+    return anySigned ? VoxelArray(std::vector<std::int32_t>(count)) : std::vector<std::uint32_t>(count);
+  if (bits == 16)
+    return anySigned ? VoxelArray(std::vector<std::int16_t>(count)) : std::vector<std::uint16_t>(count);
+  return anySigned ? VoxelArray(std::vector<std::int8_t>(count)) : std::vector<std::uint8_t>(count);
+}
+
+Rescale rescaleOf(const DicomSlice& slice) {
+  return slice.frame().rescale.value_or(Rescale{});
+}
+
+bool isUsable(const Rescale& rescale) {
+  return rescale.slope != 0.0 && std::isfinite(rescale.slope) && std::isfinite(rescale.intercept);
+}
+
+bool haveOneMeaning(const DicomSlice& a, const DicomSlice& b) {
+  const auto& p = a.header->padding;
+  const auto& q = b.header->padding;
+  const bool samePadding =
+      p.has_value() == q.has_value() && (!p || (p->first == q->first && p->last == q->last));
+  return rescaleOf(a) == rescaleOf(b) && samePadding;
+}
+
+// Whether one linear rescale and one padding hold for the whole volume.
+bool keepsStoredValues(const DicomSeries& series) {
+  return std::all_of(series.begin(), series.end(), [&](const DicomSlice& slice) {
+    return !slice.header->modalityLut && haveOneMeaning(slice, series.front());
+  });
+}
+
+float modalityValue(const DicomSlice& slice, double stored) {
+  const auto& padding = slice.header->padding;
+  if (padding && stored >= padding->first && stored <= padding->last)
+    return std::numeric_limits<float>::quiet_NaN();
+  if (const auto& lut = slice.header->modalityLut) {
+    const double last = static_cast<double>(lut->values.size() - 1);
+    return lut->values[static_cast<std::size_t>(std::clamp(stored - lut->first, 0.0, last))];
+  }
+  const Rescale rescale = rescaleOf(slice);
+  return static_cast<float>(rescale.slope * stored + rescale.intercept);
+}
+
+// Reads all slices in an order that opens each file once, and hands each raw frame to `use`.
+template <class Use>
+void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use) {
+  std::vector<std::size_t> order(series.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::less<>()(series[a].header, series[b].header);
+  });
+  std::optional<DicomPixelReader> reader;
+  const DicomHeader* open = nullptr;
+  for (std::size_t done = 0; done < order.size(); ++done) {
+    reportOrStop(progress, static_cast<double>(done) / static_cast<double>(order.size()), "Reading slices");
+    const DicomSlice& slice = series[order[done]];
+    if (slice.header != open)
+      reader.emplace(*slice.header);
+    open = slice.header;
+    use(order[done], slice, reader->frame(slice.frameIndex));
+  }
+}
+
+DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
+                       DicomUnpackNotes& notes) {
+  DicomVoxels voxels{arrayFor(series, perSlice * series.size()), rescaleOf(series.front()),
+                     series.front().header->padding};
+  std::visit(
+      [&](auto& array) {
+        using Value = typename std::decay_t<decltype(array)>::value_type;
+        if constexpr (!std::is_same_v<Value, float>)
+          forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
+            unpackFrame(*slice.header, raw, array.data() + index * perSlice, notes);
+          });
+      },
+      voxels.stored);
+  return voxels;
+}
+
+DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
+                               DicomUnpackNotes& notes) {
+  std::vector<float> values(perSlice * series.size());
+  std::vector<double> stored(perSlice);
+  forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const DicomRawFrame& raw) {
+    unpackFrame(*slice.header, raw, stored.data(), notes);
+    std::transform(stored.begin(), stored.end(),
+                   values.begin() + static_cast<std::ptrdiff_t>(index * perSlice),
+                   [&](double value) { return modalityValue(slice, value); });
+  });
+  return {std::move(values), Rescale{}, std::nullopt};
+}
+
+void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
+  const DicomHeader& first = *series.front().header;
+  const auto lossy = std::find_if(series.begin(), series.end(),
+                                  [](const DicomSlice& slice) { return slice.header->isLossy; });
+  if (lossy != series.end())
+    warnings.push_back(
+        "The images were compressed with loss" +
+        (lossy->header->lossyRatio.empty() ? std::string() : " (" + lossy->header->lossyRatio + " : 1)") +
+        ": fine detail differs from what the scanner measured.");
+  if (first.format.photometric == "MONOCHROME1")
+    warnings.emplace_back(
+        "The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.");
+  if (first.format.samples > 1 || isPalette(first))
+    warnings.emplace_back("The images are coloured; their luminance is shown.");
+}
+
+} // namespace
+
+DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
+                       std::vector<std::string>& warnings) {
+  const DicomHeader& first = *series.front().header;
+  for (const DicomSlice& slice : series)
+    if (!isUsable(rescaleOf(slice)))
+      throw Error(Error::Kind::input,
+                  "The DICOM file " + slice.header->path.filename().string() +
+                      " gives a rescale slope of 0, which leaves no values; its header is damaged.");
+  const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
+  DicomUnpackNotes notes;
+  noteFormat(series, warnings);
+  DicomVoxels voxels = keepsStoredValues(series) ? readStored(series, perSlice, progress, notes)
+                                                 : readModalityValues(series, perSlice, progress, notes);
+  if (notes.ignoredBits)
+    warnings.emplace_back(
+        "Some pixels have bits set beyond those that hold the value; these bits were ignored.");
+  return voxels;
+}
+
+} // namespace limn

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/NrrdFile.h"
+
+#include "io/formats/AxisGrid.h"
+#include "io/formats/HeaderText.h"
+#include "io/formats/NrrdAxes.h"
+#include "io/formats/ReadError.h"
+#include "io/formats/Voxels.h"
+
+#include <fstream>
+#include <limits>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+VoxelType typeOf(const fs::path& file, const NrrdHeader& header) {
+  static const std::map<std::string, VoxelType> types = {
+      {"signed char", VoxelType::int8},
+      {"int8", VoxelType::int8},
+      {"int8_t", VoxelType::int8},
+      {"uchar", VoxelType::uint8},
+      {"unsigned char", VoxelType::uint8},
+      {"uint8", VoxelType::uint8},
+      {"uint8_t", VoxelType::uint8},
+      {"short", VoxelType::int16},
+      {"short int", VoxelType::int16},
+      {"signed short", VoxelType::int16},
+      {"signed short int", VoxelType::int16},
+      {"int16", VoxelType::int16},
+      {"int16_t", VoxelType::int16},
+      {"ushort", VoxelType::uint16},
+      {"unsigned short", VoxelType::uint16},
+      {"unsigned short int", VoxelType::uint16},
+      {"uint16", VoxelType::uint16},
+      {"uint16_t", VoxelType::uint16},
+      {"int", VoxelType::int32},
+      {"signed int", VoxelType::int32},
+      {"int32", VoxelType::int32},
+      {"int32_t", VoxelType::int32},
+      {"uint", VoxelType::uint32},
+      {"unsigned int", VoxelType::uint32},
+      {"uint32", VoxelType::uint32},
+      {"uint32_t", VoxelType::uint32},
+      {"longlong", VoxelType::int64},
+      {"long long", VoxelType::int64},
+      {"long long int", VoxelType::int64},
+      {"signed long long", VoxelType::int64},
+      {"signed long long int", VoxelType::int64},
+      {"int64", VoxelType::int64},
+      {"int64_t", VoxelType::int64},
+      {"ulonglong", VoxelType::uint64},
+      {"unsigned long long", VoxelType::uint64},
+      {"unsigned long long int", VoxelType::uint64},
+      {"uint64", VoxelType::uint64},
+      {"uint64_t", VoxelType::uint64},
+      {"float", VoxelType::float32},
+      {"double", VoxelType::float64},
+  };
+  const auto found = types.find(lowerCase(header.field("type")));
+  if (found == types.end())
+    failReading(file, "its voxels are of the type \"" + header.field("type") + "\", which is not supported",
+                "convert it to integers or floats first");
+  return found->second;
+}
+
+bool isBigEndian(const fs::path& file, const NrrdHeader& header, VoxelType type, bool isText) {
+  const std::string endian = lowerCase(header.field("endian"));
+  if (endian != "big" && endian != "little" && bytesPerVoxel(type) > 1 && !isText)
+    failReading(file, "its header does not name the byte order", "add \"endian: little\" or \"endian: big\"");
+  return endian == "big";
+}
+
+double fieldNumber(const fs::path& file, const NrrdHeader& header, const std::string& name) {
+  const std::string text = header.field(name);
+  return text.empty() ? 0.0 : number(file, text);
+}
+
+// Moves the location behind the first `lines` lines.
+void skipLines(ByteLocation& location, double lines) {
+  std::ifstream stream(location.file, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(location.offset));
+  for (double line = 0.0; line < lines && stream; ++line)
+    stream.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  if (!stream)
+    failReading(location.file, "it ends before its voxels start", copyAgain);
+  location.offset = static_cast<std::uint64_t>(stream.tellg());
+}
+
+ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding encoding,
+                        std::uint64_t bytes) {
+  ByteLocation location;
+  location.encoding = encoding;
+  const std::string name = header.field("data file");
+  if (name.starts_with("LIST") || name.find('%') != std::string::npos)
+    failReading(path, "its voxels are spread over several files", "save it as one .nrrd file");
+  location.file = name.empty() ? path : detachedFile(path, name);
+  location.offset = name.empty() ? header.end : 0;
+  if (const double lines = fieldNumber(path, header, "line skip"); lines > 0.0)
+    skipLines(location, lines);
+  const double skip = fieldNumber(path, header, "byte skip");
+  if (skip == -1.0 && encoding == Encoding::raw) {
+    const std::uint64_t size = fs::file_size(location.file);
+    location.offset = size > bytes ? size - bytes : location.offset;
+  } else if (skip >= 0.0 && skip < 1e12) {
+    location.skip = static_cast<std::uint64_t>(skip);
+  } else {
+    failReading(path, "its header's byte skip is not supported", "save it as one .nrrd file");
+  }
+  return location;
+}
+
+} // namespace
+
+VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
+  const NrrdHeader header = readNrrdHeader(path);
+  const NrrdAxes axes = nrrdAxes(path, header);
+  const std::string encoding = lowerCase(header.field("encoding"));
+  const bool isText = encoding == "txt" || encoding == "text" || encoding == "ascii";
+  const bool isGzipped = encoding == "gz" || encoding == "gzip";
+  if (!isText && !isGzipped && encoding != "raw")
+    failReading(path, "its encoding \"" + header.field("encoding") + "\" is not supported",
+                "save it with the encoding raw or gzip");
+
+  VolumeParts parts;
+  parts.grid = gridFromAxes(path, axes.dims, axes.stepsMm, axes.originMm);
+  parts.info.format = "NRRD";
+  parts.info.orientationKnown = axes.orientationKnown;
+  parts.info.spacingKnown = axes.spacingKnown;
+  if (axes.volumes > 1)
+    parts.info.warnings.push_back("The file holds " + std::to_string(axes.volumes) +
+                                  " volumes; the first is shown.");
+  if (axes.components > 1)
+    parts.info.warnings.emplace_back(colorWarning);
+
+  VoxelLayout layout;
+  layout.type = typeOf(path, header);
+  layout.bigEndian = isBigEndian(path, header, layout.type, isText);
+  layout.components = axes.components;
+  layout.count = voxelCount(path, axes.dims);
+  const std::uint64_t allBytes = bytesOf(layout) * axes.volumes;
+  const ByteLocation location =
+      locationOf(path, header, isGzipped ? Encoding::deflated : Encoding::raw, allBytes);
+  parts.stored = isText ? readTextVoxels(location, layout, progress) : readVoxels(location, layout, progress);
+  return parts;
+}
+
+} // namespace limn

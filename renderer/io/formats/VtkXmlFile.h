@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/VolumeReader.h"
+#include "io/formats/VolumeParts.h"
+
+#include <string_view>
+
+namespace limn {
+
+/// Whether the bytes start as a VTK XML file of any data set does.
+bool isVtkXml(std::string_view bytes);
+
+/// Reads the active scalars of VTK image data (.vti) through VTK, once the header's extent has been checked
+/// against the length of the file. Its axes say nothing of the patient: the orientation is unknown. Throws
+/// Error; Cancelled.
+VolumeParts readVtkXml(const std::filesystem::path& path, const Progress& progress);
+
+} // namespace limn

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ImageFile.h"
+#include "support/TemporaryFolder.h"
+#include "support/TestData.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <sys/wait.h>
+
+// The shipped binary, called as a user calls it.
+namespace limn {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+protected:
+  Outcome run(const std::string& arguments) {
+    const std::string out = file("stdout").string();
+    const std::string err = file("stderr").string();
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM HOME='" +
+                                folder.path().string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" + out +
+                                "' 2>'" + err + "' </dev/null";
+    const int raw = std::system(command.c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentOf(out), contentOf(err)};
+  }
+
+  std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(CommandLine, helpOfEveryCommandShowsAnExample) {
+  for (const char* command : {"", "info", "render", "presets", "presets show"}) {
+    const Outcome outcome = run(std::string(command) + " --help");
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_NE(outcome.out.find("Example: limn"), std::string::npos) << outcome.out;
+  }
+}
+
+TEST_F(CommandLine, infoPrintsTheGridOfThePhantomAsOneJsonObject) {
+  const Outcome outcome = run("info phantom:8 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  // 192 × 232 × 272 mm at 8 mm; the origin is the centre of the first voxel of a centred box.
+  EXPECT_EQ(json["dims"], nlohmann::json::array({24, 29, 34}));
+  EXPECT_EQ(json["spacing_mm"], nlohmann::json::array({8.0, 8.0, 8.0}));
+  EXPECT_EQ(json["origin_mm"], nlohmann::json::array({-92.0, -112.0, -132.0}));
+  EXPECT_EQ(json["direction"], nlohmann::json::array({1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(json["type"], "int16");
+  EXPECT_EQ(json["range"][0], -1000.0);
+  EXPECT_GT(json["gradient"]["max"].get<double>(), json["gradient"]["p99_5"].get<double>());
+}
+
+TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
+  const std::string first = file("a.png").string();
+  const std::string second = file("b.png").string();
+  Outcome outcome = run("render phantom:6 --size 64x48 --model robust --step 1 -o " + first);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(readImageDescription(first).find("\"robust\""), std::string::npos);
+  outcome = run("render " + first + " -o " + second);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(contentOf(first), contentOf(second));
+}
+
+TEST_F(CommandLine, sceneFileRenders) {
+  std::ofstream(file("scene.json"))
+      << R"({"limn_scene": 1, "volume": "phantom:8", "image": {"width": 40, "height": 30}})";
+  for (const char* name : {"c.png", "c.tif", "c.jpg", "c.exr"}) {
+    const Outcome outcome = run("render " + file("scene.json").string() + " -o " + file(name).string());
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(file(name)), 100u) << name;
+  }
+}
+
+TEST_F(CommandLine, referenceAndGlWriteThePicturesOfOneScene) {
+  ASSERT_EQ(run("render phantom:6 --size 48x48 --engine gl -o " + file("gl.png").string()).status, 0);
+  ASSERT_EQ(run("render phantom:6 --size 48x48 --engine reference -o " + file("ref.png").string()).status, 0);
+  EXPECT_GT(std::filesystem::file_size(file("ref.png")), 1000u);
+}
+
+TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
+  const struct {
+    const char* arguments;
+    int status;
+    const char* says;
+  } cases[] = {
+      {"render", 2, "SOURCE"},
+      {"render phantom:8", 2, "output"},
+      {"render phantom:8 -o x.png --size 0x3", 2, "--size"},
+      {"render phantom:8 -o x.png --engine cpu", 2, "cpu"},
+      {"render phantom:8 -o x.png --engine fast", 2, "fast"},
+      {"render phantom:8 -o x.png --model shiny", 2, "shiny"},
+      {"render phantom:8 -o x.png --preset none-such", 2, "none-such"},
+      {"render phantom:abc -o x.png", 2, "phantom:abc"},
+      {"render nowhere.nii.gz -o x.png", 3, "nowhere.nii.gz"},
+      {"info nowhere.nii.gz", 3, "nowhere.nii.gz"},
+      {"frobnicate --loudly", 2, "loudly"},
+      {"presets show nothing", 2, "nothing"},
+  };
+  for (const auto& one : cases) {
+    const Outcome outcome = run(one.arguments);
+    EXPECT_EQ(outcome.status, one.status) << one.arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(one.says), std::string::npos) << one.arguments << "\n" << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+  }
+}
+
+TEST_F(CommandLine, aSceneWithAMisspeltKeyIsRefusedByName) {
+  std::ofstream(file("scene.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "shadingg": {}})";
+  const Outcome outcome = run("render " + file("scene.json").string() + " -o x.png");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("shadingg"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, withoutADisplayTheWindowSaysWhatToDo) {
+  const Outcome outcome = run("phantom:8");
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("limn render"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, presetsAreListedAndShown) {
+  const Outcome list = run("presets list");
+  EXPECT_EQ(list.status, 0);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 6);
+  const Outcome show = run("presets show 'CT bone'");
+  EXPECT_EQ(nlohmann::json::parse(show.out)["name"], "CT bone");
+}
+
+TEST_F(CommandLine, aRealHeadRendersFromItsFile) {
+  LIMN_NEEDS_SHARED("data/ct_head_cranium/ct_head_cranium.nii.gz");
+  const std::string head = (test::sharedFolder() / "data/ct_head_cranium/ct_head_cranium.nii.gz").string();
+  const Outcome outcome =
+      run("render " + head + " --model compare --size 128x64 --step 1 -o " + file("h.png").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("CT skin and bone"), std::string::npos) << outcome.err;
+  const std::string description = readImageDescription(file("h.png"));
+  EXPECT_EQ(description.find("shared"), std::string::npos) << "folder names must not travel with the picture";
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/PresetStore.h"
+#include "app/BuiltInPresets.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace limn {
+namespace {
+
+Preset named(const std::string& name) {
+  Preset preset = builtInPresets().front();
+  preset.name = name;
+  return preset;
+}
+
+TEST(BuiltInPresets, areTheSixOfTheProgramAndEachCanBeRead) {
+  const std::vector<Preset> presets = builtInPresets();
+  ASSERT_EQ(presets.size(), 6u);
+  for (const Preset& preset : presets) {
+    EXPECT_FALSE(preset.note.empty()) << preset.name;
+    EXPECT_GE(preset.transferFunction.points.size(), 3u) << preset.name;
+    EXPECT_EQ(preset.transferFunction.points.front().opacity, 0.0) << preset.name;
+  }
+}
+
+TEST(PresetStore, keepsPresetsUnderAnyName) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path() / "presets");
+  for (const char* name : {"Bone", "bone/../../x", "Kopf · MR", "a%2fb"})
+    store.save(named(name));
+  const PresetStore::Contents contents = store.read();
+  ASSERT_EQ(contents.presets.size(), 4u);
+  EXPECT_TRUE(contents.problems.empty());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    EXPECT_TRUE(entry.path() == folder.path() / "presets" ||
+                entry.path().parent_path() == folder.path() / "presets");
+}
+
+TEST(PresetStore, replacesAPresetOfTheSameNameAndRemovesIt) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  Preset preset = named("Mine");
+  store.save(preset);
+  preset.note = "changed";
+  store.save(preset);
+  ASSERT_EQ(store.read().presets.size(), 1u);
+  EXPECT_EQ(store.read().presets.front().note, "changed");
+  store.remove("Mine");
+  EXPECT_TRUE(store.read().presets.empty());
+}
+
+TEST(PresetStore, namesAFileItCannotReadAndReadsTheOthers) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  store.save(named("Good"));
+  std::ofstream(folder.path() / "bad.json") << "{\"limn_preset\": 1, ";
+  const PresetStore::Contents contents = store.read();
+  EXPECT_EQ(contents.presets.size(), 1u);
+  ASSERT_EQ(contents.problems.size(), 1u);
+  EXPECT_NE(contents.problems.front().find("bad.json"), std::string::npos);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/AtomicFile.h"
+
+#include "scene/Error.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+using test::bytesOfFile;
+using test::entriesOf;
+using test::TemporaryFolder;
+
+TEST(AtomicFile, writesANewFileAndReplacesAnOldOne) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "first");
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "first");
+  writeFileAtomically(folder.path() / "a.json", "");
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "");
+  EXPECT_EQ(entriesOf(folder.path()), 1u);
+}
+
+TEST(AtomicFile, aFailingWriterLeavesTheOldFileAndNoOther) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "old");
+  const auto failing = [](const fs::path& temporary) {
+    test::writeBytes(temporary, "half");
+    throw Error(Error::Kind::other, "disk full");
+  };
+  EXPECT_THROW(replaceAtomically(folder.path() / "a.json", failing), Error);
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "old");
+  EXPECT_EQ(entriesOf(folder.path()), 1u);
+}
+
+TEST(AtomicFile, aMissingFolderIsAnErrorThatNamesTheFile) {
+  const TemporaryFolder folder;
+  try {
+    writeFileAtomically(folder.path() / "none" / "a.json", "text");
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("a.json"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(entriesOf(folder.path()), 0u);
+}
+
+TEST(AtomicFile, aFolderIsNeverReplaced) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "sub");
+  EXPECT_THROW(writeFileAtomically(folder.path() / "sub", "text"), Error);
+  EXPECT_TRUE(fs::is_directory(folder.path() / "sub"));
+}
+
+TEST(AtomicFile, theRightsOfTheOldFileStay) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "old");
+  const fs::perms rights = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read;
+  fs::permissions(folder.path() / "a.json", rights);
+  writeFileAtomically(folder.path() / "a.json", "new");
+  EXPECT_EQ(fs::status(folder.path() / "a.json").permissions(), rights);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Who may include whom (ARCHITECTURE.md). Link lines enforce most of it; includes that need no linking are
+// caught here.
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path root = LIMN_SOURCE_DIR;
+
+struct Include {
+  fs::path file; // relative to the root
+  std::string header;
+};
+
+std::vector<Include> includesBelow(const fs::path& folder) {
+  static const std::regex include(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
+  std::vector<Include> found;
+  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp")
+      continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      std::smatch match;
+      if (std::regex_search(line, match, include))
+        found.push_back({fs::relative(entry.path(), root), match[1]});
+    }
+  }
+  return found;
+}
+
+// Fails for every include below `folder` whose header matches one of the patterns.
+void expectNoIncludes(const fs::path& folder, const std::string& pattern, const std::string& why) {
+  const std::vector<Include> includes = includesBelow(folder);
+  ASSERT_FALSE(includes.empty()) << folder << " holds no includes: is the folder still there?";
+  const std::regex forbidden(pattern);
+  for (const Include& include : includes)
+    EXPECT_FALSE(std::regex_search(include.header, forbidden))
+        << include.file << " includes " << include.header << ": " << why;
+}
+
+TEST(Layering, rendererContainsNoQt) {
+  expectNoIncludes("renderer", "^(Q[A-Z]|Qt)", "the renderer works without Qt");
+}
+
+TEST(Layering, sceneUsesOnlyTheStandardLibraryAndGlm) {
+  expectNoIncludes(
+      "renderer/scene",
+      R"(^(io|gl|raycaster|slices|reference|accuracy|widgets|app)/|epoxy|vtk|itk|json|OpenImageIO)",
+      "the scene is plain values");
+}
+
+TEST(Layering, referenceAndGlKnowOnlyTheScene) {
+  expectNoIncludes("renderer/reference", "^(io|gl|raycaster|widgets|app)/",
+                   "the reference checks the others");
+  expectNoIncludes("renderer/gl", "^(io|raycaster|reference|widgets|app)/", "gl knows nothing of volumes");
+  expectNoIncludes("renderer/raycaster", "^(io|reference|widgets|app)/",
+                   "the ray caster draws from the scene alone");
+}
+
+TEST(Layering, onlyIoTalksToFileLibraries) {
+  for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/reference", "widgets"})
+    expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
+                     "files are read and written in io");
+}
+
+TEST(Layering, widgetsIncludeNeitherIoNorApp) {
+  expectNoIncludes("widgets", "^(io|app)/", "widgets show values and ask for edits");
+}
+
+TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {
+  expectNoIncludes("renderer/io", "^(gl|raycaster|reference|widgets|app)/", "readers make values");
+}
+
+TEST(Sources, carryTheirLicence) {
+  for (const char* folder : {"renderer", "widgets", "app", "tests", "shaders"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp" && extension != ".glsl")
+        continue;
+      std::ifstream file(entry.path());
+      std::string first;
+      std::getline(file, first);
+      EXPECT_NE(first.find("SPDX-License-Identifier: GPL-3.0-or-later"), std::string::npos) << entry.path();
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grabs the editing widgets in both looks: limn_widget_pictures FOLDER
+#include "widgets/Icons.h"
+#include "widgets/Theme.h"
+#include "widgets/WidgetSamples.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/curve/PointPopup.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/shading/ShadingPanel.h"
+#include "widgets/shading/ShadingSection.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QStatusBar>
+#include <QToolBar>
+
+using namespace limn;
+
+namespace {
+
+void save(QWidget& widget, const QSize& size, const QString& path) {
+  widget.resize(size);
+  widget.show();
+  QApplication::processEvents();
+  if (!widget.grab().save(path))
+    qFatal("could not write %s", qPrintable(path));
+}
+
+void saveEditor(const QString& prefix) {
+  TransferFunctionEditor editor;
+  editor.setUnit(QStringLiteral("HU"));
+  editor.setTransferFunction(sampleFunction());
+  save(editor, {1200, 120}, prefix + "editor_low.png");
+  save(editor, {1200, 260}, prefix + "editor_no_volume.png");
+  editor.setHistogram(sampleHistogram());
+  editor.setMarkedValue(700.0);
+  editor.canvas()->selectPoints({2});
+  const PlotTransform plot = editor.canvas()->transform();
+  const QPointF hovered(xOfValue(plot, -90.0), yOfOpacity(plot, 0.7));
+  save(editor, {1200, 260}, prefix + "editor.png");
+  QMouseEvent move(QEvent::MouseMove, hovered, editor.canvas()->mapToGlobal(hovered), Qt::NoButton,
+                   Qt::NoButton, {});
+  QApplication::sendEvent(editor.canvas(), &move);
+  editor.canvas()->setFineLowOpacities(true);
+  editor.canvas()->setPinnedValue(1800.0);
+  save(editor, {1200, 260}, prefix + "editor_fine.png");
+  auto* popup = new PointPopup(sampleFunction(), 2, QStringLiteral("HU"), 1, &editor); // deletes itself
+  save(*popup, popup->sizeHint(), prefix + "popup.png");
+  popup->close();
+  TransferFunctionEditor empty;
+  save(empty, {1200, 220}, prefix + "editor_empty.png");
+}
+
+void savePanels(const QString& prefix) {
+  QWidget both;
+  auto* layout = new QHBoxLayout(&both);
+  auto* open = new ShadingPanel;
+  auto* compared = new ShadingPanel;
+  auto* browser = new PresetBrowser;
+  auto* icons = new QListWidget;
+  for (auto* panel : {open, compared})
+    panel->sections()[1]->setFolded(false);
+  Shading robust;
+  robust.model = ShadingModel::robust;
+  robust.gradientReference = PercentileReference{};
+  robust.lightDirection = glm::dvec3(0.0, 1.0, 0.0);
+  open->setShading(robust);
+  open->setModelsShown({ShadingModel::robust});
+  compared->setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
+  const std::vector<Preset> presets = samplePresets();
+  browser->setPresets(presets, {[&] {
+                        Preset own = presets[1];
+                        own.name = "My temporal bone";
+                        own.note.clear();
+                        return own;
+                      }()});
+  for (const QString& name : iconNames())
+    icons->addItem(new QListWidgetItem(themedIcon(name, QApplication::palette()), name));
+  icons->setIconSize({24, 24});
+  for (QWidget* widget : std::initializer_list<QWidget*>{browser, compared, open, icons})
+    layout->addWidget(widget);
+  save(both, {1200, 1000}, prefix + "panels.png");
+}
+
+// A window like the program's, to see the parts together.
+void saveWindow(const QString& prefix) {
+  QMainWindow window;
+  const QPalette palette = QApplication::palette();
+  window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  for (const char* title : {"File", "Edit", "View", "Preset", "Help"})
+    window.menuBar()->addMenu(QLatin1String(title));
+  QToolBar* bar = window.addToolBar(QString());
+  bar->setIconSize({20, 20});
+  for (const char* name :
+       {"open", "undo", "redo", "single", "side-by-side", "wipe", "difference", "snapshot"})
+    bar->addAction(themedIcon(QLatin1String(name), palette), QLatin1String(name))->setCheckable(true);
+  bar->actions()[4]->setChecked(true);
+  auto* picture = new QWidget;
+  picture->setAutoFillBackground(true);
+  picture->setPalette(QPalette(QColor("#16181b")));
+  window.setCentralWidget(picture);
+  auto* editor = new TransferFunctionEditor;
+  editor->setUnit(QStringLiteral("HU"));
+  editor->setHistogram(sampleHistogram());
+  editor->setTransferFunction(sampleFunction());
+  auto* browser = new PresetBrowser;
+  browser->setPresets(samplePresets(), {});
+  auto* shading = new ShadingPanel;
+  shading->setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
+  const auto dock = [&](const char* title, QWidget* content, Qt::DockWidgetArea area) {
+    auto* made = new QDockWidget(QLatin1String(title));
+    made->setWidget(content);
+    window.addDockWidget(area, made);
+  };
+  dock("Presets", browser, Qt::LeftDockWidgetArea);
+  dock("Properties", shading, Qt::RightDockWidgetArea);
+  dock("Transfer function", editor, Qt::BottomDockWidgetArea);
+  window.statusBar()->showMessage(QStringLiteral("256×256×108 · 0.96×0.96×1.5 mm"));
+  editor->canvas()->selectPoints({3});
+  save(window, {1440, 900}, prefix + "window.png");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  if (argc < 2)
+    qFatal("usage: limn_widget_pictures FOLDER");
+  const QString folder = QString::fromLocal8Bit(argv[1]) + QLatin1Char('/');
+  for (const bool dark : {true, false}) {
+    applyTheme(application, dark ? ThemeChoice::dark : ThemeChoice::light);
+    const QString prefix = folder + (dark ? QStringLiteral("dark_") : QStringLiteral("light_"));
+    saveEditor(prefix);
+    savePanels(prefix);
+    saveWindow(prefix);
+  }
+  return 0;
+}

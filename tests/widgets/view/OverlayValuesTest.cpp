@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/CompareLayout.h"
+#include "widgets/view/OrientationLetters.h"
+#include "widgets/view/ScaleBar.h"
+#include "widgets/view/SideText.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+OrientationLetters lettersFrom(StandardView view) {
+  Grid grid;
+  grid.dims = {10, 20, 30};
+  return orientationLetters(standardView(Camera{}, grid, view));
+}
+
+// Radiological convention: what is shown is seen from the named side, so from the front the patient's left
+// is on the right; from above, with the face towards the top, the patient's left is on the left.
+TEST(OrientationLetters, ofTheSixStandardViews) {
+  EXPECT_EQ(lettersFrom(StandardView::anterior), (OrientationLetters{"R", "L", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::posterior), (OrientationLetters{"L", "R", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::left), (OrientationLetters{"A", "P", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::right), (OrientationLetters{"P", "A", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::superior), (OrientationLetters{"L", "R", "A", "P"}));
+  EXPECT_EQ(lettersFrom(StandardView::inferior), (OrientationLetters{"R", "L", "A", "P"}));
+}
+
+TEST(OrientationLetters, ofAnObliqueDirectionNameTheStrongestAxisFirst) {
+  EXPECT_EQ(lettersOf({0.8, -0.6, 0.0}), "LA");
+  EXPECT_EQ(lettersOf({-0.3, 0.2, -0.93}), "IR"); // 0.2 is further than 75° away
+}
+
+TEST(ScaleBar, hasTheLongestRoundLengthThatFits) {
+  EXPECT_EQ(scaleBar(0.5, 150.0).lengthMm, 50.0); // 75 mm fit
+  EXPECT_EQ(scaleBar(0.5, 150.0).pixels, 100.0);
+  EXPECT_EQ(scaleBar(1.0, 20.0).lengthMm, 20.0);
+  EXPECT_EQ(scaleBar(1.0, 199.0).lengthMm, 100.0);
+  EXPECT_EQ(scaleBar(0.0, 100.0).pixels, 0.0);
+}
+
+TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
+  const Camera perspective{.position = {0, -100, 0}, .target = {0, 0, 0}, .fovYDeg = 90.0};
+  EXPECT_NEAR(mmPerPixel(perspective, 400.0), 0.5, 1e-12); // 2 · 100 mm · tan 45° over 400 pixels
+  const Camera parallel{.projection = Camera::Projection::orthographic, .heightMm = 200.0};
+  EXPECT_EQ(mmPerPixel(parallel, 400.0), 0.5);
+}
+
+TEST(CompareLayout, sidesAreEqualWhateverTheWidth) {
+  for (const int width : {800, 801}) {
+    const auto rects = pictureRects(CompareLayout::sideBySide, {width, 300}, 2);
+    ASSERT_EQ(rects.size(), 2u);
+    EXPECT_EQ(rects[0].size, glm::ivec2(399, 300));
+    EXPECT_EQ(rects[1].size, rects[0].size);
+    EXPECT_EQ(rects[1].topLeft.x + rects[1].size.x, width);
+  }
+}
+
+TEST(CompareLayout, bothPicturesOfAWipeFillTheView) {
+  const auto rects = pictureRects(CompareLayout::wipe, {800, 300}, 2);
+  ASSERT_EQ(rects.size(), 2u);
+  EXPECT_EQ(rects[0].size, glm::ivec2(800, 300));
+  EXPECT_EQ(rects[1], rects[0]);
+}
+
+TEST(CompareLayout, knowsThePictureUnderAPoint) {
+  EXPECT_EQ(pictureAt(CompareLayout::sideBySide, {800, 300}, 0.5, 399.0), 0);
+  EXPECT_EQ(pictureAt(CompareLayout::sideBySide, {800, 300}, 0.5, 401.0), 1);
+  EXPECT_EQ(pictureAt(CompareLayout::wipe, {800, 300}, 0.25, 199.0), 0);
+  EXPECT_EQ(pictureAt(CompareLayout::wipe, {800, 300}, 0.25, 200.0), 1);
+  EXPECT_EQ(pictureAt(CompareLayout::single, {800, 300}, 0.25, 700.0), 0);
+}
+
+TEST(CompareLayout, hasNoPictureWhereTheViewIsTooSmall) {
+  EXPECT_TRUE(pictureRects(CompareLayout::sideBySide, {3, 300}, 2).empty());
+  EXPECT_TRUE(pictureRects(CompareLayout::single, {0, 0}, 2).empty());
+}
+
+TEST(SideText, namesTheFewNumbersThatMatter) {
+  Scene scene;
+  EXPECT_EQ(sideDetails(scene, std::nullopt), QString::fromUtf8("SP 32"));
+  scene.shading.model = ShadingModel::enhanced;
+  EXPECT_EQ(sideDetails(scene, 23.4), QString::fromUtf8("SP 1–64 · O 0–3 · 23 ms"));
+  scene.projection = Projection::mip;
+  EXPECT_EQ(sideDetails(scene, 4.16), QString::fromUtf8("Maximum intensity · 4.2 ms"));
+}
+
+} // namespace
+} // namespace limn

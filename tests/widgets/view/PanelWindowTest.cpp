@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ViewHost.h"
+#include "widgets/view/ViewPanels.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+// What covers the pictures, in a real window.
+
+namespace limn {
+namespace {
+
+using test::ViewHost;
+
+QPushButton* buttonNamed(const ViewHost& host, const char* name) {
+  return host.view.findChild<QPushButton*>(QString::fromLatin1(name));
+}
+
+TEST(Panels, withoutAVolumeTheViewOffersThreeWaysToOpenOne) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  auto* panel = host.view.findChild<EmptyPanel*>();
+  ASSERT_TRUE(panel->isVisible());
+  QSignalSpy folder(&host.view, &CompareView::openFolderRequested);
+  QSignalSpy file(&host.view, &CompareView::openFileRequested);
+  QSignalSpy sample(&host.view, &CompareView::sampleRequested);
+  QTest::mouseClick(buttonNamed(host, "openFolder"), Qt::LeftButton);
+  QTest::mouseClick(buttonNamed(host, "openFile"), Qt::LeftButton);
+  QTest::mouseClick(buttonNamed(host, "sample"), Qt::LeftButton);
+  EXPECT_EQ(folder.count(), 1);
+  EXPECT_EQ(file.count(), 1);
+  EXPECT_EQ(sample.count(), 1);
+  host.showPhantom();
+  EXPECT_FALSE(panel->isVisible());
+}
+
+TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  QTest::keyClick(&host.view, Qt::Key_A);
+  host.drag({10, 10}, {60, 60});
+  EXPECT_EQ(host.cameraEdits, 0);
+}
+
+TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
+  ViewHost host;
+  host.showPhantom();
+  host.scene.quality.jitter = true; // no renderer draws it yet, and says so
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 10000));
+  auto* panel = host.view.findChild<MessagePanel*>();
+  EXPECT_TRUE(panel->isVisible());
+  EXPECT_EQ(panel->sentence(), host.errors[0]);
+  EXPECT_FALSE(host.errors[0].isEmpty());
+  host.scene.quality.jitter = false;
+  host.view.setScene(host.scene);
+  EXPECT_TRUE(host.rest());
+  EXPECT_FALSE(panel->isVisible());
+  EXPECT_EQ(host.errors.size(), 1u);
+}
+
+TEST(Panels, loadingShowsItsProgressAndCanBeCancelled) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  auto* panel = host.view.findChild<LoadingPanel*>();
+  EXPECT_FALSE(panel->isVisible());
+  host.view.setLoading(0.4, QStringLiteral("Reading slice 43 of 108…"));
+  EXPECT_TRUE(panel->isVisible());
+  QSignalSpy cancelled(&host.view, &CompareView::loadingCancelled);
+  QTest::mouseClick(buttonNamed(host, "cancel"), Qt::LeftButton);
+  EXPECT_EQ(cancelled.count(), 1);
+  host.view.clearLoading();
+  EXPECT_FALSE(panel->isVisible());
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/Theme.h"
+
+#include "widgets/Resources.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QStyleFactory>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace limn {
+namespace {
+
+double linearChannel(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+double relativeLuminance(const QColor& color) {
+  return 0.2126 * linearChannel(color.redF()) + 0.7152 * linearChannel(color.greenF()) +
+         0.0722 * linearChannel(color.blueF());
+}
+
+void setDisabled(QPalette& palette, const ThemeColors& colors) {
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+    palette.setColor(QPalette::Disabled, role, colors.disabledText);
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, colors.border);
+  palette.setColor(QPalette::Disabled, QPalette::HighlightedText, colors.disabledText);
+}
+
+} // namespace
+
+ThemeColors themeColors(bool dark) {
+  if (dark)
+    return {.window = "#212428",
+            .base = "#191b1e",
+            .raised = "#2d3137",
+            .hover = "#383d44",
+            .border = "#41474f",
+            .grid = "#2a2d32",
+            .text = "#e6e9ed",
+            .secondaryText = "#a4acb7",
+            .disabledText = "#6d747d",
+            .accent = "#5aa7ff",
+            .accentText = "#0b1625",
+            .histogram = "#434951",
+            .curve = "#e6e9ed"};
+  return {.window = "#f3f4f6",
+          .base = "#ffffff",
+          .raised = "#ffffff",
+          .hover = "#e6e9ee",
+          .border = "#c6ccd4",
+          .grid = "#eceef1",
+          .text = "#1b1f24",
+          .secondaryText = "#57606b",
+          .disabledText = "#9aa1aa",
+          .accent = "#1667cc",
+          .accentText = "#ffffff",
+          .histogram = "#d3d8de",
+          .curve = "#262b31"};
+}
+
+ThemeColors themeColors(const QPalette& palette) {
+  return themeColors(isDark(palette));
+}
+
+QPalette themePalette(bool dark) {
+  const ThemeColors c = themeColors(dark);
+  QPalette palette(c.text, c.raised, c.hover, c.border, c.border, c.text, c.text, c.base, c.window);
+  palette.setColor(QPalette::Midlight, c.hover);
+  palette.setColor(QPalette::Dark, c.border);
+  palette.setColor(QPalette::Shadow, dark ? QColor("#0e1012") : QColor("#9aa1aa"));
+  palette.setColor(QPalette::AlternateBase, c.grid);
+  palette.setColor(QPalette::Highlight, c.accent);
+  palette.setColor(QPalette::HighlightedText, c.accentText);
+  palette.setColor(QPalette::Link, c.accent);
+  palette.setColor(QPalette::LinkVisited, c.accent);
+  palette.setColor(QPalette::ToolTipBase, dark ? c.raised : c.text);
+  palette.setColor(QPalette::ToolTipText, dark ? c.text : c.base);
+  palette.setColor(QPalette::PlaceholderText, c.secondaryText);
+  setDisabled(palette, c);
+  return palette;
+}
+
+QString themeStyleSheet(bool dark) {
+  loadWidgetResources();
+  QFile file(QStringLiteral(":/limn/theme.qss"));
+  if (!file.open(QIODevice::ReadOnly))
+    qFatal("The style sheet is missing from the program's resources.");
+  const ThemeColors c = themeColors(dark);
+  const std::array<std::pair<const char*, QColor>, 11> names{{{"@window", c.window},
+                                                              {"@base", c.base},
+                                                              {"@raised", c.raised},
+                                                              {"@hover", c.hover},
+                                                              {"@border", c.border},
+                                                              {"@grid", c.grid},
+                                                              {"@text", c.text},
+                                                              {"@secondary", c.secondaryText},
+                                                              {"@disabled", c.disabledText},
+                                                              {"@accentText", c.accentText},
+                                                              {"@accent", c.accent}}};
+  QString sheet = QString::fromUtf8(file.readAll());
+  sheet.replace(QLatin1String("@check"), dark ? QStringLiteral("check-dark") : QStringLiteral("check-light"));
+  for (const auto& [name, color] : names)
+    sheet.replace(QLatin1String(name), color.name());
+  return sheet;
+}
+
+bool isDark(const QPalette& palette) {
+  return relativeLuminance(palette.color(QPalette::Window)) <
+         relativeLuminance(palette.color(QPalette::WindowText));
+}
+
+void applyTheme(QApplication& application, ThemeChoice choice) {
+  // An unset palette lets the platform's own show through, which is what `system` has to ask.
+  QApplication::setPalette(QPalette());
+  const bool dark =
+      choice == ThemeChoice::dark || (choice == ThemeChoice::system && isDark(QApplication::palette()));
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setPalette(themePalette(dark));
+  application.setStyleSheet(themeStyleSheet(dark));
+}
+
+double contrastRatio(const QColor& a, const QColor& b) {
+  const auto [darker, lighter] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
+  return (lighter + 0.05) / (darker + 0.05);
+}
+
+} // namespace limn

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+class QApplication;
+
+namespace limn {
+
+/// What the user asks for: `system` follows the platform's own lightness.
+enum class ThemeChoice { system, light, dark };
+
+/// The colours of one look. The palette carries the roles Qt knows; our own painting takes the rest here.
+struct ThemeColors {
+  QColor window;        ///< behind panels
+  QColor base;          ///< behind text entry, lists and plots
+  QColor raised;        ///< buttons
+  QColor hover;         ///< a button or row under the pointer
+  QColor border;        ///< hairlines around controls
+  QColor grid;          ///< hairlines in a plot
+  QColor text;          ///< contrast with window, base and raised ≥ 7:1
+  QColor secondaryText; ///< units, hints, axis labels; contrast ≥ 4.5:1
+  QColor disabledText;
+  QColor accent;     ///< the one accent: focus, selection, handles
+  QColor accentText; ///< on the accent
+  QColor histogram;  ///< filled area behind the curve
+  QColor curve;      ///< the opacity curve
+};
+
+/// The designed colours of the dark or the light look.
+ThemeColors themeColors(bool dark);
+
+/// The colours that belong to a palette made by themePalette, or the nearer look for any other palette.
+ThemeColors themeColors(const QPalette& palette);
+
+QPalette themePalette(bool dark);
+
+/// Rounded hairline controls on a 4-px grid, as a Qt style sheet.
+QString themeStyleSheet(bool dark);
+
+/// True where a palette's windows are darker than its text.
+bool isDark(const QPalette& palette);
+
+/// Gives the whole program one look: Fusion, our palette and style sheet. `system` asks the platform anew at
+/// every call, so call it again on QEvent::ApplicationPaletteChange or when the setting changes.
+/// Widgets of ours repaint by themselves.
+void applyTheme(QApplication& application, ThemeChoice choice);
+
+/// Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
+double contrastRatio(const QColor& a, const QColor& b);
+
+} // namespace limn

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/ValueText.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+QString readableNumber(double number, int decimals) {
+  QString text = plainNumber(number, decimals);
+  return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+} // namespace
+
+QString plainNumber(double number, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  QString text = locale.toString(number, 'f', decimals);
+  const QString point = locale.decimalPoint();
+  if (text.contains(point)) {
+    while (text.endsWith(locale.zeroDigit()))
+      text.chop(1);
+    if (text.endsWith(point))
+      text.chop(point.size());
+  }
+  return text == locale.negativeSign() + locale.zeroDigit() ? locale.zeroDigit() : text;
+}
+
+QString valueText(double value, const QString& unit, int decimals) {
+  const QString number = readableNumber(value, decimals);
+  return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;
+}
+
+int decimalsFor(double step) {
+  if (!(step > 0.0) || !std::isfinite(step))
+    return 0;
+  // A step of 1 needs none; the small term keeps 0.1 and the like from rounding up to one more.
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+}
+
+QString rangeText(double lowest, double highest, int decimals) {
+  return readableNumber(lowest, decimals) + QChar(0x2009) + QChar(0x2013) + QChar(0x2009) +
+         readableNumber(highest, decimals);
+}
+
+} // namespace limn

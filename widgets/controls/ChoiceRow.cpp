@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/ChoiceRow.h"
+
+#include "widgets/controls/NumberSpec.h"
+#include "widgets/controls/ResetLabel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QWheelEvent>
+
+namespace limn {
+namespace {
+
+// Scrolling a panel must change nothing on the way.
+class QuietComboBox : public QComboBox {
+public:
+  QuietComboBox() { setFocusPolicy(Qt::StrongFocus); }
+
+protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (hasFocus())
+      QComboBox::wheelEvent(event);
+    else
+      event->ignore();
+  }
+};
+
+} // namespace
+
+ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringList& choices, int defaultIndex,
+                     QWidget* parent)
+    : QWidget(parent), m_name(label),
+      m_toolTip(tr("<p>%1</p><p>%2; default %3. Double click on the name to reset.</p>")
+                    .arg(help, choices.join(QStringLiteral(", ")), choices.at(defaultIndex))),
+      m_default(defaultIndex), m_label(new ResetLabel(label)), m_box(new QuietComboBox) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(8);
+  layout->addWidget(m_label, 1);
+  layout->addWidget(m_box);
+  m_box->addItems(choices);
+  m_box->setFixedWidth(140);
+  m_box->setAccessibleName(label);
+  m_label->setBuddy(m_box);
+  setUnavailable({});
+  setIndex(defaultIndex);
+  connect(m_box, &QComboBox::activated, this, &ChoiceRow::edit);
+  connect(m_label, &ResetLabel::resetRequested, this, [this] { edit(m_default); });
+}
+
+void ChoiceRow::setIndex(int index) {
+  m_index = index;
+  m_box->setCurrentIndex(index);
+}
+
+void ChoiceRow::setUnavailable(const QString& reason) {
+  setEnabled(reason.isEmpty());
+  setToolTip(reason.isEmpty() ? m_toolTip : reason);
+}
+
+void ChoiceRow::edit(int index) {
+  if (index == m_index)
+    return;
+  setIndex(index);
+  emit indexEdited(index, {nextGestureId(), changeText(m_name)});
+}
+
+} // namespace limn

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/Gesture.h"
+
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+
+namespace limn {
+
+class ResetLabel;
+
+/// One of a few: its name and a drop-down list. A double click on the name resets.
+class ChoiceRow : public QWidget {
+  Q_OBJECT
+
+public:
+  /// `help` is one sentence on what it does to the picture; `defaultIndex` is named in the tool tip.
+  ChoiceRow(const QString& label, const QString& help, const QStringList& choices, int defaultIndex,
+            QWidget* parent = nullptr);
+
+  void setIndex(int index);
+
+  /// Disables the control and says why in its tool tip; an empty reason enables it.
+  void setUnavailable(const QString& reason);
+
+  ResetLabel* label() const { return m_label; }
+  QComboBox* box() const { return m_box; }
+
+signals:
+  void indexEdited(int index, const limn::Gesture& gesture);
+
+private:
+  void edit(int index);
+
+  QString m_name;
+  QString m_toolTip;
+  int m_default;
+  int m_index = 0;
+  ResetLabel* m_label;
+  QComboBox* m_box;
+};
+
+} // namespace limn

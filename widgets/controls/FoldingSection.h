@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace limn {
+
+/// A titled part of a panel that folds away; click, Enter or Space on the header folds it. The header can say
+/// in a few words what is inside ("off").
+class FoldingSection : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit FoldingSection(const QString& title, QWidget* parent = nullptr);
+
+  /// Where the section's controls go, 12 px apart.
+  QVBoxLayout* contents() const { return m_contents; }
+
+  void setFolded(bool folded);
+  bool isFolded() const { return m_folded; }
+
+  /// A few words at the right of the header; empty for none.
+  void setSummary(const QString& summary);
+
+signals:
+  /// The user folded or unfolded the section.
+  void foldedByUser(bool folded);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void showArrow();
+
+  bool m_folded = false;
+  QWidget* m_header;
+  QLabel* m_arrow;
+  QLabel* m_summary;
+  QWidget* m_body;
+  QVBoxLayout* m_contents;
+};
+
+} // namespace limn

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/NumberField.h"
+
+#include "widgets/ValueText.h"
+
+#include <QWheelEvent>
+
+namespace limn {
+
+NumberField::NumberField(double lowest, double highest, int decimals, QWidget* parent)
+    : QDoubleSpinBox(parent) {
+  setDecimals(decimals);
+  setRange(lowest, highest);
+  setButtonSymbols(QAbstractSpinBox::NoButtons);
+  setKeyboardTracking(false);
+  setAlignment(Qt::AlignRight);
+  setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  setNumber(std::clamp(0.0, lowest, highest));
+  connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::reportIfChanged);
+}
+
+void NumberField::setNumber(double number) {
+  m_number = number;
+  setValue(number);
+}
+
+void NumberField::stepBy(int steps) {
+  QDoubleSpinBox::stepBy(steps);
+  reportIfChanged();
+}
+
+QString NumberField::textFromValue(double value) const {
+  return plainNumber(value, decimals());
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QDoubleSpinBox::wheelEvent(event);
+  else
+    event->ignore(); // so that scrolling a panel changes nothing on the way
+}
+
+void NumberField::reportIfChanged() {
+  // The display rounds: an untouched field must not replace the exact number by its rounding.
+  const double shownBefore =
+      std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());
+  if (value() == shownBefore)
+    return;
+  m_number = value();
+  emit numberEdited(m_number);
+}
+
+} // namespace limn

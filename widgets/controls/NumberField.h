@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace limn {
+
+/// A spin box that reports only what the user did: typing (when finished), arrows, wheel while focused. It
+/// keeps the exact number it was given, whatever it rounds for display, and shows no trailing zeros.
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+
+public:
+  /// Numbers are limited to lowest..highest when typed; `decimals` limits what can be shown.
+  NumberField(double lowest, double highest, int decimals, QWidget* parent = nullptr);
+
+  void setNumber(double number);
+  double number() const { return m_number; }
+
+  void stepBy(int steps) override;
+  QString textFromValue(double value) const override;
+
+signals:
+  void numberEdited(double number);
+
+protected:
+  void wheelEvent(QWheelEvent* event) override;
+
+private:
+  void reportIfChanged();
+
+  double m_number = 0.0;
+};
+
+} // namespace limn

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLabel>
+
+namespace limn {
+
+/// The name of a control; a double click asks for the default.
+class ResetLabel : public QLabel {
+  Q_OBJECT
+
+public:
+  using QLabel::QLabel;
+
+signals:
+  void resetRequested();
+
+protected:
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+};
+
+} // namespace limn

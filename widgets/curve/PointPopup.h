@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/TransferFunction.h"
+#include "widgets/Gesture.h"
+
+#include <QFrame>
+
+namespace limn {
+
+class ColorPicker;
+class PointFields;
+
+/// Colour and numbers of one control point beside it; closes on a click elsewhere, Enter or Esc.
+class PointPopup : public QFrame {
+  Q_OBJECT
+
+public:
+  PointPopup(const TransferFunction& function, std::size_t index, const QString& unit, int decimals,
+             QWidget* parent);
+
+  PointFields* fields() const { return m_fields; }
+  ColorPicker* picker() const { return m_picker; }
+
+signals:
+  void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+
+private:
+  void change(const TransferFunction& function, const Gesture& gesture);
+
+  TransferFunction m_function;
+  std::size_t m_index;
+  QString m_unit;
+  int m_decimals;
+  PointFields* m_fields;
+  ColorPicker* m_picker;
+};
+
+} // namespace limn

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/TransferFunctionEditor.h"
+
+#include "widgets/Icons.h"
+#include "widgets/ValueText.h"
+#include "widgets/controls/PopupPlacement.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/curve/PointFields.h"
+#include "widgets/curve/PointPopup.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+QString factorText(double factor) {
+  return QChar(0x00d7) + QString::number(factor, 'f', 2);
+}
+
+} // namespace
+
+TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
+    : QWidget(parent), m_canvas(new TransferFunctionCanvas), m_fields(new PointFields),
+      m_opacity(new SpringSlider(
+          tr("Overall opacity"),
+          tr("<p>Makes everything visible more solid or more transparent; what is invisible stays so.</p>"
+             "<p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
+          {0.1, 10.0, true}, 1.0, factorText)),
+      m_shift(new SpringSlider(
+          tr("Shift"),
+          tr("<p>Moves the whole curve to lower or higher values, so that other tissue appears.</p>"
+             "<p>Up to a quarter of the volume's range either way, default 0. It springs back when let go; "
+             "Shift drags finer.</p>"),
+          {-1.0, 1.0, false}, 0.0,
+          [this](double position) {
+            const QString sign = position > 0.0 ? QStringLiteral("+") : QString();
+            return sign + valueText(shiftOf(position), m_canvas->unit(), m_canvas->shownDecimals());
+          })),
+      m_fine(new QCheckBox(tr("Fine low opacities"))), m_showAll(new QToolButton) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(12, 8, 12, 4);
+  layout->setSpacing(0);
+  layout->addWidget(makeControlRow());
+  layout->addWidget(m_canvas, 1);
+  setFocusProxy(m_canvas);
+  connectCanvas();
+  connectSliders();
+  showIcons();
+}
+
+QWidget* TransferFunctionEditor::makeControlRow() {
+  m_fine->setToolTip(
+      tr("<p>Stretches the lower part of the opacity axis, where small changes show most in the "
+         "picture; the curve itself stays.</p><p>On or off, default off.</p>"));
+  m_fine->setAccessibleName(tr("Fine low opacities"));
+  connect(m_fine, &QAbstractButton::toggled, m_canvas, &TransferFunctionCanvas::setFineLowOpacities);
+  m_showAll->setToolTip(tr("Show all values of the volume (also: double click on the axis)"));
+  m_showAll->setAccessibleName(tr("Show all values"));
+  connect(m_showAll, &QAbstractButton::clicked, m_canvas, &TransferFunctionCanvas::resetView);
+
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(16);
+  layout->addWidget(m_fields);
+  layout->addStretch(1);
+  layout->addWidget(m_opacity);
+  layout->addWidget(m_shift);
+  layout->addWidget(m_fine);
+  layout->addWidget(m_showAll);
+  // The row never makes the window wider: resizeEvent hides what has another way.
+  row->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  return row;
+}
+
+void TransferFunctionEditor::connectCanvas() {
+  connect(m_canvas, &TransferFunctionCanvas::transferFunctionEdited, this,
+          [this](const TransferFunction& function, const Gesture& gesture) {
+            showSelection();
+            emit transferFunctionEdited(function, gesture);
+          });
+  connect(m_canvas, &TransferFunctionCanvas::valueHovered, this, &TransferFunctionEditor::valueHovered);
+  connect(m_canvas, &TransferFunctionCanvas::selectionChanged, this, &TransferFunctionEditor::showSelection);
+  connect(m_canvas, &TransferFunctionCanvas::numbersRequested, m_fields, &PointFields::focusValue);
+  connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this,
+          &TransferFunctionEditor::openDetails);
+  connect(m_fields, &PointFields::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
+}
+
+void TransferFunctionEditor::connectSliders() {
+  connect(m_opacity, &SpringSlider::pulled, this, [this](double factor, std::uint64_t id) {
+    m_canvas->edit(withOpacityScaled(pullBase(id), factor),
+                   {id, tr("change overall opacity %1").arg(factorText(factor))});
+  });
+  connect(m_shift, &SpringSlider::pulled, this, [this](double position, std::uint64_t id) {
+    const double offset = shiftOf(position);
+    m_canvas->edit(
+        shifted(pullBase(id), offset),
+        {id, tr("shift curve by %1").arg(valueText(offset, m_canvas->unit(), m_canvas->shownDecimals()))});
+  });
+  for (SpringSlider* slider : {m_opacity, m_shift})
+    connect(slider, &SpringSlider::released, this, [this] { m_pullId = 0; });
+}
+
+const TransferFunction& TransferFunctionEditor::pullBase(std::uint64_t gestureId) {
+  if (m_pullId != gestureId) {
+    m_pullId = gestureId;
+    m_pullBase = m_canvas->transferFunction();
+  }
+  return m_pullBase;
+}
+
+double TransferFunctionEditor::shiftOf(double position) const {
+  // Quadratic, so that the middle of the short track is fine.
+  return position * std::abs(position) * 0.25 * (m_range.highest - m_range.lowest);
+}
+
+int TransferFunctionEditor::typedDecimals() const {
+  return std::min(9, decimalsFor((m_range.highest - m_range.lowest) / 10000.0));
+}
+
+void TransferFunctionEditor::setTransferFunction(const TransferFunction& function) {
+  m_canvas->setTransferFunction(function);
+  showSelection();
+}
+
+void TransferFunctionEditor::setHistogram(const Histogram& histogram) {
+  m_range = histogram.range;
+  m_canvas->setHistogram(histogram);
+  showSelection();
+}
+
+void TransferFunctionEditor::setUnit(const QString& unit) {
+  m_canvas->setUnit(unit);
+  showSelection();
+}
+
+void TransferFunctionEditor::setMarkedValue(std::optional<double> value) {
+  m_canvas->setMarkedValue(value);
+}
+
+void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {
+  m_canvas->setPinnedValue(value);
+}
+
+void TransferFunctionEditor::showSelection() {
+  m_fields->setPoints(m_canvas->transferFunction(), m_canvas->selected(), m_canvas->unit(), typedDecimals());
+}
+
+void TransferFunctionEditor::openDetails(std::size_t index) {
+  const TransferFunction& function = m_canvas->transferFunction();
+  auto* popup = new PointPopup(function, index, m_canvas->unit(), typedDecimals(), this);
+  connect(popup, &PointPopup::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
+  const QPoint centre = positionOf(m_canvas->transform(), function.points[index]).toPoint();
+  showPopupAt(*popup, QRect(m_canvas->mapToGlobal(centre) - QPoint(10, 10), QSize(20, 20)));
+  popup->fields()->focusValue();
+}
+
+void TransferFunctionEditor::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange)
+    showIcons();
+  QWidget::changeEvent(event);
+}
+
+void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
+  m_shift->setVisible(width() >= 900);   // the bar above the plot shifts too
+  m_opacity->setVisible(width() >= 640); // dragging all points does nearly the same
+  m_fine->setVisible(width() >= 480);
+  QWidget::resizeEvent(event);
+}
+
+void TransferFunctionEditor::showIcons() {
+  m_showAll->setIcon(themedIcon(QStringLiteral("reset"), palette()));
+}
+
+} // namespace limn

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Histogram.h"
+#include "scene/TransferFunction.h"
+#include "widgets/Gesture.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QAbstractButton;
+
+namespace limn {
+
+class PointFields;
+class SpringSlider;
+class TransferFunctionCanvas;
+
+/// Shows a transfer function over the volume's histogram and asks for edits: the plot with its mouse and key
+/// gestures, the numbers of the selected point, and sliders that raise or shift the whole curve. It owns no
+/// undo: every edit goes out with its gesture, and setTransferFunction brings back what became of it. Esc
+/// during a drag sends the function from before under the same gesture.
+class TransferFunctionEditor : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit TransferFunctionEditor(QWidget* parent = nullptr);
+
+  void setTransferFunction(const TransferFunction& function);
+
+  /// Drawn behind the curve, logarithmic. Its range is the volume's, and the plot shows all of it when it
+  /// changes; a histogram without counts stands for no volume.
+  void setHistogram(const Histogram& histogram);
+
+  /// Shown after values. "HU" also names tissues.
+  void setUnit(const QString& unit);
+
+  /// Marks the value under the pointer in the picture.
+  void setMarkedValue(std::optional<double> value);
+
+  /// Marks a value until another is pinned or its mark is removed from the plot's menu.
+  void setPinnedValue(std::optional<double> value);
+
+  TransferFunctionCanvas* canvas() const { return m_canvas; }
+  PointFields* fields() const { return m_fields; }
+  SpringSlider* opacitySlider() const { return m_opacity; }
+  SpringSlider* shiftSlider() const { return m_shift; }
+
+signals:
+  void transferFunctionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+  /// The value under the pointer in the plot.
+  void valueHovered(std::optional<double> value);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  QWidget* makeControlRow();
+  void connectCanvas();
+  void connectSliders();
+  void showSelection();
+  void openDetails(std::size_t index);
+  const TransferFunction& pullBase(std::uint64_t gestureId);
+  double shiftOf(double position) const;
+  int typedDecimals() const;
+  void showIcons();
+
+  ValueRange m_range{0.0, 1.0}; // before the sliders, whose first read-out needs it
+  TransferFunctionCanvas* m_canvas;
+  PointFields* m_fields;
+  SpringSlider* m_opacity;
+  SpringSlider* m_shift;
+  QAbstractButton* m_fine;
+  QAbstractButton* m_showAll;
+  TransferFunction m_pullBase;
+  std::uint64_t m_pullId = 0;
+};
+
+} // namespace limn

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/presets/PresetBrowser.h"
+
+#include "widgets/Icons.h"
+#include "widgets/Theme.h"
+#include "widgets/presets/PresetDelegate.h"
+#include "widgets/presets/PresetModel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSortFilterProxyModel>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace limn {
+
+PresetBrowser::PresetBrowser(QWidget* parent)
+    : QWidget(parent), m_search(new QLineEdit), m_list(new QTreeView),
+      m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
+      m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
+      m_model(new QStandardItemModel(this)), m_filtered(new QSortFilterProxyModel(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* top = new QHBoxLayout;
+  top->setContentsMargins(8, 8, 8, 4);
+  top->addWidget(m_search);
+  layout->addLayout(top);
+  layout->addWidget(m_nothing);
+  layout->addWidget(m_list, 1);
+  layout->addWidget(makeButtons());
+  makeList();
+
+  m_nothing->setAlignment(Qt::AlignCenter);
+  m_nothing->setForegroundRole(QPalette::PlaceholderText);
+  m_nothing->setMargin(16);
+  m_search->setPlaceholderText(tr("Search presets"));
+  m_search->setClearButtonEnabled(true);
+  m_search->setAccessibleName(tr("Search presets"));
+  m_search->setToolTip(tr("Shows only presets whose name, modality or note holds these words (Ctrl+F)"));
+  m_search->installEventFilter(this);
+  connect(m_search, &QLineEdit::textChanged, this, &PresetBrowser::search);
+  refill();
+}
+
+void PresetBrowser::makeList() {
+  m_filtered->setSourceModel(m_model);
+  m_filtered->setRecursiveFilteringEnabled(true);
+  m_filtered->setFilterRole(presetRole::searchText);
+  m_list->setModel(m_filtered);
+  m_list->setItemDelegate(new PresetDelegate(m_list));
+  m_list->setObjectName(QStringLiteral("presetList"));
+  m_list->setHeaderHidden(true);
+  m_list->setRootIsDecorated(false);
+  m_list->setIndentation(0);
+  m_list->setItemsExpandable(false);
+  m_list->setMouseTracking(true);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_list->setAccessibleName(tr("Presets"));
+  m_list->installEventFilter(this);
+  connect(m_list, &QAbstractItemView::clicked, this, &PresetBrowser::choose);
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &PresetBrowser::showButtons);
+}
+
+QWidget* PresetBrowser::makeButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(4);
+  layout->addWidget(m_save, 1);
+  layout->addWidget(m_delete);
+  m_save->setToolTip(tr("Keeps the present curve and light under a name of your own"));
+  m_save->setAccessibleName(tr("Save as preset"));
+  m_delete->setAccessibleName(tr("Delete preset"));
+  connect(m_save, &QAbstractButton::clicked, this, &PresetBrowser::saveRequested);
+  connect(m_delete, &QAbstractButton::clicked, this, [this] { emit deleteRequested(ownPresetInHand()); });
+  return row;
+}
+
+void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own) {
+  m_builtIn = builtIn;
+  m_own = own;
+  refill();
+}
+
+void PresetBrowser::setThumbnail(const QString& name, const QImage& thumbnail) {
+  m_thumbnails.insert(name, thumbnail);
+  refill();
+}
+
+void PresetBrowser::refill() {
+  const QString current = m_list->currentIndex().data().toString();
+  fillPresetModel(*m_model, m_builtIn, m_own, m_thumbnails, isDark(palette()));
+  search(m_search->text());
+  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, current, 1,
+                                                  Qt::MatchExactly | Qt::MatchRecursive);
+  if (!current.isEmpty() && !found.isEmpty())
+    m_list->setCurrentIndex(found.front());
+  m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
+  m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
+  m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
+  showButtons();
+}
+
+void PresetBrowser::search(const QString& text) {
+  // Every word must occur, in any order.
+  QString pattern;
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts))
+    pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
+  m_filtered->setFilterRegularExpression(
+      QRegularExpression(QLatin1Char('^') + pattern, QRegularExpression::CaseInsensitiveOption));
+  m_list->expandAll();
+  const bool nothing = m_filtered->rowCount() == 0 && !text.isEmpty();
+  m_nothing->setVisible(nothing);
+}
+
+void PresetBrowser::focusSearch() {
+  m_search->setFocus(Qt::ShortcutFocusReason);
+  m_search->selectAll();
+}
+
+QStringList PresetBrowser::shownNames() const {
+  QStringList names;
+  for (int group = 0; group < m_filtered->rowCount(); ++group) {
+    const QModelIndex parent = m_filtered->index(group, 0);
+    for (int row = 0; row < m_filtered->rowCount(parent); ++row)
+      names << m_filtered->index(row, 0, parent).data().toString();
+  }
+  return names;
+}
+
+void PresetBrowser::choose(const QModelIndex& index) {
+  if (index.isValid() && !index.data(presetRole::isGroup).toBool())
+    emit presetChosen(index.data().toString());
+}
+
+QString PresetBrowser::ownPresetInHand() const {
+  const QModelIndex index = m_list->currentIndex();
+  return index.data(presetRole::isOwn).toBool() ? index.data().toString() : QString();
+}
+
+void PresetBrowser::showButtons() {
+  const QString own = ownPresetInHand();
+  m_delete->setEnabled(!own.isEmpty());
+  m_delete->setToolTip(own.isEmpty() ? tr("Only presets of your own can be deleted: choose one first")
+                                     : tr("Deletes the preset \"%1\"").arg(own));
+}
+
+bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress)
+    return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (watched == m_search)
+    return handleSearchKey(key);
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    choose(m_list->currentIndex());
+    return true;
+  }
+  if (key == Qt::Key_Delete && !ownPresetInHand().isEmpty()) {
+    emit deleteRequested(ownPresetInHand());
+    return true;
+  }
+  return false;
+}
+
+bool PresetBrowser::handleSearchKey(int key) {
+  const QModelIndex first = m_filtered->index(0, 0, m_filtered->index(0, 0));
+  if (key == Qt::Key_Escape && !m_search->text().isEmpty()) {
+    m_search->clear();
+    return true;
+  }
+  if (key == Qt::Key_Down && first.isValid()) {
+    m_list->setCurrentIndex(first);
+    m_list->setFocus(Qt::TabFocusReason);
+    return true;
+  }
+  if ((key == Qt::Key_Return || key == Qt::Key_Enter) && first.isValid()) {
+    m_list->setCurrentIndex(first);
+    choose(first);
+    return true;
+  }
+  return false;
+}
+
+void PresetBrowser::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange)
+    refill();
+  QWidget::changeEvent(event);
+}
+
+} // namespace limn

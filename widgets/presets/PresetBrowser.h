@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Preset.h"
+
+#include <QImage>
+#include <QMap>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSortFilterProxyModel;
+class QStandardItemModel;
+class QToolButton;
+class QTreeView;
+
+namespace limn {
+
+/// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
+/// Enter chooses; names are unique over both lists. It saves and deletes nothing itself.
+class PresetBrowser : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PresetBrowser(QWidget* parent = nullptr);
+
+  void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
+
+  /// A picture of what the preset shows; without one its curve is drawn.
+  void setThumbnail(const QString& name, const QImage& thumbnail);
+
+  /// Puts the keyboard into the search field.
+  void focusSearch();
+
+  /// The names shown at present, from top to bottom.
+  QStringList shownNames() const;
+
+  QLineEdit* searchField() const { return m_search; }
+  QTreeView* list() const { return m_list; }
+
+  QSize sizeHint() const override { return {232, 480}; }
+
+signals:
+  void presetChosen(const QString& name);
+  void saveRequested();
+  /// Only for the user's own presets.
+  void deleteRequested(const QString& name);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void makeList();
+  QWidget* makeButtons();
+  void refill();
+  void search(const QString& text);
+  void choose(const QModelIndex& index);
+  QString ownPresetInHand() const;
+  void showButtons();
+  bool handleSearchKey(int key);
+
+  std::vector<Preset> m_builtIn;
+  std::vector<Preset> m_own;
+  QMap<QString, QImage> m_thumbnails;
+  QLineEdit* m_search;
+  QTreeView* m_list;
+  QLabel* m_nothing;
+  QPushButton* m_save;
+  QToolButton* m_delete;
+  QAction* m_searchIcon;
+  QStandardItemModel* m_model;
+  QSortFilterProxyModel* m_filtered;
+};
+
+} // namespace limn

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Preset.h"
+
+#include <QImage>
+#include <QMap>
+#include <QStandardItemModel>
+#include <QString>
+
+#include <vector>
+
+namespace limn {
+
+/// Roles of the preset list beside Qt::DisplayRole, the preset's name or the group's title.
+namespace presetRole {
+enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText };
+}
+
+/// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
+/// order in which they are given. A preset without a thumbnail gets a picture of its curve in `dark` or light
+/// colours.
+void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
+                     const std::vector<Preset>& own, const QMap<QString, QImage>& thumbnails, bool dark);
+
+/// A small picture of a transfer function: its coloured curve over a strip of its colours.
+QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
+                      bool dark);
+
+inline constexpr int thumbnailWidth = 56;
+inline constexpr int thumbnailHeight = 40;
+
+} // namespace limn

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/shading/LightSection.h"
+
+#include "widgets/shading/LightAngles.h"
+
+#include <QVBoxLayout>
+
+namespace limn {
+namespace {
+
+NumberSpec strengthSpec(const QString& label, const QString& help, double initial) {
+  return {.label = label,
+          .help = help,
+          .unit = {},
+          .scale = {0.0, 2.0, false},
+          .lowest = 0.0,
+          .highest = 10.0,
+          .defaultValue = initial,
+          .decimals = 2};
+}
+
+NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
+  return {.label = label,
+          .help = help,
+          .unit = QStringLiteral("°"),
+          .scale = {-limit, limit, false},
+          .lowest = -limit,
+          .highest = limit,
+          .defaultValue = 0.0,
+          .decimals = 1};
+}
+
+} // namespace
+
+LightSection::LightSection(QWidget* parent) : ShadingSection(tr("Light"), parent) {
+  addStrengths();
+  addDirection();
+  addReflection();
+  showShading();
+}
+
+void LightSection::addStrengths() {
+  const Shading initial;
+  const auto add = [this](const QString& label, const QString& help, double start, double Shading::*member) {
+    m_numbers.emplace_back(addNumber(strengthSpec(label, help, start), member), member);
+  };
+  add(tr("Ambient (ka)"),
+      tr("How much of the light from everywhere tissue gives back: it lifts the shadows."), initial.ambient,
+      &Shading::ambient);
+  add(tr("Diffuse (kd)"), tr("How strongly surfaces that face the light brighten: it shapes the form."),
+      initial.diffuse, &Shading::diffuse);
+  add(tr("Highlights (ks)"), tr("How bright the highlights are; 0 makes every surface dull."),
+      initial.specular, &Shading::specular);
+  add(tr("Ambient light (Ia)"), tr("The light that comes from everywhere and casts no form."),
+      initial.ambientIntensity, &Shading::ambientIntensity);
+  add(tr("Lamp (Id)"), tr("The strength of the lamp that makes form and highlights."), initial.lightIntensity,
+      &Shading::lightIntensity);
+}
+
+void LightSection::addDirection() {
+  m_place = new ChoiceRow(tr("Lamp position"),
+                          tr("Whether the lamp moves with the viewer or stays with the patient."),
+                          {tr("With the viewer"), tr("Fixed")}, 0);
+  m_azimuth =
+      new ValueSlider(angleSpec(tr("Lamp around"),
+                                tr("Where a fixed lamp stands around the patient: 0° in front, 90° at the "
+                                   "patient's left, −90° at the right."),
+                                180.0));
+  m_elevation = new ValueSlider(angleSpec(
+      tr("Lamp height"), tr("How high a fixed lamp stands: 90° above the head, −90° below the feet."), 90.0));
+  for (QWidget* control : std::initializer_list<QWidget*>{m_place, m_azimuth, m_elevation})
+    contents()->addWidget(control);
+  connect(m_place, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
+    Shading edited = shading();
+    edited.lightDirection.reset();
+    if (index == 1) // from the front, a little above and to the left, as in anatomical drawings
+      edited.lightDirection = travelDirection({30.0, 30.0});
+    edit(edited, gesture);
+  });
+  const auto turn = [this](double LightAngles::*angle) {
+    return [this, angle](double value, const Gesture& gesture) {
+      Shading edited = shading();
+      LightAngles angles = lightAngles(edited.lightDirection.value_or(glm::dvec3(0.0)));
+      angles.*angle = value;
+      edited.lightDirection = travelDirection(angles);
+      edit(edited, gesture);
+    };
+  };
+  connect(m_azimuth, &ValueSlider::valueEdited, this, turn(&LightAngles::azimuthDeg));
+  connect(m_elevation, &ValueSlider::valueEdited, this, turn(&LightAngles::elevationDeg));
+}
+
+void LightSection::addReflection() {
+  m_reflection =
+      new ChoiceRow(tr("Highlight formula"), tr("How a highlight's shape follows from lamp and viewer."),
+                    {tr("Blinn-Phong"), tr("Phong")}, 0);
+  m_highlightColor =
+      new ChoiceRow(tr("Highlight colour"), tr("Whether highlights take the tissue's colour or are white."),
+                    {tr("Tissue"), tr("White")}, 0);
+  contents()->addWidget(m_reflection);
+  contents()->addWidget(m_highlightColor);
+  connect(m_reflection, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
+    Shading edited = shading();
+    edited.reflection = index == 0 ? Reflection::blinn : Reflection::phong;
+    edit(edited, gesture);
+  });
+  connect(m_highlightColor, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
+    Shading edited = shading();
+    edited.specularColor = index == 0 ? SpecularColor::material : SpecularColor::light;
+    edit(edited, gesture);
+  });
+  m_twoSidedHelp =
+      tr("<p>Lights the far side of thin walls too, so that cut or hollow parts do not turn black.</p>"
+         "<p>On or off, default off.</p>");
+  m_twoSided = addSwitch(tr("Light both sides"), m_twoSidedHelp, &Shading::twoSided);
+}
+
+void LightSection::showDirection() {
+  const bool fixed = shading().lightDirection.has_value();
+  m_place->setIndex(fixed ? 1 : 0);
+  if (!fixed)
+    return;
+  const LightAngles angles = lightAngles(*shading().lightDirection);
+  m_azimuth->setValue(angles.azimuthDeg);
+  m_elevation->setValue(angles.elevationDeg);
+}
+
+void LightSection::showShading() {
+  for (const auto& [slider, member] : m_numbers)
+    slider->setValue(shading().*member);
+  showDirection();
+  m_reflection->setIndex(shading().reflection == Reflection::blinn ? 0 : 1);
+  m_highlightColor->setIndex(shading().specularColor == SpecularColor::material ? 0 : 1);
+  m_twoSided->setChecked(shading().twoSided);
+
+  const bool lit = shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust});
+  const QString unlit = lit ? QString() : tr("The unlit model uses no light.");
+  for (const auto& [slider, member] : m_numbers)
+    slider->setUnavailable(unlit);
+  for (ChoiceRow* row : {m_place, m_reflection, m_highlightColor})
+    row->setUnavailable(unlit);
+  limn::setUnavailable(*m_twoSided, unlit, m_twoSidedHelp);
+  const QString moving =
+      shading().lightDirection ? unlit : tr("The lamp moves with the viewer: choose \"Fixed\" first.");
+  m_azimuth->setUnavailable(moving);
+  m_elevation->setUnavailable(moving);
+}
+
+} // namespace limn

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/shading/ModelSection.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace limn {
+namespace {
+
+NumberSpec exponentSpec() {
+  return {.label = ModelSection::tr("Highlight sharpness (SP)"),
+          .help =
+              ModelSection::tr("Small numbers give broad, soft highlights; large ones small, hard points of "
+                               "light."),
+          .unit = {},
+          .scale = {1.0, 1024.0, true},
+          .lowest = 0.1,
+          .highest = 1024.0,
+          .defaultValue = Shading{}.exponent,
+          .decimals = 1};
+}
+
+NumberSpec exponentRangeSpec() {
+  const CoefficientRange initial = Shading{}.exponentRange;
+  return {.label = ModelSection::tr("Highlight sharpness (SP)"),
+          .help = ModelSection::tr(
+              "Highlights go from the first sharpness on flat tissue to the second at strong "
+              "boundaries, so that edges glint and flat parts stay calm."),
+          .unit = {},
+          .scale = {1.0, 1024.0, true},
+          .lowest = 0.1,
+          .highest = 1024.0,
+          .defaultValue = initial.atFlat,
+          .defaultUpper = initial.atBoundary,
+          .decimals = 1};
+}
+
+NumberSpec opacityRangeSpec() {
+  const CoefficientRange initial = Shading{}.opacityRange;
+  return {.label = ModelSection::tr("Boundary emphasis (O)"),
+          .help = ModelSection::tr(
+              "Multiplies opacity: by the first number on flat tissue, which below 1 fades, and "
+              "by the second at strong boundaries, which above 1 stand out."),
+          .unit = {},
+          .scale = {0.0, 8.0, false},
+          .lowest = 0.0,
+          .highest = 8.0,
+          .defaultValue = initial.atFlat,
+          .defaultUpper = initial.atBoundary,
+          .decimals = 2};
+}
+
+} // namespace
+
+ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), parent) {
+  m_model = new ChoiceRow(tr("Model"),
+                          tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or the same "
+                             "without overflowing highlights."),
+                          {tr("Unlit"), tr("Classic"), tr("Enhanced"), tr("Robust")},
+                          static_cast<int>(ShadingModel::classic));
+  contents()->addWidget(m_model);
+  connect(m_model, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
+    Shading edited = shading();
+    edited.model = static_cast<ShadingModel>(index);
+    edit(edited, gesture);
+  });
+  auto* classic = new QLabel(tr("Classic"));
+  auto* enhanced = new QLabel(tr("Enhanced and robust"));
+  for (QLabel* heading : {classic, enhanced})
+    heading->setForegroundRole(QPalette::PlaceholderText);
+  contents()->addWidget(classic);
+  m_exponent = addNumber(exponentSpec(), &Shading::exponent);
+  contents()->addWidget(enhanced);
+  m_exponentRange = addRange(exponentRangeSpec(), &Shading::exponentRange);
+  m_opacityRange = addRange(opacityRangeSpec(), &Shading::opacityRange);
+  showShading();
+}
+
+void ModelSection::showShading() {
+  m_model->setIndex(static_cast<int>(shading().model));
+  m_exponent->setValue(shading().exponent);
+  m_exponentRange->setRange(shading().exponentRange.atFlat, shading().exponentRange.atBoundary);
+  m_opacityRange->setRange(shading().opacityRange.atFlat, shading().opacityRange.atBoundary);
+
+  m_model->setUnavailable(
+      modelsShown().size() > 1
+          ? tr("Two models are being compared: click a name above a picture to change that side's model.")
+          : QString());
+  m_exponent->setUnavailable(
+      shows({ShadingModel::classic})
+          ? QString()
+          : tr("Only the classic model has one sharpness everywhere, and it is not shown."));
+  const QString noRange =
+      shows({ShadingModel::enhanced, ShadingModel::robust})
+          ? QString()
+          : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
+  m_exponentRange->setUnavailable(noRange);
+  m_opacityRange->setUnavailable(noRange);
+}
+
+} // namespace limn

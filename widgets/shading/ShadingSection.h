@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Shading.h"
+#include "widgets/Gesture.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/ValueSlider.h"
+
+#include <QCheckBox>
+
+#include <vector>
+
+namespace limn {
+
+/// What the sections of the shading panel share: they show one Shading, and every control changes one of its
+/// numbers. Which controls matter depends on the models in the pictures.
+class ShadingSection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  using FoldingSection::FoldingSection;
+
+  void setShading(const Shading& shading);
+  void setModelsShown(const std::vector<ShadingModel>& models);
+
+signals:
+  void shadingEdited(const limn::Shading& shading, const limn::Gesture& gesture);
+
+protected:
+  const Shading& shading() const { return m_shading; }
+  const std::vector<ShadingModel>& modelsShown() const { return m_models; }
+
+  /// True where one of the pictures uses one of `models`.
+  bool shows(std::initializer_list<ShadingModel> models) const;
+
+  /// Shows what changed and reports it.
+  void edit(const Shading& shading, const Gesture& gesture);
+
+  ValueSlider* addNumber(const NumberSpec& spec, double Shading::*member);
+  RangeSlider* addRange(const NumberSpec& spec, CoefficientRange Shading::*member);
+  QCheckBox* addSwitch(const QString& label, const QString& help, bool Shading::*member);
+
+  /// Brings every control up to date.
+  virtual void showShading() = 0;
+
+private:
+  Shading m_shading;
+  std::vector<ShadingModel> m_models{ShadingModel::classic};
+};
+
+/// Disables a check box and says why in its tool tip; an empty reason enables it. `toolTip` is its usual one.
+void setUnavailable(QCheckBox& box, const QString& reason, const QString& toolTip);
+
+} // namespace limn

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+#include "scene/Scene.h"
+#include "widgets/Gesture.h"
+#include "widgets/view/CompareLayout.h"
+#include "widgets/view/InteractionQuality.h"
+#include "widgets/view/PictureState.h"
+#include "widgets/view/Probe.h"
+#include "widgets/view/ViewOverlay.h"
+#include "widgets/view/ViewKeys.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <QVariantAnimation>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace limn {
+
+class EmptyPanel;
+class LoadingPanel;
+class MessagePanel;
+class ViewPictures;
+
+/// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
+/// ray caster, one copy of the textures. Draws coarsely while something moves and strip by strip to full quality
+/// at rest; at rest the picture is bit for bit what the command line writes for the same scene and size.
+/// It changes no scene: it asks, through its signals, and is given the answer through setScene().
+class CompareView : public QOpenGLWidget {
+  Q_OBJECT
+
+public:
+  explicit CompareView(QWidget* parent = nullptr);
+  ~CompareView() override;
+
+  /// Shows a scene; an equal one changes nothing. Without a volume the view invites to open one.
+  void setScene(const Scene& scene);
+  const Scene& scene() const { return m_scene; }
+
+  void setCompareLayout(CompareLayout layout);
+  CompareLayout compareLayout() const { return m_layout; }
+
+  /// The models of the two sides of a comparison; the single layout shows the scene's own.
+  void setModels(ShadingModel left, ShadingModel right);
+
+  /// Where the border of the wipe lies, as a fraction of the view's width, 0..1.
+  void setWipePosition(double fraction);
+  double wipePosition() const { return m_wipe; }
+
+  /// What the left button does.
+  void setTool(ViewTool tool);
+  ViewTool tool() const { return m_tool; }
+
+  /// Whether labels, letters, scale and notes stand above the pictures; they do by default.
+  void setOverlayVisible(bool visible);
+
+  /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
+  void setLoading(double fraction, const QString& text);
+  void clearLoading();
+
+  const PictureState& pictureState() const { return m_state; }
+
+  /// The picture of side 0 or 1 over the background as shown at rest; null before it is complete.
+  QImage currentPicture(int side);
+  /// The same as premultiplied floats without background; absent before it is complete.
+  std::optional<Image> restingImage(int side);
+
+  /// The scene as one side shows it.
+  Scene sceneOfSide(int side) const;
+
+  /// How many shader programs were compiled so far.
+  int compiledPrograms() const;
+
+  QSize sizeHint() const override { return {960, 540}; }
+  QSize minimumSizeHint() const override { return {240, 180}; }
+
+public slots:
+  /// Asks for the standard view, or for the camera of a freshly opened volume.
+  void lookFrom(limn::StandardView view);
+  void resetCamera();
+
+signals:
+  void cameraEdited(const limn::Camera& camera);
+  void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+  /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
+  void probed(const std::optional<limn::Probe>& probe);
+  void pinRequested(double value);
+  void modelChosen(int side, limn::ShadingModel model);
+  void wipeMoved(double fraction);
+  void toolChanged(limn::ViewTool tool);
+  void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
+  void shortcutListRequested();
+  void maximiseRequested();
+  void pictureStateChanged(const limn::PictureState& state);
+  /// Drawing failed; the view already shows the sentence.
+  void errorOccurred(const QString& sentence);
+  void openFolderRequested();
+  void openFileRequested();
+  void sampleRequested();
+  void loadingCancelled();
+
+protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+private:
+  /// A pressed button until its release; `first` and `last` in logical pixels.
+  struct Drag {
+    Qt::MouseButton button = Qt::NoButton;
+    DragKind kind = DragKind::none;
+    bool wipe = false;       ///< of the wipe's border
+    bool mayPin = false;     ///< a Shift+click that has not moved yet
+    QPointF first, last;
+    QRectF side;
+    Camera camera;             ///< before
+    TransferFunction function; ///< before
+    Gesture gesture;
+  };
+
+  // Drawing (CompareView.cpp)
+  void makePictures();
+  void releasePictures();
+  void redraw();
+  void drawCoarsely();
+  void refine();
+  void startRefining();
+  void updateState();
+  void fail(const QString& sentence);
+  template <class Work> void guarded(Work&& work);
+  std::vector<Scene> scenesOfSides() const;
+  GradientScale gradientScaleOfSide(int side) const;
+  glm::ivec2 deviceSize() const;
+  std::vector<PixelRect> rects() const;
+  int sideShownAt(int position) const { return m_swapped ? 1 - position : position; }
+  void updatePanels();
+  void wakeLabels();
+
+  // What stands above the pictures (CompareViewOverlay.cpp)
+  void paintOverlay();
+  void paintOrientation(QPainter& painter);
+  void paintScale(QPainter& painter);
+  QRectF logicalRect(int position) const;
+  SideLabel labelOf(int position) const;
+  QRectF labelRect(int position) const;
+
+  // Input (CompareViewInput.cpp)
+  void beginDrag(QMouseEvent* event);
+  void continueDrag(QMouseEvent* event);
+  void cancelDrag();
+  void dragWindowLevel(const QPointF& to);
+  bool onWipeBorder(const QPointF& point) const;
+  int labelAt(const QPointF& point) const;
+  int positionAt(const QPointF& point) const;
+  std::optional<Probe> probeAt(const QPointF& point) const;
+  void showProbe(const std::optional<Probe>& probe, const QPointF& point);
+  void popUpModels(int position);
+  void hover(QMouseEvent* event);
+  void setSwapped(bool swapped);
+  bool obey(const ViewCommand& command);
+
+  Scene m_scene;
+  CompareLayout m_layout = CompareLayout::single;
+  std::array<ShadingModel, 2> m_models{ShadingModel::classic, ShadingModel::enhanced};
+  double m_wipe = 0.5;
+  ViewTool m_tool = ViewTool::rotate;
+  bool m_swapped = false;
+  bool m_overlayVisible = true;
+
+  std::unique_ptr<ViewPictures> m_pictures; ///< lives with the OpenGL context
+  InteractionQuality m_quality;
+  bool m_stale = true; ///< the scene changed since it was last drawn
+  QTimer m_idleTimer;  ///< from the last change to the start of refinement
+  QTimer m_refineTimer;
+  QElapsedTimer m_sinceShown;
+  PictureState m_state;
+  QString m_error;
+
+  std::optional<Drag> m_drag;
+  std::optional<Probe> m_probe;
+  QPointF m_probePoint;
+  int m_hoveredLabel = -1;
+  bool m_wipeHovered = false;
+  QVariantAnimation m_labelFade;
+  QTimer m_labelTimer;
+
+  EmptyPanel* m_empty = nullptr;
+  MessagePanel* m_message = nullptr;
+  LoadingPanel* m_loading = nullptr;
+};
+
+} // namespace limn

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "widgets/view/SidePicture.h"
+
+#include "widgets/view/PictureBytes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace limn {
+namespace {
+
+// Wait for the drawing to end: a software renderer only then does the work.
+template <class Work> double timedMs(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  glFinish();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// A picture coarser than this is bettered once before the full one is drawn, at about a seventh of its cost.
+constexpr int veryCoarse = 5;
+constexpr int middleLevel = 3;
+
+} // namespace
+
+void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
+  m_scene = scene;
+  m_size = size;
+  m_pass = 0;
+  m_hasMiddlePass = false;
+  m_schedule = TileSchedule(size);
+  m_finished = false;
+  m_image.reset();
+  m_bytes = QImage();
+}
+
+double SidePicture::drawCoarsely(RayCaster& caster, int level) {
+  const QualityLevel quality = InteractionQuality::levelAt(level);
+  PictureTarget& target = level == 0 ? m_full : m_coarse;
+  const glm::ivec2 size = sizeAt(quality, m_size);
+  const Scene scene = withQualityLevel(m_scene, quality);
+  target.resize(size);
+  target.bind();
+  // Draw one pixel first: uploads and compilation are no measure of the frames to come.
+  caster.draw(scene, size, {size / 2, {1, 1}});
+  glFinish();
+  const double ms = timedMs([&] { caster.draw(scene, size, {{0, 0}, size}); });
+  m_coarseFactor = quality.stepFactor;
+  m_gradientScale = caster.gradientScale();
+  if (level == 0) {
+    m_schedule.finishedWhole(ms);
+    m_completeMs = ms;
+  } else if (level >= veryCoarse) {
+    m_pass = middleLevel;
+    m_hasMiddlePass = true;
+    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size));
+  }
+  return ms;
+}
+
+void SidePicture::drawStrip(RayCaster& caster) {
+  const QualityLevel quality = InteractionQuality::levelAt(m_pass);
+  PictureTarget& target = m_pass == 0 ? m_full : m_middle;
+  const glm::ivec2 size = sizeAt(quality, m_size);
+  const Scene scene = withQualityLevel(m_scene, quality);
+  target.resize(size);
+  target.bind();
+  m_schedule.finished(timedMs([&] { caster.draw(scene, size, m_schedule.next()); }));
+  if (!m_schedule.complete())
+    return;
+  if (m_pass == 0) {
+    m_completeMs = m_schedule.spentMs();
+    return;
+  }
+  std::swap(m_coarse, m_middle);
+  m_coarseFactor = quality.stepFactor;
+  m_pass = 0;
+  m_schedule = TileSchedule(m_size);
+}
+
+double SidePicture::fraction() const {
+  const double middle = m_hasMiddlePass ? InteractionQuality::relativeCost(middleLevel) : 0.0;
+  const double done = m_pass == 0 ? middle + m_schedule.fraction() : middle * m_schedule.fraction();
+  return done / (middle + 1.0);
+}
+
+int SidePicture::rowsDone() const {
+  if (m_finished || m_pass == 0)
+    return m_finished ? m_size.y : m_schedule.rowsDone();
+  // Smoothing reaches half a row further: leave out what would reach into rows not drawn yet.
+  const double rowHeight = 1.0 / InteractionQuality::levelAt(m_pass).imageScale;
+  return static_cast<int>(std::max(0, m_schedule.rowsDone() - 1) * rowHeight);
+}
+
+unsigned SidePicture::finerTexture() const {
+  if (m_finished)
+    return m_bytesTexture.texture();
+  return m_pass == 0 ? m_full.texture() : m_middle.texture();
+}
+
+void SidePicture::finish() {
+  m_image = m_full.read();
+  m_bytes = overBackground(*m_image, m_scene.image.background);
+  const QImage upwards = m_bytes.mirrored();
+  m_bytesTexture.upload(m_size, upwards.constBits());
+  m_finished = true;
+}
+
+void SidePicture::show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const {
+  const PixelRect part = placement.part;
+  const int done = rowsDone();
+  if (done > 0) {
+    placement.part.size.y = done;
+    presenter.show(finerTexture(), placement, m_scene.image.background);
+  }
+  if (done < part.size.y && hasCoarser()) {
+    placement.part = {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}};
+    presenter.show(coarserTexture(), placement, m_scene.image.background);
+  }
+}
+
+double SidePicture::shownStepVoxels() const {
+  return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseFactor);
+}
+
+} // namespace limn

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Gradient.h"
+#include "widgets/view/InteractionQuality.h"
+#include "widgets/view/PicturePresenter.h"
+#include "widgets/view/PictureTarget.h"
+#include "widgets/view/TileSchedule.h"
+
+#include <QImage>
+
+#include <optional>
+
+namespace limn {
+
+/// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips of
+/// a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full one as
+/// 8 bits. Needs the same OpenGL context current for every call that draws and for its end.
+class SidePicture {
+public:
+  /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
+  void want(const Scene& scene, const glm::ivec2& size);
+
+  /// Draws the coarse picture (level 0: the full one) and returns the time, ms.
+  double drawCoarsely(RayCaster& caster, int level);
+
+  /// Draws the next strip; only while not complete.
+  void drawStrip(RayCaster& caster);
+  bool complete() const { return m_pass == 0 && m_schedule.complete(); }
+  double fraction() const;    ///< of the work from the coarse picture to the full one, 0..1
+  double predictedMs() const { return m_schedule.predictedMs(); } ///< of the next strip
+
+  /// Reads the full picture back and makes it 8 bits on the processor, so that what is shown is rounded as a
+  /// file is, whatever the driver. Only while complete.
+  void finish();
+  bool finished() const { return m_finished; }
+
+  /// Shows `part` of the picture at `place`.
+  void show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const;
+
+  /// The textures to show: the finer one for the rows [0, rowsDone) of the full size, the coarser one, where
+  /// there is one, below.
+  int rowsDone() const;
+  unsigned finerTexture() const;
+  unsigned coarserTexture() const { return m_coarse.texture(); }
+  bool hasCoarser() const { return !m_coarse.isEmpty(); }
+
+  const Scene& scene() const { return m_scene; }
+  double shownStepVoxels() const; ///< of the coarsest part shown
+  std::optional<double> completeMs() const { return m_completeMs; }
+  const GradientScale& gradientScale() const { return m_gradientScale; }
+  const std::optional<Image>& image() const { return m_image; } ///< while finished
+  const QImage& bytes() const { return m_bytes; }               ///< while finished
+
+private:
+  Scene m_scene;
+  glm::ivec2 m_size{0};
+  int m_pass = 0; ///< the quality level that is being drawn in strips
+  TileSchedule m_schedule;
+  bool m_hasMiddlePass = false;
+  double m_coarseFactor = 1.0;
+  GradientScale m_gradientScale;
+  std::optional<double> m_completeMs;
+  bool m_finished = false;
+  PictureTarget m_coarse, m_middle, m_full;
+  ByteTexture m_bytesTexture;
+  std::optional<Image> m_image;
+  QImage m_bytes;
+};
+
+} // namespace limn

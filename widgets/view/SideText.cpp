@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/SideText.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace limn {
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("limn::SideText", text);
+}
+
+QString number(double value) {
+  return QString::number(value, 'g', 4);
+}
+
+QString rangeText(const CoefficientRange& range) {
+  return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
+}
+
+// Empty for the projections that are lit.
+QString unlitProjectionName(Projection projection) {
+  switch (projection) {
+  case Projection::mip:
+    return translated("Maximum intensity");
+  case Projection::minip:
+    return translated("Minimum intensity");
+  case Projection::average:
+    return translated("Average");
+  case Projection::xray:
+    return translated("X-ray");
+  case Projection::composite:
+  case Projection::isosurface:
+  case Projection::compositeIsosurface:
+    break;
+  }
+  return {};
+}
+
+QString lightingText(const Shading& shading) {
+  switch (shading.model) {
+  case ShadingModel::none:
+    return {};
+  case ShadingModel::classic:
+    return translated("SP %1").arg(number(shading.exponent));
+  case ShadingModel::enhanced:
+  case ShadingModel::robust:
+    return translated("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+  }
+  return {};
+}
+
+} // namespace
+
+QString modelName(ShadingModel model) {
+  switch (model) {
+  case ShadingModel::none:
+    return translated("Unlit");
+  case ShadingModel::classic:
+    return translated("Classic");
+  case ShadingModel::enhanced:
+    return translated("Enhanced");
+  case ShadingModel::robust:
+    return translated("Robust");
+  }
+  return {};
+}
+
+QString sideDetails(const Scene& scene, std::optional<double> completeMs) {
+  QStringList parts;
+  const QString projection = unlitProjectionName(scene.projection);
+  const QString lighting = projection.isEmpty() ? lightingText(scene.shading) : projection;
+  if (!lighting.isEmpty())
+    parts << lighting;
+  if (completeMs)
+    parts << translated("%1 ms").arg(*completeMs, 0, 'f', *completeMs < 10.0 ? 1 : 0);
+  return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace limn
