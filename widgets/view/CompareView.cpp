@@ -169,7 +169,8 @@ std::vector<PixelRect> CompareView::rects() const {
   return pictureRects(m_layout, deviceSize(), gap);
 }
 
-template <class Work> void CompareView::guarded(Work&& work) {
+template <class Work>
+void CompareView::guarded(Work&& work) {
   try {
     work();
   } catch (const std::exception& error) {
@@ -246,6 +247,12 @@ void CompareView::updatePanels() {
 
 void CompareView::redraw() {
   m_stale = true;
+  if (m_state.resting) {
+    m_state.resting = false;
+    for (SideState& side : m_state.sides)
+      side.fraction = 0.0;
+    emit pictureStateChanged(m_state);
+  }
   m_refineTimer.stop();
   m_idleTimer.start();
   updatePanels();

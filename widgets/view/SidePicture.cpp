@@ -13,7 +13,8 @@ namespace limn {
 namespace {
 
 // Wait for the drawing to end: a software renderer only then does the work.
-template <class Work> double timedMs(Work&& work) {
+template <class Work>
+double timedMs(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   glFinish();

@@ -12,8 +12,8 @@
 namespace limn {
 
 /// Everything of the compare view that lives in its OpenGL context: one ray caster for both sides, so that
-/// the volume is uploaded once, their pictures, and what puts them on the screen. Needs that context current for
-/// every call, construction and destruction.
+/// the volume is uploaded once, their pictures, and what puts them on the screen. Needs that context current
+/// for every call, construction and destruction.
 class ViewPictures {
 public:
   /// Throws Error (openGl).
