@@ -4,13 +4,15 @@ uniform float u_lastTransmittance;
 
 out vec4 fragColor;
 
-bool isFinished(vec4 ray) {
+#ifndef EFFECT_SAMPLE_COUNTS
+bool isFinished(Gathered ray) {
 #ifdef EFFECT_EARLY_TERMINATION
-  return ray.a <= u_lastTransmittance;
+  return ray.transmittance * (1.0 - ray.loss) <= u_lastTransmittance;
 #else
   return false;
 #endif
 }
+#endif
 
 void main() {
   fragColor = vec4(0.0);
@@ -35,24 +37,29 @@ void main() {
   march.light = lightAlong(ray.direction * u_spacing);
 #endif
 
-  vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
+  Gathered gathered = Gathered(vec3(0.0), 1.0, 0.0);
 #ifdef EFFECT_LONG_RAYS
   // One loop: drivers limit the iterations of all loops of a fragment together.
-  for (int i = 0; i < count && !isFinished(sum); ++i) {
-    Sample s = sampleAt(march, float(i));
-    if (s.opacity > 0.0)
-      sum = composited(sum, march, s, float(i));
+  for (int i = 0; i < count && !isFinished(gathered); ++i) {
+    vec3 position = positionOf(march, float(i));
+    float scalar = scalarAt(position);
+    if (mayBeSeen(scalar))
+      addSample(gathered, march, position, scalar, float(i));
   }
 #else
   // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
-  for (int i = 0; i < count && !isFinished(sum); ++i) {
-    Sample s = sampleAt(march, float(i));
-    while (!(s.opacity > 0.0) && ++i < count)
-      s = sampleAt(march, float(i));
-    if (s.opacity > 0.0)
-      sum = composited(sum, march, s, float(i));
+  for (int i = 0; i < count && !isFinished(gathered); ++i) {
+    vec3 position = positionOf(march, float(i));
+    float scalar = scalarAt(position);
+    while (!mayBeSeen(scalar) && ++i < count) {
+      position = positionOf(march, float(i));
+      scalar = scalarAt(position);
+    }
+    if (i < count)
+      addSample(gathered, march, position, scalar, float(i));
   }
 #endif
-  fragColor = vec4(sum.rgb, 1.0 - sum.a);
+  float transmittance = gathered.transmittance;
+  fragColor = vec4(gathered.color, (1.0 - transmittance) + transmittance * gathered.loss);
 #endif
 }

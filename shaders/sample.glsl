@@ -1,6 +1,5 @@
 // One visible sample: its opacity, its colour, and how they add to the ray.
 
-uniform float u_opacityFactor;
 uniform vec2 u_opacity; // O at r = 0 and r = 1
 
 // What all samples of a ray share.
@@ -17,27 +16,26 @@ struct March {
 #endif
 };
 
-struct Sample {
-  vec3 position; // texture coordinates
-  float scalar;
-  float opacity;
-  float segment;
-  float start;
+// The light gathered by a ray. Its transmittance is transmittance·(1 - loss): losses add up from 0 and are
+// taken from the transmittance when they are large enough to change it in float, however small the steps are.
+struct Gathered {
+  vec3 color; // premultiplied
+  float transmittance;
+  float loss;
 };
 
-Sample sampleAt(March march, float i) {
-  Sample s;
-  s.position = clamp(march.first + (i + 0.5) * march.advance, u_textureLower, u_textureUpper);
-  s.scalar = scalarAt(s.position);
-  s.opacity = opacityOf(s.scalar, s.segment, s.start);
-  return s;
+const float smallLoss = 1.0 / 64.0;
+
+vec3 positionOf(March march, float i) {
+  return clamp(march.first + (i + 0.5) * march.advance, u_textureLower, u_textureUpper);
 }
 
-// Add a sample to the colour (rgb) and take its share from the transmittance (a).
-vec4 composited(vec4 ray, March march, Sample s, float i) {
+void addSample(inout Gathered ray, March march, vec3 position, float scalar, float i) {
+  float segment, start;
+  float opacity = opacityOf(scalar, segment, start);
   float r = 0.0;
 #ifdef EFFECT_GRADIENT
-  vec4 gradient = safeNormal(gradientAt(s.position));
+  vec4 gradient = safeNormal(gradientAt(position));
 #endif
 #ifdef EFFECT_GRADIENT_RATIO
   r = gradientRatio(gradient.w);
@@ -45,17 +43,17 @@ vec4 composited(vec4 ray, March march, Sample s, float i) {
 
   // Change the opacity before it becomes an extinction, so that the picture does not depend on the step.
 #ifdef EFFECT_OPACITY_MAP
-  s.opacity *= mapped(r, u_opacity.x, u_opacity.y);
+  opacity *= mapped(r, u_opacity.x, u_opacity.y);
 #endif
 #ifdef EFFECT_OPACITY_FACTOR
-  s.opacity *= u_opacity.x;
+  opacity *= u_opacity.x;
 #endif
 #ifdef EFFECT_GRADIENT_OPACITY
-  s.opacity *= gradientOpacity(gradient.w);
+  opacity *= gradientOpacity(gradient.w);
 #endif
-  float alpha = oneMinusExpNeg(minusLog1mOpacity(s.opacity) * march.units);
+  float alpha = oneMinusExpNeg(minusLog1mOpacity(opacity) * march.units);
 
-  vec3 color = colorOf(s.scalar, s.segment, s.start);
+  vec3 color = colorOf(scalar, segment, start);
 #ifdef EFFECT_LIGHTING
   vec3 normal = vec3(0.0);
 #ifdef EFFECT_GRADIENT
@@ -71,6 +69,11 @@ vec4 composited(vec4 ray, March march, Sample s, float i) {
 #endif
 
   // Composite front to back.
-  float weight = ray.a * alpha;
-  return vec4(ray.rgb + weight * color, ray.a - weight);
+  float share = (1.0 - ray.loss) * alpha;
+  ray.color += ray.transmittance * share * color;
+  ray.loss += share;
+  if (ray.loss > smallLoss) {
+    ray.transmittance -= ray.transmittance * ray.loss;
+    ray.loss = 0.0;
+  }
 }

@@ -79,8 +79,22 @@ std::vector<double> placesOf(const std::vector<FloatKnot>& knots, const ValueRan
   return places;
 }
 
-void storeBins(const std::vector<Segment>& segments, const std::vector<double>& places,
-               PiecewiseTable& table) {
+// The function is linear between knots: its largest value in a bin lies at the bin's ends or at its knots.
+float largestOpacityIn(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
+                       std::size_t before, std::size_t after, double low, double high) {
+  const auto valueAt = [&segments](std::size_t segment, double x) {
+    const glm::vec4& line = segments[segment].line;
+    return static_cast<float>(line.y + (x - line.x) * line.z);
+  };
+  float largest = std::max(valueAt(before, low), valueAt(after, high));
+  for (std::size_t k = before; k < after; ++k)
+    largest = std::max(largest, knots[k].value.a);
+  return largest;
+}
+
+void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
+               const std::vector<double>& places, PiecewiseTable& table) {
+  table.occupancy.resize(table.bins.size());
   for (std::size_t bin = 0; bin < table.bins.size(); ++bin) {
     const auto low = static_cast<double>(bin);
     const auto before = std::lower_bound(places.begin(), places.end(), low - edgeMargin) - places.begin();
@@ -89,6 +103,10 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<double>& 
     const auto index = static_cast<float>(before);
     table.bins[bin] = segments[static_cast<std::size_t>(before)].line;
     table.bins[bin].w = after > before ? -1.0f - index : index;
+    const double perUnit = table.domain.y > 0.0f ? table.domain.y : 1.0;
+    table.occupancy[bin] = largestOpacityIn(
+        segments, knots, static_cast<std::size_t>(before), static_cast<std::size_t>(after),
+        table.domain.x + (low - edgeMargin) / perUnit, table.domain.x + (low + 1.0 + edgeMargin) / perUnit);
     // The shader steps over two knots before it loops.
     table.loopSteps = std::max(table.loopSteps, static_cast<int>(after - before) - 2);
   }
@@ -105,7 +123,7 @@ PiecewiseTable piecewiseTable(const std::vector<Knot>& knots, const ValueRange& 
   PiecewiseTable table;
   const std::vector<Segment> segments = segmentsOf(rounded);
   storeSegments(segments, table);
-  storeBins(segments, placesOf(rounded, limits, table), table);
+  storeBins(segments, rounded, placesOf(rounded, limits, table), table);
   return table;
 }
 

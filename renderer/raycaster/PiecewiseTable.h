@@ -24,10 +24,11 @@ struct Knot {
 /// segment before the first of them) in its last channel.
 struct PiecewiseTable {
   std::vector<glm::vec4> bins;
+  std::vector<float> occupancy;    ///< the largest opacity in each bin, margins included
   std::vector<glm::vec4> segments; ///< rows of 256 segments
   glm::ivec2 segmentsSize{0};      ///< in texels
   glm::vec3 domain{0.0f};          ///< first x, bins per unit of x, index of the last bin
-  int loopSteps = 0;               ///< the most knots that a lookup steps over in a loop
+  int loopSteps = 0;               ///< the most knots beyond two in a bin, which a lookup loops over
 };
 
 /// Tabulates knots of ascending x for arguments in `limits`; no knots make the zero function.

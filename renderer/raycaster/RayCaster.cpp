@@ -98,8 +98,9 @@ struct RayCaster::Parts {
 
   Parts();
   const ShaderProgram& program(EffectSet effects);
-  void draw(const Scene& scene, EffectSet effects, const glm::ivec2& size, const PixelRect& tile);
-  Image render(const Scene& scene, EffectSet effects, const glm::ivec2& size);
+  EffectSet prepare(const Scene& scene, bool countsSamples);
+  void draw(const Scene& scene, bool countsSamples, const glm::ivec2& size, const PixelRect& tile);
+  Image render(const Scene& scene, bool countsSamples, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
 };
 
@@ -128,17 +129,27 @@ void RayCaster::Parts::noteStepLimit(const Scene& scene) {
                      " samples; they are drawn with that number.";
 }
 
-void RayCaster::Parts::draw(const Scene& scene, EffectSet effects, const glm::ivec2& size,
-                            const PixelRect& tile) {
-  const SavedState saved;
-  textures.update(scene, effects);
+EffectSet RayCaster::Parts::prepare(const Scene& scene, bool countsSamples) {
+  textures.update(scene);
   noteStepLimit(scene);
-  const ShaderProgram& shader = program(effects);
+  if (countsSamples)
+    return EffectSet().with(Effect::sampleCounts);
+  const EffectSet effects = requiredEffects(scene, textures.facts(scene)).effects;
+  textures.measure(scene, effects);
+  return effects;
+}
+
+void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::ivec2& size,
+                            const PixelRect& tile) {
+  requireDrawable(scene);
+  const SavedState saved;
+  const ShaderProgram& shader = program(prepare(scene, countsSamples));
   shader.use();
   setUniforms(shader, scene, size, textures);
   bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
   bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
   bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
+  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
   bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
   bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
   // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
@@ -149,11 +160,11 @@ void RayCaster::Parts::draw(const Scene& scene, EffectSet effects, const glm::iv
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image RayCaster::Parts::render(const Scene& scene, EffectSet effects, const glm::ivec2& size) {
+Image RayCaster::Parts::render(const Scene& scene, bool countsSamples, const glm::ivec2& size) {
   const FloatTarget target(size);
   for (int y = 0; y < size.y; y += tileSize)
     for (int x = 0; x < size.x; x += tileSize) {
-      draw(scene, effects, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
+      draw(scene, countsSamples, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
       glFlush();
     }
   return readBack(size);
@@ -168,20 +179,15 @@ RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
 void RayCaster::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile) {
-  requireDrawable(scene);
-  const EffectPlan plan = requiredEffects(scene, {longestRaySamples(scene)});
-  m_parts->draw(scene, plan.effects, size, tile);
+  m_parts->draw(scene, false, size, tile);
 }
 
 Image RayCaster::render(const Scene& scene, const glm::ivec2& size) {
-  requireDrawable(scene);
-  const EffectPlan plan = requiredEffects(scene, {longestRaySamples(scene)});
-  return m_parts->render(scene, plan.effects, size);
+  return m_parts->render(scene, false, size);
 }
 
 std::vector<int> RayCaster::sampleCounts(const Scene& scene, const glm::ivec2& size) {
-  requireDrawable(scene);
-  const Image image = m_parts->render(scene, EffectSet().with(Effect::sampleCounts), size);
+  const Image image = m_parts->render(scene, true, size);
   std::vector<int> counts;
   for (const glm::vec4& pixel : image.pixels)
     counts.push_back(static_cast<int>(pixel.r));

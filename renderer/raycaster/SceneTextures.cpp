@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/SceneTextures.h"
 
+#include "scene/RayFrame.h"
+
 #include <epoxy/gl.h>
 
 namespace limn {
 namespace {
 
-void uploadTable(unsigned texture, const glm::ivec2& size, const std::vector<glm::vec4>& texels) {
+void uploadTable(unsigned texture, const glm::ivec2& size, bool isScalar, const void* texels) {
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, texels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, isScalar ? GL_R32F : GL_RGBA32F, size.x, size.y, 0,
+               isScalar ? GL_RED : GL_RGBA, GL_FLOAT, texels);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
 }
@@ -16,8 +19,10 @@ void uploadTable(unsigned texture, const glm::ivec2& size, const std::vector<glm
 } // namespace
 
 void FunctionTexture::upload(const PiecewiseTable& table) {
-  uploadTable(m_bins.name(), {static_cast<int>(table.bins.size()), 1}, table.bins);
-  uploadTable(m_segments.name(), table.segmentsSize, table.segments);
+  const glm::ivec2 row(static_cast<int>(table.bins.size()), 1);
+  uploadTable(m_bins.name(), row, false, table.bins.data());
+  uploadTable(m_segments.name(), table.segmentsSize, false, table.segments.data());
+  uploadTable(m_occupancy.name(), row, true, table.occupancy.data());
   m_domain = table.domain;
   m_loopSteps = table.loopSteps;
 }
@@ -41,7 +46,7 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_volume = scene.volume;
 }
 
-void SceneTextures::updateGradientScale(const Scene& scene, EffectSet effects) {
+void SceneTextures::measure(const Scene& scene, EffectSet effects) {
   if (!effects.has(Effect::gradient))
     return;
   if (!m_largestGradient)
@@ -63,17 +68,21 @@ void SceneTextures::updateGradientScale(const Scene& scene, EffectSet effects) {
   }
 }
 
-void SceneTextures::update(const Scene& scene, EffectSet effects) {
+void SceneTextures::update(const Scene& scene) {
   updateVolume(scene);
   if (m_functionShown != scene.transferFunction) {
     m_function.upload(tableOf(scene.transferFunction, m_volume->range()));
     m_functionShown = scene.transferFunction;
   }
-  if (effects.has(Effect::gradientOpacity) && m_gradientOpacityShown != scene.gradientOpacity) {
-    m_gradientCurve.upload(tableOf(*scene.gradientOpacity, gradientUnit()));
-    m_gradientOpacityShown = scene.gradientOpacity;
+  const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
+  if (m_gradientOpacityShown != curve) {
+    m_gradientCurve.upload(tableOf(curve, gradientUnit()));
+    m_gradientOpacityShown = curve;
   }
-  updateGradientScale(scene, effects);
+}
+
+SceneFacts SceneTextures::facts(const Scene& scene) const {
+  return {longestRaySamples(scene), m_function.loopSteps() + m_gradientCurve.loopSteps() > 0};
 }
 
 } // namespace limn

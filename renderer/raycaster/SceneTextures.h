@@ -19,28 +19,36 @@ public:
 
   unsigned bins() const { return m_bins.name(); }
   unsigned segments() const { return m_segments.name(); }
+  unsigned occupancy() const { return m_occupancy.name(); }
   const glm::vec3& domain() const { return m_domain; }
   int loopSteps() const { return m_loopSteps; }
 
 private:
   GlTexture m_bins;
   GlTexture m_segments;
+  GlTexture m_occupancy;
   glm::vec3 m_domain{0.0f};
   int m_loopSteps = 0;
 };
 
-/// What a scene needs on the graphics card and what must be measured of its volume once. `update` uploads and
-/// measures what differs from the scene before and nothing else.
+/// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
+/// what differs from the scene before and nothing else.
 class SceneTextures {
 public:
-  /// Changes texture bindings. Measures gradients only where an effect reads them.
-  void update(const Scene& scene, EffectSet effects);
+  /// Uploads volume and functions; changes texture bindings.
+  void update(const Scene& scene);
+
+  /// Measures the gradients of the volume of the last update, where an effect reads them.
+  void measure(const Scene& scene, EffectSet effects);
+
+  /// Facts on which the effects of the scene of the last update depend.
+  SceneFacts facts(const Scene& scene) const;
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const FunctionTexture& function() const { return m_function; }
   const FunctionTexture& gradientCurve() const { return m_gradientCurve; }
 
-  /// Valid where an effect reads the gradient.
+  /// Valid where an effect reads the gradient, after `measure`.
   const GradientScale& gradientScale() const { return m_gradientScale; }
 
   /// One sentence where the volume is shown down-sampled, otherwise empty.
@@ -51,7 +59,6 @@ public:
 
 private:
   void updateVolume(const Scene& scene);
-  void updateGradientScale(const Scene& scene, EffectSet effects);
 
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;

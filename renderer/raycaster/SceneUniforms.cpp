@@ -93,6 +93,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_volume", TextureUnit::volume);
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);
+  unit("u_functionOccupancy", TextureUnit::functionOccupancy);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }

@@ -7,7 +7,14 @@
 namespace limn {
 
 /// The texture units of the shaders' samplers.
-enum class TextureUnit { volume, functionBins, functionSegments, gradientBins, gradientSegments };
+enum class TextureUnit {
+  volume,
+  functionBins,
+  functionSegments,
+  functionOccupancy,
+  gradientBins,
+  gradientSegments
+};
 
 /// The most samples that one ray may take: `mostSamples`, less where each needs many steps through the
 /// transfer function, because drivers limit the iterations of all loops together.

@@ -34,6 +34,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
     {"early_termination", "EFFECT_EARLY_TERMINATION", "rays end where nothing behind can be seen"},
     {"long_rays", "EFFECT_LONG_RAYS", "one loop over the samples, for very many of them"},
+    {"dense_functions", "EFFECT_DENSE_FUNCTIONS", "a search among control points that lie very close"},
     {"sample_counts", "EFFECT_SAMPLE_COUNTS", "draws the number of samples instead of the picture"},
 }};
 
@@ -141,6 +142,8 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               "early termination is set to never");
   plan.clause(Effect::longRays, 2.0 * facts.longestRaySamples > mostSamples,
               "the longest ray has too many samples for nested loops", "every ray is short enough");
+  plan.clause(Effect::denseFunctions, facts.hasDenseFunctions, "control points lie very close together",
+              "control points lie far enough apart");
   plan.clause(Effect::sampleCounts, false, "", "only tests draw it");
   plan.plan.effects = canonical(plan.plan.effects);
   for (EffectReason& reason : plan.plan.reasons)

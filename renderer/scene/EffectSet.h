@@ -35,6 +35,7 @@ enum class Effect : std::uint8_t {
   cutFaces,
   earlyTermination,
   longRays,
+  denseFunctions,
   sampleCounts
 };
 inline constexpr int effectCount = static_cast<int>(Effect::sampleCounts) + 1;
@@ -70,6 +71,7 @@ EffectSet canonical(EffectSet effects);
 /// Facts about data and limits on which effects depend beside the scene's own numbers.
 struct SceneFacts {
   double longestRaySamples = 0.0; ///< before the limit, see RayFrame
+  bool hasDenseFunctions = false; ///< control points so close that a table holds several in one bin
 };
 
 /// Why an effect is needed or not, a phrase for a reader.
@@ -85,8 +87,8 @@ struct EffectPlan {
   std::vector<EffectReason> reasons;
 };
 
-/// Depends on the scene's numbers but on no control point and no camera pose, so that editing the transfer
-/// function or turning the view never asks for another program.
+/// Depends on the scene's numbers but on no camera pose and, but for crowded points (`hasDenseFunctions`), on
+/// no control point, so that editing the transfer function or turning the view asks for no other program.
 EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts);
 
 /// Throws Error (usage) naming what no renderer draws yet: projections other than composite, forced

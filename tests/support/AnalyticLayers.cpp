@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layers of one voxel each, one sample at each voxel's centre; fog in front of them; early termination in them.
+// Layers of one voxel each, one sample at each voxel's centre; fog in front of them; early termination in
+// them.
 #include "support/AnalyticScenes.h"
 
 #include <cmath>
@@ -65,8 +66,8 @@ std::vector<AnalyticRay> fogFactors(const json& one) {
   const json& p = one["parameters"];
   constexpr double thickness = 1e-15;
   std::vector<AnalyticRay> rays;
-  for (const auto& [mode, key] : {std::pair{Fog::Mode::linear, "C_linear"}, {Fog::Mode::exp, "C_exp"},
-                                  {Fog::Mode::exp2, "C_exp2"}}) {
+  for (const auto& [mode, key] :
+       {std::pair{Fog::Mode::linear, "C_linear"}, {Fog::Mode::exp, "C_exp"}, {Fog::Mode::exp2, "C_exp2"}}) {
     Scene scene = rayThrough(boxOf(glm::dvec3(thickness)));
     scene.camera.position.y = -p["z"].get<double>();
     scene.transferFunction = constantFunction(1.0, glm::dvec3(p["Cobj"].get<double>()), 0.01 * thickness);
@@ -83,9 +84,9 @@ AnalyticRay fogAsMedium(const json& one) {
   const double unit = 0.1;
   const double opacity = -std::expm1(-p["density"].get<double>() * unit);
   Scene scene = rayThrough(columnOf({0.0, 0.0, 0.0, 1.0}, 1.0));
-  scene.transferFunction = {unit,
-                            {{0.5, glm::dvec3(p["Cfog"].get<double>()), opacity},
-                             {0.5, glm::dvec3(p["Cobj"].get<double>()), 1.0}}};
+  scene.transferFunction = {
+      unit,
+      {{0.5, glm::dvec3(p["Cfog"].get<double>()), opacity}, {0.5, glm::dvec3(p["Cobj"].get<double>()), 1.0}}};
   scene.quality.stepVoxels = 0.1;
   AnalyticRay ray = rayOf(one, "as a medium", scene);
   ray.color = glm::dvec3(expectedOf(one, "I"));

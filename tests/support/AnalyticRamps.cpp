@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ramps: the scalar runs linearly along the ray from 0 to 1 between voxel centres, to which the box is cropped.
-// Extinctions linear in the scalar are made with a tiny unit distance u, over which an opacity a = κ·u is an
-// extinction κ up to a relative κ·u/2; u = 1e-9 D keeps that below the tolerance of 1e-8.
+// Ramps: the scalar runs linearly along the ray from 0 to 1 between voxel centres, to which the box is
+// cropped. Extinctions linear in the scalar are made with a tiny unit distance u, over which an opacity a =
+// κ·u is an extinction κ up to a relative κ·u/2; u = 1e-9 D keeps that below the tolerance of 1e-8.
 #include "support/AnalyticScenes.h"
 
 #include <cmath>
@@ -43,18 +43,19 @@ std::vector<AnalyticRay> linearExtinction(const json& one) {
   std::vector<AnalyticRay> rays;
   for (const bool isReversed : {false, true}) {
     Scene scene = ramp(manySamples, isReversed);
-    scene.transferFunction = {smallUnit,
-                              {pointAt(0.0, 0.0, smallUnit, glm::dvec3(0.0)),
-                               pointAt(1.0, k, smallUnit, glm::dvec3(1.0))}};
+    scene.transferFunction = {
+        smallUnit,
+        {pointAt(0.0, 0.0, smallUnit, glm::dvec3(0.0)), pointAt(1.0, k, smallUnit, glm::dvec3(1.0))}};
     rays.push_back(rampRay(one, isReversed ? "reversed" : "forward", scene, "alpha"));
     rays.back().color = glm::dvec3(expectedOf(one, isReversed ? "I_color_eq_s_reversed" : "I_color_eq_s"));
   }
   return rays;
 }
 
-// A part of B2's ramp with a = 1, whose depth is m ∫ -ln(1-s) ds.
+// A part of B2's ramp with a = 1, whose depth is m ∫ -ln(1-s) ds; opacity is limited to 1 - 2⁻²⁴, which takes
+// m ∫ over [0, 2⁻²⁴] of -ln(x) - 24 ln 2 = m·2⁻²⁴ from the end.
 AnalyticRay singularPart(const AnalyticRay& whole, double m, double from, double to) {
-  const auto primitive = [](double s) { return s < 1.0 ? (1.0 - s) * std::log(1.0 - s) + s : 1.0; };
+  const auto primitive = [](double s) { return s < 1.0 ? (1.0 - s) * std::log(1.0 - s) + s : 1.0 - 0x1p-24; };
   AnalyticRay part = whole;
   part.what = std::to_string(from) + " to " + std::to_string(to);
   part.scene.crop.lower.y = 0.25 + 0.5 * from;
@@ -97,8 +98,8 @@ AnalyticRay gaussian(const json& one) {
   return rampRay(one, "", scene, "alpha");
 }
 
-// B4: midpoint sampling sees the spike as often as samples fall into it. Numbers of samples that put one on the
-// very edge of the spike are left out: there the count is a matter of the last bit.
+// B4: midpoint sampling sees the spike as often as samples fall into it. Numbers of samples that put one on
+// the very edge of the spike are left out: there the count is a matter of the last bit.
 std::vector<AnalyticRay> spike(const json& one) {
   const json& p = one["parameters"];
   const double low = p["s0"].get<double>() - p["w"].get<double>() / 2.0;
@@ -147,8 +148,7 @@ AnalyticRay diagonal(const json& one) {
   grid.originMm = glm::dvec3(-0.5);
   std::vector<double> values(8, 0.0);
   values[7] = 1.0;
-  const auto volume =
-      std::make_shared<const Volume>(grid, values, Rescale{}, std::nullopt, VolumeInfo{});
+  const auto volume = std::make_shared<const Volume>(grid, values, Rescale{}, std::nullopt, VolumeInfo{});
   Scene scene = rayThrough(volume, glm::normalize(glm::dvec3(1.0)));
   scene.crop = {glm::dvec3(0.25), glm::dvec3(0.75)};
   scene.quality.stepVoxels = std::sqrt(3.0) / manySamples;

@@ -24,8 +24,9 @@ struct AnalyticRay {
   double glStepVoxels = 0.0;
 };
 
-/// The cases of kind `render` of analytic_cases.json that name a homogeneous, opacity-correction, ramp, layer,
-/// fog, gradient-enhanced, early-termination or transfer-function scene that midpoint compositing draws.
+/// The cases of kind `render` of analytic_cases.json that name a homogeneous, opacity-correction, ramp,
+/// layer, fog, gradient-enhanced, early-termination or transfer-function scene that midpoint compositing
+/// draws.
 std::vector<AnalyticRay> analyticRays(const nlohmann::json& cases);
 
 /// Parts of the above, by group.

@@ -26,8 +26,8 @@ AnalyticRay flatVolume(const json& one) {
   return ray;
 }
 
-// F4: the normal points along -y; light and view lie in one plane with it, L at 40° and H at 15° from it, so V
-// at -10°. One sample over one unit distance has the opacity O·a itself.
+// F4: the normal points along -y; light and view lie in one plane with it, L at 40° and H at 15° from it, so
+// V at -10°. One sample over one unit distance has the opacity O·a itself.
 AnalyticRay paperIntensity(const json& one) {
   const json& p = one["parameters"];
   const double degree = std::numbers::pi / 180.0;
@@ -82,12 +82,13 @@ std::vector<AnalyticRay> degenerateFunctions(const json& one) {
     double alpha;
   };
   // The voxel's value is 1.
-  const Row rows[] = {{"no points", {}, 0.0},
-                      {"one point below", {{0.3, white, opacity}}, opacity},
-                      {"one point above", {{7.0, white, opacity}}, opacity},
-                      {"all coincident", {{1.0, white, 0.1}, {1.0, white, 0.2}, {1.0, white, opacity}}, opacity},
-                      {"coincident above", {{2.0, white, opacity}, {2.0, white, 0.2}}, opacity},
-                      {"no opacity", {{0.0, white, 0.0}, {2.0, white, 0.0}}, 0.0}};
+  const Row rows[] = {
+      {"no points", {}, 0.0},
+      {"one point below", {{0.3, white, opacity}}, opacity},
+      {"one point above", {{7.0, white, opacity}}, opacity},
+      {"all coincident", {{1.0, white, 0.1}, {1.0, white, 0.2}, {1.0, white, opacity}}, opacity},
+      {"coincident above", {{2.0, white, opacity}, {2.0, white, 0.2}}, opacity},
+      {"no opacity", {{0.0, white, 0.0}, {2.0, white, 0.0}}, 0.0}};
   std::vector<AnalyticRay> rays;
   for (const Row& row : rows) {
     Scene scene = rayThrough(boxOf(glm::dvec3(1.0)));

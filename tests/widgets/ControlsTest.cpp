@@ -1,1 +1,251 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/ColorButton.h"
+#include "widgets/controls/ColorPicker.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/controls/ValueSlider.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+void drag(QWidget& widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {}) {
+  QTest::mousePress(&widget, Qt::LeftButton, {}, from);
+  for (const QPoint& at : {(from + to) / 2, to}) {
+    QMouseEvent event(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
+    QApplication::sendEvent(&widget, &event);
+  }
+  QTest::mouseRelease(&widget, Qt::LeftButton, {}, to);
+}
+
+NumberSpec spec(bool logarithmic) {
+  return {.label = QStringLiteral("Sharpness"),
+          .help = QStringLiteral("Help."),
+          .unit = {},
+          .scale = logarithmic ? SliderScale{1.0, 1024.0, true} : SliderScale{0.0, 8.0, false},
+          .lowest = 0.0,
+          .highest = 1024.0,
+          .defaultValue = 2.0,
+          .defaultUpper = 4.0,
+          .decimals = 2};
+}
+
+TEST(SliderScale, isExactAtItsEndsAndGeometricInTheMiddle) {
+  const SliderScale scale{1.0, 1024.0, true};
+  EXPECT_DOUBLE_EQ(valueAtFraction(scale, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(valueAtFraction(scale, 1.0), 1024.0);
+  EXPECT_NEAR(valueAtFraction(scale, 0.5), 32.0, 1e-9); // sqrt(1 · 1024)
+  EXPECT_NEAR(fractionOf(scale, 32.0), 0.5, 1e-12);
+  EXPECT_DOUBLE_EQ(fractionOf(scale, 5000.0), 1.0);
+}
+
+class RangeSliderTest : public testing::Test {
+protected:
+  RangeSliderTest() : m_range(spec(false)) {
+    m_range.resize(300, 60);
+    m_range.setRange(1.0, 5.0);
+    m_range.show();
+    QObject::connect(&m_range, &RangeSlider::rangeEdited, &m_range,
+                     [this](double lower, double upper, const Gesture& gesture) {
+                       m_edits.push_back({lower, upper});
+                       m_ids.push_back(gesture.id);
+                     });
+  }
+  QPoint handle(int i) const { return m_range.slider()->handleCentre(i).toPoint(); }
+  double perPixel() const { return 8.0 / (m_range.slider()->width() - 16.0); }
+
+  RangeSlider m_range;
+  std::vector<std::array<double, 2>> m_edits;
+  std::vector<std::uint64_t> m_ids;
+};
+
+TEST_F(RangeSliderTest, settingEmitsNothing) {
+  m_range.setRange(2.0, 3.0);
+  EXPECT_TRUE(m_edits.empty());
+}
+
+TEST_F(RangeSliderTest, eachHandleMovesItsEndUnderOneGesture) {
+  drag(*m_range.slider(), handle(0), handle(0) + QPoint(20, 0));
+  ASSERT_GE(m_edits.size(), 2u);
+  EXPECT_NEAR(m_edits.back()[0], 1.0 + 20.0 * perPixel(), 0.005); // rounded to two decimals
+  EXPECT_DOUBLE_EQ(m_edits.back()[1], 5.0);
+  EXPECT_EQ(m_ids.front(), m_ids.back());
+  const std::uint64_t first = m_ids.back();
+  drag(*m_range.slider(), handle(1), handle(1) + QPoint(20, 0));
+  EXPECT_NEAR(m_edits.back()[1], 5.0 + 20.0 * perPixel(), 0.005);
+  EXPECT_NE(m_ids.back(), first);
+}
+
+TEST_F(RangeSliderTest, handlesDoNotPassEachOther) {
+  drag(*m_range.slider(), handle(0), handle(1) + QPoint(60, 0));
+  EXPECT_EQ(m_edits.back(), (std::array{5.0, 5.0}));
+}
+
+TEST_F(RangeSliderTest, handlesOnOneSpotAtTheTopCanBePulledApart) {
+  m_range.setRange(8.0, 8.0);
+  drag(*m_range.slider(), handle(1), handle(1) - QPoint(40, 0));
+  EXPECT_LT(m_edits.back()[0], 8.0);
+  EXPECT_DOUBLE_EQ(m_edits.back()[1], 8.0);
+}
+
+TEST_F(RangeSliderTest, escBringsBackTheExactNumbers) {
+  m_range.setRange(1.23456789, 5.0);
+  QTest::mousePress(m_range.slider(), Qt::LeftButton, {}, handle(0));
+  const QPoint to = handle(0) + QPoint(30, 0);
+  QMouseEvent move(QEvent::MouseMove, to, m_range.slider()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
+                   {});
+  QApplication::sendEvent(m_range.slider(), &move);
+  ASSERT_NE(m_edits.back()[0], 1.23456789);
+  QTest::keyClick(m_range.slider(), Qt::Key_Escape);
+  EXPECT_EQ(m_edits.back()[0], 1.23456789);
+  EXPECT_EQ(m_ids.front(), m_ids.back());
+}
+
+TEST_F(RangeSliderTest, typedEndsStopAtEachOther) {
+  m_range.lowerField()->setFocus();
+  m_range.lowerField()->selectAll();
+  QTest::keyClicks(m_range.lowerField(), QStringLiteral("7"));
+  QTest::keyClick(m_range.lowerField(), Qt::Key_Return);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_EQ(m_edits.back(), (std::array{5.0, 5.0}));
+}
+
+TEST_F(RangeSliderTest, aDoubleClickOnTheNameResetsBothEnds) {
+  QTest::mouseDClick(m_range.label(), Qt::LeftButton);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_EQ(m_edits.back(), (std::array{2.0, 4.0}));
+}
+
+class ValueSliderTest : public testing::Test {
+protected:
+  ValueSliderTest() : m_slider(spec(true)) {
+    m_slider.resize(300, 60);
+    m_slider.show();
+    QObject::connect(&m_slider, &ValueSlider::valueEdited, &m_slider,
+                     [this](double value, const Gesture& gesture) { m_edits.emplace_back(value, gesture); });
+  }
+  ValueSlider m_slider;
+  std::vector<std::pair<double, Gesture>> m_edits;
+};
+
+TEST_F(ValueSliderTest, aLogarithmicSliderMultipliesByEqualFactorsPerPixel) {
+  m_slider.setValue(32.0);
+  EXPECT_TRUE(m_edits.empty());
+  const QPoint from = m_slider.slider()->handleCentre(0).toPoint();
+  drag(*m_slider.slider(), from, from + QPoint(30, 0));
+  const double track = m_slider.slider()->width() - 16.0;
+  EXPECT_NEAR(m_edits.back().first, 32.0 * std::pow(1024.0, 30.0 / track), 0.005);
+  EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change sharpness"));
+}
+
+TEST_F(ValueSliderTest, keysAndTypingEdit) {
+  m_slider.setValue(32.0);
+  m_slider.slider()->setFocus();
+  QTest::keyClick(m_slider.slider(), Qt::Key_Right);
+  EXPECT_NEAR(m_edits.back().first, 32.0 * std::pow(1024.0, 0.01), 0.005);
+  m_slider.field()->setFocus();
+  m_slider.field()->selectAll();
+  QTest::keyClicks(m_slider.field(), QStringLiteral("100"));
+  QTest::keyClick(m_slider.field(), Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(m_edits.back().first, 100.0);
+  QTest::keyClick(m_slider.field(), Qt::Key_Up);
+  EXPECT_DOUBLE_EQ(m_edits.back().first, 110.0); // adaptive: a tenth of the number's decade
+}
+
+TEST_F(ValueSliderTest, aFieldThatIsOnlyVisitedKeepsTheExactNumber) {
+  m_slider.setValue(3.14159265);
+  m_slider.field()->setFocus();
+  QTest::keyClick(m_slider.field(), Qt::Key_Return);
+  m_slider.slider()->setFocus();
+  EXPECT_TRUE(m_edits.empty());
+  EXPECT_EQ(m_slider.field()->number(), 3.14159265);
+}
+
+TEST_F(ValueSliderTest, theReasonForBeingDisabledStandsInTheToolTip) {
+  m_slider.setUnavailable(QStringLiteral("Not now."));
+  EXPECT_FALSE(m_slider.isEnabled());
+  EXPECT_EQ(m_slider.toolTip(), QStringLiteral("Not now."));
+  m_slider.setUnavailable({});
+  EXPECT_TRUE(m_slider.isEnabled());
+  EXPECT_TRUE(m_slider.toolTip().contains(QStringLiteral("default 2")));
+}
+
+TEST(SpringSlider, springsBackAndStartsANewPull) {
+  SpringSlider spring(QStringLiteral("Opacity"), {}, {0.1, 10.0, true}, 1.0,
+                      [](double v) { return QString::number(v); });
+  spring.resize(300, 30);
+  spring.show();
+  std::vector<double> pulled;
+  QObject::connect(&spring, &SpringSlider::pulled, &spring, [&](double v) { pulled.push_back(v); });
+  TrackSlider* slider = spring.slider();
+  const QPoint from = slider->handleCentre(0).toPoint();
+  drag(*slider, from, from + QPoint(20, 0));
+  EXPECT_GT(pulled.back(), 1.0);
+  EXPECT_DOUBLE_EQ(slider->values().front(), 1.0);
+}
+
+TEST(FoldingSection, foldsByClickAndKeyAndStaysQuietWhenSet) {
+  FoldingSection section(QStringLiteral("Light"));
+  section.resize(300, 200);
+  section.show();
+  std::vector<bool> folded;
+  QObject::connect(&section, &FoldingSection::foldedByUser, &section, [&](bool on) { folded.push_back(on); });
+  section.setFolded(true);
+  EXPECT_TRUE(folded.empty());
+  QWidget* header = section.childAt(20, 12);
+  while (header->focusPolicy() == Qt::NoFocus)
+    header = header->parentWidget();
+  QTest::mouseClick(header, Qt::LeftButton);
+  QTest::keyClick(header, Qt::Key_Space);
+  EXPECT_EQ(folded, (std::vector<bool>{false, true}));
+}
+
+TEST(ChoiceRow, reportsOnlyWhatTheUserChose) {
+  ChoiceRow row(QStringLiteral("Model"), QStringLiteral("Help."), {QStringLiteral("A"), QStringLiteral("B")},
+                0);
+  row.show();
+  std::vector<int> chosen;
+  QObject::connect(&row, &ChoiceRow::indexEdited, &row, [&](int i) { chosen.push_back(i); });
+  row.setIndex(1);
+  EXPECT_TRUE(chosen.empty());
+  row.box()->setFocus();
+  QTest::keyClick(row.box(), Qt::Key_Up);
+  EXPECT_EQ(chosen, std::vector<int>{0});
+}
+
+TEST(ColorPicker, aDragInTheFieldIsOneGestureAndAHexCodeIsAnother) {
+  ColorPicker picker;
+  picker.setColor({1.0, 0.0, 0.0});
+  picker.show();
+  std::vector<std::pair<glm::dvec3, std::uint64_t>> picked;
+  QObject::connect(&picker, &ColorPicker::colorPicked, &picker,
+                   [&](const glm::dvec3& color, std::uint64_t id) { picked.emplace_back(color, id); });
+  drag(picker, {100, 100}, {0, 0});
+  ASSERT_GE(picked.size(), 2u);
+  EXPECT_EQ(picked.back().first, glm::dvec3(1.0)); // the field's corner of no saturation and full brightness
+  EXPECT_EQ(picked.front().second, picked.back().second);
+  auto* hex = picker.findChild<QLineEdit*>();
+  hex->setText(QString());
+  QTest::keyClicks(hex, QStringLiteral("#336699"));
+  QTest::keyClick(hex, Qt::Key_Return);
+  EXPECT_EQ(picked.back().first, glm::dvec3(0x33, 0x66, 0x99) / 255.0);
+  EXPECT_NE(picked.front().second, picked.back().second);
+}
+
+} // namespace
+} // namespace limn

@@ -1,1 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/CurveGeometry.h"
+#include "widgets/ValueText.h"
+#include "widgets/WidgetSamples.h"
+#include "widgets/curve/AxisTicks.h"
+#include "widgets/curve/HistogramPicture.h"
+#include "widgets/curve/Tissue.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+const PlotTransform plot{QRectF(50.0, 20.0, 800.0, 200.0), {-1000.0, 3000.0}, false};
+
+TEST(PlotTransform, pixelsAndValuesAreInverse) {
+  for (const bool fine : {false, true}) {
+    PlotTransform transform = plot;
+    transform.fineLowOpacities = fine;
+    for (const double value : {-1000.0, -310.5, 0.0, 2999.9})
+      EXPECT_NEAR(valueAtX(transform, xOfValue(transform, value)), value, 1e-9);
+    for (const double opacity : {0.0, 1e-4, 0.01, 0.5, 1.0})
+      EXPECT_NEAR(opacityAtY(transform, yOfOpacity(transform, opacity)), opacity, 1e-12);
+  }
+}
+
+TEST(PlotTransform, theFineScaleGivesAThousandthATenthOfTheHeight) {
+  PlotTransform fine = plot;
+  fine.fineLowOpacities = true;
+  EXPECT_NEAR(yOfOpacity(fine, 0.001), 220.0 - 20.0, 1e-9);
+}
+
+TEST(PlotTransform, zoomAndPanStayWithinTheFullRange) {
+  const ValueRange full{-1000.0, 3000.0};
+  EXPECT_EQ(zoomedAtX(plot, 300.0, 0.5, full), full);
+  PlotTransform zoomed = plot;
+  zoomed.visible = zoomedAtX(plot, 450.0, 4.0, full);
+  EXPECT_NEAR(zoomed.visible.highest - zoomed.visible.lowest, 1000.0, 1e-9);
+  EXPECT_DOUBLE_EQ(pannedBy(zoomed, 1e6, full).highest, 3000.0);
+  EXPECT_DOUBLE_EQ(pannedBy(zoomed, -1e6, full).lowest, -1000.0);
+}
+
+TEST(AxisTicks, areRoundAndNoMoreThanAsked) {
+  const AxisTicks ticks = niceTicks({-1024.0, 3071.0}, 9);
+  EXPECT_DOUBLE_EQ(ticks.step, 500.0); // 4095 / 9 = 455, the next of 1, 2, 5 times a power of ten
+  EXPECT_EQ(ticks.values, (std::vector<double>{-1000, -500, 0, 500, 1000, 1500, 2000, 2500, 3000}));
+  EXPECT_DOUBLE_EQ(niceTicks({0.0, 1.0}, 10).step, 0.1);
+  EXPECT_DOUBLE_EQ(niceTicks({0.0, 0.003}, 5).step, 0.001);
+}
+
+TEST(ValueText, keepsTheDigitsThatMatter) {
+  EXPECT_EQ(valueText(-310.0, QStringLiteral("HU"), 0), QString::fromUtf8("\u2212310\u00a0HU"));
+  EXPECT_EQ(plainNumber(0.2500, 4), QStringLiteral("0.25"));
+  EXPECT_EQ(plainNumber(1200.0, 2), QStringLiteral("1200"));
+  EXPECT_EQ(plainNumber(-0.0001, 2), QStringLiteral("0"));
+  EXPECT_EQ(decimalsFor(1.0), 0);
+  EXPECT_EQ(decimalsFor(0.1), 1);
+  EXPECT_EQ(decimalsFor(0.03), 2);
+}
+
+TEST(Tissue, namesFollowTheTablesAndLeaveGapsOpen) {
+  EXPECT_EQ(tissueAt(-1000.0)->name, QStringLiteral("air"));
+  EXPECT_EQ(tissueAt(-870.0)->name, QStringLiteral("lung"));
+  EXPECT_EQ(tissueAt(-80.0)->name, QStringLiteral("fat"));
+  EXPECT_EQ(tissueAt(0.0)->name, QStringLiteral("water"));
+  EXPECT_EQ(tissueAt(50.0)->name, QStringLiteral("soft tissue, blood"));
+  EXPECT_EQ(tissueAt(1200.0)->name, QStringLiteral("compact bone, dentine"));
+  EXPECT_EQ(tissueAt(-300.0), std::nullopt);
+}
+
+TEST(CurveGeometry, pointsComeBeforeTheCurve) {
+  const TransferFunction function = sampleFunction();
+  const QPointF at = positionOf(plot, function.points[2]);
+  // A hit area at least 18 pixels wide: 9 to every side.
+  for (const QPointF& offset :
+       {QPointF(9.0, 0.0), QPointF(-9.0, 0.0), QPointF(0.0, 9.0), QPointF(0.0, -9.0)}) {
+    const CurveHit hit = hitAt(plot, function, at + offset);
+    EXPECT_EQ(hit.part, CurveHit::Part::point);
+    EXPECT_EQ(hit.index, 2u);
+  }
+  EXPECT_EQ(hitAt(plot, function, {xOfValue(plot, 750.0), yOfOpacity(plot, 0.65) + 3.0}).part,
+            CurveHit::Part::curve);
+  EXPECT_EQ(hitAt(plot, function, {xOfValue(plot, 750.0), yOfOpacity(plot, 0.2)}).part,
+            CurveHit::Part::nothing);
+}
+
+TEST(CurveGeometry, theCurveStartsAndEndsAtThePlotsEdgesAndKeepsSteps) {
+  TransferFunction step{1.0, {{0.0, {1, 1, 1}, 0.0}, {0.0, {1, 1, 1}, 1.0}}};
+  const QPolygonF line = curvePolygon(plot, step);
+  EXPECT_EQ(line.front(), QPointF(50.0, 220.0));
+  EXPECT_EQ(line.back(), QPointF(850.0, 20.0));
+  const double x = xOfValue(plot, 0.0);
+  EXPECT_TRUE(line.contains(QPointF(x, 220.0)));
+  EXPECT_TRUE(line.contains(QPointF(x, 20.0)));
+}
+
+TEST(CurveEdits, movedGroupsStopAtPointsThatStayButKeepTheirShape) {
+  const TransferFunction moved = withPointsMoved(sampleFunction(), {1, 2}, 1000.0, 0.0);
+  EXPECT_DOUBLE_EQ(moved.points[2].value, 300.0); // stopped by the point at 300
+  EXPECT_DOUBLE_EQ(moved.points[1].value, 180.0); // -60 + 240
+}
+
+TEST(HistogramHeights, areLogarithmicAndReachOneAtTheFullestBin) {
+  const Histogram histogram{{0.0, 4.0}, {0, 9, 99, 0}};
+  // Four columns of one bin each: log1p(9)/log1p(99) = ln 10 / ln 100 = 0.5.
+  const std::vector<double> heights = histogramHeights(histogram, {0.0, 4.0}, 4);
+  EXPECT_NEAR(heights[1], 0.5, 1e-12);
+  EXPECT_NEAR(heights[2], 1.0, 1e-12);
+  // Two columns: each shows its fullest bin.
+  EXPECT_NEAR(histogramHeights(histogram, {0.0, 4.0}, 2)[0], 0.5, 1e-12);
+}
+
+} // namespace
+} // namespace limn

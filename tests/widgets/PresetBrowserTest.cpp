@@ -1,1 +1,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/WidgetSamples.h"
+#include "widgets/presets/PresetModel.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+class PresetBrowserTest : public testing::Test {
+protected:
+  PresetBrowserTest() {
+    m_browser.resize(240, 600);
+    Preset own = samplePresets()[1];
+    own.name = "My temporal bone";
+    m_browser.setPresets(samplePresets(), {own});
+    m_browser.show();
+    QObject::connect(&m_browser, &PresetBrowser::presetChosen, &m_browser,
+                     [this](const QString& name) { m_chosen << name; });
+    QObject::connect(&m_browser, &PresetBrowser::deleteRequested, &m_browser,
+                     [this](const QString& name) { m_deleted << name; });
+  }
+
+  void click(const QString& name) {
+    const auto* model = m_browser.list()->model();
+    const QModelIndexList found =
+        model->match(model->index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly | Qt::MatchRecursive);
+    ASSERT_EQ(found.size(), 1);
+    QTest::mouseClick(m_browser.list()->viewport(), Qt::LeftButton, {},
+                      m_browser.list()->visualRect(found.front()).center());
+  }
+
+  PresetBrowser m_browser;
+  QStringList m_chosen;
+  QStringList m_deleted;
+};
+
+TEST_F(PresetBrowserTest, listsOwnPresetsFirstThenModalities) {
+  EXPECT_EQ(m_browser.shownNames(),
+            (QStringList{"My temporal bone", "CT skin and bone", "CT bone", "CT lung", "MR head"}));
+  EXPECT_TRUE(m_chosen.empty());
+}
+
+TEST_F(PresetBrowserTest, aClickChooses) {
+  click(QStringLiteral("CT lung"));
+  EXPECT_EQ(m_chosen, QStringList{"CT lung"});
+}
+
+TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {
+  click(QStringLiteral("MR"));
+  EXPECT_TRUE(m_chosen.empty());
+}
+
+TEST_F(PresetBrowserTest, searchFindsWordsInAnyOrderInNameModalityAndNote) {
+  m_browser.focusSearch();
+  QTest::keyClicks(m_browser.searchField(), QStringLiteral("bone ct"));
+  EXPECT_EQ(m_browser.shownNames(), (QStringList{"My temporal bone", "CT skin and bone", "CT bone"}));
+  m_browser.searchField()->selectAll();
+  QTest::keyClicks(m_browser.searchField(), QStringLiteral("brain"));
+  EXPECT_EQ(m_browser.shownNames(), QStringList{"MR head"});
+  QTest::keyClick(m_browser.searchField(), Qt::Key_Return);
+  EXPECT_EQ(m_chosen, QStringList{"MR head"});
+  QTest::keyClick(m_browser.searchField(), Qt::Key_Escape);
+  EXPECT_EQ(m_browser.shownNames().size(), 5);
+}
+
+TEST_F(PresetBrowserTest, searchTakesSignsLiterally) {
+  QTest::keyClicks(m_browser.searchField(), QStringLiteral("(.*"));
+  EXPECT_TRUE(m_browser.shownNames().isEmpty());
+}
+
+TEST_F(PresetBrowserTest, arrowsAndEnterChooseFromTheSearchField) {
+  QTest::keyClicks(m_browser.searchField(), QStringLiteral("ct"));
+  QTest::keyClick(m_browser.searchField(), Qt::Key_Down);
+  QTest::keyClick(m_browser.list(), Qt::Key_Return);
+  EXPECT_EQ(m_chosen, QStringList{"My temporal bone"});
+}
+
+TEST_F(PresetBrowserTest, onlyOwnPresetsCanBeDeleted) {
+  QToolButton* deletion = nullptr;
+  for (QToolButton* button : m_browser.findChildren<QToolButton*>()) // the search field has some of its own
+    if (button->accessibleName() == QStringLiteral("Delete preset"))
+      deletion = button;
+  ASSERT_NE(deletion, nullptr);
+  click(QStringLiteral("CT bone"));
+  EXPECT_FALSE(deletion->isEnabled());
+  QTest::keyClick(m_browser.list(), Qt::Key_Delete);
+  EXPECT_TRUE(m_deleted.empty());
+  click(QStringLiteral("My temporal bone"));
+  EXPECT_TRUE(deletion->isEnabled());
+  QTest::mouseClick(deletion, Qt::LeftButton);
+  EXPECT_EQ(m_deleted, QStringList{"My temporal bone"});
+}
+
+TEST_F(PresetBrowserTest, savingIsAskedFor) {
+  int asked = 0;
+  QObject::connect(&m_browser, &PresetBrowser::saveRequested, &m_browser, [&] { ++asked; });
+  QTest::mouseClick(m_browser.findChild<QPushButton*>(), Qt::LeftButton);
+  EXPECT_EQ(asked, 1);
+}
+
+TEST_F(PresetBrowserTest, aThumbnailTakesTheCurvesPlace) {
+  QImage red(56, 40, QImage::Format_RGB32);
+  red.fill(Qt::red);
+  m_browser.setThumbnail(QStringLiteral("CT lung"), red);
+  const auto* model = m_browser.list()->model();
+  const QModelIndexList found =
+      model->match(model->index(0, 0), Qt::DisplayRole, "CT lung", 1, Qt::MatchExactly | Qt::MatchRecursive);
+  EXPECT_EQ(found.front().data(presetRole::thumbnail).value<QImage>(), red);
+}
+
+TEST(CurveThumbnail, showsTheFunctionsColours) {
+  const TransferFunction red{1.0, {{0.0, {1, 0, 0}, 0.5}, {100.0, {1, 0, 0}, 0.5}}};
+  const QImage image = curveThumbnail(red, {56, 40}, 1.0, true);
+  EXPECT_EQ(image.pixelColor(28, 38), QColor(Qt::red)); // the strip of colours at the bottom
+}
+
+} // namespace
+} // namespace limn

@@ -1,1 +1,204 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/shading/ShadingPanel.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/shading/LightAngles.h"
+#include "widgets/shading/QualitySection.h"
+#include "widgets/shading/ShadingSection.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+class ShadingPanelTest : public testing::Test {
+protected:
+  ShadingPanelTest() {
+    m_panel.resize(320, 1200);
+    m_panel.show();
+    for (ShadingSection* section : m_panel.sections())
+      section->setFolded(false);
+    QObject::connect(
+        &m_panel, &ShadingPanel::shadingEdited, &m_panel,
+        [this](const Shading& shading, const Gesture& gesture) { m_edits.emplace_back(shading, gesture); });
+  }
+
+  template <class Row>
+  Row* row(const QString& label) {
+    for (Row* candidate : m_panel.findChildren<Row*>())
+      if (candidate->label()->text() == label)
+        return candidate;
+    return nullptr;
+  }
+
+  ShadingPanel m_panel;
+  std::vector<std::pair<Shading, Gesture>> m_edits;
+};
+
+Shading unusual() {
+  Shading shading;
+  shading.model = ShadingModel::robust;
+  shading.ambient = 0.123456789;
+  shading.exponent = 77.7;
+  shading.exponentRange = {2.0, 99.0};
+  shading.opacityRange = {0.5, 7.5};
+  shading.gradientReference = PercentileReference{98.7654321};
+  shading.gradientCurve = {GradientCurve::Type::gamma, 0.5};
+  shading.significance.reset();
+  shading.knee.reset();
+  shading.lightDirection = glm::dvec3(0.3, 0.4, -0.5);
+  shading.twoSided = true;
+  return shading;
+}
+
+TEST_F(ShadingPanelTest, settingEmitsNothing) {
+  int quality = 0;
+  QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel, [&] { ++quality; });
+  m_panel.setShading(unusual());
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::robust});
+  m_panel.setQuality({.stepVoxels = 0.123});
+  m_panel.setShading({});
+  EXPECT_TRUE(m_edits.empty());
+  EXPECT_EQ(quality, 0);
+}
+
+TEST_F(ShadingPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
+  m_panel.setShading(unusual());
+  m_panel.setModelsShown({ShadingModel::robust});
+  auto* diffuse = row<ValueSlider>(QStringLiteral("Diffuse (kd)"));
+  ASSERT_NE(diffuse, nullptr);
+  diffuse->field()->setFocus();
+  diffuse->field()->selectAll();
+  QTest::keyClicks(diffuse->field(), QLocale().toString(0.5));
+  QTest::keyClick(diffuse->field(), Qt::Key_Return);
+  ASSERT_EQ(m_edits.size(), 1u);
+  Shading expected = unusual();
+  expected.diffuse = 0.5;
+  EXPECT_EQ(m_edits.front().first, expected);
+}
+
+TEST_F(ShadingPanelTest, theModelIsChosenFromTheList) {
+  auto* model = row<ChoiceRow>(QStringLiteral("Model"));
+  model->box()->setFocus();
+  QTest::keyClick(model->box(), Qt::Key_Down);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_EQ(m_edits.front().first.model, ShadingModel::enhanced);
+}
+
+TEST_F(ShadingPanelTest, theRangeOfSharpnessIsOneSliderWithTwoHandles) {
+  m_panel.setModelsShown({ShadingModel::enhanced});
+  auto* range = row<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  ASSERT_NE(range, nullptr);
+  range->slider()->setFocus();
+  QTest::keyClick(range->slider(), Qt::Key_Tab); // to the second handle
+  QTest::keyClick(range->slider(), Qt::Key_End);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_EQ(m_edits.front().first.exponentRange, (CoefficientRange{1.0, 1024.0}));
+}
+
+TEST_F(ShadingPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
+  auto* sharpness = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  auto* emphasis = row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
+  m_panel.setModelsShown({ShadingModel::classic});
+  EXPECT_TRUE(sharpness->isEnabled());
+  EXPECT_FALSE(emphasis->isEnabled());
+  EXPECT_TRUE(emphasis->toolTip().contains(QStringLiteral("enhanced and robust")));
+  m_panel.setModelsShown({ShadingModel::robust});
+  EXPECT_FALSE(sharpness->isEnabled());
+  EXPECT_TRUE(emphasis->isEnabled());
+  m_panel.setModelsShown({ShadingModel::none});
+  EXPECT_FALSE(row<ValueSlider>(QStringLiteral("Ambient (ka)"))->isEnabled());
+}
+
+TEST_F(ShadingPanelTest, aComparisonEnablesWhatEitherModelUses) {
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
+  EXPECT_TRUE(row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->isEnabled());
+  EXPECT_TRUE(row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"))->isEnabled());
+  EXPECT_FALSE(row<ChoiceRow>(QStringLiteral("Model"))->isEnabled());
+}
+
+TEST_F(ShadingPanelTest, aDoubleClickOnANameResets) {
+  Shading shading;
+  shading.opacityRange = {1.0, 1.0};
+  m_panel.setShading(shading);
+  m_panel.setModelsShown({ShadingModel::enhanced});
+  QTest::mouseDClick(row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"))->label(), Qt::LeftButton);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_EQ(m_edits.front().first, Shading{});
+}
+
+TEST_F(ShadingPanelTest, aDragIsOneGesture) {
+  auto* slider = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->slider();
+  const QPoint from = slider->handleCentre(0).toPoint();
+  QTest::mousePress(slider, Qt::LeftButton, {}, from);
+  for (const int dx : {5, 10, 15}) {
+    const QPoint at = from + QPoint(dx, 0);
+    QMouseEvent event(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(slider, &event);
+  }
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(15, 0));
+  ASSERT_EQ(m_edits.size(), 3u);
+  EXPECT_EQ(m_edits.front().second.id, m_edits.back().second.id);
+  EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change highlight sharpness (SP)"));
+}
+
+TEST_F(ShadingPanelTest, qualityIsEditedOnItsOwn) {
+  std::vector<Quality> edits;
+  QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel,
+                   [&](const Quality& quality) { edits.push_back(quality); });
+  Quality quality;
+  quality.jitter = true;
+  m_panel.setQuality(quality);
+  auto* step = row<ValueSlider>(QStringLiteral("Step"));
+  step->field()->setFocus();
+  step->field()->selectAll();
+  QTest::keyClicks(step->field(), QStringLiteral("1"));
+  QTest::keyClick(step->field(), Qt::Key_Return);
+  ASSERT_EQ(edits.size(), 1u);
+  quality.stepVoxels = 1.0;
+  EXPECT_EQ(edits.front(), quality);
+}
+
+TEST_F(ShadingPanelTest, everyControlHasAnAccessibleNameAndAToolTip) {
+  const auto hasToolTip = [](const QWidget* widget) {
+    for (; widget; widget = widget->parentWidget())
+      if (!widget->toolTip().isEmpty())
+        return true;
+    return false;
+  };
+  int controls = 0;
+  for (const QWidget* widget : m_panel.findChildren<QWidget*>()) {
+    const bool control =
+        qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+        qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const TrackSlider*>(widget);
+    // A view inside a list and a scroll bar's parts are Qt's own.
+    if (!control || QString(widget->metaObject()->className()).startsWith(QStringLiteral("QComboBoxPrivate")))
+      continue;
+    ++controls;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
+    EXPECT_TRUE(hasToolTip(widget)) << widget->accessibleName().toStdString();
+  }
+  EXPECT_GT(controls, 30);
+}
+
+TEST(LightAngles, followThePatient) {
+  // LPS: in front is -y, so light from the front travels along +y; from the left (+x) along -x; from above
+  // along -z.
+  const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b) < 1e-12; };
+  EXPECT_TRUE(near(travelDirection({0.0, 0.0}), {0.0, 1.0, 0.0}));
+  EXPECT_TRUE(near(travelDirection({90.0, 0.0}), {-1.0, 0.0, 0.0}));
+  EXPECT_TRUE(near(travelDirection({0.0, 90.0}), {0.0, 0.0, -1.0}));
+  const LightAngles back = lightAngles(travelDirection({-120.0, 35.0}) * 7.0);
+  EXPECT_NEAR(back.azimuthDeg, -120.0, 1e-9);
+  EXPECT_NEAR(back.elevationDeg, 35.0, 1e-9);
+}
+
+} // namespace
+} // namespace limn

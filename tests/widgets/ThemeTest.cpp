@@ -1,1 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/Theme.h"
+#include "widgets/Icons.h"
+
+#include <QApplication>
+#include <QImage>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+TEST(Contrast, isThatOfTheStandard) {
+  EXPECT_NEAR(contrastRatio(Qt::black, Qt::white), 21.0, 1e-9); // WCAG 2.1: the largest possible
+  EXPECT_NEAR(contrastRatio(Qt::red, Qt::red), 1.0, 1e-9);
+  // #767676 on white is the standard's well-known lightest grey with 4.5:1 (4.54).
+  EXPECT_NEAR(contrastRatio(QColor("#767676"), Qt::white), 4.54, 0.005);
+}
+
+class Look : public testing::TestWithParam<bool> {};
+
+TEST_P(Look, textContrastIsAtLeastFourAndAHalf) {
+  const ThemeColors c = themeColors(GetParam());
+  for (const QColor& background : {c.window, c.base, c.raised, c.hover}) {
+    EXPECT_GE(contrastRatio(c.text, background), 7.0) << background.name().toStdString();
+    EXPECT_GE(contrastRatio(c.secondaryText, background), 4.5) << background.name().toStdString();
+  }
+  EXPECT_GE(contrastRatio(c.accentText, c.accent), 4.5);
+  // Tool tips are inverted: base on text.
+  EXPECT_GE(contrastRatio(c.base, c.text), 7.0);
+}
+
+TEST_P(Look, whatIsNoTextStandsOutByThreeToOne) {
+  const ThemeColors c = themeColors(GetParam());
+  for (const QColor& background : {c.window, c.base}) {
+    EXPECT_GE(contrastRatio(c.accent, background), 3.0);
+    EXPECT_GE(contrastRatio(c.curve, background), 3.0);
+  }
+  EXPECT_GE(contrastRatio(c.curve, c.histogram), 4.5);
+}
+
+TEST_P(Look, thePaletteIsRecognisedAsItsLook) {
+  EXPECT_EQ(isDark(themePalette(GetParam())), GetParam());
+  EXPECT_EQ(themeColors(themePalette(GetParam())).window, themeColors(GetParam()).window);
+}
+
+TEST_P(Look, theStyleSheetHasNoNameLeft) {
+  const QString sheet = themeStyleSheet(GetParam());
+  EXPECT_GT(sheet.size(), 1000);
+  EXPECT_FALSE(sheet.section(QStringLiteral("*/"), 2).contains(QLatin1Char('@')));
+}
+
+INSTANTIATE_TEST_SUITE_P(Theme, Look, testing::Values(true, false));
+
+TEST(Icons, areSharpAndFollowTheLook) {
+  for (const char* name :
+       {"open", "undo", "redo", "single", "side-by-side", "wipe", "difference", "compass", "snapshot",
+        "preset-save", "delete", "search", "reset", "fold", "orthographic", "perspective", "drop-volume"})
+    EXPECT_TRUE(iconNames().contains(QLatin1String(name))) << name;
+  for (const QString& name : iconNames())
+    for (const bool dark : {true, false}) {
+      const QImage image = themedIcon(name, themePalette(dark)).pixmap(QSize(24, 24)).toImage();
+      const QColor text = themeColors(dark).text;
+      int strongest = 0;
+      QColor drawn;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          if (image.pixelColor(x, y).alpha() > strongest) {
+            strongest = image.pixelColor(x, y).alpha();
+            drawn = image.pixelColor(x, y);
+          }
+      EXPECT_GT(strongest, 150) << name.toStdString();
+      // Un-premultiplying 8 bits costs up to one level at this alpha.
+      EXPECT_NEAR(drawn.red(), text.red(), 2) << name.toStdString();
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,1 +1,138 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/WidgetSamples.h"
+#include "widgets/controls/ColorPicker.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/curve/PointFields.h"
+#include "widgets/curve/PointPopup.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+class TransferFunctionEditorTest : public testing::Test {
+protected:
+  TransferFunctionEditorTest() {
+    m_editor.resize(1200, 300);
+    m_editor.setUnit(QStringLiteral("HU"));
+    m_editor.setHistogram(sampleHistogram());
+    m_editor.setTransferFunction(sampleFunction());
+    m_editor.show();
+    QObject::connect(&m_editor, &TransferFunctionEditor::transferFunctionEdited, &m_editor,
+                     [this](const TransferFunction& function, const Gesture& gesture) {
+                       m_edits.emplace_back(function, gesture);
+                       m_editor.setTransferFunction(function);
+                     });
+  }
+
+  void type(NumberField* field, const QString& number) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, number);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+
+  void pull(TrackSlider* slider, int pixels) {
+    const QPoint from = slider->handleCentre(0).toPoint();
+    QTest::mousePress(slider, Qt::LeftButton, {}, from);
+    for (const int dx : {pixels / 2, pixels}) {
+      const QPoint at = from + QPoint(dx, 0);
+      QMouseEvent event(QEvent::MouseMove, at, slider->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(slider, &event);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+  }
+
+  TransferFunctionEditor m_editor;
+  std::vector<std::pair<TransferFunction, Gesture>> m_edits;
+};
+
+TEST_F(TransferFunctionEditorTest, enterLeadsToTheNumbersAndTypingMovesThePoint) {
+  m_editor.activateWindow();
+  m_editor.canvas()->selectPoints({2});
+  QTest::keyClick(m_editor.canvas(), Qt::Key_Return);
+  type(m_editor.fields()->valueField(), QStringLiteral("77"));
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].value, 77.0);
+  type(m_editor.fields()->opacityField(), QStringLiteral("1"));
+  EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].opacity, 1.0);
+  EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
+}
+
+TEST_F(TransferFunctionEditorTest, aTypedValueStopsAtTheNeighbour) {
+  m_editor.canvas()->selectPoints({2});
+  type(m_editor.fields()->valueField(), QStringLiteral("5000"));
+  EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].value, 300.0);
+  EXPECT_DOUBLE_EQ(m_editor.fields()->valueField()->number(), 300.0);
+}
+
+TEST_F(TransferFunctionEditorTest, selectingAndVisitingFieldsChangesNothing) {
+  TransferFunction odd = sampleFunction();
+  odd.points[2].value = 60.123456789;
+  odd.points[2].opacity = 0.123456789;
+  m_editor.setTransferFunction(odd);
+  m_editor.canvas()->selectPoints({2});
+  for (NumberField* field : {m_editor.fields()->valueField(), m_editor.fields()->opacityField()}) {
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  EXPECT_TRUE(m_edits.empty());
+}
+
+TEST_F(TransferFunctionEditorTest, overallOpacityMultipliesFromWhereItStoodAndZeroStaysZero) {
+  pull(m_editor.opacitySlider()->slider(), -20);
+  ASSERT_GE(m_edits.size(), 2u);
+  const TransferFunction& edited = m_edits.back().first;
+  EXPECT_DOUBLE_EQ(edited.points[0].opacity, 0.0);
+  const double factor = edited.points[4].opacity / 0.9;
+  EXPECT_LT(factor, 1.0);
+  EXPECT_NEAR(edited.points[2].opacity, 0.2 * factor, 1e-12);
+  EXPECT_EQ(m_edits.front().second.id, m_edits.back().second.id);
+  // A second pull starts from the result.
+  const double before = edited.points[4].opacity;
+  pull(m_editor.opacitySlider()->slider(), -20);
+  EXPECT_NEAR(m_edits.back().first.points[4].opacity, before * factor, 1e-9);
+}
+
+TEST_F(TransferFunctionEditorTest, shiftMovesTheWholeCurve) {
+  pull(m_editor.shiftSlider()->slider(), 20);
+  const double offset = m_edits.back().first.points[0].value - sampleFunction().points[0].value;
+  EXPECT_GT(offset, 0.0);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(m_edits.back().first.points[i].value, sampleFunction().points[i].value + offset, 1e-9);
+}
+
+TEST_F(TransferFunctionEditorTest, aDoubleClickOnAPointOpensColourAndNumbers) {
+  const TransferFunctionCanvas* canvas = m_editor.canvas();
+  const QPoint at = positionOf(canvas->transform(), sampleFunction().points[3]).toPoint();
+  QTest::mouseDClick(m_editor.canvas(), Qt::LeftButton, {}, at);
+  auto* popup = m_editor.findChild<PointPopup*>();
+  ASSERT_NE(popup, nullptr);
+  QTest::mouseClick(popup->picker(), Qt::LeftButton, {},
+                    QPoint(1, 1)); // white: no saturation, full brightness
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_GT(glm::length(m_edits.back().first.points[3].color) / std::sqrt(3.0), 0.97);
+  type(popup->fields()->opacityField(), QStringLiteral("1"));
+  EXPECT_DOUBLE_EQ(m_edits.back().first.points[3].opacity, 1.0);
+  popup->close();
+}
+
+TEST_F(TransferFunctionEditorTest, aNarrowWindowHidesSlidersRatherThanGrow) {
+  EXPECT_LE(m_editor.minimumSizeHint().width(), 300);
+  m_editor.resize(600, 300);
+  EXPECT_FALSE(m_editor.shiftSlider()->isVisible());
+  EXPECT_TRUE(m_editor.fields()->isVisible());
+}
+
+} // namespace
+} // namespace limn

@@ -12,9 +12,14 @@
 #include "widgets/shading/ShadingSection.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QMainWindow>
+#include <QMenuBar>
 #include <QMouseEvent>
+#include <QStatusBar>
+#include <QToolBar>
 
 using namespace limn;
 
@@ -84,6 +89,45 @@ void savePanels(const QString& prefix) {
   save(both, {1200, 1000}, prefix + "panels.png");
 }
 
+// A window like the program's, to see the parts together.
+void saveWindow(const QString& prefix) {
+  QMainWindow window;
+  const QPalette palette = QApplication::palette();
+  window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  for (const char* title : {"File", "Edit", "View", "Preset", "Help"})
+    window.menuBar()->addMenu(QLatin1String(title));
+  QToolBar* bar = window.addToolBar(QString());
+  bar->setIconSize({20, 20});
+  for (const char* name :
+       {"open", "undo", "redo", "single", "side-by-side", "wipe", "difference", "snapshot"})
+    bar->addAction(themedIcon(QLatin1String(name), palette), QLatin1String(name))->setCheckable(true);
+  bar->actions()[4]->setChecked(true);
+  auto* picture = new QWidget;
+  picture->setAutoFillBackground(true);
+  picture->setPalette(QPalette(QColor("#16181b")));
+  window.setCentralWidget(picture);
+  auto* editor = new TransferFunctionEditor;
+  editor->setUnit(QStringLiteral("HU"));
+  editor->setHistogram(sampleHistogram());
+  editor->setTransferFunction(sampleFunction());
+  auto* browser = new PresetBrowser;
+  browser->setPresets(samplePresets(), {});
+  auto* shading = new ShadingPanel;
+  shading->setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
+  const auto dock = [&](const char* title, QWidget* content, Qt::DockWidgetArea area) {
+    auto* made = new QDockWidget(QLatin1String(title));
+    made->setWidget(content);
+    window.addDockWidget(area, made);
+  };
+  dock("Presets", browser, Qt::LeftDockWidgetArea);
+  dock("Properties", shading, Qt::RightDockWidgetArea);
+  dock("Transfer function", editor, Qt::BottomDockWidgetArea);
+  window.statusBar()->showMessage(QStringLiteral("256×256×108 · 0.96×0.96×1.5 mm"));
+  editor->canvas()->selectPoints({3});
+  save(window, {1440, 900}, prefix + "window.png");
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -96,6 +140,7 @@ int main(int argc, char** argv) {
     const QString prefix = folder + (dark ? QStringLiteral("dark_") : QStringLiteral("light_"));
     saveEditor(prefix);
     savePanels(prefix);
+    saveWindow(prefix);
   }
   return 0;
 }

@@ -18,6 +18,7 @@ SpringSlider::SpringSlider(const QString& label, const QString& help, const Slid
   layout->addWidget(m_slider);
   layout->addWidget(m_number);
   m_number->setForegroundRole(QPalette::PlaceholderText);
+  m_number->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("+1000 HU")));
   m_slider->setFixedWidth(104);
   m_slider->setOrigin(neutral);
   m_slider->setValues({neutral});

@@ -99,7 +99,8 @@ void PointFields::focusValue() {
 
 QString PointFields::describedSelection() const {
   if (m_selected.empty())
-    return tr("Click the curve to add a point");
+    return m_function.points.empty() ? tr("Double click in the plot to add a point")
+                                     : tr("Click the curve to add a point");
   if (m_selected.size() > 1)
     return tr("%1 points").arg(m_selected.size());
   return tr("Point %1 of %2").arg(m_selected.front() + 1).arg(m_function.points.size());

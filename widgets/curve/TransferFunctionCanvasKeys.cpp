@@ -39,14 +39,13 @@ bool TransferFunctionCanvas::isOwnKey(const QKeyEvent& event) const {
   case Qt::Key_Right:
   case Qt::Key_Up:
   case Qt::Key_Down:
-  case Qt::Key_Home:
-  case Qt::Key_End:
   case Qt::Key_Delete:
   case Qt::Key_Backspace:
   case Qt::Key_Return:
   case Qt::Key_Enter:
-  case Qt::Key_Space:
-    return true;
+    return !m_selected.empty();
+  case Qt::Key_Space: // elsewhere it belongs to the picture
+    return underMouse();
   case Qt::Key_Escape:
     return m_drag.kind != CurveDrag::Kind::none || !m_selected.empty();
   default:
@@ -107,7 +106,6 @@ void TransferFunctionCanvas::keyReleaseEvent(QKeyEvent* event) {
 }
 
 bool TransferFunctionCanvas::selectionKey(const QKeyEvent& event) {
-  const std::size_t count = m_function.points.size();
   const bool control = event.modifiers() & Qt::ControlModifier;
   if (control && event.key() == Qt::Key_A)
     selectAll();
@@ -115,10 +113,6 @@ bool TransferFunctionCanvas::selectionKey(const QKeyEvent& event) {
     selectPoints({});
   else if (control)
     return false;
-  else if (event.key() == Qt::Key_Home && count > 0)
-    selectPoints({0});
-  else if (event.key() == Qt::Key_End && count > 0)
-    selectPoints({count - 1});
   else if ((event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace) && !m_selected.empty())
     deleteSelected();
   else if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)

@@ -67,13 +67,13 @@ private:
   int typedDecimals() const;
   void showIcons();
 
+  ValueRange m_range{0.0, 1.0}; // before the sliders, whose first read-out needs it
   TransferFunctionCanvas* m_canvas;
   PointFields* m_fields;
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
-  ValueRange m_range{0.0, 1.0};
   TransferFunction m_pullBase;
   std::uint64_t m_pullId = 0;
 };

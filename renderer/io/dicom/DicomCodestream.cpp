@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomCodestream.h"
 
+#include "io/dicom/DicomJpeg.h"
 #include "scene/Error.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <sstream>
 
 #include <gdcmImage.h>
-#include <gdcmJPEG12Codec.h>
-#include <gdcmJPEG16Codec.h>
-#include <gdcmJPEG8Codec.h>
 #include <gdcmSequenceOfFragments.h>
 #include <gdcmTrace.h>
 
@@ -82,7 +79,8 @@ CodestreamFacts agreedFacts(const DicomHeader& header, const DicomCodestream& st
   return *facts;
 }
 
-// Whether the mark that closes a JPEG or JPEG-LS picture stands at the end, but for padding.
+// Whether the mark that closes a picture (one for JPEG, JPEG-LS and JPEG 2000) stands at the end, but for
+// padding.
 bool isClosed(const DicomCodestream& stream) {
   std::size_t end = stream.size();
   while (end > 2 && (stream[end - 1] == 0x00 || (stream[end - 1] == 0xFF && stream[end - 2] != 0xFF)))
@@ -126,21 +124,17 @@ gdcm::Image imageOf(const DicomHeader& header, gdcm::TransferSyntax::TSType synt
   return image;
 }
 
-// Decodes classic JPEG by the codec of its own depth: GDCM's choice by the header tries a wrong one first.
-template <class Codec>
-DicomRawFrame decodedJpeg(const DicomHeader& header, const DicomCodestream& stream) {
-  const gdcm::Image image = imageOf(header, gdcm::TransferSyntax::JPEGBaselineProcess1);
-  Codec codec;
-  codec.SetDimensions(image.GetDimensions());
-  codec.SetPlanarConfiguration(0);
-  codec.SetPhotometricInterpretation(image.GetPhotometricInterpretation());
-  codec.ImageCodec::SetPixelFormat(image.GetPixelFormat());
-  std::istringstream in(std::string(stream.begin(), stream.end()));
-  std::ostringstream out;
-  if (!codec.DecodeByStreams(in, out))
-    fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
-  const std::string pixels = out.str();
-  return {{pixels.begin(), pixels.end()}, codec.GetPhotometricInterpretation().GetString()};
+// The colours of a JPEG stream are as the header says, unless the stream itself is marked as Y, Cb, Cr.
+DicomRawFrame decodedJpeg(const DicomHeader& header, const DicomCodestream& stream, int bits) {
+  try {
+    JpegPicture picture = bits <= 8    ? decodeJpeg8(stream)
+                          : bits <= 12 ? decodeJpeg12(stream)
+                                       : decodeJpeg16(stream);
+    const bool isYbr = header.format.samples == 3 && picture.isMarkedYbr;
+    return {std::move(picture.bytes), isYbr ? "YBR_FULL" : header.format.photometric};
+  } catch (const JpegDamage& damage) {
+    fail(header, std::string("are damaged or cut off (") + damage.what() + ")");
+  }
 }
 
 DicomRawFrame decodedByImage(const DicomHeader& header, const DicomCodestream& stream,
@@ -167,11 +161,7 @@ bool isClassicJpeg(gdcm::TransferSyntax::TSType syntax) {
 
 DicomRawFrame decodedByGdcm(const DicomHeader& header, const DicomCodestream& stream,
                             gdcm::TransferSyntax::TSType syntax, int bits) {
-  if (!isClassicJpeg(syntax))
-    return decodedByImage(header, stream, syntax);
-  return bits <= 8    ? decodedJpeg<gdcm::JPEG8Codec>(header, stream)
-         : bits <= 12 ? decodedJpeg<gdcm::JPEG12Codec>(header, stream)
-                      : decodedJpeg<gdcm::JPEG16Codec>(header, stream);
+  return isClassicJpeg(syntax) ? decodedJpeg(header, stream, bits) : decodedByImage(header, stream, syntax);
 }
 
 } // namespace
@@ -189,8 +179,7 @@ DicomRawFrame decoded(const DicomHeader& header, const DicomCodestream& stream) 
   if (syntax == gdcm::TransferSyntax::TS_END)
     fail(header, "are in a form this program does not read");
   const CodestreamFacts facts = agreedFacts(header, stream);
-  const bool isJpeg2000 = stream[0] != 0xFF || stream[1] != 0xD8;
-  if (!isJpeg2000 && !isClosed(stream))
+  if (!isClosed(stream))
     fail(header, "are cut off");
   silenceGdcm();
   DicomRawFrame frame;

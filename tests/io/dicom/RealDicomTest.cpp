@@ -54,19 +54,35 @@ TEST(RealDicom, theEnhancedHeadCtsHoldTheSameVoxels) {
   }
 }
 
+struct Variant {
+  const char* folder;
+  double firstSlice; ///< largest difference there
+  double allSlices;
+};
+
 TEST(RealDicom, everyTransferSyntaxGivesTheSameVoxelsOrStatesItsLoss) {
   LIMN_NEEDS_SHARED("data/ct_head_cranium/ts_variants");
   const auto series = read("ct_head_cranium/dicom_explicit_le");
-  const std::pair<const char*, double> variants[] = {
-      {"implicit_le", 0.0},     {"explicit_be", 0.0},  {"deflated", 0.0}, {"jpeg_lossless_sv1", 0.0},
-      {"jpegls_lossless", 0.0}, {"j2k_lossless", 0.0}, {"rle", 0.0},      {"jpeg_extended_12bit_lossy", 8.0},
-      {"jpegls_near", 3.0},     {"j2k_lossy", 11.0}};
-  for (const auto& [name, limit] : variants) {
-    const auto volume = read(std::string("ct_head_cranium/ts_variants/") + name);
-    EXPECT_EQ(volume->grid().dims, glm::ivec3(256, 256, 8)) << name;
-    EXPECT_EQ(volume->grid().originMm, series->grid().originMm) << name;
-    EXPECT_LE(largestDifference(*volume, *series), limit) << name;
-    EXPECT_EQ(warnsOf(*volume, "compressed with loss"), limit > 0.0) << name;
+  // The MANIFEST's 11 for lossy JPEG 2000 is the figure of the first slice. Over all eight it is 14 (five of
+  // 524288 voxels exceed 11), which a second reader of these codestreams, ImageMagick, gives as well.
+  const Variant variants[] = {{"implicit_le", 0.0, 0.0},
+                              {"explicit_be", 0.0, 0.0},
+                              {"deflated", 0.0, 0.0},
+                              {"jpeg_lossless_sv1", 0.0, 0.0},
+                              {"jpegls_lossless", 0.0, 0.0},
+                              {"j2k_lossless", 0.0, 0.0},
+                              {"rle", 0.0, 0.0},
+                              {"jpeg_extended_12bit_lossy", 8.0, 8.0},
+                              {"jpegls_near", 3.0, 3.0},
+                              {"j2k_lossy", 11.0, 14.0}};
+  for (const auto& [folder, firstSlice, allSlices] : variants) {
+    const std::string path = std::string("ct_head_cranium/ts_variants/") + folder;
+    const auto volume = read(path);
+    EXPECT_EQ(volume->grid().dims, glm::ivec3(256, 256, 8)) << folder;
+    EXPECT_EQ(volume->grid().originMm, series->grid().originMm) << folder;
+    EXPECT_LE(largestDifference(*volume, *series), allSlices) << folder;
+    EXPECT_LE(largestDifference(*read(path + "/IM0001.dcm"), *series), firstSlice) << folder;
+    EXPECT_EQ(warnsOf(*volume, "compressed with loss"), allSlices > 0.0) << folder;
   }
 }
 

@@ -18,12 +18,6 @@ std::string bytesIn(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-std::string refusalOf(const DicomBuilder& file) {
-  TemporaryFolder folder;
-  file.write(folder.path() / "image");
-  return refusalOf(folder.path() / "image");
-}
-
 bool says(const std::string& refusal, const std::string& reason) {
   return refusal.find("image") != std::string::npos && refusal.find(reason) != std::string::npos;
 }

@@ -60,4 +60,11 @@ inline std::string refusalOf(const std::filesystem::path& path) {
   }
 }
 
+/// The reason for which a file named "image" is refused; empty where it is read.
+inline std::string refusalOf(const DicomBuilder& file) {
+  TemporaryFolder folder;
+  file.write(folder.path() / "image");
+  return refusalOf(folder.path() / "image");
+}
+
 } // namespace limn::test

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/ImageFile.h"
+
+#include "scene/Error.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+using namespace test;
+
+const std::string description = "{\"limn\":1,\"name\":\"a \\u00fc \\\"quoted\\\" scene\"}";
+
+std::vector<float> samplesOf(const std::filesystem::path& file, int& channels) {
+  const auto input = OIIO::ImageInput::open(file.string());
+  channels = input->spec().nchannels;
+  std::vector<float> samples(static_cast<std::size_t>(input->spec().width) *
+                             static_cast<std::size_t>(input->spec().height) *
+                             static_cast<std::size_t>(channels));
+  input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, samples.data());
+  return samples;
+}
+
+// An opaque red, a half-covering green and an empty pixel.
+Image threePixels() {
+  Image image({3, 1});
+  image.at(0, 0) = {1.0f, 0.0f, 0.0f, 1.0f};
+  image.at(1, 0) = {0.0f, 0.5f, 0.0f, 0.5f};
+  image.at(2, 0) = {0.0f, 0.0f, 0.0f, 0.0f};
+  return image;
+}
+
+TEST(ImageFile, eightBitPicturesLieOverTheBackground) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif"}) {
+    writeImage(folder.path() / name, threePixels(), {0.2, 0.4, 1.0}, "");
+    int channels = 0;
+    const std::vector<float> samples = samplesOf(folder.path() / name, channels);
+    ASSERT_EQ(channels, 3);
+    // Levels: red over anything; (0, 0.5, 0) + 0.5·(0.2, 0.4, 1) = (0.1, 0.7, 0.5), rounded 25.5 → 26,
+    // 178.5 → 179, 127.5 → 128; the background 51, 102, 255.
+    const std::vector<int> expected = {255, 0, 0, 26, 179, 128, 51, 102, 255};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      EXPECT_EQ(std::lround(samples[i] * 255.0f), expected[i]) << name << " sample " << i;
+  }
+}
+
+TEST(ImageFile, aPlainJpegIsCloseToItsColours) {
+  const TemporaryFolder folder;
+  Image image({16, 16});
+  for (glm::vec4& pixel : image.pixels)
+    pixel = {0.8f, 0.2f, 0.4f, 1.0f};
+  writeImage(folder.path() / "a.jpg", image, glm::dvec3(0.0), "");
+  int channels = 0;
+  const std::vector<float> samples = samplesOf(folder.path() / "a.jpg", channels);
+  // JPEG rounds to its own colour space and back: up to two levels.
+  EXPECT_NEAR(samples[0], 0.8f, 2.5 / 255.0);
+  EXPECT_NEAR(samples[1], 0.2f, 2.5 / 255.0);
+  EXPECT_NEAR(samples[2], 0.4f, 2.5 / 255.0);
+}
+
+TEST(ImageFile, exrKeepsThePremultipliedFloats) {
+  const TemporaryFolder folder;
+  Image image = threePixels();
+  image.at(2, 0) = {0.1234567f, 1e-7f, 2.5f, 0.25f};
+  writeImage(folder.path() / "a.exr", image, {0.2, 0.4, 1.0}, "");
+  int channels = 0;
+  const std::vector<float> samples = samplesOf(folder.path() / "a.exr", channels);
+  ASSERT_EQ(channels, 4);
+  for (std::size_t i = 0; i < 12; ++i)
+    EXPECT_EQ(samples[i], image.pixels[i / 4][static_cast<int>(i % 4)]) << i;
+}
+
+TEST(ImageFile, theDescriptionIsReadBack) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif", "a.jpg", "a.exr"}) {
+    writeImage(folder.path() / name, threePixels(), glm::dvec3(0.0), description);
+    EXPECT_EQ(readImageDescription(folder.path() / name), description) << name;
+    writeImage(folder.path() / name, threePixels(), glm::dvec3(0.0), "");
+    EXPECT_EQ(readImageDescription(folder.path() / name), "") << name;
+  }
+}
+
+TEST(ImageFile, aLongDescriptionIsReadBack) {
+  const TemporaryFolder folder;
+  const std::string text(40000, 'x');
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    writeImage(folder.path() / name, threePixels(), glm::dvec3(0.0), text);
+    EXPECT_EQ(readImageDescription(folder.path() / name), text) << name;
+  }
+}
+
+TEST(ImageFile, aFailureThrowsAndLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(writeImage(folder.path() / "none" / "a.png", threePixels(), glm::dvec3(0.0), ""), Error);
+  EXPECT_THROW(writeImage(folder.path() / "a.bmp", threePixels(), glm::dvec3(0.0), ""), Error);
+  EXPECT_THROW(writeImage(folder.path() / "a.png", Image(), glm::dvec3(0.0), ""), Error);
+  EXPECT_EQ(entriesOf(folder.path()), 0u);
+}
+
+TEST(ImageFile, anOldPictureIsReplacedAndOneThatIsNoneIsAnError) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / "a.png", "no picture");
+  EXPECT_THROW(readImageDescription(folder.path() / "a.png"), Error);
+  writeImage(folder.path() / "a.png", threePixels(), glm::dvec3(0.0), description);
+  EXPECT_EQ(readImageDescription(folder.path() / "a.png"), description);
+  EXPECT_EQ(entriesOf(folder.path()), 1u);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/VolumeBytes.h"
+
+namespace limn {
+namespace {
+
+using namespace test;
+
+std::shared_ptr<const Volume> opened(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / name, bytes);
+  return readVolume(folder.path() / name);
+}
+
+std::string refused(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / name, bytes);
+  return refusalOf(folder.path() / name);
+}
+
+std::string legacy(const std::string& encoding, const std::string& more) {
+  return "# vtk DataFile Version 3.0\na title\n" + encoding +
+         "\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 3 4\nORIGIN 10 20 30\nSPACING 2 3 4\nPOINT_DATA 24\n" +
+         more;
+}
+
+const std::string scalars = "SCALARS values short 1\nLOOKUP_TABLE default\n";
+
+TEST(VtkLegacy, binaryAndTextHoldTheSameVolume) {
+  std::string text;
+  for (int i = 0; i < 24; ++i)
+    text += std::to_string(i) + " ";
+  const auto a = opened("a.vtk", legacy("BINARY", scalars + bytesOf(rising<std::int16_t>(24), true)));
+  const auto b = opened("a.vtk", legacy("ASCII", scalars + text));
+  EXPECT_EQ(a->stored(), b->stored());
+  EXPECT_EQ(a->value({1, 2, 3}), 23.0);
+  expectNear(indexToWorld(a->grid(), {1, 2, 3}), {12, 26, 42});
+  EXPECT_FALSE(a->info().orientationKnown);
+  EXPECT_TRUE(warns(*a, "Orientation unknown"));
+}
+
+TEST(VtkLegacy, shortFilesAndOtherDataSetsAreRefused) {
+  EXPECT_NE(refused("a.vtk", legacy("BINARY", scalars + std::string(47, '\0'))).find("holds only"),
+            std::string::npos);
+  EXPECT_NE(refused("a.vtk", legacy("ASCII", scalars + std::string(60, '1'))).find("number"),
+            std::string::npos);
+  std::string other = legacy("BINARY", scalars + std::string(48, '\0'));
+  other.replace(other.find("STRUCTURED_POINTS"), 17, "POLYDATA");
+  EXPECT_NE(refused("a.vtk", other).find("STRUCTURED_POINTS"), std::string::npos);
+  EXPECT_NE(refused("a.vtk", legacy("BINARY", "")).find("SCALARS"), std::string::npos);
+}
+
+std::string xml(const std::string& extent, const std::string& array, const std::string& more = "") {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt32\">\n<ImageData WholeExtent=\"" +
+         extent + "\" Origin=\"10 20 30\" Spacing=\"2 3 4\"" + more + ">\n<Piece Extent=\"" + extent +
+         "\"><PointData Scalars=\"v\">" + array + "</PointData></Piece></ImageData>\n";
+}
+
+std::string textArray(const std::string& type) {
+  std::string text = "<DataArray type=\"" + type + "\" Name=\"v\" format=\"ascii\">";
+  for (int i = 0; i < 24; ++i)
+    text += std::to_string(i) + " ";
+  return text + "</DataArray>";
+}
+
+TEST(VtkXml, placesItsPointsByExtentSpacingAndDirection) {
+  const auto volume = opened("a.vti", xml("0 1 0 2 0 3", textArray("Int16")) + "</VTKFile>");
+  EXPECT_EQ(voxelTypeName(volume->stored()), "int16");
+  EXPECT_EQ(volume->value({1, 2, 3}), 23.0);
+  expectNear(indexToWorld(volume->grid(), {1, 2, 3}), {12, 26, 42});
+  EXPECT_FALSE(volume->info().orientationKnown);
+  // An extent that starts at 5 moves the first point; the direction is written row by row.
+  const auto turned = opened(
+      "a.vti", xml("5 6 0 2 0 3", textArray("Float64"), " Direction=\"0 -1 0 1 0 0 0 0 1\"") + "</VTKFile>");
+  expectNear(turned->grid().originMm, {10, 30, 30});
+  expectNear(indexToWorld(turned->grid(), {1, 2, 3}), {10 - 6, 30 + 2, 30 + 12});
+}
+
+TEST(VtkXml, damagedFilesAreRefused) {
+  const std::string appended = "<DataArray type=\"Int16\" Name=\"v\" format=\"appended\" offset=\"0\"/>";
+  const std::string start = xml("0 1 0 2 0 3", appended) + "<AppendedData encoding=\"raw\">_";
+  const std::string end = "</AppendedData></VTKFile>";
+  const std::string size = bytesOf<std::uint32_t>({48});
+  EXPECT_EQ(opened("a.vti", start + size + bytesOf(rising<std::int16_t>(24)) + end)->value({1, 2, 3}), 23.0);
+  refused("a.vti", start + size + std::string(10, '\1'));
+  refused("a.vti", start);
+  refused("a.vti", xml("0 1 0 2 0 3", "").substr(0, 150));
+  EXPECT_NE(refused("a.vti", xml("0 30000 0 30000 0 3", textArray("Int16"))).find("more voxels"),
+            std::string::npos);
+  refused("a.vti", xml("0 1 0 2 0 3", "") + "</VTKFile>");
+}
+
+TEST(VtkXml, otherDataSetsAreRefusedByName) {
+  std::string text = xml("0 1 0 2 0 3", textArray("Int16")) + "</VTKFile>";
+  text.replace(text.find("ImageData"), 9, "PolyData");
+  EXPECT_NE(refused("a.vti", text).find("PolyData"), std::string::npos);
+}
+
+} // namespace
+} // namespace limn
