@@ -27,6 +27,7 @@ class EmptyPanel;
 class LoadingPanel;
 class MessagePanel;
 class ViewPictures;
+struct Columns;
 
 /// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
 /// ray caster, one copy of the textures. Draws coarsely while something moves and strip by strip to full
@@ -136,10 +137,13 @@ private:
   };
 
   // Drawing (CompareView.cpp)
+  void makePanels();
   void makePictures();
   void releasePictures();
   void redraw();
+  void showOtherParts();
   void drawCoarsely();
+  std::array<Columns, 2> seenColumns() const;
   void refine();
   void startRefining();
   void updateState();

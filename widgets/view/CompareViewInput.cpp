@@ -224,7 +224,7 @@ void CompareView::setSwapped(bool swapped) {
     return;
   m_swapped = swapped;
   wakeLabels();
-  update();
+  showOtherParts();
 }
 
 void CompareView::leaveEvent(QEvent* event) {

@@ -13,6 +13,12 @@
 
 namespace limn {
 
+/// A part of a picture's columns, as fractions of its width.
+struct Columns {
+  double from = 0.0;
+  double to = 1.0;
+};
+
 /// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
 /// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full
 /// one as 8 bits. Needs the same OpenGL context current for every call that draws and for its end.
@@ -21,8 +27,9 @@ public:
   /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
   void want(const Scene& scene, const glm::ivec2& size);
 
-  /// Draws the coarse picture (level 0: the full one) and returns the time, ms.
-  double drawCoarsely(RayCaster& caster, int level);
+  /// Draws the coarse picture, as far as its columns will be seen (level 0: the full one, all of it), and
+  /// returns the time, ms.
+  double drawCoarsely(RayCaster& caster, int level, const Columns& seen);
 
   /// Draws the next strip; only while not complete.
   void drawStrip(RayCaster& caster);

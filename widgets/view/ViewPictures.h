@@ -22,8 +22,8 @@ public:
   /// Asks for pictures of these scenes (one or two), all of one size.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
-  /// Draws every wanted picture at a level and returns the time, ms.
-  double drawCoarsely(int level);
+  /// Draws what is seen of every wanted picture at a level and returns the time, ms.
+  double drawCoarsely(int level, const std::array<Columns, 2>& seen);
 
   /// Draws strips, alternately, until `budgetMs` is spent or all pictures are complete and read back.
   /// True when they are.
