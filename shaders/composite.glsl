@@ -40,7 +40,14 @@ Gathered gather(March march, int count) {
       addSample(gathered, march, position, scalar, float(i));
 #else
     // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
-    while (!mayBeSeen(scalar) && ++i < count) {
+    while (!mayBeSeen(scalar)) {
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+      i += max(1, emptySamples(position, march.advance));
+#else
+      ++i;
+#endif
+      if (i >= count)
+        break;
       position = positionOf(march, float(i));
       scalar = scalarAt(position);
     }

@@ -41,14 +41,14 @@ const Groups maps{
 
 const Groups others{
     {},
-    {Effect::earlyTermination},
-    {Effect::earlyTermination, Effect::fogLinear},
-    {Effect::earlyTermination, Effect::fogExp},
-    {Effect::earlyTermination, Effect::fogExp2},
-    {Effect::earlyTermination, Effect::cutFaces},
-    {Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
-    {Effect::gradientOpacity, Effect::knee},
-    {Effect::longRays, Effect::denseFunctions},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogLinear},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp2},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::cutFaces},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
+    {Effect::emptySpaceSkipping, Effect::gradientOpacity, Effect::knee},
+    {Effect::emptySpaceSkipping, Effect::longRays, Effect::denseFunctions},
     {Effect::sampleCounts},
 };
 
