@@ -13,6 +13,50 @@ bool isFinished(Gathered ray) {
   return false;
 #endif
 }
+
+March marchThrough(Ray ray, vec2 span, int count) {
+  March march;
+  march.stepMm = (span.y - span.x) / float(count);
+  march.entry = ray.anchor + span.x * ray.direction;
+  march.stride = march.stepMm * ray.direction;
+  march.first = toTexture(march.entry);
+  march.advance = march.stride * u_textureScale;
+  march.fromEye = span.x - ray.eye;
+  march.units = march.stepMm * u_perUnitDistance;
+#ifdef EFFECT_LIGHTING
+  march.light = lightAlong(ray.direction * u_spacing);
+#endif
+  return march;
+}
+
+Gathered gather(March march, int count) {
+  Gathered gathered = Gathered(vec3(0.0), 1.0, 0.0);
+  for (int i = 0; i < count && !isFinished(gathered); ++i) {
+    vec3 position = positionOf(march, float(i));
+    float scalar = scalarAt(position);
+#ifdef EFFECT_LONG_RAYS
+    // One loop: drivers limit the iterations of all loops of a fragment together.
+    if (mayBeSeen(scalar))
+      addSample(gathered, march, position, scalar, float(i));
+#else
+    // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
+    while (!mayBeSeen(scalar)) {
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+      i += max(1, emptySamples(position, march.advance));
+#else
+      ++i;
+#endif
+      if (i >= count)
+        break;
+      position = positionOf(march, float(i));
+      scalar = scalarAt(position);
+    }
+    if (i < count)
+      addSample(gathered, march, position, scalar, float(i));
+#endif
+  }
+  return gathered;
+}
 #endif
 
 void main() {
@@ -25,41 +69,7 @@ void main() {
 #ifdef EFFECT_SAMPLE_COUNTS
   fragColor = vec4(float(count));
 #else
-
-  March march;
-  march.stepMm = (span.y - span.x) / float(count);
-  march.entry = ray.anchor + span.x * ray.direction;
-  march.stride = march.stepMm * ray.direction;
-  march.first = toTexture(march.entry);
-  march.advance = march.stride * u_textureScale;
-  march.fromEye = span.x - ray.eye;
-  march.units = march.stepMm * u_perUnitDistance;
-#ifdef EFFECT_LIGHTING
-  march.light = lightAlong(ray.direction * u_spacing);
-#endif
-
-  Gathered gathered = Gathered(vec3(0.0), 1.0, 0.0);
-#ifdef EFFECT_LONG_RAYS
-  // One loop: drivers limit the iterations of all loops of a fragment together.
-  for (int i = 0; i < count && !isFinished(gathered); ++i) {
-    vec3 position = positionOf(march, float(i));
-    float scalar = scalarAt(position);
-    if (mayBeSeen(scalar))
-      addSample(gathered, march, position, scalar, float(i));
-  }
-#else
-  // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
-  for (int i = 0; i < count && !isFinished(gathered); ++i) {
-    vec3 position = positionOf(march, float(i));
-    float scalar = scalarAt(position);
-    while (!mayBeSeen(scalar) && ++i < count) {
-      position = positionOf(march, float(i));
-      scalar = scalarAt(position);
-    }
-    if (i < count)
-      addSample(gathered, march, position, scalar, float(i));
-  }
-#endif
+  Gathered gathered = gather(marchThrough(ray, span, count), count);
   float transmittance = gathered.transmittance;
   fragColor = vec4(gathered.color, (1.0 - transmittance) + transmittance * gathered.loss);
 #endif

@@ -31,18 +31,9 @@ vec3 positionOf(March march, float i) {
   return clamp(march.first + (i + 0.5) * march.advance, u_textureLower, u_textureUpper);
 }
 
-void addSample(inout Gathered ray, March march, vec3 position, float scalar, float i) {
-  float segment, start;
-  float opacity = opacityOf(scalar, segment, start);
-  float r = 0.0;
-#ifdef EFFECT_GRADIENT
-  vec4 gradient = safeNormal(gradientAt(position));
-#endif
-#ifdef EFFECT_GRADIENT_RATIO
-  r = gradientRatio(gradient.w);
-#endif
-
-  // Change the opacity before it becomes an extinction, so that the picture does not depend on the step.
+// The opacity over the unit distance, changed by the gradient before it becomes an extinction, so that the
+// picture does not depend on the step.
+float changedOpacity(float opacity, float modulus, float r) {
 #ifdef EFFECT_OPACITY_MAP
   opacity *= mapped(r, u_opacity.x, u_opacity.y);
 #endif
@@ -50,11 +41,13 @@ void addSample(inout Gathered ray, March march, vec3 position, float scalar, flo
   opacity *= u_opacity.x;
 #endif
 #ifdef EFFECT_GRADIENT_OPACITY
-  opacity *= gradientOpacity(gradient.w);
+  opacity *= gradientOpacity(modulus);
 #endif
-  float alpha = oneMinusExpNeg(minusLog1mOpacity(opacity) * march.units);
+  return opacity;
+}
 
-  vec3 color = colorOf(scalar, segment, start);
+// The colour of a sample of a material, lit and fogged.
+vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
 #ifdef EFFECT_LIGHTING
   vec3 normal = vec3(0.0);
 #ifdef EFFECT_GRADIENT
@@ -68,6 +61,23 @@ void addSample(inout Gathered ray, March march, vec3 position, float scalar, flo
 #ifdef EFFECT_FOG
   color = fogged(color, march.fromEye + (i + 0.5) * march.stepMm);
 #endif
+  return color;
+}
+
+void addSample(inout Gathered ray, March march, vec3 position, float scalar, float i) {
+  float segment, start;
+  float opacity = opacityOf(scalar, segment, start);
+  vec4 gradient = vec4(0.0); // unit vector and modulus
+  float r = 0.0;
+#ifdef EFFECT_GRADIENT
+  gradient = safeNormal(gradientAt(position));
+#endif
+#ifdef EFFECT_GRADIENT_RATIO
+  r = gradientRatio(gradient.w);
+#endif
+  opacity = changedOpacity(opacity, gradient.w, r);
+  float alpha = oneMinusExpNeg(minusLog1mOpacity(opacity) * march.units);
+  vec3 color = shaded(colorOf(scalar, segment, start), march, gradient, r, i);
 
   // Composite front to back.
   float share = (1.0 - ray.loss) * alpha;

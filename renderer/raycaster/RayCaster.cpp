@@ -95,6 +95,7 @@ struct RayCaster::Parts {
   GlBuffer corners;
   GlVertexArray vertexArray;
   std::string stepLimitation;
+  bool skipsEmptySpace = true;
 
   Parts();
   const ShaderProgram& program(EffectSet effects);
@@ -134,7 +135,9 @@ EffectSet RayCaster::Parts::prepare(const Scene& scene, bool countsSamples) {
   noteStepLimit(scene);
   if (countsSamples)
     return EffectSet().with(Effect::sampleCounts);
-  const EffectSet effects = requiredEffects(scene, textures.facts(scene)).effects;
+  SceneFacts facts = textures.facts(scene);
+  facts.canSkipEmptySpace = skipsEmptySpace;
+  const EffectSet effects = requiredEffects(scene, facts).effects;
   textures.measure(scene, effects);
   return effects;
 }
@@ -147,6 +150,7 @@ void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::i
   shader.use();
   setUniforms(shader, scene, size, textures);
   bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
+  bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
   bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
   bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
   bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
@@ -170,9 +174,10 @@ Image RayCaster::Parts::render(const Scene& scene, bool countsSamples, const glm
   return readBack(size);
 }
 
-RayCaster::RayCaster() {
+RayCaster::RayCaster(EmptySpace emptySpace) {
   requireOpenGl3();
   m_parts = std::make_unique<Parts>();
+  m_parts->skipsEmptySpace = emptySpace == EmptySpace::skipped;
 }
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;

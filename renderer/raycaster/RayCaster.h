@@ -23,8 +23,11 @@ struct PixelRect {
 /// All calls, construction and destruction included, need the same context to be current.
 class RayCaster {
 public:
+  /// Stepping over empty space changes no bit of a picture; tests and benchmarks switch it off to show that.
+  enum class EmptySpace { skipped, sampled };
+
   /// Throws Error (openGl) where the driver lacks what drawing needs, naming it.
-  RayCaster();
+  explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;

@@ -27,6 +27,16 @@ void FunctionTexture::upload(const PiecewiseTable& table) {
   m_loopSteps = table.loopSteps;
 }
 
+void EmptySpaceTexture::upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
+  glBindTexture(GL_TEXTURE_3D, m_texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
+               distances.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_3D, filter, GL_NEAREST);
+}
+
 double SceneTextures::gradientUnit() const {
   const ValueRange& range = m_volume->range();
   return (range.highest - range.lowest) / smallestSpacingMm(m_volume->grid());
@@ -71,7 +81,10 @@ void SceneTextures::measure(const Scene& scene, EffectSet effects) {
 void SceneTextures::update(const Scene& scene) {
   updateVolume(scene);
   if (m_functionShown != scene.transferFunction) {
-    m_function.upload(tableOf(scene.transferFunction, m_volume->range()));
+    const PiecewiseTable table = tableOf(scene.transferFunction, m_volume->range());
+    m_function.upload(table);
+    const BlockRanges& ranges = m_volumeTexture->ranges();
+    m_emptySpace.upload(ranges.blocks, emptyDistances(ranges, table));
     m_functionShown = scene.transferFunction;
   }
   const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
@@ -82,7 +95,10 @@ void SceneTextures::update(const Scene& scene) {
 }
 
 SceneFacts SceneTextures::facts(const Scene& scene) const {
-  return {longestRaySamples(scene), m_function.loopSteps() + m_gradientCurve.loopSteps() > 0};
+  SceneFacts facts;
+  facts.longestRaySamples = longestRaySamples(scene);
+  facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
+  return facts;
 }
 
 } // namespace limn

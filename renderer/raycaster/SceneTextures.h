@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/EmptySpace.h"
 #include "raycaster/PiecewiseTable.h"
 #include "raycaster/VolumeTexture.h"
 #include "scene/EffectSet.h"
@@ -31,6 +32,17 @@ private:
   int m_loopSteps = 0;
 };
 
+/// The distances of emptyDistances on the graphics card.
+class EmptySpaceTexture {
+public:
+  void upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances);
+
+  unsigned name() const { return m_texture.name(); }
+
+private:
+  GlTexture m_texture;
+};
+
 /// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
 /// what differs from the scene before and nothing else.
 class SceneTextures {
@@ -45,6 +57,7 @@ public:
   SceneFacts facts(const Scene& scene) const;
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
+  const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
   const FunctionTexture& function() const { return m_function; }
   const FunctionTexture& gradientCurve() const { return m_gradientCurve; }
 
@@ -64,6 +77,7 @@ private:
   std::optional<VolumeTexture> m_volumeTexture;
   std::optional<TransferFunction> m_functionShown;
   FunctionTexture m_function;
+  EmptySpaceTexture m_emptySpace;
   std::optional<GradientOpacity> m_gradientOpacityShown;
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;

@@ -44,6 +44,8 @@ void setVolume(const Setter& set, const VolumeTexture& texture) {
   set("u_textureLower", texture.lower());
   set("u_textureUpper", texture.upper());
   set("u_texel", texture.texel());
+  set("u_blocksPerTexture", texture.blocksPerTexture());
+  set("u_blockOffset", texture.blockOffset());
 }
 
 void setGradient(const Setter& set, const Scene& scene, const SceneTextures& textures) {
@@ -94,6 +96,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);
   unit("u_functionOccupancy", TextureUnit::functionOccupancy);
+  unit("u_emptyDistance", TextureUnit::emptyDistance);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }

@@ -63,6 +63,8 @@ ShaderSource fragmentSource(EffectSet effects) {
   if (!effects.has(Effect::sampleCounts)) {
     for (const char* block : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
       appendBlock(source, block);
+    if (effects.has(Effect::emptySpaceSkipping))
+      appendBlock(source, "empty_space.glsl");
     if (effects.has(Effect::gradient))
       appendBlock(source, "gradient.glsl");
     if (readsRatio(effects))

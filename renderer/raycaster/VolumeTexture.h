@@ -2,23 +2,11 @@
 #pragma once
 
 #include "gl/GlObjects.h"
-#include "scene/Volume.h"
+#include "raycaster/EmptySpace.h"
 
 #include <string>
-#include <vector>
 
 namespace limn {
-
-/// Voxels as the shaders read them: normalised over the volume's range, with an apron of one voxel on every
-/// side extrapolated linearly (f[-1] = 2f[0] - f[1]; a copy along an axis of one voxel).
-struct TextureVoxels {
-  glm::ivec3 size{0};      ///< with the apron
-  glm::ivec3 reduction{1}; ///< voxels of the volume per texel, along each axis
-  std::vector<float> texels;
-};
-
-/// Averages boxes of `reduction` voxels, normalises in double and adds the apron.
-TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction);
 
 /// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it.
 class VolumeTexture {
@@ -39,6 +27,12 @@ public:
 
   const glm::ivec3& reduction() const { return m_reduction; }
 
+  const BlockRanges& ranges() const { return m_ranges; }
+
+  /// Block coordinates = texture coordinates · blocksPerTexture + blockOffset.
+  glm::dvec3 blocksPerTexture() const { return glm::dvec3(m_size) / double(blockSize); }
+  glm::dvec3 blockOffset() const { return glm::dvec3(-1.0 / blockSize); }
+
   /// One sentence where the volume was down-sampled, otherwise empty.
   std::string limitation() const;
 
@@ -47,6 +41,7 @@ private:
   glm::ivec3 m_dims;
   glm::ivec3 m_size{0};
   glm::ivec3 m_reduction{1};
+  BlockRanges m_ranges;
   glm::dvec3 m_shift{0.0}; ///< of the box's centre, where the last texel is only partly covered
 };
 

@@ -33,6 +33,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"fog_exp2", "EFFECT_FOG_EXP2", "squared exponential fog"},
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
     {"early_termination", "EFFECT_EARLY_TERMINATION", "rays end where nothing behind can be seen"},
+    {"empty_space_skipping", "EFFECT_EMPTY_SPACE_SKIPPING", "rays step over blocks that cannot show"},
     {"long_rays", "EFFECT_LONG_RAYS", "one loop over the samples, for very many of them"},
     {"dense_functions", "EFFECT_DENSE_FUNCTIONS", "a search among control points that lie very close"},
     {"sample_counts", "EFFECT_SAMPLE_COUNTS", "draws the number of samples instead of the picture"},
@@ -114,6 +115,7 @@ EffectSet canonical(EffectSet effects) {
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
   if (has(Effect::sampleCounts))
     return EffectSet().with(Effect::sampleCounts);
+  drop(has(Effect::longRays), {Effect::emptySpaceSkipping});
   drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee});
   drop(!has(Effect::specular), {Effect::phong, Effect::specularOfLight, Effect::exponentMap,
                                 Effect::energyFactor, Effect::significance});
@@ -140,6 +142,8 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               "the crop box cuts the volume and samples are lit", "nothing is cut, or nothing is lit");
   plan.clause(Effect::earlyTermination, scene.quality.earlyTermination < 1.0, "rays end at the opacity set",
               "early termination is set to never");
+  plan.clause(Effect::emptySpaceSkipping, facts.canSkipEmptySpace, "blocks that cannot show are known",
+              "it is switched off, or the rays have too many samples for nested loops");
   plan.clause(Effect::longRays, 2.0 * facts.longestRaySamples > mostSamples,
               "the longest ray has too many samples for nested loops", "every ray is short enough");
   plan.clause(Effect::denseFunctions, facts.hasDenseFunctions, "control points lie very close together",

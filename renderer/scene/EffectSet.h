@@ -34,6 +34,7 @@ enum class Effect : std::uint8_t {
   fogExp2,
   cutFaces,
   earlyTermination,
+  emptySpaceSkipping,
   longRays,
   denseFunctions,
   sampleCounts
@@ -71,6 +72,7 @@ EffectSet canonical(EffectSet effects);
 /// Facts about data and limits on which effects depend beside the scene's own numbers.
 struct SceneFacts {
   double longestRaySamples = 0.0; ///< before the limit, see RayFrame
+  bool canSkipEmptySpace = false; ///< the renderer knows where nothing can be seen
   bool hasDenseFunctions = false; ///< control points so close that a table holds several in one bin
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Milliseconds per frame of the GLSL ray caster, and of measuring gradients. Held fixed: 512², default camera,
-// Blinn-Phong headlight, early termination at its default. One warm-up, then seven frames, each finished by
-// reading it back; median, least and most of the wall time, and the mean time of all cores. Not part of the test command.
+// Milliseconds per frame of the GLSL ray caster, and of measuring gradients. Held fixed: 512², default
+// camera, Blinn-Phong headlight, early termination at its default. One warm-up, then seven frames, each
+// finished by reading it back; median, least and most of the wall time, and the mean time of all cores. Not
+// part of the test command.
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "scene/Gradient.h"
@@ -37,6 +38,18 @@ void report(const char* what, const Work& work) {
               times.back(), cores);
 }
 
+// A control point is moved and the picture drawn, against the same picture drawn again.
+void reportEdit(RayCaster& caster, const std::shared_ptr<const Volume>& volume) {
+  Scene scene = test::headScene(volume, ShadingModel::classic);
+  scene.quality = {.stepVoxels = 1.0};
+  report("64 x 64, nothing changed", [&] { caster.render(scene, {64, 64}); });
+  double value = 250.0;
+  report("64 x 64, a control point moved", [&] {
+    scene.transferFunction = withPointMoved(scene.transferFunction, 5, value += 1.0, 0.3);
+    caster.render(scene, {64, 64});
+  });
+}
+
 void reportScenes(RayCaster& caster, const std::shared_ptr<const Volume>& volume) {
   for (const bool bone : {true, false})
     for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced})
@@ -70,5 +83,6 @@ int main() {
     fresh.render(test::headScene(volume, ShadingModel::classic), {64, 64});
   });
   RayCaster caster;
+  reportEdit(caster, volume);
   reportScenes(caster, volume);
 }

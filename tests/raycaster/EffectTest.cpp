@@ -125,7 +125,9 @@ TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
     Scene scene = baseScene();
     row.apply(scene);
     const bool isDense = row.effect == Effect::denseFunctions;
-    const EffectPlan plan = requiredEffects(scene, {longestRaySamples(scene), isDense});
+    const EffectPlan plan = requiredEffects(scene, {.longestRaySamples = longestRaySamples(scene),
+                                                    .canSkipEmptySpace = true,
+                                                    .hasDenseFunctions = isDense});
     EXPECT_TRUE(plan.effects.has(row.effect)) << row.what;
     EXPECT_EQ(plan.effects, canonical(plan.effects)) << row.what;
     ASSERT_EQ(plan.reasons.size(), static_cast<std::size_t>(effectCount));
@@ -139,7 +141,7 @@ TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
 TEST(EffectPlans, anUnlitPictureNeedsNothing) {
   Scene scene = baseScene();
   scene.shading.model = ShadingModel::none;
-  EXPECT_EQ(requiredEffects(scene, {longestRaySamples(scene), false}).effects, EffectSet());
+  EXPECT_EQ(requiredEffects(scene, {.longestRaySamples = longestRaySamples(scene)}).effects, EffectSet());
 }
 
 TEST(EffectPlans, neutralValuesAskForNothing) {

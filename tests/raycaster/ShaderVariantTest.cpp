@@ -14,42 +14,47 @@
 namespace limn {
 namespace {
 
+using Groups = std::vector<std::vector<Effect>>;
+
+const Groups lights{
+    {},
+    {Effect::lighting},
+    {Effect::lighting, Effect::diffuse},
+    {Effect::lighting, Effect::specular},
+    {Effect::lighting, Effect::diffuse, Effect::specular},
+    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong},
+    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::fixedLight},
+    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong, Effect::fixedLight},
+};
+
+const Groups maps{
+    {},
+    {Effect::exponentMap, Effect::opacityMap},
+    {Effect::exponentMap},
+    {Effect::opacityMap},
+    {Effect::exponentMap, Effect::opacityMap, Effect::gammaCurve},
+    {Effect::exponentMap, Effect::opacityMap, Effect::logCurve},
+    {Effect::exponentMap, Effect::opacityMap, Effect::energyFactor, Effect::significance, Effect::knee},
+    {Effect::opacityFactor},
+    {Effect::significance},
+};
+
+const Groups others{
+    {},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogLinear},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp2},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::cutFaces},
+    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
+    {Effect::emptySpaceSkipping, Effect::gradientOpacity, Effect::knee},
+    {Effect::emptySpaceSkipping, Effect::longRays, Effect::denseFunctions},
+    {Effect::sampleCounts},
+};
+
 // The canonical sets that scenes can reach: every combination of what belongs together, the groups that do
 // not touch each other's code (fog, knee, cut faces, …) varied one against all.
 std::set<EffectSet> reachableSets() {
-  const std::vector<std::vector<Effect>> lights{
-      {},
-      {Effect::lighting},
-      {Effect::lighting, Effect::diffuse},
-      {Effect::lighting, Effect::specular},
-      {Effect::lighting, Effect::diffuse, Effect::specular},
-      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong},
-      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::fixedLight},
-      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong, Effect::fixedLight},
-  };
-  const std::vector<std::vector<Effect>> maps{
-      {},
-      {Effect::exponentMap, Effect::opacityMap},
-      {Effect::exponentMap},
-      {Effect::opacityMap},
-      {Effect::exponentMap, Effect::opacityMap, Effect::gammaCurve},
-      {Effect::exponentMap, Effect::opacityMap, Effect::logCurve},
-      {Effect::exponentMap, Effect::opacityMap, Effect::energyFactor, Effect::significance, Effect::knee},
-      {Effect::opacityFactor},
-      {Effect::significance},
-  };
-  const std::vector<std::vector<Effect>> others{
-      {},
-      {Effect::earlyTermination},
-      {Effect::earlyTermination, Effect::fogLinear},
-      {Effect::earlyTermination, Effect::fogExp},
-      {Effect::earlyTermination, Effect::fogExp2},
-      {Effect::earlyTermination, Effect::cutFaces},
-      {Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
-      {Effect::gradientOpacity, Effect::knee},
-      {Effect::longRays, Effect::denseFunctions},
-      {Effect::sampleCounts},
-  };
   std::set<EffectSet> sets;
   for (const auto& light : lights)
     for (const auto& map : maps)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "raycaster/PiecewiseTable.h"
+#include "raycaster/TextureVoxels.h"
+
+#include <cstdint>
+
+namespace limn {
+
+/// Texels along each edge of a block.
+inline constexpr int blockSize = 4;
+
+/// The scalars that samples in each block of 4³ texels can take. A block owns the positions from half a texel
+/// before its first texel's centre to half a texel behind its last one's; its range holds a texel more on
+/// either side, so that it stands for positions up to half a texel beyond it.
+struct BlockRanges {
+  glm::ivec3 blocks{0};
+  std::vector<glm::vec2> ranges; ///< lowest and highest, x fastest
+};
+
+BlockRanges blockRanges(const TextureVoxels& voxels);
+
+/// For each block the Chebyshev distance, in blocks, to the nearest in which a sample may be seen: 0 there,
+/// at most 255. All blocks nearer than it are empty.
+std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const PiecewiseTable& function);
+
+} // namespace limn

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/EmptySpace.h"
+#include "raycaster/RayCaster.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+
+#include <random>
+
+namespace limn {
+namespace {
+
+std::shared_ptr<const Volume> sparseVolume(const glm::ivec3& dims, int visibleVoxels) {
+  Grid grid;
+  grid.dims = dims;
+  grid.spacingMm = {1.0, 0.7, 1.6};
+  std::mt19937 generator(5);
+  std::vector<std::uint8_t> voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 10);
+  voxels[0] = 0;
+  for (int i = 0; i < visibleVoxels; ++i)
+    voxels[generator() % voxels.size()] = 200;
+  return std::make_shared<const Volume>(grid, voxels, Rescale{}, std::nullopt, VolumeInfo{});
+}
+
+TransferFunction above(double value) {
+  return {1.0, {{value, glm::dvec3(1.0), 0.0}, {200.0, glm::dvec3(1.0, 0.5, 0.2), 0.7}}};
+}
+
+TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
+  const auto volume = sparseVolume({41, 30, 23}, 3);
+  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  EXPECT_EQ(ranges.blocks, glm::ivec3(11, 8, 6));
+  const std::vector<std::uint8_t> distances = emptyDistances(ranges, tableOf(above(50.0), volume->range()));
+  const auto blockAt = [&ranges](std::size_t i) {
+    const int n = static_cast<int>(i);
+    return glm::ivec3(n % ranges.blocks.x, n / ranges.blocks.x % ranges.blocks.y,
+                      n / (ranges.blocks.x * ranges.blocks.y));
+  };
+  int visible = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    int nearest = 255;
+    for (std::size_t k = 0; k < distances.size(); ++k)
+      if (distances[k] == 0) {
+        const glm::ivec3 d = glm::abs(blockAt(i) - blockAt(k));
+        nearest = std::min(nearest, std::max({d.x, d.y, d.z}));
+      }
+    EXPECT_EQ(int(distances[i]), nearest);
+    // The normalised scalar of value 50 is a quarter.
+    EXPECT_EQ(distances[i] == 0, ranges.ranges[i].y > 0.25f) << i;
+    visible += distances[i] == 0;
+  }
+  EXPECT_GT(visible, 2);
+}
+
+TEST(EmptySpaceDistances, anInvisibleFunctionLeavesNothing) {
+  const auto volume = sparseVolume({9, 9, 9}, 3);
+  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  for (const std::uint8_t distance : emptyDistances(ranges, tableOf(TransferFunction{}, volume->range())))
+    EXPECT_EQ(int(distance), 255);
+}
+
+using EmptySpaceSkipping = test::GlTest;
+
+TEST_F(EmptySpaceSkipping, changesNoBitOfAPicture) {
+  RayCaster skipping;
+  RayCaster sampling(RayCaster::EmptySpace::sampled);
+  const auto phantom = phantomVolume({.spacingMm = 3.0, .noiseHu = 15.0});
+  TransferFunction spikes{1.0, {}};
+  for (const double value : {-50.0, 30.0, 400.0, 1500.0})
+    for (const double side : {-0.5, 0.5})
+      for (const double opacity : {side < 0.0 ? 0.0 : 0.8, side < 0.0 ? 0.8 : 0.0})
+        spikes.points.push_back({value + side, glm::dvec3(1.0), opacity});
+  std::vector<Scene> scenes;
+  for (const auto& function : {test::skinMuscleBone(), test::boneOnly(), spikes, TransferFunction{}}) {
+    scenes.push_back(test::headScene(phantom, ShadingModel::classic));
+    scenes.back().transferFunction = function;
+  }
+  for (const glm::ivec3& dims : {glm::ivec3(33, 29, 21), glm::ivec3(1, 40, 7), glm::ivec3(4, 4, 4)}) {
+    scenes.push_back(test::headScene(sparseVolume(dims, 4), ShadingModel::enhanced));
+    scenes.back().transferFunction = above(20.0);
+  }
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (const double yaw : {0.0, 0.4, 1.5707963267948966, 2.9})
+      for (const double step : {0.1, 0.5, 3.0}) {
+        Scene scene = scenes[i];
+        scene.camera = orbited(scene.camera, yaw, 0.7 * yaw);
+        scene.quality.stepVoxels = step;
+        EXPECT_EQ(skipping.render(scene, {48, 40}), sampling.render(scene, {48, 40}))
+            << "scene " << i << ", yaw " << yaw << ", step " << step;
+      }
+}
+
+} // namespace
+} // namespace limn
