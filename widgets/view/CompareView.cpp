@@ -239,8 +239,10 @@ void CompareView::showEvent(QShowEvent* event) {
   QTimer::singleShot(0, this, [this] {
     if (!isVisible() || isValid())
       return;
-    fail(tr("This computer offers no OpenGL 3.0 to the program, so no volume can be drawn: install or update "
-            "the graphics driver (on Linux without a graphics card, the package libgl1-mesa-dri)."));
+    const QString problem = openGlProblem();
+    fail(problem.isEmpty()
+             ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
+             : problem);
   });
   if (!m_state.resting)
     redraw();
