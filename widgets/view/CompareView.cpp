@@ -18,7 +18,7 @@ namespace {
 
 constexpr int idleMs = 150;        // from the last change to refinement
 constexpr double budgetMs = 30.0;  // of refinement in one turn of the event loop
-constexpr int showEveryMs = 100;   // while refining: showing costs as much as several strips
+constexpr int showEveryMs = 200;   // while refining: showing costs as much as a turn of it
 constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
 constexpr int labelFadeMs = 400;
 
