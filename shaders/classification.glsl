@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The transfer function: classification after interpolation.
 
 uniform sampler2D u_functionBins;

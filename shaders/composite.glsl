@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The integral of RENDERING 7 by its standard discretisation: equal steps, one sample at each midpoint.
 
 uniform float u_lastTransmittance;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Near a face that the crop box cuts, that face's outward normal takes the gradient's place.
 
 uniform vec3 u_cutLower; // centred index; far outside where the crop does not cut

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fog weighs the object's colour by its distance to the eye (lecture, "OpenGL Fog").
 
 uniform vec3 u_fogColor;

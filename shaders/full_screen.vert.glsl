@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One triangle that covers the viewport; each fragment is a pixel's ray.
 
 in vec2 a_corner;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Measure the gradient along the grid's axes, in units of the volume's range per smallest spacing.
 
 uniform vec3 u_texel;         // one texel in texture coordinates

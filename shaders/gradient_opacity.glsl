@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The gradient-opacity curve G (lecture, boundary opacity).
 
 uniform sampler2D u_gradientBins;

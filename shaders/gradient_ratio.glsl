@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Normalise the modulus by its reference and apply the curve (paper eq. 7 and 8: g/gmax).
 
 uniform float u_perReference; // 1 / gref, 0 where gref = 0

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Blinn-Phong and Phong (paper eq. 1-4) in the frame of the grid's axes.
 
 uniform float u_ambient;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Piecewise linear functions, exact: a row of bins gives the segment where a bin holds no knot, and where to
 // look for it where it does. Layout: renderer/raycaster/PiecewiseTable.h. No loop but for functions that crowd
 // more than two knots into a bin: drivers limit the iterations of all loops together.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Rays, affine in the pixel, in centred index coordinates (renderer/scene/RayFrame.h); t in mm.
 
 uniform vec2 u_pictureCentre;

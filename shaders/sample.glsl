@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One visible sample: its opacity, its colour, and how they add to the ray.
 
 uniform vec2 u_opacity; // O at r = 0 and r = 1
@@ -16,7 +17,7 @@ struct March {
 #endif
 };
 
-// The light gathered by a ray. Its transmittance is transmittance·(1 - loss): losses add up from 0 and are
+// The light gathered by a ray. Its transmittance is transmittance * (1 - loss): losses add up from 0 and are
 // taken from the transmittance when they are large enough to change it in float, however small the steps are.
 struct Gathered {
   vec3 color; // premultiplied

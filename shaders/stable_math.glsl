@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Twins of renderer/scene/StableMath.h in float, under the same names.
 
 const float largestOpacity = 1.0 - 1.0 / 16777216.0;
@@ -11,15 +12,16 @@ float oneMinusExpNeg(float x) {
   return 1.0 - exp2(-x * log2OfE);
 }
 
-float minusLog1mOpacity(float a) {
-  a = clamp(a, 0.0, largestOpacity);
-  if (a > 0.5)
-    return -log(1.0 - a);
-  // -log(1-a) = 2 atanh(a/(2-a)), whose series needs few terms for an argument up to 1/3.
-  float z = a / (2.0 - a);
+// log((1+z)/(1-z)) for |z| <= 1/3, where the series is exact to rounding.
+float logOfRatio(float z) {
   float s = z * z;
   return 2.0 * z *
          (1.0 + s * (1.0 / 3.0 + s * (1.0 / 5.0 + s * (1.0 / 7.0 + s * (1.0 / 9.0 + s * (1.0 / 11.0 + s * (1.0 / 13.0)))))));
+}
+
+float minusLog1mOpacity(float a) {
+  a = clamp(a, 0.0, largestOpacity);
+  return a > 0.5 ? -log(1.0 - a) : logOfRatio(a / (2.0 - a));
 }
 
 vec4 safeNormal(vec3 v) {
@@ -61,12 +63,12 @@ float gammaCurve(float r, float gamma) {
   return r > 0.0 ? exp2(gamma * log2(r)) : 0.0;
 }
 
+float logOnePlus(float x) {
+  return x > 1.0 ? log(1.0 + x) : logOfRatio(x / (2.0 + x));
+}
+
 float logCurve(float r, float b) {
-  // log(1 + x) x / ((1 + x) - 1) is exact to rounding for small x as well (Kahan).
-  float x = b * r;
-  float y = 1.0 + x;
-  float logOfX = y == 1.0 ? x : log(y) * x / (y - 1.0);
-  return logOfX / log(1.0 + b);
+  return logOnePlus(b * r) / logOnePlus(b);
 }
 
 float mapped(float x, float low, float high) {

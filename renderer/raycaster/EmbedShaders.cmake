@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, a C++ file with the text of every file of SHADERS (a list joined by commas).
 string(REPLACE "," ";" SHADERS "${SHADERS}")
 set(text "// Made by EmbedShaders.cmake from the folder shaders.\n#include \"raycaster/EmbeddedShaders.h\"\n\n")

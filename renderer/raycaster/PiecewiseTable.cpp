@@ -63,12 +63,15 @@ std::vector<double> placesOf(const std::vector<FloatKnot>& knots, const ValueRan
                              PiecewiseTable& table) {
   const double first = std::max<double>(knots.front().x, limits.lowest);
   const double last = std::min<double>(knots.back().x, limits.highest);
-  const float low = static_cast<float>(first);
-  const double perUnit = last > low ? binCount / (last - low) : 0.0;
-  const bool hasWidth = perUnit > 0.0 && perUnit < 1e30;
-  table.bins.resize(hasWidth ? binCount : 1);
-  table.domain = {hasWidth ? low : 0.0f, hasWidth ? static_cast<float>(perUnit) : 0.0f,
-                  static_cast<float>(table.bins.size() - 1)};
+  // A bin must not be narrower than a few steps of float.
+  const double magnitude = std::max({std::abs(first), std::abs(last), 1e-30});
+  const int count = static_cast<int>(std::clamp((last - first) / magnitude * 0x1p22, 1.0, double(binCount)));
+  const bool hasWidth = count >= 8;
+  // The outermost bins serve all arguments beyond the knots and hold none themselves.
+  const double perUnit = hasWidth ? (count - 3) / (last - first) : 0.0;
+  const float low = hasWidth ? static_cast<float>(first - 1.5 / perUnit) : 0.0f;
+  table.bins.resize(hasWidth ? static_cast<std::size_t>(count) : 1);
+  table.domain = {low, static_cast<float>(perUnit), static_cast<float>(table.bins.size() - 1)};
   std::vector<double> places;
   for (const FloatKnot& knot : knots) {
     if (hasWidth)

@@ -68,9 +68,14 @@ inline double gammaCurve(double r, double gamma) {
   return r > 0.0 ? std::pow(r, gamma) : 0.0;
 }
 
+/// log(1+x) for x ≥ 0, without cancellation near 0.
+inline double logOnePlus(double x) {
+  return std::log1p(x);
+}
+
 /// log1p(b r)/log1p(b) for b > 0.
 inline double logCurve(double r, double b) {
-  return std::log1p(b * r) / std::log1p(b);
+  return logOnePlus(b * r) / logOnePlus(b);
 }
 
 /// low + x (high - low), the maps of paper eq. 7 and 8 (SPmin..SPmax, Omin..Omax).

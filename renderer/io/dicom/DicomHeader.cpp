@@ -116,9 +116,9 @@ bool isFilm(const DicomDataset& dataset) {
   return counted == tag::frameTime || counted == tag::frameTimeVector;
 }
 
-std::string unitOf(const DicomDataset& dataset, const std::string& modality, const std::string& rescaleType) {
+std::string unitOf(const DicomDataset& dataset, const std::string& modality, const DicomFrame& frame) {
   if (modality == "CT")
-    return rescaleType.empty() || rescaleType == "HU" ? "HU" : "";
+    return frame.rescale && (frame.rescaleType.empty() || frame.rescaleType == "HU") ? "HU" : "";
   if (modality == "PT") {
     const std::string units = textOf(dataset, tag::petUnits);
     return units == "BQML" ? "Bq/ml" : units == "GML" ? "g/ml" : "";
@@ -173,7 +173,7 @@ DicomHeader headerOf(const std::filesystem::path& path, const DicomFile& file) {
   header.lossyRatio = ratios.empty() ? "" : ratios.back();
   readFrameCount(dataset, header);
   header.isFilm = header.frames.size() > 1 && isFilm(dataset) && !header.frames.front().positionMm;
-  header.unit = unitOf(dataset, header.modality, header.frames.front().rescaleType);
+  header.unit = unitOf(dataset, header.modality, header.frames.front());
   return header;
 }
 

@@ -124,6 +124,12 @@ DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, 
   return {std::move(values), Rescale{}, std::nullopt};
 }
 
+bool holdsMoreThanAnnounced(const DicomSlice& slice) {
+  const DicomHeader& header = *slice.header;
+  return !header.pixels->isEncapsulated &&
+         header.pixels->length >= frameBytes(header) * (header.frames.size() + 1);
+}
+
 void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
   const DicomHeader& first = *series.front().header;
   const auto lossy = std::find_if(series.begin(), series.end(),
@@ -133,6 +139,8 @@ void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
         "The images were compressed with loss" +
         (lossy->header->lossyRatio.empty() ? std::string() : " (" + lossy->header->lossyRatio + " : 1)") +
         ": fine detail differs from what the scanner measured.");
+  if (std::any_of(series.begin(), series.end(), holdsMoreThanAnnounced))
+    warnings.emplace_back("The file holds more pixels than its header announces; the rest is not shown.");
   if (first.format.photometric == "MONOCHROME1")
     warnings.emplace_back(
         "The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.");

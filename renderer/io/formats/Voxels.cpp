@@ -197,12 +197,18 @@ VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, c
 }
 
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress) {
-  if (layout.components != 1)
-    failReading(location.file, "it holds colours as text", "convert it to a binary encoding");
   // The shortest voxel is a digit, and white space parts it from the next.
-  const std::string text = readText(location, 2 * layout.count - 1);
+  return parseTextVoxels(location.file, readText(location, 2 * layout.count - 1), layout, progress);
+}
+
+VoxelArray parseTextVoxels(const fs::path& file, std::string_view text, const VoxelLayout& layout,
+                           const Progress& progress) {
+  if (layout.components != 1)
+    failReading(file, "it holds colours as text", "convert it to a binary encoding");
+  if (text.size() < 2 * layout.count - 1)
+    failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
   return withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return parseAs<decltype(value)>(location.file, text, layout, progress);
+    return parseAs<decltype(value)>(file, text, layout, progress);
   });
 }
 

@@ -42,6 +42,10 @@ VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, c
 /// a word is no number of the layout's type.
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
 
+/// The same from text in memory.
+VoxelArray parseTextVoxels(const std::filesystem::path& file, std::string_view text,
+                           const VoxelLayout& layout, const Progress& progress);
+
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);
 

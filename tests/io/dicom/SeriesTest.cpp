@@ -236,6 +236,7 @@ TEST(DicomSeries, aSpacingGivenByHandReplacesAMissingOne) {
   options.spacingMm = glm::dvec3(0.4, 0.4, 5.0);
   const auto given = readDicom(folder.path() / "a", options, {});
   EXPECT_TRUE(given->info().spacingKnown);
+  EXPECT_FALSE(warnsOf(*given, "assumed"));
   EXPECT_EQ(given->grid().spacingMm, *options.spacingMm);
 }
 

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The helpers of shaders/stable_math.glsl against their twins in double, each over its whole range: a
+// fragment program draws one value per pixel into a target of floats.
+#include "scene/StableMath.h"
+#include "gl/ShaderProgram.h"
+#include "raycaster/EmbeddedShaders.h"
+#include "raycaster/ShaderVariant.h"
+#include "support/AnalyticCases.h"
+#include "support/GlTest.h"
+
+#include <epoxy/gl.h>
+
+#include <functional>
+#include <numbers>
+
+namespace limn {
+namespace {
+
+// Evaluates a GLSL expression of `v`, four floats per pixel.
+class Evaluator {
+public:
+  std::vector<glm::vec4> operator()(const std::string& expression, const std::vector<glm::vec4>& arguments) {
+    const auto count = static_cast<GLsizei>(arguments.size());
+    ShaderSource source;
+    source.append("prelude", "#version 130\n");
+    source.append("stable_math.glsl", embeddedShader("stable_math.glsl"));
+    source.append("main",
+                  "uniform sampler2D u_arguments;\nout vec4 fragColor;\nvoid main() {\n"
+                  "  vec4 v = texelFetch(u_arguments, ivec2(gl_FragCoord.xy), 0);\n  fragColor = vec4(" +
+                      expression + ");\n}\n");
+    const ShaderProgram program(vertexSource(), source);
+    const GlTexture input = texture(count, arguments.data());
+    const GlTexture output = texture(count, nullptr);
+    const GlFramebuffer framebuffer;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.name(), 0);
+    glBindTexture(GL_TEXTURE_2D, input.name());
+    program.use();
+    program.set("u_arguments", 0);
+    const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+    const GlVertexArray vertexArray;
+    const GlBuffer corners;
+    glBindVertexArray(vertexArray.name());
+    glBindBuffer(GL_ARRAY_BUFFER, corners.name());
+    glBufferData(GL_ARRAY_BUFFER, sizeof(triangle), triangle, GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glViewport(0, 0, count, 1);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    std::vector<glm::vec4> values(arguments.size());
+    glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT, values.data());
+    return values;
+  }
+
+private:
+  static GlTexture texture(GLsizei count, const glm::vec4* texels) {
+    GlTexture made;
+    glBindTexture(GL_TEXTURE_2D, made.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, count, 1, 0, GL_RGBA, GL_FLOAT, texels);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return made;
+  }
+};
+
+// Arguments from `low` to `high` in equal ratios.
+std::vector<glm::vec4> geometric(double low, double high, const glm::vec3& rest = glm::vec3(0.0f)) {
+  std::vector<glm::vec4> arguments;
+  for (int i = 0; i <= 1000; ++i)
+    arguments.emplace_back(static_cast<float>(low * std::pow(high / low, i / 1000.0)), rest.x, rest.y,
+                           rest.z);
+  return arguments;
+}
+
+std::vector<glm::vec4> linear(double low, double high, const glm::vec3& rest = glm::vec3(0.0f)) {
+  std::vector<glm::vec4> arguments;
+  for (int i = 0; i <= 1000; ++i)
+    arguments.emplace_back(static_cast<float>(low + (high - low) * i / 1000.0), rest.x, rest.y, rest.z);
+  return arguments;
+}
+
+class StableMath : public test::GlTest {
+protected:
+  // |GLSL - double| ≤ absolute + relative · |double|, the double taking the same float arguments.
+  void compare(const std::string& expression, const std::vector<glm::vec4>& arguments,
+               const std::function<double(const glm::dvec4&)>& twin, double relative, double absolute = 0.0) {
+    const std::vector<glm::vec4> values = m_evaluate(expression, arguments);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      const double expected = twin(glm::dvec4(arguments[i]));
+      EXPECT_NEAR(values[i].x, expected, absolute + relative * std::abs(expected))
+          << expression << " of " << arguments[i].x << ", " << arguments[i].y << ", " << arguments[i].z;
+    }
+  }
+
+  double value(const std::string& expression, const glm::dvec4& argument) {
+    return m_evaluate(expression, {glm::vec4(argument)})[0].x;
+  }
+
+private:
+  Evaluator m_evaluate;
+};
+
+TEST_F(StableMath, oneMinusExpNegKeepsItsDigitsFromTinyToLarge) {
+  // exp2 of llvmpipe is good to 2.3e-7 relative (NUMERICS 3.0); at the series' end 1 - e^-x is a quarter of
+  // it.
+  const auto twin = [](const glm::dvec4& v) { return oneMinusExpNeg(v.x); };
+  compare("oneMinusExpNeg(v.x)", geometric(1e-30, 100.0), twin, 2e-6);
+  compare("oneMinusExpNeg(v.x)", {glm::vec4(0.0f), glm::vec4(1e30f)}, twin, 2e-7);
+}
+
+TEST_F(StableMath, minusLog1mOpacityKeepsItsDigitsFromTinyToOpaque) {
+  const auto twin = [](const glm::dvec4& v) { return minusLog1mOpacity(v.x); };
+  compare("minusLog1mOpacity(v.x)", geometric(1e-30, 1.0), twin, 1e-6);
+  compare("minusLog1mOpacity(v.x)", linear(0.4, 1.0), twin, 1e-6);
+  compare("minusLog1mOpacity(v.x)", {glm::vec4(0.0f), glm::vec4(-1.0f), glm::vec4(2.0f)}, twin, 1e-6);
+}
+
+TEST_F(StableMath, safeNormalIsAUnitVectorFromTinyToHuge) {
+  // Components below 1e-38 are flushed to 0 on graphics cards.
+  std::vector<glm::vec4> arguments;
+  for (const double size : {1e-34, 1e-20, 1e-10, 1.0, 1e10, 1e20, 1e37})
+    for (int i = 0; i < 60; ++i)
+      arguments.emplace_back(glm::vec3(glm::dvec3(std::sin(i), std::cos(2.0 * i), std::sin(3.0 * i)) * size),
+                             0);
+  const auto component = [](int c) {
+    return [c](const glm::dvec4& v) { return safeNormal(glm::dvec3(v))[c]; };
+  };
+  compare("safeNormal(v.xyz).x", arguments, component(0), 0.0, 4e-7);
+  compare("safeNormal(v.xyz).y", arguments, component(1), 0.0, 4e-7);
+  compare("safeNormal(v.xyz).z", arguments, component(2), 0.0, 4e-7);
+  compare("safeNormal(v.xyz).w", arguments, component(3), 4e-7);
+  EXPECT_EQ(value("length(safeNormal(v.xyz))", glm::dvec4(0.0)), 0.0);
+}
+
+TEST_F(StableMath, blinnTermHasNoEdgeCases) {
+  for (const double exponent : {1e-6, 0.5, 1.0, 5.0, 32.0, 128.0, 1024.0}) {
+    const auto twin = [](const glm::dvec4& v) { return blinnTerm(v.x, v.y); };
+    const glm::vec3 rest(static_cast<float>(exponent), 0.0f, 0.0f);
+    compare("blinnTerm(v.x, v.y)", linear(-1.0, 1.0, rest), twin, 2e-6, 1e-6);
+    compare("blinnTerm(v.x, v.y)", linear(0.99, 1.0001, rest), twin, 2e-6, 1e-6);
+  }
+  // H2: 0⁰ and negative bases.
+  EXPECT_EQ(value("blinnTerm(v.x, v.y)", {0.0, 0.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(value("blinnTerm(v.x, v.y)", {-1e-7, 1e4, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(value("blinnTerm(v.x, v.y)", {1.0000001, 1e4, 0.0, 0.0}), 1.0);
+}
+
+TEST_F(StableMath, theKneeIsTheIdentityBelowAndStaysUnderOneAbove) {
+  const auto twin = [](const glm::dvec4& v) { return knee(glm::dvec3(v), v.w).x; };
+  compare("knee(v.xyz, v.w).x", linear(0.0, 4.0, {0.3f, 1.2f, 0.8f}), twin, 1e-6);
+  EXPECT_EQ(value("knee(v.xyz, v.w).x", {0.7, 0.3, 0.1, 0.8}), 0.7f);
+}
+
+TEST_F(StableMath, logOnePlusKeepsItsDigitsFromTinyToLarge) {
+  const auto twin = [](const glm::dvec4& v) { return logOnePlus(v.x); };
+  compare("logOnePlus(v.x)", geometric(1e-30, 1e6), twin, 1e-6);
+}
+
+TEST_F(StableMath, curvesAndWeightsMatch) {
+  compare(
+      "gammaCurve(v.x, v.y)", linear(0.0, 1.0, {0.5f, 0.0f, 0.0f}),
+      [](const glm::dvec4& v) { return gammaCurve(v.x, v.y); }, 1e-6, 1e-7);
+  compare(
+      "gammaCurve(v.x, v.y)", linear(0.0, 1.0, {2.2f, 0.0f, 0.0f}),
+      [](const glm::dvec4& v) { return gammaCurve(v.x, v.y); }, 2e-6, 1e-7);
+  for (const float b : {0.01f, 1.0f, 9.0f, 99.0f, 1e4f})
+    compare(
+        "logCurve(v.x, v.y)", linear(0.0, 1.0, {b, 0.0f, 0.0f}),
+        [](const glm::dvec4& v) { return logCurve(v.x, v.y); }, 2e-6, 2e-7);
+  compare(
+      "significanceWeight(v.y, v.z, v.x)", linear(0.0, 1.0, {0.05f, 0.25f, 0.0f}),
+      [](const glm::dvec4& v) { return significanceWeight(v.y, v.z, v.x); }, 1e-6, 1e-6);
+  compare(
+      "significanceWeight(v.y, v.z, v.x)", linear(0.0, 1.0, {0.5f, 0.5f, 0.0f}),
+      [](const glm::dvec4& v) { return significanceWeight(v.y, v.z, v.x); }, 0.0);
+  compare(
+      "energyFactor(v.x, v.y)", linear(0.1, 1024.0, {1024.0f, 0.0f, 0.0f}),
+      [](const glm::dvec4& v) { return energyFactor(v.x, v.y); }, 3e-7);
+  compare(
+      "mapped(v.x, v.y, v.z)", linear(0.0, 1.0, {5.0f, 125.0f, 0.0f}),
+      [](const glm::dvec4& v) { return mapped(v.x, v.y, v.z); }, 3e-7);
+}
+
+TEST_F(StableMath, fogFactorsMatch) {
+  compare(
+      "fogLinear(v.x, v.y, v.z)", linear(-1.0, 8.0, {1.0f, 5.0f, 0.0f}),
+      [](const glm::dvec4& v) { return fogLinear(v.x, v.y, v.z); }, 0.0, 2e-7);
+  compare(
+      "fogLinear(v.x, v.y, v.z)", linear(-1.0, 8.0, {3.0f, 3.0f, 0.0f}),
+      [](const glm::dvec4& v) { return fogLinear(v.x, v.y, v.z); }, 0.0);
+  compare(
+      "fogExp(v.x, v.y, v.z)", linear(-1.0, 30.0, {1.0f, 0.35f, 0.0f}),
+      [](const glm::dvec4& v) { return fogExp(v.x, v.y, v.z); }, 2e-6, 1e-7);
+  compare(
+      "fogExp2(v.x, v.y, v.z)", linear(-1.0, 30.0, {1.0f, 0.35f, 0.0f}),
+      [](const glm::dvec4& v) { return fogExp2(v.x, v.y, v.z); }, 2e-6, 1e-7);
+}
+
+// The `helper` cases of the shared file whose functions both sides have.
+TEST_F(StableMath, everySharedHelperCaseHoldsOnBothSides) {
+  LIMN_NEEDS_SHARED(test::analyticCasesFile);
+  int count = 0;
+  const auto check = [&](const nlohmann::json& one, const char* key, double cpu, double gpu) {
+    const nlohmann::json& entry = one["expected"][key];
+    const double expected = entry.is_object() ? entry["value"].get<double>() : entry.get<double>();
+    EXPECT_NEAR(cpu, expected, one["tolerance"]["cpu_double"].get<double>()) << one["id"] << " " << key;
+    // Coordinates and exponents are rounded to float on the way in.
+    EXPECT_NEAR(gpu, expected, one["tolerance"]["gpu_float_target"].get<double>() * std::max(1.0, expected))
+        << one["id"] << " " << key;
+    ++count;
+  };
+  for (const nlohmann::json& one : test::analyticCases()) {
+    const std::string id = one["id"];
+    const nlohmann::json& p = one["parameters"];
+    if (id.rfind("F1_", 0) == 0) {
+      const glm::dvec4 sp(p["g_over_gmax"], p["SPmin"], p["SPmax"], 0.0);
+      const glm::dvec4 o(p["g_over_gmax"], p["Omin"], p["Omax"], 0.0);
+      check(one, "SP", mapped(sp.x, sp.y, sp.z), value("mapped(v.x, v.y, v.z)", sp));
+      check(one, "O", mapped(o.x, o.y, o.z), value("mapped(v.x, v.y, v.z)", o));
+    } else if (id.rfind("F3_", 0) == 0) {
+      const double cosine = std::cos(p["angle_NH_deg"].get<double>() * std::numbers::pi / 180.0);
+      // cos 90° is 6e-17 in double: the case means 0.
+      const glm::dvec4 v(p["angle_NH_deg"] == 90 ? 0.0 : cosine, p["SP"], 0.0, 0.0);
+      check(one, "spec", blinnTerm(v.x, v.y), value("blinnTerm(v.x, v.y)", v));
+    } else if (id.rfind("F7_", 0) == 0) {
+      const glm::dvec4 v(p["n"], p["SPmax"], 0.0, 0.0);
+      check(one, "E", energyFactor(v.x, v.y), value("energyFactor(v.x, v.y)", v));
+    } else if (id.rfind("F8_", 0) == 0) {
+      const glm::dvec4 v(p["m"], 0.1, 0.1, p["k"]);
+      check(one, "m_out", knee(glm::dvec3(v), v.w).x, value("knee(v.xyz, v.w).x", v));
+    } else if (id.rfind("F9_", 0) == 0) {
+      const glm::dvec4 v(p["r"], p["beta"], 0.5, 0.0);
+      check(one, "log", logCurve(v.x, v.y), value("logCurve(v.x, v.y)", v));
+      check(one, "gamma_half", gammaCurve(v.x, v.z), value("gammaCurve(v.x, v.z)", v));
+    }
+  }
+  EXPECT_EQ(count, 52);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One row per effect: a scene that calls for it, where the shader must agree with the reference, and where
+// leaving it out must show.
+#include "raycaster/RayCaster.h"
+#include "scene/EffectSet.h"
+#include "scene/Phantom.h"
+#include "scene/RayFrame.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+#include "support/ImageCompare.h"
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{80, 96};
+
+struct Row {
+  const char* what;
+  Effect effect;
+  void (*apply)(Scene&);
+};
+
+const Row rows[] = {
+    {"Phong", Effect::phong, [](Scene& s) { s.shading.reflection = Reflection::phong; }},
+    {"Phong under a fixed light, two-sided", Effect::fixedLight,
+     [](Scene& s) {
+       s.shading.reflection = Reflection::phong;
+       s.shading.twoSided = true;
+       s.shading.lightDirection = glm::dvec3(1.0, 0.5, -1.0);
+     }},
+    {"two-sided", Effect::twoSided,
+     [](Scene& s) {
+       s.shading.twoSided = true;
+       s.shading.lightDirection = glm::dvec3(-1.0, -1.0, 0.0);
+     }},
+    {"fixed light", Effect::fixedLight,
+     [](Scene& s) { s.shading.lightDirection = glm::dvec3(0.0, 1.0, -3.0); }},
+    {"highlights of the light", Effect::specularOfLight,
+     [](Scene& s) { s.shading.specularColor = SpecularColor::light; }},
+    {"gamma curve", Effect::gammaCurve,
+     [](Scene& s) {
+       s.shading.gradientCurve = {GradientCurve::Type::gamma, 0.4};
+     }},
+    {"log curve", Effect::logCurve,
+     [](Scene& s) {
+       s.shading.gradientCurve = {GradientCurve::Type::log, 50.0};
+     }},
+    {"constant opacity coefficient", Effect::opacityFactor,
+     [](Scene& s) {
+       s.shading.opacityRange = {2.5, 2.5};
+     }},
+    {"gradient opacity", Effect::gradientOpacity,
+     [](Scene& s) {
+       s.gradientOpacity = GradientOpacity{{{0.0, 0.0}, {50.0, 0.3}, {50.0, 0.6}, {200.0, 1.0}}};
+     }},
+    {"knee", Effect::knee,
+     [](Scene& s) {
+       s.shading.model = ShadingModel::robust;
+       s.shading.specular = 3.0;
+     }},
+    {"energy factor", Effect::energyFactor, [](Scene& s) { s.shading.model = ShadingModel::robust; }},
+    {"significance", Effect::significance, [](Scene& s) { s.shading.model = ShadingModel::robust; }},
+    {"linear fog", Effect::fogLinear,
+     [](Scene& s) {
+       s.fog = {Fog::Mode::linear, glm::dvec3(0.4, 0.5, 0.6), 0.0, 500.0, 900.0};
+     }},
+    {"exponential fog", Effect::fogExp,
+     [](Scene& s) {
+       s.fog = {Fog::Mode::exp, glm::dvec3(0.4, 0.5, 0.6), 0.002, 300.0, 0.0};
+     }},
+    {"squared exponential fog", Effect::fogExp2,
+     [](Scene& s) {
+       s.fog = {Fog::Mode::exp2, glm::dvec3(0.4, 0.5, 0.6), 0.001, 0.0, 0.0};
+     }},
+    {"cut faces", Effect::cutFaces,
+     [](Scene& s) {
+       s.crop = {{0.0, 0.3, 0.1}, {0.55, 1.0, 0.8}};
+       s.camera = orbited(s.camera, 0.6, 0.4);
+     }},
+    {"early termination", Effect::earlyTermination, [](Scene& s) { s.quality.earlyTermination = 0.98; }},
+    {"single loop for long rays", Effect::longRays,
+     [](Scene& s) {
+       s.quality.stepVoxels = 0.003;
+       s.crop.lower.y = 0.45;
+       s.crop.upper.y = 0.5;
+     }},
+    {"crowded control points", Effect::denseFunctions,
+     [](Scene& s) {
+       for (const double value : {40.0, 40.1, 40.2, 40.3, 40.4, 40.5})
+         s.transferFunction = withPointAdded(s.transferFunction, value, value > 40.2 ? 0.3 : 0.05);
+     }},
+};
+
+Scene baseScene() {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0});
+  return test::headScene(volume, ShadingModel::enhanced);
+}
+
+using Effects = test::GlTest;
+
+TEST_F(Effects, everyEffectAgreesWithTheReferenceAndShows) {
+  RayCaster caster;
+  const Scene base = baseScene();
+  const Image without = caster.render(base, pictureSize);
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.what);
+    Scene scene = base;
+    row.apply(scene);
+    const Image image = caster.render(scene, pictureSize);
+    EXPECT_NE(image, without) << "the effect does not show";
+    const ReferencePicture reference = renderReference(scene, pictureSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
+    const test::Difference difference = test::differenceOf(
+        image, reference, [&](std::size_t i) { return counts[i] == reference.samples[i]; });
+    std::cout << row.what << ": " << difference << "\n";
+    // A ray that ends at 0.98 may end a sample earlier or later: up to 0.02 of a level-255 sample.
+    EXPECT_LE(difference.largest, row.effect == Effect::earlyTermination ? 5.1 : 0.5);
+    EXPECT_LE(difference.mean, 0.01);
+    EXPECT_GT(difference.pixels, 500u);
+  }
+}
+
+TEST(EffectPlans, everyRowsSceneCallsForItsEffect) {
+  for (const Row& row : rows) {
+    Scene scene = baseScene();
+    row.apply(scene);
+    const bool isDense = row.effect == Effect::denseFunctions;
+    const EffectPlan plan = requiredEffects(scene, {longestRaySamples(scene), isDense});
+    EXPECT_TRUE(plan.effects.has(row.effect)) << row.what;
+    EXPECT_EQ(plan.effects, canonical(plan.effects)) << row.what;
+    ASSERT_EQ(plan.reasons.size(), static_cast<std::size_t>(effectCount));
+    for (const EffectReason& reason : plan.reasons) {
+      EXPECT_EQ(reason.isNeeded, plan.effects.has(reason.effect));
+      EXPECT_FALSE(reason.reason.empty() && reason.isNeeded);
+    }
+  }
+}
+
+TEST(EffectPlans, anUnlitPictureNeedsNothing) {
+  Scene scene = baseScene();
+  scene.shading.model = ShadingModel::none;
+  EXPECT_EQ(requiredEffects(scene, {longestRaySamples(scene), false}).effects, EffectSet());
+}
+
+TEST(EffectPlans, neutralValuesAskForNothing) {
+  Scene scene = baseScene();
+  scene.shading.model = ShadingModel::classic;
+  const EffectSet classic = requiredEffects(scene, {}).effects;
+  Scene neutral = scene;
+  neutral.shading.model = ShadingModel::robust;
+  neutral.shading.exponentRange = {scene.shading.exponent, scene.shading.exponent};
+  neutral.shading.opacityRange = {1.0, 1.0};
+  neutral.shading.significance.reset();
+  neutral.shading.knee = 1.0 + 0.75; // the sum of the terms reaches 0.25 + 0.75 + 0.75
+  neutral.shading.gradientCurve = {GradientCurve::Type::gamma, 1.0};
+  neutral.fog.mode = Fog::Mode::exp;
+  EXPECT_EQ(requiredEffects(neutral, {}).effects, classic);
+  neutral.shading.exponentRange.atBoundary += 1e-3;
+  EXPECT_NE(requiredEffects(neutral, {}).effects, classic);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rules that every picture of the ray caster keeps, to the bit where the rule is an equality.
+#include "raycaster/RayCaster.h"
+#include "scene/LightingTerms.h"
+#include "scene/Phantom.h"
+#include "support/AnalyticScenes.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{96, 80};
+
+Scene phantomScene(ShadingModel model) {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0});
+  Scene scene = test::headScene(volume, model);
+  scene.quality = {.stepVoxels = 0.5};
+  return scene;
+}
+
+bool isSound(const Image& image) {
+  for (const glm::vec4& pixel : image.pixels) {
+    for (int channel = 0; channel < 4; ++channel)
+      if (!std::isfinite(pixel[channel]) || pixel[channel] < 0.0f)
+        return false;
+    // Colours are limited to 1 before compositing, so none exceeds alpha but for rounding.
+    if (pixel.a > 1.0f || std::max({pixel.r, pixel.g, pixel.b}) > pixel.a + 1e-6f)
+      return false;
+  }
+  return true;
+}
+
+bool isEmpty(const Image& image) {
+  return image == Image(image.size);
+}
+
+using PictureRules = test::GlTest;
+
+TEST_F(PictureRules, enhancedWithEqualRangesIsClassicToTheBitAndTheSameProgram) {
+  RayCaster caster;
+  Scene classic = phantomScene(ShadingModel::classic);
+  classic.shading.exponent = 20.0;
+  const Image expected = caster.render(classic, pictureSize);
+  Scene enhanced = classic;
+  enhanced.shading.model = ShadingModel::enhanced;
+  enhanced.shading.exponentRange = {20.0, 20.0};
+  enhanced.shading.opacityRange = {1.0, 1.0};
+  EXPECT_EQ(caster.render(enhanced, pictureSize), expected);
+  EXPECT_EQ(caster.compiledPrograms(), 1);
+  EXPECT_EQ(lightingTerms(enhanced.shading), lightingTerms(classic.shading));
+  EXPECT_FALSE(isEmpty(expected));
+}
+
+TEST_F(PictureRules, robustWithEveryExtraNeutralIsEnhancedToTheBit) {
+  RayCaster caster;
+  Scene enhanced = phantomScene(ShadingModel::enhanced);
+  enhanced.shading.gradientReference = LargestReference{};
+  const Image expected = caster.render(enhanced, pictureSize);
+  Scene robust = enhanced;
+  robust.shading.model = ShadingModel::robust;
+  robust.shading.energyFactor = false;
+  robust.shading.significance.reset();
+  robust.shading.knee.reset();
+  EXPECT_EQ(caster.render(robust, pictureSize), expected);
+  EXPECT_EQ(caster.compiledPrograms(), 1);
+}
+
+TEST_F(PictureRules, everyExtraOfRobustChangesThePicture) {
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::robust);
+  scene.shading.specular = 2.0;
+  const Image all = caster.render(scene, pictureSize);
+  Scene without = scene;
+  without.shading.energyFactor = false;
+  EXPECT_NE(caster.render(without, pictureSize), all) << "energy factor";
+  without = scene;
+  without.shading.significance.reset();
+  EXPECT_NE(caster.render(without, pictureSize), all) << "significance";
+  without = scene;
+  without.shading.knee.reset();
+  EXPECT_NE(caster.render(without, pictureSize), all) << "knee";
+}
+
+TEST_F(PictureRules, editingAControlPointCompilesNoProgram) {
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::enhanced);
+  Image before = caster.render(scene, pictureSize);
+  const int programs = caster.compiledPrograms();
+  for (int i = 0; i < 12; ++i) {
+    scene.transferFunction = withPointMoved(scene.transferFunction, 3, -20.0 + 10.0 * i, 0.1 + 0.05 * i);
+    const Image after = caster.render(scene, pictureSize);
+    EXPECT_NE(after, before) << "the edit did not show";
+    before = after;
+  }
+  scene.transferFunction = withPointAdded(scene.transferFunction, 700.0, 0.1);
+  caster.render(scene, pictureSize);
+  scene.transferFunction = withoutPoints(scene.transferFunction, {0, 2});
+  caster.render(scene, pictureSize);
+  scene.camera = orbited(scene.camera, 0.3, 0.2);
+  caster.render(scene, pictureSize);
+  EXPECT_EQ(caster.compiledPrograms(), programs);
+}
+
+TEST_F(PictureRules, everyParameterShowsInAUsedCasterAsInAFreshOne) {
+  const Scene base = phantomScene(ShadingModel::robust);
+  std::vector<Scene> scenes(14, base);
+  scenes[0].transferFunction = test::boneOnly();
+  scenes[1].transferFunction.unitDistanceMm = 2.0;
+  scenes[2].shading.exponentRange.atBoundary = 100.0;
+  scenes[3].shading.opacityRange.atFlat = 0.5;
+  scenes[4].shading.gradientReference = PercentileReference{90.0};
+  scenes[5].shading.gradientReference = FixedReference{300.0};
+  scenes[6].shading.gradientCurve = {GradientCurve::Type::log, 20.0};
+  scenes[7].gradientOpacity = GradientOpacity{{{0.0, 0.1}, {200.0, 1.0}}};
+  scenes[8].fog = {Fog::Mode::exp, glm::dvec3(0.5), 0.001, 0.0, 0.0};
+  scenes[9].crop.upper.x = 0.5;
+  scenes[10].quality.stepVoxels = 0.7;
+  scenes[11].shading.lightDirection = glm::dvec3(1.0, 1.0, -1.0);
+  scenes[12].volume = phantomVolume({.spacingMm = 6.0});
+  scenes[13].camera = orbited(base.camera, 0.5, 0.0);
+  RayCaster used;
+  const Image before = used.render(base, pictureSize);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const Image shown = used.render(scenes[i], pictureSize);
+    EXPECT_NE(shown, before) << "scene " << i << " does not show";
+    RayCaster fresh;
+    EXPECT_EQ(shown, fresh.render(scenes[i], pictureSize)) << "scene " << i;
+    EXPECT_EQ(used.render(base, pictureSize), before) << "after scene " << i;
+  }
+}
+
+TEST_F(PictureRules, allPicturesAreFiniteAndOutsideTheBoxIsExactlyNothing) {
+  RayCaster caster;
+  for (const ShadingModel model :
+       {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
+    const Scene scene = phantomScene(model);
+    const Image image = caster.render(scene, pictureSize);
+    const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
+    EXPECT_TRUE(isSound(image));
+    int missed = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      if (counts[i] == 0) {
+        EXPECT_EQ(image.pixels[i], glm::vec4(0.0f));
+        ++missed;
+      }
+    EXPECT_GT(missed, 100);
+  }
+}
+
+TEST_F(PictureRules, theCameraMovesThroughTheBoxWithoutAJump) {
+  // A homogeneous box of 2 mm with extinction ln 2 per mm: alpha falls with the path that is left.
+  RayCaster caster;
+  Scene scene = test::rayThrough(test::boxOf(glm::dvec3(2.0)));
+  scene.camera.projection = Camera::Projection::perspective;
+  scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
+  scene.quality.stepVoxels = 0.05;
+  for (const double side : {-1.0, 0.0, 1.0 - 1e-6, 0.999, 1.0 / 3.0})
+    for (double y = -1.2; y < 1.2; y += 0.05) {
+      scene.camera.position = {side, y, side};
+      scene.camera.target = {side, y + 1.0, side};
+      const double path = std::clamp(1.0 - y, 0.0, 2.0);
+      const glm::vec4 pixel = caster.render(scene, {1, 1}).pixels[0];
+      EXPECT_NEAR(pixel.a, 1.0 - std::exp2(-path), 2e-6) << "at " << side << ", " << y;
+    }
+}
+
+TEST_F(PictureRules, aRayInAFaceIsLitOnceOfTwoFaces) {
+  // Pixel centres lie on the lattice of voxel faces: the box of 8 voxels of 1 mm must light exactly 8 x 8
+  // pixels of 16, whichever way it is looked through (half-open box: the lower faces belong to it).
+  RayCaster caster;
+  Grid grid;
+  grid.dims = glm::ivec3(8);
+  grid.originMm = glm::dvec3(-3.5);
+  const auto volume = std::make_shared<const Volume>(grid, std::vector<std::uint8_t>(512, 100), Rescale{},
+                                                     std::nullopt, VolumeInfo{});
+  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
+                                      glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
+    Scene scene = test::rayThrough(volume, direction);
+    scene.camera.heightMm = 16.0;
+    // Shift the picture by half a pixel, so that centres fall on whole millimetres.
+    const CameraBasis basis = basisOf(scene.camera);
+    scene.camera.position += 0.5 * (basis.right + basis.up);
+    scene.camera.target += 0.5 * (basis.right + basis.up);
+    scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
+    const Image image = caster.render(scene, {16, 16});
+    int lit = 0;
+    for (const glm::vec4& pixel : image.pixels) {
+      EXPECT_TRUE(pixel.a == 0.0f || std::abs(pixel.a - (1.0 - std::exp2(-8.0))) < 1e-6);
+      lit += pixel.a > 0.0f;
+    }
+    EXPECT_EQ(lit, 64);
+  }
+}
+
+TEST_F(PictureRules, degenerateVolumesAreDrawnSoundly) {
+  RayCaster caster;
+  const glm::ivec3 sizes[] = {{1, 1, 1}, {1, 5, 7}, {5, 1, 7}, {5, 7, 1}, {1, 1, 9}, {2, 2, 2}};
+  for (const glm::ivec3& dims : sizes)
+    for (const bool isConstant : {true, false})
+      for (const ShadingModel model : {ShadingModel::classic, ShadingModel::robust}) {
+        Grid grid;
+        grid.dims = dims;
+        std::vector<float> voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 50.0f);
+        for (std::size_t i = 0; !isConstant && i < voxels.size(); ++i)
+          voxels[i] = static_cast<float>(i * 37 % 101);
+        Scene scene = test::headScene(
+            std::make_shared<const Volume>(grid, voxels, Rescale{}, std::nullopt, VolumeInfo{}), model);
+        scene.transferFunction = {1.0, {{0.0, glm::dvec3(1.0), 0.0}, {100.0, glm::dvec3(1.0), 0.9}}};
+        const Image image = caster.render(scene, {32, 32});
+        EXPECT_TRUE(isSound(image));
+        // The single voxel of a varying volume has the transparent value 0; without a gradient the robust
+        // model's opacity coefficient is its smallest, 0.
+        const bool shows = isConstant ? model == ShadingModel::classic : dims != glm::ivec3(1);
+        EXPECT_NE(isEmpty(image), shows) << dims.x << dims.y << dims.z;
+      }
+}
+
+TEST_F(PictureRules, valuesNearTheEndOfFloatGiveThePictureOfTheirScaledCopy) {
+  // H16: normalising in double makes a volume scaled by a power of two the same to the bit.
+  RayCaster caster;
+  const auto render = [&caster](double scale) {
+    std::vector<double> voxels;
+    for (int i = 0; i < 125; ++i)
+      voxels.push_back(scale * (i * 37 % 101));
+    Grid grid;
+    grid.dims = glm::ivec3(5);
+    Scene scene =
+        test::headScene(std::make_shared<const Volume>(grid, voxels, Rescale{}, std::nullopt, VolumeInfo{}),
+                        ShadingModel::enhanced);
+    scene.transferFunction = {1.0, {{0.0, glm::dvec3(1.0), 0.0}, {100.0 * scale, glm::dvec3(1.0), 0.9}}};
+    return caster.render(scene, {32, 32});
+  };
+  const Image expected = render(1.0);
+  EXPECT_FALSE(isEmpty(expected));
+  EXPECT_EQ(render(0x1p100), expected);
+  EXPECT_EQ(render(0x1p-100), expected);
+}
+
+TEST_F(PictureRules, aFarCameraWithATinyFieldOfViewSeesTheOrthographicPicture) {
+  // H12: from 1000 box diagonals the rays are parallel to 1/2000 over the box; one level is the bound.
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::classic);
+  scene.quality.stepVoxels = 0.25;
+  const double diagonal = boxDiagonalMm(scene.volume->grid());
+  scene.camera.projection = Camera::Projection::orthographic;
+  scene.camera.heightMm = diagonal;
+  const Image orthographic = caster.render(scene, pictureSize);
+  scene.camera.projection = Camera::Projection::perspective;
+  scene.camera.position.y = -1e6 * diagonal;
+  scene.camera.fovYDeg = 2.0 * std::atan(0.5e-6) * 180.0 / 3.14159265358979323846;
+  const Image far = caster.render(scene, pictureSize);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < far.pixels.size(); ++i)
+    for (int channel = 0; channel < 4; ++channel)
+      largest = std::max<double>(largest, std::abs(far.pixels[i][channel] - orthographic.pixels[i][channel]));
+  EXPECT_LE(largest * 255.0, 1.0);
+}
+
+TEST_F(PictureRules, whatCannotBeDrawnYetIsRefusedByName) {
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::classic);
+  scene.projection = Projection::mip;
+  EXPECT_THROW(caster.render(scene, pictureSize), Error);
+  scene = phantomScene(ShadingModel::classic);
+  scene.quality.jitter = true;
+  EXPECT_THROW(caster.render(scene, pictureSize), Error);
+  scene = phantomScene(ShadingModel::classic);
+  scene.quality.preintegrated = Preintegration::always;
+  EXPECT_THROW(caster.render(scene, pictureSize), Error);
+}
+
+TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::none);
+  caster.render(scene, {4, 4});
+  EXPECT_EQ(caster.limitation(), "");
+  scene.quality.stepVoxels = 1e-4;
+  scene.transferFunction = {};
+  caster.render(scene, {1, 1});
+  EXPECT_NE(caster.limitation().find("60000"), std::string::npos);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every program that a scene can ask for links, and is valid GLSL 1.30 for the reference compiler.
+#include "raycaster/ShaderVariant.h"
+#include "raycaster/EmbeddedShaders.h"
+#include "scene/EffectSet.h"
+#include "support/GlTest.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+namespace limn {
+namespace {
+
+// The canonical sets that scenes can reach: every combination of what belongs together, the groups that do
+// not touch each other's code (fog, knee, cut faces, …) varied one against all.
+std::set<EffectSet> reachableSets() {
+  const std::vector<std::vector<Effect>> lights{
+      {},
+      {Effect::lighting},
+      {Effect::lighting, Effect::diffuse},
+      {Effect::lighting, Effect::specular},
+      {Effect::lighting, Effect::diffuse, Effect::specular},
+      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong},
+      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::fixedLight},
+      {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong, Effect::fixedLight},
+  };
+  const std::vector<std::vector<Effect>> maps{
+      {},
+      {Effect::exponentMap, Effect::opacityMap},
+      {Effect::exponentMap},
+      {Effect::opacityMap},
+      {Effect::exponentMap, Effect::opacityMap, Effect::gammaCurve},
+      {Effect::exponentMap, Effect::opacityMap, Effect::logCurve},
+      {Effect::exponentMap, Effect::opacityMap, Effect::energyFactor, Effect::significance, Effect::knee},
+      {Effect::opacityFactor},
+      {Effect::significance},
+  };
+  const std::vector<std::vector<Effect>> others{
+      {},
+      {Effect::earlyTermination},
+      {Effect::earlyTermination, Effect::fogLinear},
+      {Effect::earlyTermination, Effect::fogExp},
+      {Effect::earlyTermination, Effect::fogExp2},
+      {Effect::earlyTermination, Effect::cutFaces},
+      {Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
+      {Effect::gradientOpacity, Effect::knee},
+      {Effect::longRays, Effect::denseFunctions},
+      {Effect::sampleCounts},
+  };
+  std::set<EffectSet> sets;
+  for (const auto& light : lights)
+    for (const auto& map : maps)
+      for (const auto& other : others) {
+        EffectSet effects;
+        for (const auto* group : {&light, &map, &other})
+          for (const Effect effect : *group)
+            effects = effects.with(effect);
+        sets.insert(canonical(effects));
+      }
+  return sets;
+}
+
+using ShaderVariants = test::GlTest;
+
+TEST_F(ShaderVariants, everyReachableProgramLinks) {
+  int count = 0;
+  for (const EffectSet& effects : reachableSets()) {
+    EXPECT_NO_THROW(ShaderProgram(vertexSource(), fragmentSource(effects)));
+    ++count;
+  }
+  std::cout << count << " programs\n";
+}
+
+TEST(ShaderVariantText, everyReachableProgramIsValidGlsl130) {
+  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "needs glslangValidator (Debian package glslang-tools), which this machine does not have";
+  const auto folder = std::filesystem::path(LIMN_BINARY_DIR) / "shader_variants";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "full_screen.vert") << vertexSource().text;
+  int count = 0;
+  for (const EffectSet& effects : reachableSets())
+    std::ofstream(folder / (std::to_string(++count) + ".frag")) << fragmentSource(effects).text;
+  const std::string log = (folder / "log.txt").string();
+  const std::string command =
+      "cd '" + folder.string() + "' && glslangValidator full_screen.vert *.frag > '" + log + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << "see " << log;
+  std::cout << count << " programs validated\n";
+}
+
+TEST(ShaderVariantText, everyBlockIsAscii) {
+  // GLSL 1.30 allows nothing else, even in comments.
+  for (const EmbeddedShader& shader : embeddedShaders())
+    for (const char character : shader.text)
+      EXPECT_TRUE(character == '\n' || (character >= ' ' && character <= '~')) << shader.name;
+}
+
+TEST(ShaderVariantText, fetchesOfTheVolumeAreAsFewAsTheEffectsAllow) {
+  const auto gradientFetches = [](EffectSet effects) {
+    return fragmentSource(canonical(effects)).text.find("gradientAt(vec3") != std::string::npos;
+  };
+  EXPECT_FALSE(gradientFetches(EffectSet()));
+  EXPECT_FALSE(gradientFetches(EffectSet().with(Effect::lighting)));
+  EXPECT_TRUE(gradientFetches(EffectSet().with(Effect::lighting).with(Effect::diffuse)));
+  EXPECT_TRUE(gradientFetches(EffectSet().with(Effect::opacityMap)));
+}
+
+TEST_F(ShaderVariants, anErrorNamesTheFileAndLineOfItsBlock) {
+  ShaderSource broken;
+  broken.append("prelude", "#version 130\n");
+  broken.append("first.glsl", "float one() {\n  return 1.0;\n}\n");
+  broken.append("second.glsl", "out vec4 fragColor;\nvoid main() {\n  fragColor = missing;\n}\n");
+  try {
+    const ShaderProgram program(vertexSource(), broken);
+    FAIL() << "a broken shader compiled";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("second.glsl:3"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+} // namespace limn
