@@ -18,7 +18,7 @@ namespace {
 
 constexpr int idleMs = 150;        // from the last change to refinement
 constexpr double budgetMs = 30.0;  // of refinement in one turn of the event loop
-constexpr int showEveryMs = 100;   // while refining: showing costs as much as several strips
+constexpr int showEveryMs = 200;   // while refining: showing costs as much as a turn of it
 constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
 constexpr int labelFadeMs = 400;
 
@@ -239,8 +239,10 @@ void CompareView::showEvent(QShowEvent* event) {
   QTimer::singleShot(0, this, [this] {
     if (!isVisible() || isValid())
       return;
-    fail(tr("This computer offers no OpenGL 3.0 to the program, so no volume can be drawn: install or update "
-            "the graphics driver (on Linux without a graphics card, the package libgl1-mesa-dri)."));
+    const QString problem = openGlProblem();
+    fail(problem.isEmpty()
+             ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
+             : problem);
   });
   if (!m_state.resting)
     redraw();

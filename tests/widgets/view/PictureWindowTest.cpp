@@ -182,6 +182,17 @@ TEST(Picture, refinementLeavesTheEventLoopFree) {
   RecordProperty("longestMs", static_cast<int>(heart.longestMs()));
 }
 
+TEST(Picture, carriesItsOverlayIntoAGrabbedWindow) {
+  ViewHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const QImage shown = colours(host.view.grabFramebuffer());
+  EXPECT_EQ(colours(host.view.grab().toImage()), shown);
+  host.view.setOverlayVisible(false);
+  EXPECT_NE(colours(host.view.grabFramebuffer()), shown);
+}
+
 TEST(Picture, isNeverEmptyWhileItRefines) {
   ViewHost host;
   host.view.setOverlayVisible(false);
