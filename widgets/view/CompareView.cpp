@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-constexpr int idleMs = 150;        // from the last change to refinement
+constexpr int idleMs = 150;        // from the last coarse picture to refinement
 constexpr double budgetMs = 30.0;  // of refinement in one turn of the event loop
 constexpr int showEveryMs = 200;   // while refining: showing costs as much as a turn of it
 constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
@@ -33,7 +33,7 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
 
   m_idleTimer.setSingleShot(true);
   m_idleTimer.setInterval(idleMs);
-  connect(&m_idleTimer, &QTimer::timeout, this, &CompareView::startRefining);
+  connect(&m_idleTimer, &QTimer::timeout, this, &CompareView::refine);
   m_refineTimer.setSingleShot(true);
   connect(&m_refineTimer, &QTimer::timeout, this, &CompareView::refine);
 
@@ -66,6 +66,9 @@ void CompareView::makePanels() {
 
 CompareView::~CompareView() {
   releasePictures();
+  // The base class destroys the context after this class is gone.
+  if (context())
+    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CompareView::releasePictures);
 }
 
 void CompareView::setScene(const Scene& scene) {
@@ -268,7 +271,7 @@ void CompareView::redraw() {
     emit pictureStateChanged(m_state);
   }
   m_refineTimer.stop();
-  m_idleTimer.start();
+  m_idleTimer.stop();
   updatePanels();
   update();
 }
@@ -312,6 +315,7 @@ void CompareView::drawCoarsely() {
     m_stale = true;
     QTimer::singleShot(0, this, qOverload<>(&QWidget::update));
   }
+  m_idleTimer.start();
   updateState();
 }
 
@@ -325,19 +329,9 @@ std::array<Columns, 2> CompareView::seenColumns() const {
   return seen;
 }
 
-void CompareView::startRefining() {
-  if (m_drag && m_stale)
-    return;
-  m_refineTimer.start(0);
-}
-
 void CompareView::refine() {
   if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_scene.volume)
     return;
-  if (m_stale) { // not shown yet: painting comes first
-    m_refineTimer.start(idleMs);
-    return;
-  }
   bool complete = false;
   makeCurrent();
   guarded([&] { complete = m_pictures->refine(budgetMs); });

@@ -145,7 +145,6 @@ private:
   void drawCoarsely();
   std::array<Columns, 2> seenColumns() const;
   void refine();
-  void startRefining();
   void updateState();
   void fail(const QString& sentence);
   template <class Work>
@@ -192,7 +191,7 @@ private:
   std::unique_ptr<ViewPictures> m_pictures; ///< lives with the OpenGL context
   InteractionQuality m_quality;
   bool m_stale = true; ///< the scene changed since it was last drawn
-  QTimer m_idleTimer;  ///< from the last change to the start of refinement
+  QTimer m_idleTimer;  ///< from the last coarse picture to the start of refinement
   QTimer m_refineTimer;
   QElapsedTimer m_sinceShown;
   PictureState m_state;

@@ -34,6 +34,14 @@ TEST_F(ViewInput, leftDragRotatesAboutTheTarget) {
   EXPECT_LT(host.scene.camera.position.x, before.position.x - 1.0);
 }
 
+TEST_F(ViewInput, holdingStillInADragRefinesThePicture) {
+  host.press({200, 120});
+  host.move({230, 120});
+  EXPECT_FALSE(host.view.pictureState().resting);
+  EXPECT_TRUE(host.rest());
+  host.release({230, 120});
+}
+
 TEST_F(ViewInput, middleDragAndShiftLeftDragPanAlike) {
   const Camera before = host.scene.camera;
   host.drag({200, 120}, {230, 100}, Qt::MiddleButton);
