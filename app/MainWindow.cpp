@@ -125,12 +125,14 @@ void MainWindow::showScene(const Scene& scene) {
 void MainWindow::showModels() {
   const ShadingModel single = m_session.scene().shading.model;
   m_view->setModels(m_leftModel, m_rightModel);
-  if (m_view->compareLayout() == CompareLayout::single)
+  const bool isSingle = m_view->compareLayout() == CompareLayout::single;
+  if (isSingle)
     m_shading->setModelsShown({single});
   else
     m_shading->setModelsShown({m_leftModel, m_rightModel});
+  // A comparison names its models on the pictures; the buttons then only offer to leave it.
   for (QAction* action : m_modelActions->actions())
-    action->setChecked(action->data().toInt() == static_cast<int>(single));
+    action->setChecked(isSingle && action->data().toInt() == static_cast<int>(single));
 }
 
 void MainWindow::setCompareLayout(CompareLayout layout) {

@@ -176,6 +176,7 @@ void MainWindow::makeToolBar() {
   bar->addAction(findChild<QAction*>(QStringLiteral("redo")));
   bar->addSeparator();
   m_modelActions = new QActionGroup(this);
+  m_modelActions->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
   const std::pair<ShadingModel, QString> models[] = {{ShadingModel::none, tr("Unlit")},
                                                      {ShadingModel::classic, tr("Classic")},
                                                      {ShadingModel::enhanced, tr("Enhanced")},

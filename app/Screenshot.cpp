@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 
 #include <QApplication>
+#include <QScreen>
 #include <QTimer>
 
 #include <cstdio>
@@ -12,7 +13,11 @@ namespace limn {
 namespace {
 
 void grabAndQuit(MainWindow& window, const QString& path) {
-  const bool saved = window.grab().save(path);
+  // What the screen shows, where the platform lets us see it (it does not under Wayland).
+  QPixmap picture = window.screen()->grabWindow(window.winId());
+  if (picture.isNull())
+    picture = window.grab();
+  const bool saved = picture.save(path);
   if (!saved)
     std::fprintf(stderr, "limn: Cannot write the screenshot %s; check that its folder exists.\n",
                  qPrintable(path));

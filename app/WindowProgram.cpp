@@ -8,6 +8,7 @@
 #include "widgets/view/SurfaceFormat.h"
 
 #include <QApplication>
+#include <QMessageBox>
 
 namespace limn {
 namespace {
@@ -36,6 +37,11 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   const QString theme =
       arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
   applyTheme(application, themeNamed(theme));
+  if (const QString problem = openGlProblem(); !problem.isEmpty()) {
+    if (arguments.screenshot.empty()) // someone is watching
+      QMessageBox::critical(nullptr, QStringLiteral("Limn"), problem);
+    throw Error(Error::Kind::openGl, problem.toStdString());
+  }
   MainWindow window;
   window.show();
   if (!arguments.path.empty())

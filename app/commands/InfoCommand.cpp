@@ -103,7 +103,8 @@ void runInfo(const InfoArguments& arguments) {
   const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
                                        terminalProgress(arguments.source.quiet));
   facts.volume = loaded.scene.volume;
-  facts.series = listSeries(loaded.volumePath);
+  if (std::filesystem::exists(loaded.volumePath))
+    facts.series = listSeries(loaded.volumePath);
   facts.gradientMax = largestGradient(*facts.volume);
   facts.gradientPercentile = gradientPercentile(*facts.volume, 99.5);
   arguments.json ? printJson(facts) : printText(facts);

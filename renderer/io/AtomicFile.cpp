@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <random>
 #include <string>
 #include <system_error>
 
@@ -41,14 +42,20 @@ private:
 // A new empty file beside the target that is removed unless it took the target's place.
 class TemporaryFile {
 public:
-  explicit TemporaryFile(const fs::path& target) : m_target(target) {
-    const std::string ending = target.extension().string();
-    std::string name = (target.parent_path() / (".limn-XXXXXX" + ending)).string();
-    const Descriptor made(::mkstemps(name.data(), static_cast<int>(ending.size())));
-    if (made.number() < 0)
-      failWriting(target, errno);
-    m_path = name;
-    useUsualRights(made.number());
+  explicit TemporaryFile(fs::path target) : m_target(std::move(target)) {
+    std::random_device random;
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      fs::path path = m_target.parent_path() / (".limn-" + std::to_string(random()));
+      path += m_target.extension();
+      const Descriptor made(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      if (made.number() >= 0) {
+        m_path = path;
+        return;
+      }
+      if (errno != EEXIST)
+        break;
+    }
+    failWriting(m_target, errno);
   }
   ~TemporaryFile() {
     std::error_code ignored;
@@ -60,37 +67,25 @@ public:
 
   const fs::path& path() const { return m_path; }
 
-  // Puts the bytes on the disk before the name points to them, then the name.
+  // Puts the bytes on the disk before the name points to them. A file that is replaced hands on its rights.
   void replaceTarget() {
-    flush(m_path, O_RDWR);
+    if (!flush(m_path, O_RDONLY))
+      failWriting(m_target, errno);
+    struct stat old {};
+    if (::stat(m_target.c_str(), &old) == 0 && ::chmod(m_path.c_str(), old.st_mode & 07777) != 0)
+      failWriting(m_target, errno);
     if (::rename(m_path.c_str(), m_target.c_str()) != 0)
       failWriting(m_target, errno);
     m_path.clear();
+    // The file is whole now; where a folder cannot be flushed its new name reaches the disk a little later.
     const fs::path folder = m_target.parent_path();
     flush(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
   }
 
 private:
-  // mkstemps makes a private file; the target keeps its rights, a new one gets what the umask leaves.
-  void useUsualRights(int descriptor) {
-    struct stat old {};
-    mode_t rights = 0;
-    if (::stat(m_target.c_str(), &old) == 0) {
-      rights = old.st_mode & 07777;
-    } else {
-      const mode_t mask = ::umask(0);
-      ::umask(mask);
-      rights = 0666 & ~mask;
-    }
-    if (::fchmod(descriptor, rights) != 0)
-      failWriting(m_target, errno);
-  }
-
-  void flush(const fs::path& path, int flags) {
+  static bool flush(const fs::path& path, int flags) {
     const Descriptor opened(::open(path.c_str(), flags | O_CLOEXEC));
-    // Some file systems cannot flush a folder; that is no failure of the file.
-    if (opened.number() < 0 || (::fsync(opened.number()) != 0 && errno != EINVAL))
-      failWriting(m_target, errno);
+    return opened.number() >= 0 && ::fsync(opened.number()) == 0;
   }
 
   fs::path m_target;
@@ -116,7 +111,8 @@ void writeAll(const fs::path& path, const fs::path& target, std::string_view byt
 void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write) {
   if (target.filename().empty() || fs::is_directory(target))
     failWriting(target, EISDIR);
-  TemporaryFile temporary(target);
+  // A link stays; what it points to is replaced.
+  TemporaryFile temporary(fs::is_symlink(target) ? fs::weakly_canonical(target) : target);
   write(temporary.path());
   temporary.replaceTarget();
 }

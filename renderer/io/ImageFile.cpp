@@ -68,6 +68,15 @@ OIIO::ImageSpec specOf(Kind kind, const glm::ivec2& size, const std::string& des
   return spec;
 }
 
+// libjpeg ends the whole program where a picture or a comment is beyond what the format can hold.
+void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std::string& description) {
+  constexpr int longestSide = 65500;
+  constexpr std::size_t longestComment = 60000;
+  if (size.x > longestSide || size.y > longestSide || description.size() > longestComment)
+    throw Error(Error::Kind::usage, "Cannot write " + path.string() +
+                                        ": the picture or its description is too large for JPEG; use .png.");
+}
+
 void writePixels(const fs::path& temporary, const fs::path& target, const OIIO::ImageSpec& spec,
                  const void* pixels) {
   const auto output = OIIO::ImageOutput::create(temporary.string());
@@ -86,6 +95,8 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
   const Kind kind = kindOf(path);
   if (image.size.x < 1 || image.size.y < 1)
     throw Error(Error::Kind::usage, "Cannot write " + path.string() + ": the picture has no pixels.");
+  if (kind == Kind::jpeg)
+    requireJpegCanHold(path, image.size, description);
   const OIIO::ImageSpec spec = specOf(kind, image.size, description);
   const std::vector<std::uint8_t> levels =
       kind == Kind::exr ? std::vector<std::uint8_t>() : composited(image, background);

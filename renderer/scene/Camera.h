@@ -52,6 +52,10 @@ enum class StandardView { anterior, posterior, left, right, superior, inferior }
 /// the patient's face; superior from above the head.
 Camera standardView(const Camera& camera, const Grid& grid, StandardView view);
 
+/// The same direction of view, with the whole box as large as a picture of `aspect` (width/height > 0) can
+/// hold with a margin of 6 %. For views on screen; a scene that names no camera uses defaultCamera.
+Camera framed(const Camera& camera, const Grid& grid, double aspect);
+
 /// Turns the camera about its target: `yaw` about the camera's up, `pitch` about its right, radians.
 Camera orbited(const Camera& camera, double yaw, double pitch);
 

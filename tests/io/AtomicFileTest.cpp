@@ -63,5 +63,14 @@ TEST(AtomicFile, theRightsOfTheOldFileStay) {
   EXPECT_EQ(fs::status(folder.path() / "a.json").permissions(), rights);
 }
 
+TEST(AtomicFile, aLinkStaysALink) {
+  const TemporaryFolder folder;
+  writeFileAtomically(folder.path() / "a.json", "old");
+  fs::create_symlink("a.json", folder.path() / "link.json");
+  writeFileAtomically(folder.path() / "link.json", "new");
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.json"));
+  EXPECT_EQ(bytesOfFile(folder.path() / "a.json"), "new");
+}
+
 } // namespace
 } // namespace limn

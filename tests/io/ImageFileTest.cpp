@@ -99,6 +99,9 @@ TEST(ImageFile, aFailureThrowsAndLeavesNothingBehind) {
   EXPECT_THROW(writeImage(folder.path() / "none" / "a.png", threePixels(), glm::dvec3(0.0), ""), Error);
   EXPECT_THROW(writeImage(folder.path() / "a.bmp", threePixels(), glm::dvec3(0.0), ""), Error);
   EXPECT_THROW(writeImage(folder.path() / "a.png", Image(), glm::dvec3(0.0), ""), Error);
+  const std::string tooLong(70000, 'x');
+  EXPECT_THROW(writeImage(folder.path() / "a.jpg", threePixels(), glm::dvec3(0.0), tooLong), Error);
+  EXPECT_THROW(writeImage(folder.path() / "a.jpg", Image({70000, 1}), glm::dvec3(0.0), ""), Error);
   EXPECT_EQ(entriesOf(folder.path()), 0u);
 }
 

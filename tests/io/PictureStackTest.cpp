@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/PictureStack.h"
+
 #include "io/ImageFile.h"
 #include "io/VolumeBytes.h"
+#include <OpenImageIO/imageio.h>
 
 namespace limn {
 namespace {
@@ -60,8 +62,8 @@ TEST(PictureStack, theSpacingCanBeGiven) {
 
 TEST(PictureStack, aGapInTheNumbersAndLossyPicturesAreSaid) {
   const TemporaryFolder folder;
-  for (const int i : {1, 2, 4})
-    writeSlice(folder.path() / ("s" + std::to_string(i) + ".jpg"), 10 * i);
+  for (const char* name : {"s1.jpg", "s2.jpg", "s4.jpg"})
+    writeSlice(folder.path() / name, 10);
   const auto volume = readVolume(folder.path());
   EXPECT_TRUE(warns(*volume, "slices may be missing"));
   EXPECT_TRUE(warns(*volume, "lossy"));
@@ -78,13 +80,79 @@ TEST(PictureStack, picturesThatDoNotMatchAreRefused) {
   EXPECT_NE(refusalOf(folder.path()).find("several kinds"), std::string::npos);
 }
 
-TEST(PictureStack, aDamagedPictureIsRefused) {
+// A TIFF of three pages of 4 x 2 floats: page and pixel number, p + 0.25 i.
+void writePages(const std::filesystem::path& file) {
+  const auto output = OIIO::ImageOutput::create(file.string());
+  const OIIO::ImageSpec spec(4, 2, 1, OIIO::TypeDesc::FLOAT);
+  for (int page = 0; page < 3; ++page) {
+    std::vector<float> samples;
+    for (int i = 0; i < 8; ++i)
+      samples.push_back(static_cast<float>(page) + 0.25f * static_cast<float>(i));
+    output->open(file.string(), spec,
+                 page == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage);
+    output->write_image(OIIO::TypeDesc::FLOAT, samples.data());
+  }
+  output->close();
+}
+
+TEST(PictureStack, thePagesOfATiffAreSlicesInTheirOwnType) {
   const TemporaryFolder folder;
-  writeSlice(folder.path() / "1.png", 1);
-  writeSlice(folder.path() / "2.png", 2);
-  const std::string bytes = bytesOfFile(folder.path() / "2.png");
-  writeBytes(folder.path() / "2.png", bytes.substr(0, bytes.size() / 2));
-  EXPECT_NE(refusalOf(folder.path() / "2.png").find("2.png"), std::string::npos);
+  writePages(folder.path() / "a.tif");
+  const auto volume = readVolume(folder.path() / "a.tif");
+  EXPECT_EQ(volume->grid().dims, glm::ivec3(4, 2, 3));
+  EXPECT_EQ(voxelTypeName(volume->stored()), "float32");
+  // Row 1, column 2 is pixel 6.
+  EXPECT_EQ(volume->value({2, 1, 2}), 3.5);
+}
+
+// A cut may fall behind the last pixel, into tags that do not matter; then all voxels must be there.
+TEST(PictureStack, aTiffThatEndsEarlyIsRefusedNotShortened) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.tif";
+  writePages(file);
+  const std::string bytes = bytesOfFile(file);
+  const auto whole = readVolume(file);
+  std::size_t refused = 0, cuts = 0;
+  for (std::size_t size = 8; size < bytes.size(); size += 13, ++cuts) {
+    writeBytes(file, bytes.substr(0, size));
+    try {
+      EXPECT_EQ(readVolume(file)->stored(), whole->stored()) << "cut to " << size;
+    } catch (const Error&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, cuts * 3 / 4);
+}
+
+// A grey ramp with a pattern, so that no part of the compressed picture is without effect.
+void writePattern(const std::filesystem::path& file) {
+  Image image({48, 40});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 48; ++x)
+      image.at(x, y) = glm::vec4(glm::vec3(static_cast<float>((x * 7 + y * 13) % 64) / 64.0f), 1.0f);
+  writeImage(file, image, glm::dvec3(0.0), "");
+}
+
+TEST(PictureStack, aPictureThatEndsEarlyIsRefusedNotFilledUp) {
+  for (const char* ending : {".png", ".jpg", ".tif"}) {
+    const TemporaryFolder folder;
+    const auto first = folder.path() / ("1" + std::string(ending));
+    const auto second = folder.path() / ("2" + std::string(ending));
+    writePattern(first);
+    writePattern(second);
+    const auto whole = readVolume(folder.path());
+    const std::string bytes = bytesOfFile(second);
+    std::size_t refused = 0, cuts = 0;
+    for (std::size_t size = 16; size < bytes.size(); size += 29, ++cuts) {
+      writeBytes(second, bytes.substr(0, size));
+      try {
+        EXPECT_TRUE(readVolume(folder.path())->stored() == whole->stored()) << ending << " cut to " << size;
+      } catch (const Error&) {
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, cuts * 3 / 4) << ending;
+  }
 }
 
 } // namespace

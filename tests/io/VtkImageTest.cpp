@@ -77,6 +77,33 @@ TEST(VtkXml, placesItsPointsByExtentSpacingAndDirection) {
   expectNear(indexToWorld(turned->grid(), {1, 2, 3}), {10 - 6, 30 + 2, 30 + 12});
 }
 
+TEST(VtkXml, readsBase64AndLongLengths) {
+  const auto array = [](const std::string& text) {
+    return "<DataArray type=\"UInt8\" Name=\"v\" format=\"binary\">\n  " + text + "\n</DataArray>";
+  };
+  // The length 2 in four bytes, then the voxels 7 and 9: 02 00 00 00 07 09.
+  const auto plain = opened("a.vti", xml("0 1 0 0 0 0", array("AgAAAAcJ")) + "</VTKFile>");
+  EXPECT_EQ(plain->value({0, 0, 0}), 7.0);
+  EXPECT_EQ(plain->value({1, 0, 0}), 9.0);
+  // The same with a length of eight bytes: 02 00 00 00 00 00 00 00 07 09.
+  std::string text = xml("0 1 0 0 0 0", array("AgAAAAAAAAAHCQ==")) + "</VTKFile>";
+  text.replace(text.find("UInt32"), 6, "UInt64");
+  EXPECT_EQ(opened("a.vti", text)->stored(), plain->stored());
+  // A letter that is none, and a length that does not fit.
+  refused("a.vti", xml("0 1 0 0 0 0", array("AgAA!AcJ")) + "</VTKFile>");
+  refused("a.vti", xml("0 1 0 0 0 0", array("AwAAAAcJ")) + "</VTKFile>");
+}
+
+TEST(VtkXml, valuesOfCellsLieBetweenThePoints) {
+  std::string text =
+      xml("0 2 0 1 0 1", "<DataArray type=\"Int16\" Name=\"v\" format=\"ascii\">5 6</DataArray>");
+  for (std::size_t at = 0; (at = text.find("PointData", at)) != std::string::npos;)
+    text.replace(at, 9, "CellData");
+  const auto volume = opened("a.vti", text + "</VTKFile>");
+  EXPECT_EQ(volume->grid().dims, glm::ivec3(2, 1, 1));
+  expectNear(volume->grid().originMm, {11, 21.5, 32});
+}
+
 TEST(VtkXml, damagedFilesAreRefused) {
   const std::string appended = "<DataArray type=\"Int16\" Name=\"v\" format=\"appended\" offset=\"0\"/>";
   const std::string start = xml("0 1 0 2 0 3", appended) + "<AppendedData encoding=\"raw\">_";
@@ -86,7 +113,7 @@ TEST(VtkXml, damagedFilesAreRefused) {
   refused("a.vti", start + size + std::string(10, '\1'));
   refused("a.vti", start);
   refused("a.vti", xml("0 1 0 2 0 3", "").substr(0, 150));
-  EXPECT_NE(refused("a.vti", xml("0 30000 0 30000 0 3", textArray("Int16"))).find("more voxels"),
+  EXPECT_NE(refused("a.vti", xml("0 30000 0 30000 0 3", textArray("Int16")) + "</VTKFile>").find("too short"),
             std::string::npos);
   refused("a.vti", xml("0 1 0 2 0 3", "") + "</VTKFile>");
 }

@@ -44,6 +44,30 @@ TEST(Camera, centrePixelOfAnOddPictureLooksAlongForward) {
   EXPECT_NEAR(ray.direction.y, 1.0, 1e-15);
 }
 
+TEST(Camera, framingFillsThePictureWithTheBoxAndCutsNothingOff) {
+  Grid grid;
+  grid.dims = {250, 200, 100};
+  for (const auto projection : {Camera::Projection::perspective, Camera::Projection::orthographic})
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+      Camera camera = orbited(defaultCamera(grid), 0.7, 0.4);
+      camera.projection = projection;
+      camera = framed(camera, grid, aspect);
+      const CameraBasis basis = basisOf(camera);
+      double largest = 0.0;
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 seen = indexToWorld(grid, side * glm::dvec3(grid.dims) - 0.5) - camera.position;
+        const double depth =
+            projection == Camera::Projection::perspective ? glm::dot(seen, basis.forward) : 1.0;
+        const double unit = halfHeight(camera) * depth;
+        largest = std::max({largest, std::abs(glm::dot(seen, basis.up)) / unit,
+                            std::abs(glm::dot(seen, basis.right)) / unit / aspect});
+      }
+      // The outermost corner reaches 94 % of the picture's half size, the margin that the function promises.
+      EXPECT_NEAR(largest, 0.94, 1e-9);
+    }
+}
+
 TEST(Camera, orbitKeepsTheDistanceAndAFullTurnReturns) {
   Camera camera{.position = {0, -10, 3}, .target = {1, 2, 3}};
   const double distance = glm::length(camera.position - camera.target);

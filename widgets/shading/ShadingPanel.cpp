@@ -6,6 +6,7 @@
 #include "widgets/shading/ModelSection.h"
 #include "widgets/shading/QualitySection.h"
 
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -34,7 +35,8 @@ ShadingPanel::ShadingPanel(QWidget* parent)
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumWidth(260);
+  // Nothing may hide under the scroll bar.
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
 }
 
 void ShadingPanel::setShading(const Shading& shading) {

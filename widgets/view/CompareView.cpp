@@ -18,7 +18,7 @@ namespace {
 
 constexpr int idleMs = 150;        // from the last change to refinement
 constexpr double budgetMs = 30.0;  // of refinement in one turn of the event loop
-constexpr int showEveryMs = 100;   // while refining: showing costs as much as several strips
+constexpr int showEveryMs = 200;   // while refining: showing costs as much as a turn of it
 constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
 constexpr int labelFadeMs = 400;
 
@@ -45,6 +45,10 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
   m_labelTimer.setInterval(labelsStayMs);
   connect(&m_labelTimer, &QTimer::timeout, this, [this] { m_labelFade.start(); });
 
+  makePanels();
+}
+
+void CompareView::makePanels() {
   m_empty = new EmptyPanel(this);
   connect(m_empty, &EmptyPanel::openFolderRequested, this, &CompareView::openFolderRequested);
   connect(m_empty, &EmptyPanel::openFileRequested, this, &CompareView::openFileRequested);
@@ -103,7 +107,15 @@ void CompareView::setModels(ShadingModel left, ShadingModel right) {
 
 void CompareView::setWipePosition(double fraction) {
   m_wipe = std::clamp(fraction, 0.0, 1.0);
-  update();
+  showOtherParts();
+}
+
+// What a coarse picture hides behind the wipe's border was not drawn.
+void CompareView::showOtherParts() {
+  if (m_layout == CompareLayout::wipe && !m_state.resting)
+    redraw();
+  else
+    update();
 }
 
 void CompareView::setTool(ViewTool tool) {
@@ -169,7 +181,8 @@ std::vector<PixelRect> CompareView::rects() const {
   return pictureRects(m_layout, deviceSize(), gap);
 }
 
-template <class Work> void CompareView::guarded(Work&& work) {
+template <class Work>
+void CompareView::guarded(Work&& work) {
   try {
     work();
   } catch (const std::exception& error) {
@@ -226,8 +239,10 @@ void CompareView::showEvent(QShowEvent* event) {
   QTimer::singleShot(0, this, [this] {
     if (!isVisible() || isValid())
       return;
-    fail(tr("This computer offers no OpenGL 3.0 to the program, so no volume can be drawn: install or update "
-            "the graphics driver (on Linux without a graphics card, the package libgl1-mesa-dri)."));
+    const QString problem = openGlProblem();
+    fail(problem.isEmpty()
+             ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
+             : problem);
   });
   if (!m_state.resting)
     redraw();
@@ -246,6 +261,12 @@ void CompareView::updatePanels() {
 
 void CompareView::redraw() {
   m_stale = true;
+  if (m_state.resting) {
+    m_state.resting = false;
+    for (SideState& side : m_state.sides)
+      side.fraction = 0.0;
+    emit pictureStateChanged(m_state);
+  }
   m_refineTimer.stop();
   m_idleTimer.start();
   updatePanels();
@@ -281,14 +302,27 @@ void CompareView::drawCoarsely() {
   if (places.empty())
     return;
   m_pictures->want(scenesOfSides(), places[0].size);
-  const double pixels = static_cast<double>(places.size()) * places[0].size.x * places[0].size.y;
-  const int level = m_quality.levelFor(pixels);
-  m_quality.measured(level, pixels, m_pictures->drawCoarsely(level));
-  if (m_quality.levelFor(pixels) < level) {
+  const double all = static_cast<double>(places.size()) * places[0].size.x * places[0].size.y;
+  const double seen = m_layout == CompareLayout::wipe ? 0.5 * all : all;
+  int level = m_quality.levelFor(seen);
+  if (level == 0 && m_quality.levelFor(all) > 0)
+    level = 1; // full quality draws the hidden parts too
+  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, seenColumns()));
+  if (m_quality.levelFor(all) < level) {
     m_stale = true;
     QTimer::singleShot(0, this, qOverload<>(&QWidget::update));
   }
   updateState();
+}
+
+// Of a wipe's two pictures each shows one part.
+std::array<Columns, 2> CompareView::seenColumns() const {
+  std::array<Columns, 2> seen;
+  if (m_layout == CompareLayout::wipe) {
+    seen[sideShownAt(0)].to = m_wipe;
+    seen[sideShownAt(1)].from = m_wipe;
+  }
+  return seen;
 }
 
 void CompareView::startRefining() {

@@ -8,8 +8,8 @@
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
 #include "widgets/view/Probe.h"
-#include "widgets/view/ViewOverlay.h"
 #include "widgets/view/ViewKeys.h"
+#include "widgets/view/ViewOverlay.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -27,11 +27,12 @@ class EmptyPanel;
 class LoadingPanel;
 class MessagePanel;
 class ViewPictures;
+struct Columns;
 
 /// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
-/// ray caster, one copy of the textures. Draws coarsely while something moves and strip by strip to full quality
-/// at rest; at rest the picture is bit for bit what the command line writes for the same scene and size.
-/// It changes no scene: it asks, through its signals, and is given the answer through setScene().
+/// ray caster, one copy of the textures. Draws coarsely while something moves and strip by strip to full
+/// quality at rest; at rest the picture is bit for bit what the command line writes for the same scene and
+/// size. It changes no scene: it asks, through its signals, and is given the answer through setScene().
 class CompareView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -126,8 +127,8 @@ private:
   struct Drag {
     Qt::MouseButton button = Qt::NoButton;
     DragKind kind = DragKind::none;
-    bool wipe = false;       ///< of the wipe's border
-    bool mayPin = false;     ///< a Shift+click that has not moved yet
+    bool wipe = false;   ///< of the wipe's border
+    bool mayPin = false; ///< a Shift+click that has not moved yet
     QPointF first, last;
     QRectF side;
     Camera camera;             ///< before
@@ -136,15 +137,19 @@ private:
   };
 
   // Drawing (CompareView.cpp)
+  void makePanels();
   void makePictures();
   void releasePictures();
   void redraw();
+  void showOtherParts();
   void drawCoarsely();
+  std::array<Columns, 2> seenColumns() const;
   void refine();
   void startRefining();
   void updateState();
   void fail(const QString& sentence);
-  template <class Work> void guarded(Work&& work);
+  template <class Work>
+  void guarded(Work&& work);
   std::vector<Scene> scenesOfSides() const;
   GradientScale gradientScaleOfSide(int side) const;
   glm::ivec2 deviceSize() const;

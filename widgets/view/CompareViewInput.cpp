@@ -17,9 +17,9 @@
 namespace limn {
 namespace {
 
-constexpr double wipeGrip = 12.0;    // logical pixels to each side of the border
-constexpr double clickSlack = 3.0;   // a click may tremble by this much
-constexpr double keyTurnDeg = 5.0;   // of an arrow key
+constexpr double wipeGrip = 12.0;  // logical pixels to each side of the border
+constexpr double clickSlack = 3.0; // a click may tremble by this much
+constexpr double keyTurnDeg = 5.0; // of an arrow key
 constexpr int wheelNotch = 120;
 
 double lengthOf(const QPointF& vector) {
@@ -109,10 +109,9 @@ void CompareView::continueDrag(QMouseEvent* event) {
 void CompareView::dragWindowLevel(const QPointF& to) {
   const Drag& drag = *m_drag;
   const QPointF moved = to - drag.first;
-  const TransferFunction function =
-      drag.kind == DragKind::opacity
-          ? opacityDragged(drag.function, moved)
-          : windowLevelDragged(drag.function, m_scene.volume->range(), moved);
+  const TransferFunction function = drag.kind == DragKind::opacity
+                                        ? opacityDragged(drag.function, moved)
+                                        : windowLevelDragged(drag.function, m_scene.volume->range(), moved);
   if (function != m_scene.transferFunction)
     emit windowLevelEdited(function, drag.gesture);
 }
@@ -225,7 +224,7 @@ void CompareView::setSwapped(bool swapped) {
     return;
   m_swapped = swapped;
   wakeLabels();
-  update();
+  showOtherParts();
 }
 
 void CompareView::leaveEvent(QEvent* event) {

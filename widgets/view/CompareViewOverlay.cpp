@@ -3,6 +3,7 @@
 #include "widgets/view/SideText.h"
 #include "widgets/view/ViewOverlay.h"
 
+#include <QOpenGLPaintDevice>
 #include <QPainter>
 
 #include <algorithm>
@@ -58,7 +59,12 @@ QRectF CompareView::labelRect(int position) const {
 }
 
 void CompareView::paintOverlay() {
-  QPainter painter(this);
+  // Not on the widget itself: while a window is grabbed, Qt would lead its painters elsewhere.
+  const glm::ivec2 size = deviceSize();
+  QOpenGLPaintDevice device(size.x, size.y);
+  device.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&device);
+  painter.setFont(font());
   painter.setRenderHint(QPainter::TextAntialiasing);
   if (m_layout == CompareLayout::sideBySide) {
     const QRectF left = logicalRect(0);

@@ -9,8 +9,14 @@
 namespace limn {
 namespace {
 
-constexpr std::array<QualityLevel, InteractionQuality::levelCount> levels{{
-    {1.0, 1.0}, {1.0, 2.0}, {0.75, 2.0}, {0.5, 2.0}, {0.375, 2.0}, {0.25, 3.0}, {0.1875, 4.0}, {0.125, 4.0}}};
+constexpr std::array<QualityLevel, InteractionQuality::levelCount> levels{{{1.0, 1.0},
+                                                                           {1.0, 2.0},
+                                                                           {0.75, 2.0},
+                                                                           {0.5, 2.0},
+                                                                           {0.375, 2.0},
+                                                                           {0.25, 3.0},
+                                                                           {0.1875, 4.0},
+                                                                           {0.125, 4.0}}};
 
 // A finer level must promise this part of the target, or two levels would take turns.
 constexpr double marginToFiner = 0.75;

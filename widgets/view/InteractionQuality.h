@@ -20,7 +20,7 @@ struct QualityLevel {
 class InteractionQuality {
 public:
   /// The drawing time of one frame aimed at, ms: with showing it, 15 frames per second.
-  static constexpr double targetMs = 45.0;
+  static constexpr double targetMs = 40.0;
   static constexpr int levelCount = 8;
 
   static QualityLevel levelAt(int index); ///< 0 is full quality, levelCount - 1 the coarsest

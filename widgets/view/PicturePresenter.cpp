@@ -1,49 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/PicturePresenter.h"
 
+#include "raycaster/EmbeddedShaders.h"
+
 #include <epoxy/gl.h>
 
 namespace limn {
 namespace {
 
-// One triangle covers the viewport; its corners follow from the vertex number.
-constexpr const char* vertexText = R"(#version 130
-out vec2 v_place;
-void main() {
-  v_place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(2.0 * v_place - 1.0, 0.0, 1.0);
-}
-)";
-
-// Puts a premultiplied picture over the background; with a gain, the difference of two.
-constexpr const char* fragmentText = R"(#version 130
-in vec2 v_place;
-out vec4 fragColor;
-uniform sampler2D u_left;
-uniform sampler2D u_right;
-uniform vec3 u_background;
-uniform float u_gain;
-vec3 over(vec4 picture) {
-  return picture.rgb + (1.0 - picture.a) * u_background;
-}
-void main() {
-  vec3 color = over(texture(u_left, v_place));
-  if (u_gain > 0.0)
-    color = u_gain * abs(color - over(texture(u_right, v_place)));
-  fragColor = vec4(color, 1.0);
-}
-)";
-
-ShaderSource sourceOf(const char* name, const char* text) {
+ShaderSource sourceOf(const char* name) {
   ShaderSource source;
-  source.append(name, text);
+  source.append("prelude", "#version 130\n");
+  source.append(name, embeddedShader(name));
   return source;
 }
 
 } // namespace
 
 PicturePresenter::PicturePresenter()
-    : m_program(sourceOf("present.vert", vertexText), sourceOf("present.frag", fragmentText)) {}
+    : m_program(sourceOf("present.vert.glsl"), sourceOf("present.frag.glsl")) {}
 
 void PicturePresenter::show(unsigned texture, const Placement& placement,
                             const glm::dvec3& background) const {

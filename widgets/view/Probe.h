@@ -17,9 +17,9 @@ struct Probe {
 };
 
 /// The sample along a ray that adds most to its pixel: the largest T·α, with α as the side's model and the
-/// gradient opacity make it (a projection of extremes: the extreme sample; an isosurface: its first crossing).
-/// `scale` maps gradients to r, where the model reads r. Marches at most half a voxel at a time. Nothing where
-/// the ray misses the volume or all its samples together are below half an 8-bit level.
+/// gradient opacity make it (a projection of extremes: the extreme sample; an isosurface: its first
+/// crossing). `scale` maps gradients to r, where the model reads r. Marches at most half a voxel at a time.
+/// Nothing where the ray misses the volume or all its samples together are below half an 8-bit level.
 std::optional<Probe> probeAlong(const Scene& scene, const GradientScale& scale, const Ray& ray);
 
 } // namespace limn

@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace limn {
 namespace {
 
 // Wait for the drawing to end: a software renderer only then does the work.
-template <class Work> double timedMs(Work&& work) {
+template <class Work>
+double timedMs(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   glFinish();
@@ -23,6 +25,13 @@ template <class Work> double timedMs(Work&& work) {
 // A picture coarser than this is bettered once before the full one is drawn, at about a seventh of its cost.
 constexpr int veryCoarse = 5;
 constexpr int middleLevel = 3;
+
+// The columns of a picture of `size` pixels that are seen, and one more to each side for smoothing.
+PixelRect seenPart(const glm::ivec2& size, const Columns& seen) {
+  const int first = std::max(0, static_cast<int>(std::floor(seen.from * size.x)) - 1);
+  const int last = std::min(size.x, static_cast<int>(std::ceil(seen.to * size.x)) + 1);
+  return {{first, 0}, {std::max(1, last - first), size.y}};
+}
 
 } // namespace
 
@@ -37,7 +46,7 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_bytes = QImage();
 }
 
-double SidePicture::drawCoarsely(RayCaster& caster, int level) {
+double SidePicture::drawCoarsely(RayCaster& caster, int level, const Columns& seen) {
   const QualityLevel quality = InteractionQuality::levelAt(level);
   PictureTarget& target = level == 0 ? m_full : m_coarse;
   const glm::ivec2 size = sizeAt(quality, m_size);
@@ -47,7 +56,8 @@ double SidePicture::drawCoarsely(RayCaster& caster, int level) {
   // Draw one pixel first: uploads and compilation are no measure of the frames to come.
   caster.draw(scene, size, {size / 2, {1, 1}});
   glFinish();
-  const double ms = timedMs([&] { caster.draw(scene, size, {{0, 0}, size}); });
+  const PixelRect part = level == 0 ? PixelRect{{0, 0}, size} : seenPart(size, seen);
+  const double ms = timedMs([&] { caster.draw(scene, size, part); });
   m_coarseFactor = quality.stepFactor;
   m_gradientScale = caster.gradientScale();
   if (level == 0) {

@@ -13,21 +13,28 @@
 
 namespace limn {
 
-/// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips of
-/// a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full one as
-/// 8 bits. Needs the same OpenGL context current for every call that draws and for its end.
+/// A part of a picture's columns, as fractions of its width.
+struct Columns {
+  double from = 0.0;
+  double to = 1.0;
+};
+
+/// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
+/// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full
+/// one as 8 bits. Needs the same OpenGL context current for every call that draws and for its end.
 class SidePicture {
 public:
   /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
   void want(const Scene& scene, const glm::ivec2& size);
 
-  /// Draws the coarse picture (level 0: the full one) and returns the time, ms.
-  double drawCoarsely(RayCaster& caster, int level);
+  /// Draws the coarse picture, as far as its columns will be seen (level 0: the full one, all of it), and
+  /// returns the time, ms.
+  double drawCoarsely(RayCaster& caster, int level, const Columns& seen);
 
   /// Draws the next strip; only while not complete.
   void drawStrip(RayCaster& caster);
   bool complete() const { return m_pass == 0 && m_schedule.complete(); }
-  double fraction() const;    ///< of the work from the coarse picture to the full one, 0..1
+  double fraction() const; ///< of the work from the coarse picture to the full one, 0..1
   double predictedMs() const { return m_schedule.predictedMs(); } ///< of the next strip
 
   /// Reads the full picture back and makes it 8 bits on the processor, so that what is shown is rounded as a

@@ -5,8 +5,8 @@
 
 namespace limn {
 
-/// Cuts a picture into strips of full width, top to bottom, whose height follows the measured time, so that no
-/// strip holds the event loop for long. Knows neither OpenGL nor clock.
+/// Cuts a picture into strips of full width, top to bottom, whose height follows the measured time, so that
+/// no strip holds the event loop for long. Knows neither OpenGL nor clock.
 class TileSchedule {
 public:
   /// The time a strip should take, ms, and the limits of its height, pixels. Heights at most double from

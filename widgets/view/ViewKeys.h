@@ -52,10 +52,10 @@ struct ListShortcuts {
 };
 } // namespace viewcommand
 
-using ViewCommand = std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest,
-                                 viewcommand::Reset, viewcommand::Rotate, viewcommand::Zoom,
-                                 viewcommand::UseTool, viewcommand::WindowPreset, viewcommand::Swap,
-                                 viewcommand::Cancel, viewcommand::ListShortcuts>;
+using ViewCommand =
+    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
+                 viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
+                 viewcommand::Swap, viewcommand::Cancel, viewcommand::ListShortcuts>;
 
 /// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
 /// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;

@@ -103,7 +103,8 @@ void paintLetters(QPainter& painter, const OrientationLetters& letters, const QR
   const double inset = margin + height / 2;
   paintOutlined(painter, place(side.left() + inset, middle), QString::fromStdString(letters.left));
   paintOutlined(painter, place(side.right() - inset, middle), QString::fromStdString(letters.right));
-  paintOutlined(painter, place(column, std::max(side.top() + margin, labelBottom) + height / 2), QString::fromStdString(letters.top));
+  paintOutlined(painter, place(column, std::max(side.top() + margin, labelBottom) + height / 2),
+                QString::fromStdString(letters.top));
   paintOutlined(painter, place(column, side.bottom() - inset), QString::fromStdString(letters.bottom));
   painter.restore();
 }

@@ -21,12 +21,12 @@ struct SideLabel {
   bool leadsToMenu = true; ///< shows that a click changes the model
 };
 
-/// The plate of a label whose side is `side`, logical pixels. A label of the right half of a wipe is aligned to
-/// the right (`toTheRight`).
+/// The plate of a label whose side is `side`, logical pixels. A label of the right half of a wipe is aligned
+/// to the right (`toTheRight`).
 QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, bool toTheRight);
 
-/// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on any
-/// picture.
+/// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on
+/// any picture.
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
 /// The upper letter keeps clear of `labelBottom`; the upper and lower ones stand at `column`.
 void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,

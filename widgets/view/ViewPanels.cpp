@@ -54,7 +54,8 @@ EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(t
   setStyleSheet(panelStyle);
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
-  auto* formats = new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
+  auto* formats =
+      new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
   formats->setAlignment(Qt::AlignCenter);
   formats->setWordWrap(true);
   auto* folder = button(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
@@ -101,8 +102,8 @@ void EmptyPanel::paintEvent(QPaintEvent* event) {
   const QPointF tip = top + QPointF(0, 24);
   painter.drawLine(top, tip);
   painter.drawPolyline(QPolygonF({tip + QPointF(-8, -8), tip, tip + QPointF(8, -8)}));
-  painter.drawPolyline(QPolygonF({tip + QPointF(-16, 2), tip + QPointF(-16, 10), tip + QPointF(16, 10),
-                                  tip + QPointF(16, 2)}));
+  painter.drawPolyline(QPolygonF(
+      {tip + QPointF(-16, 2), tip + QPointF(-16, 10), tip + QPointF(16, 10), tip + QPointF(16, 2)}));
 }
 
 MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(this)) {

@@ -39,11 +39,11 @@ void ViewPictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size
     m_sides[i].want(scenes[i], size);
 }
 
-double ViewPictures::drawCoarsely(int level) {
+double ViewPictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
   resetState();
   double ms = 0.0;
   for (int i = 0; i < m_count; ++i)
-    ms += m_sides[i].drawCoarsely(m_caster, level);
+    ms += m_sides[i].drawCoarsely(m_caster, level, seen[i]);
   return ms;
 }
 

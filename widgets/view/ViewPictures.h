@@ -12,8 +12,8 @@
 namespace limn {
 
 /// Everything of the compare view that lives in its OpenGL context: one ray caster for both sides, so that
-/// the volume is uploaded once, their pictures, and what puts them on the screen. Needs that context current for
-/// every call, construction and destruction.
+/// the volume is uploaded once, their pictures, and what puts them on the screen. Needs that context current
+/// for every call, construction and destruction.
 class ViewPictures {
 public:
   /// Throws Error (openGl).
@@ -22,8 +22,8 @@ public:
   /// Asks for pictures of these scenes (one or two), all of one size.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
-  /// Draws every wanted picture at a level and returns the time, ms.
-  double drawCoarsely(int level);
+  /// Draws what is seen of every wanted picture at a level and returns the time, ms.
+  double drawCoarsely(int level, const std::array<Columns, 2>& seen);
 
   /// Draws strips, alternately, until `budgetMs` is spent or all pictures are complete and read back.
   /// True when they are.

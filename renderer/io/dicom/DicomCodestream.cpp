@@ -118,8 +118,9 @@ gdcm::Image imageOf(const DicomHeader& header, gdcm::TransferSyntax::TSType synt
                                          narrow(format.bitsStored), narrow(format.highBit),
                                          format.isSigned ? 1 : 0));
   image.SetPlanarConfiguration(0);
-  image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation(
-      gdcm::PhotometricInterpretation::GetPIType(format.photometric.c_str())));
+  const std::string photometric = format.samples == 1 ? "MONOCHROME2" : format.photometric;
+  image.SetPhotometricInterpretation(
+      gdcm::PhotometricInterpretation(gdcm::PhotometricInterpretation::GetPIType(photometric.c_str())));
   image.SetTransferSyntax(gdcm::TransferSyntax(syntax));
   return image;
 }

@@ -125,8 +125,9 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
   const glm::dvec2 drift = last.shift * glm::dvec2(grid.spacingMm);
   const double angle = glm::degrees(std::atan2(glm::length(drift), last.heightMm));
   warnings.push_back(
-      "The slices are stacked at a slant of " + decimal(angle, 1) +
-      "° (gantry tilt): they were resampled onto an upright grid, whose added corners hold no data.");
+      "The slices do not lie straight on each other (slant of " + decimal(angle, 1) +
+      "°, as of a tilted gantry): they were resampled onto an upright grid, whose added corners hold "
+      "no data.");
   grid.dims += glm::ivec3(extra, 0);
   grid.originMm += grid.direction * (grid.spacingMm * glm::dvec3(start, 0.0));
   for (DicomPlacement& placement : geometry.placements)
@@ -135,32 +136,33 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
 }
 
 // The distance between planes where no positions tell it.
-double statedSpacing(const DicomSeries& series, DicomGeometry& geometry, std::vector<std::string>& warnings) {
+double statedSpacing(const DicomSeries& series, DicomGeometry& geometry, bool isGiven,
+                     std::vector<std::string>& warnings) {
   const DicomFrame& frame = series.front().frame();
   const auto stated = series.size() == 1
                           ? (frame.thicknessMm ? frame.thicknessMm : frame.betweenSlicesMm)
                           : (frame.betweenSlicesMm ? frame.betweenSlicesMm : frame.thicknessMm);
-  if (!stated) {
+  if (!stated && !isGiven) {
     geometry.spacingKnown = false;
     warnings.emplace_back("The series does not say how thick its slices are; 1 mm is assumed.");
   }
   return stated.value_or(1.0);
 }
 
-void readPixelSpacing(const DicomSeries& series, DicomGeometry& geometry,
+void readPixelSpacing(const DicomSeries& series, DicomGeometry& geometry, bool isGiven,
                       std::vector<std::string>& warnings) {
   const auto spacing = series.front().frame().pixelSpacingMm;
-  if (!spacing) {
+  if (!spacing && !isGiven) {
     geometry.spacingKnown = false;
     warnings.emplace_back("The series does not say how large its pixels are; 1 mm is assumed.");
   }
   geometry.grid.spacingMm = glm::dvec3(spacing.value_or(glm::dvec2(1.0)), 1.0);
 }
 
-DicomGeometry unplaced(DicomGeometry geometry, const DicomSeries& series,
+DicomGeometry unplaced(DicomGeometry geometry, const DicomSeries& series, bool isGiven,
                        std::vector<std::string>& warnings) {
   geometry.orientationKnown = false;
-  geometry.grid.spacingMm.z = statedSpacing(series, geometry, warnings);
+  geometry.grid.spacingMm.z = statedSpacing(series, geometry, isGiven, warnings);
   warnings.emplace_back(
       series.size() == 1 ? "The image does not say where it lies in the patient; its orientation is unknown."
                          : "The images do not say where they lie in the patient: they are stacked in the "
@@ -170,20 +172,20 @@ DicomGeometry unplaced(DicomGeometry geometry, const DicomSeries& series,
 
 } // namespace
 
-DicomGeometry geometryOf(const DicomSeries& series, std::vector<std::string>& warnings) {
+DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<std::string>& warnings) {
   const DicomHeader& header = *series.front().header;
   DicomGeometry geometry;
   geometry.grid.dims = {header.columns, header.rows, static_cast<int>(series.size())};
-  readPixelSpacing(series, geometry, warnings);
+  readPixelSpacing(series, geometry, spacingIsGiven, warnings);
   if (!isPlaced(series))
-    return unplaced(std::move(geometry), series, warnings);
+    return unplaced(std::move(geometry), series, spacingIsGiven, warnings);
 
   Grid& grid = geometry.grid;
   const auto& axes = *series.front().frame().axes;
   grid.direction = glm::dmat3(axes[0], axes[1], glm::cross(axes[0], axes[1]));
   grid.originMm = *series.front().frame().positionMm;
   if (series.size() == 1) {
-    grid.spacingMm.z = statedSpacing(series, geometry, warnings);
+    grid.spacingMm.z = statedSpacing(series, geometry, spacingIsGiven, warnings);
     return geometry;
   }
   geometry.placements = placementsOf(series, grid.direction, glm::dvec2(grid.spacingMm));

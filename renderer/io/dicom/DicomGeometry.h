@@ -24,8 +24,9 @@ struct DicomGeometry {
 /// Finds the grid of a sorted series with one slice per position. Slices in line at equal distances (within
 /// 5 % of the median, averaged with a warning where they differ measurably) lie on it as they are; tilted,
 /// sideways shifted and unequally spaced ones need resampling, which a warning states. Without positions the
-/// slices are stacked, orientation unknown, with a warning.
+/// slices are stacked, orientation unknown, with a warning. A
+/// spacing that nobody states is 1 mm, with a warning unless the caller gives one.
 /// Throws Error (input) where a gap is too large to bridge or the slices form no stack.
-DicomGeometry geometryOf(const DicomSeries& series, std::vector<std::string>& warnings);
+DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<std::string>& warnings);
 
 } // namespace limn

@@ -101,10 +101,14 @@ std::optional<DicomLut> paletteOf(const DicomDataset& dataset) {
   return lut;
 }
 
-bool isLossySyntax(const std::string& syntax) {
-  static constexpr const char* lossy[] = {".4.50", ".4.51", ".4.81", ".4.91", ".4.93"};
-  return std::any_of(std::begin(lossy), std::end(lossy),
-                     [&](const char* end) { return syntax == std::string("1.2.840.10008.1.2") + end; });
+// Some syntaxes always lose detail; others may, which an attribute can deny.
+bool isLossy(const DicomDataset& dataset, const std::string& syntax) {
+  const auto isOneOf = [&](std::initializer_list<const char*> ends) {
+    return std::any_of(ends.begin(), ends.end(),
+                       [&](const char* end) { return syntax == std::string("1.2.840.10008.1.2.4.") + end; });
+  };
+  const std::string stated = textOf(dataset, tag::lossyCompression);
+  return stated == "01" || isOneOf({"50", "51"}) || (stated.empty() && isOneOf({"81", "91", "93"}));
 }
 
 // A film counts its frames in time and places none of them.
@@ -116,9 +120,9 @@ bool isFilm(const DicomDataset& dataset) {
   return counted == tag::frameTime || counted == tag::frameTimeVector;
 }
 
-std::string unitOf(const DicomDataset& dataset, const std::string& modality, const std::string& rescaleType) {
+std::string unitOf(const DicomDataset& dataset, const std::string& modality, const DicomFrame& frame) {
   if (modality == "CT")
-    return rescaleType.empty() || rescaleType == "HU" ? "HU" : "";
+    return frame.rescale && (frame.rescaleType.empty() || frame.rescaleType == "HU") ? "HU" : "";
   if (modality == "PT") {
     const std::string units = textOf(dataset, tag::petUnits);
     return units == "BQML" ? "Bq/ml" : units == "GML" ? "g/ml" : "";
@@ -167,13 +171,13 @@ DicomHeader headerOf(const std::filesystem::path& path, const DicomFile& file) {
   header.palette = paletteOf(dataset);
   const std::vector<std::string> type = textsOf(dataset, tag::imageType);
   header.isMosaic = std::find(type.begin(), type.end(), "MOSAIC") != type.end();
-  const std::string lossy = textOf(dataset, tag::lossyCompression);
-  header.isLossy = lossy == "01" || (lossy.empty() && isLossySyntax(header.transferSyntax));
-  const std::vector<std::string> ratios = textsOf(dataset, tag::lossyRatio);
-  header.lossyRatio = ratios.empty() ? "" : ratios.back();
+  header.isLossy = isLossy(dataset, header.transferSyntax);
+  const std::vector<double> ratios = decimalsOf(dataset, tag::lossyRatio);
+  if (!ratios.empty())
+    header.lossyRatio = ratios.back();
   readFrameCount(dataset, header);
   header.isFilm = header.frames.size() > 1 && isFilm(dataset) && !header.frames.front().positionMm;
-  header.unit = unitOf(dataset, header.modality, header.frames.front().rescaleType);
+  header.unit = unitOf(dataset, header.modality, header.frames.front());
   return header;
 }
 

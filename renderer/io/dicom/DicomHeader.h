@@ -78,7 +78,7 @@ struct DicomHeader {
   bool isFilm = false;        ///< several frames, one per moment
   std::string frameCountFlaw; ///< the text of a number of frames that is none
   bool isLossy = false;
-  std::string lossyRatio;
+  std::optional<double> lossyRatio; ///< of the last compression
   std::vector<DicomFrame> frames;
   PatientLabel patient;
 };

@@ -3,6 +3,8 @@
 #include "scene/Error.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace limn {
 namespace {
@@ -56,6 +58,15 @@ void requireFormat(const DicomHeader& header) {
   if (format.samples != 1 && format.samples != 3)
     refuse(header, "has " + std::to_string(format.samples) +
                        " samples per pixel; only grey (1) and colour (3) can be opened.");
+  static constexpr std::array<std::string_view, 4> grey = {"", "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR"};
+  static constexpr std::array<std::string_view, 5> colour = {"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_ICT",
+                                                             "YBR_RCT"};
+  const bool isKnown = format.samples == 1
+                           ? std::find(grey.begin(), grey.end(), format.photometric) != grey.end()
+                           : std::find(colour.begin(), colour.end(), format.photometric) != colour.end();
+  if (!isKnown)
+    refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean '" +
+                       format.photometric + "', which this program does not know; export it as grey values.");
   if (format.photometric == "PALETTE COLOR" && !header.palette)
     refuse(header, "is coloured by a palette this program cannot read; export it as grey values.");
   if (!header.pixels->isEncapsulated && format.photometric.rfind("YBR_", 0) == 0 &&

@@ -130,7 +130,7 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
 std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const DicomSeries& series,
                                        const ReadOptions& options, const Progress& progress,
                                        std::vector<std::string> warnings) {
-  DicomGeometry geometry = geometryOf(series, warnings);
+  DicomGeometry geometry = geometryOf(series, options.spacingMm.has_value(), warnings);
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireMemory(path, glm::max(sourceDims, geometry.grid.dims));

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <new>
 
 namespace limn {
 namespace {
@@ -124,15 +124,27 @@ DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, 
   return {std::move(values), Rescale{}, std::nullopt};
 }
 
+std::string ratioText(const std::optional<double>& ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, " (%.3g : 1)", ratio.value_or(0.0));
+  return ratio ? text : "";
+}
+
+bool holdsMoreThanAnnounced(const DicomSlice& slice) {
+  const DicomHeader& header = *slice.header;
+  return !header.pixels->isEncapsulated &&
+         header.pixels->length >= frameBytes(header) * (header.frames.size() + 1);
+}
+
 void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
   const DicomHeader& first = *series.front().header;
   const auto lossy = std::find_if(series.begin(), series.end(),
                                   [](const DicomSlice& slice) { return slice.header->isLossy; });
   if (lossy != series.end())
-    warnings.push_back(
-        "The images were compressed with loss" +
-        (lossy->header->lossyRatio.empty() ? std::string() : " (" + lossy->header->lossyRatio + " : 1)") +
-        ": fine detail differs from what the scanner measured.");
+    warnings.push_back("The images were compressed with loss" + ratioText(lossy->header->lossyRatio) +
+                       ": fine detail differs from what the scanner measured.");
+  if (std::any_of(series.begin(), series.end(), holdsMoreThanAnnounced))
+    warnings.emplace_back("The file holds more pixels than its header announces; the rest is not shown.");
   if (first.format.photometric == "MONOCHROME1")
     warnings.emplace_back(
         "The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.");

@@ -16,53 +16,26 @@ namespace {
 namespace fs = std::filesystem;
 
 VoxelType typeOf(const fs::path& file, const NrrdHeader& header) {
-  static const std::map<std::string, VoxelType> types = {
-      {"signed char", VoxelType::int8},
-      {"int8", VoxelType::int8},
-      {"int8_t", VoxelType::int8},
-      {"uchar", VoxelType::uint8},
-      {"unsigned char", VoxelType::uint8},
-      {"uint8", VoxelType::uint8},
-      {"uint8_t", VoxelType::uint8},
-      {"short", VoxelType::int16},
-      {"short int", VoxelType::int16},
-      {"signed short", VoxelType::int16},
-      {"signed short int", VoxelType::int16},
-      {"int16", VoxelType::int16},
-      {"int16_t", VoxelType::int16},
-      {"ushort", VoxelType::uint16},
-      {"unsigned short", VoxelType::uint16},
-      {"unsigned short int", VoxelType::uint16},
-      {"uint16", VoxelType::uint16},
-      {"uint16_t", VoxelType::uint16},
-      {"int", VoxelType::int32},
-      {"signed int", VoxelType::int32},
-      {"int32", VoxelType::int32},
-      {"int32_t", VoxelType::int32},
-      {"uint", VoxelType::uint32},
-      {"unsigned int", VoxelType::uint32},
-      {"uint32", VoxelType::uint32},
-      {"uint32_t", VoxelType::uint32},
-      {"longlong", VoxelType::int64},
-      {"long long", VoxelType::int64},
-      {"long long int", VoxelType::int64},
-      {"signed long long", VoxelType::int64},
-      {"signed long long int", VoxelType::int64},
-      {"int64", VoxelType::int64},
-      {"int64_t", VoxelType::int64},
-      {"ulonglong", VoxelType::uint64},
-      {"unsigned long long", VoxelType::uint64},
-      {"unsigned long long int", VoxelType::uint64},
-      {"uint64", VoxelType::uint64},
-      {"uint64_t", VoxelType::uint64},
-      {"float", VoxelType::float32},
-      {"double", VoxelType::float64},
+  // The format gives each type several names.
+  static const std::pair<VoxelType, std::string> types[] = {
+      {VoxelType::int8, "|signed char|int8|int8_t|"},
+      {VoxelType::uint8, "|uchar|unsigned char|uint8|uint8_t|"},
+      {VoxelType::int16, "|short|short int|signed short|signed short int|int16|int16_t|"},
+      {VoxelType::uint16, "|ushort|unsigned short|unsigned short int|uint16|uint16_t|"},
+      {VoxelType::int32, "|int|signed int|int32|int32_t|"},
+      {VoxelType::uint32, "|uint|unsigned int|uint32|uint32_t|"},
+      {VoxelType::int64,
+       "|longlong|long long|long long int|signed long long|signed long long int|int64|int64_t|"},
+      {VoxelType::uint64, "|ulonglong|unsigned long long|unsigned long long int|uint64|uint64_t|"},
+      {VoxelType::float32, "|float|"},
+      {VoxelType::float64, "|double|"},
   };
-  const auto found = types.find(lowerCase(header.field("type")));
-  if (found == types.end())
-    failReading(file, "its voxels are of the type \"" + header.field("type") + "\", which is not supported",
-                "convert it to integers or floats first");
-  return found->second;
+  const std::string name = lowerCase(header.field("type"));
+  for (const auto& [type, names] : types)
+    if (names.find("|" + name + "|") != std::string::npos)
+      return type;
+  failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
+              "convert it to integers or floats first");
 }
 
 bool isBigEndian(const fs::path& file, const NrrdHeader& header, VoxelType type, bool isText) {

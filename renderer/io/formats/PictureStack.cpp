@@ -2,6 +2,7 @@
 #include "io/formats/PictureStack.h"
 
 #include "io/formats/ReadError.h"
+#include "io/formats/TiffPages.h"
 #include "io/formats/Voxels.h"
 
 #include <OpenImageIO/imageio.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 namespace limn {
@@ -103,6 +105,26 @@ VoxelArray emptyArray(TypeDesc format) {
   }
 }
 
+// Refuses a header that asks for more pixels than its file can hold: the best compression that the formats
+// know is deflate's, 1032 to 1, of pixels of one bit.
+void requireRoom(const fs::path& file, const OIIO::ImageSpec& spec) {
+  constexpr std::uint64_t largestRatio = 8 * 1032;
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 ||
+      spec.image_bytes() / largestRatio > fs::file_size(file))
+    failReading(file, "its header asks for more pixels than the file can hold", copyAgain);
+}
+
+// Refuses a JPEG file without the mark of its end: the decoder fills what is missing with grey.
+void requireJpegEnd(const fs::path& file) {
+  using namespace std::string_view_literals;
+  constexpr std::streamoff tailBytes = 4096;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  stream.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(stream.tellg()) - tailBytes));
+  const std::string tail{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (tail.rfind("\xff\xd9"sv) == std::string::npos)
+    failReading(file, "the picture is cut off", copyAgain);
+}
+
 // Collects slices that all look like the first.
 class Stack {
 public:
@@ -110,7 +132,10 @@ public:
 
   // Reads the page the input stands at; `expectedSlices` only guides the room made.
   void addPage(OIIO::ImageInput& input, const fs::path& file, int page, std::size_t expectedSlices) {
+    if (!input.seek_subimage(page, 0))
+      failReading(file, "the picture is damaged (" + input.geterror() + ")", copyAgain);
     const Page current{input.spec_dimensions(page)};
+    requireRoom(file, current.spec);
     if (m_slices == 0) {
       m_first = current;
       m_format = keptFormat(file, current.spec.format);
@@ -184,14 +209,6 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const fs::path& file) {
   return input;
 }
 
-int pagesOf(OIIO::ImageInput& input) {
-  int pages = 1;
-  while (input.seek_subimage(pages, 0))
-    ++pages;
-  input.geterror(); // The search ends in an error, which is none.
-  return pages;
-}
-
 // Whether the last numbers in the names rise by one step throughout.
 bool numbersAreEven(const std::vector<fs::path>& files) {
   std::set<long long> steps;
@@ -251,9 +268,12 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
   Stack stack(path);
   std::set<std::string> kinds;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    kinds.insert(kindOf(files[i]));
+    const std::string kind = kindOf(files[i]);
+    kinds.insert(kind);
+    if (kind == "JPEG")
+      requireJpegEnd(files[i]);
+    const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
     const auto input = openPicture(files[i]);
-    const int pages = pagesOf(*input);
     if (files.size() > 1 && pages > 1)
       failReading(path, "its picture " + files[i].filename().string() + " has several pages",
                   "open that file by itself");

@@ -9,9 +9,12 @@
 namespace limn {
 
 /// Throws the one sentence of a file that cannot be read. `reason` continues "Cannot read FILE: " and
-/// `wayOut` is an instruction without a full stop.
-[[noreturn]] inline void failReading(const std::filesystem::path& file, const std::string& reason,
+/// `wayOut` is an instruction without a full stop. Control characters that a damaged header put into the
+/// reason become question marks.
+[[noreturn]] inline void failReading(const std::filesystem::path& file, std::string reason,
                                      const std::string& wayOut) {
+  for (char& c : reason)
+    c = (c >= 0 && c < ' ') || c == 0x7f ? '?' : c;
   throw Error(Error::Kind::input, "Cannot read " + file.string() + ": " + reason + "; " + wayOut + ".");
 }
 

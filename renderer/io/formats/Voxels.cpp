@@ -91,12 +91,13 @@ void growBy(std::vector<T>& voxels, std::size_t step, std::uint64_t final) {
 
 template <class Stored>
 std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                                 const Progress& progress) {
+                                 const Progress& progress, std::uint64_t certain) {
   const auto components = static_cast<std::size_t>(layout.components);
   const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t perStep = bytesPerStep / sizeof(Stored) / components;
   std::vector<Stored> samples(perStep * components);
   std::vector<Kept<Stored>> voxels;
+  voxels.reserve(certain);
   while (voxels.size() < layout.count) {
     reportStep(progress, voxels.size(), layout.count);
     const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - voxels.size());
@@ -186,23 +187,31 @@ int dimension(const fs::path& file, double value) {
 }
 
 VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                      const Progress& progress) {
+                      const Progress& progress, std::uint64_t certain) {
   return withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return readAs<decltype(value)>(file, bytes, layout, progress);
+    return readAs<decltype(value)>(file, bytes, layout, progress, certain);
   });
 }
 
 VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress) {
-  return readVoxels(location.file, openBytes(location, bytesOf(layout)), layout, progress);
+  const ByteReader bytes = openBytes(location, bytesOf(layout));
+  const bool isChecked = location.encoding == Encoding::raw;
+  return readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);
 }
 
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress) {
-  if (layout.components != 1)
-    failReading(location.file, "it holds colours as text", "convert it to a binary encoding");
   // The shortest voxel is a digit, and white space parts it from the next.
-  const std::string text = readText(location, 2 * layout.count - 1);
+  return parseTextVoxels(location.file, readText(location, 2 * layout.count - 1), layout, progress);
+}
+
+VoxelArray parseTextVoxels(const fs::path& file, std::string_view text, const VoxelLayout& layout,
+                           const Progress& progress) {
+  if (layout.components != 1)
+    failReading(file, "it holds colours as text", "convert it to a binary encoding");
+  if (text.size() < 2 * layout.count - 1)
+    failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
   return withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return parseAs<decltype(value)>(location.file, text, layout, progress);
+    return parseAs<decltype(value)>(file, text, layout, progress);
   });
 }
 

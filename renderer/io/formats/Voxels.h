@@ -30,10 +30,11 @@ std::uint64_t voxelCount(const std::filesystem::path& file, const glm::ivec3& di
 /// A header's number as a dimension. Throws Error where it is not within 1 .. 2³¹-1.
 int dimension(const std::filesystem::path& file, double value);
 
-/// Reads exactly the voxels that `layout` describes, growing only as bytes arrive. Throws Error, naming
-/// `file`, where the bytes end early; Cancelled.
+/// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
+/// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end
+/// early; Cancelled.
 VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                      const Progress& progress);
+                      const Progress& progress, std::uint64_t certain = 0);
 
 /// Opens `location` and reads exactly the voxels that `layout` describes.
 VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
@@ -41,6 +42,10 @@ VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, c
 /// Voxels written as decimal numbers between white space, scalar only. Throws Error as readVoxels, and where
 /// a word is no number of the layout's type.
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
+
+/// The same from text in memory.
+VoxelArray parseTextVoxels(const std::filesystem::path& file, std::string_view text,
+                           const VoxelLayout& layout, const Progress& progress);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);

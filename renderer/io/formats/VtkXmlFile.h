@@ -11,9 +11,8 @@ namespace limn {
 /// Whether the bytes start as a VTK XML file of any data set does.
 bool isVtkXml(std::string_view bytes);
 
-/// Reads the active scalars of VTK image data (.vti) through VTK, once the header's extent has been checked
-/// against the length of the file. Its axes say nothing of the patient: the orientation is unknown. Throws
-/// Error; Cancelled.
+/// Reads the active scalars of VTK image data (.vti) of one piece: text, base64 or raw, plain or compressed
+/// by zlib. Its axes say nothing of the patient: the orientation is unknown. Throws Error; Cancelled.
 VolumeParts readVtkXml(const std::filesystem::path& path, const Progress& progress);
 
 } // namespace limn

@@ -153,6 +153,18 @@ TEST(DicomPixels, aPaletteBecomesItsLuminanceWithAWarning) {
   EXPECT_TRUE(warnsOf(*volume, "luminance"));
 }
 
+TEST(DicomPixels, morePixelsThanAnnouncedAreStated) {
+  const auto volume = readOne(slice(1, 0.0).pixels(std::vector<std::int16_t>(12, 1)));
+  EXPECT_EQ(volume->grid().dims.z, 1);
+  EXPECT_TRUE(warnsOf(*volume, "more pixels than its header announces"));
+}
+
+TEST(DicomPixels, ctWithoutARescaleClaimsNoHounsfieldUnits) {
+  const auto volume = readOne(slice(1, 0.0).without(0x00281052).without(0x00281053).without(0x00281054));
+  EXPECT_EQ(volume->info().unit, "");
+  EXPECT_EQ(volume->value({1, 1, 0}), storedAt(1, 1, 1));
+}
+
 TEST(DicomPixels, runLengthsAreDecodedPlaneByPlane) {
   // Two segments: the high bytes (six times 1 as one run), then the low bytes 10 … 15 as a literal.
   std::string stream(64, '\0');

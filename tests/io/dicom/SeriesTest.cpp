@@ -93,6 +93,19 @@ TEST(DicomSeries, aMissingSliceIsInterpolatedWithAWarning) {
   EXPECT_TRUE(warnsOf(*volume, "interpolated"));
 }
 
+TEST(DicomSeries, interpolationNeverMixesPaddingIntoAValue) {
+  // Pixel (0, 0) of the slice at 4 mm is padding. At 3 mm, half way, the nearest is taken (the upper of two
+  // as near): padding as well, and no value between 300 and 400.
+  TemporaryFolder folder;
+  const double heights[] = {0.0, 1.0, 2.0, 4.0, 5.0};
+  for (int k = 0; k < 5; ++k)
+    slice(k + 1, heights[k]).us(0x00280120, {400}).write(folder.path() / name(k));
+  const auto volume = readDicom(folder.path(), {}, {});
+  EXPECT_EQ(volume->value({1, 0, 3}), (storedAt(3, 1, 0) + storedAt(4, 1, 0)) / 2 - 1024);
+  EXPECT_TRUE(volume->invalidMask()[voxelOffset(volume->grid().dims, 0, 0, 4)]);
+  EXPECT_EQ(volume->invalidVoxels(), 2u);
+}
+
 TEST(DicomSeries, aWideGapIsRefusedWithItsPlaceAndWidth) {
   TemporaryFolder folder;
   const double heights[] = {0.0, 1.0, 2.0, 20.0, 21.0};
@@ -236,6 +249,7 @@ TEST(DicomSeries, aSpacingGivenByHandReplacesAMissingOne) {
   options.spacingMm = glm::dvec3(0.4, 0.4, 5.0);
   const auto given = readDicom(folder.path() / "a", options, {});
   EXPECT_TRUE(given->info().spacingKnown);
+  EXPECT_FALSE(warnsOf(*given, "assumed"));
   EXPECT_EQ(given->grid().spacingMm, *options.spacingMm);
 }
 

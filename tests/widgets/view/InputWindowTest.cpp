@@ -103,6 +103,7 @@ TEST_F(ViewInput, escapeCancelsADrag) {
   EXPECT_NE(host.scene.camera, before.camera);
   QTest::keyClick(&host.view, Qt::Key_Escape);
   EXPECT_EQ(host.scene.camera, before.camera);
+  host.release({250, 100});
 }
 
 TEST_F(ViewInput, keysChooseStandardViewsAndRotate) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
+#include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/ViewPanels.h"
 
+#include <QGuiApplication>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -58,6 +60,19 @@ TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
   EXPECT_TRUE(host.rest());
   EXPECT_FALSE(panel->isVisible());
   EXPECT_EQ(host.errors.size(), 1u);
+}
+
+// Qt's offscreen platform makes no OpenGL context: the state of a machine without a driver.
+TEST(OpenGlProblem, isSaidWhereThereIsNoOpenGl) {
+  if (QGuiApplication::platformName() != QLatin1String("offscreen"))
+    GTEST_SKIP() << "needs Qt's offscreen platform; CTest runs it so as limn_view_without_opengl";
+  EXPECT_TRUE(openGlProblem().contains(QStringLiteral("OpenGL 3.0")));
+}
+
+TEST(OpenGlProblem, isNoneWhereViewsWork) {
+  if (QGuiApplication::platformName() == QLatin1String("offscreen"))
+    GTEST_SKIP() << "Qt's offscreen platform has no OpenGL";
+  EXPECT_EQ(openGlProblem(), QString());
 }
 
 TEST(Panels, loadingShowsItsProgressAndCanBeCancelled) {

@@ -4,10 +4,12 @@
 #include "io/ImageFile.h"
 #include "support/TemporaryFolder.h"
 
+#include <QColorSpace>
 #include <QElapsedTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <ctime>
 
 // What the view draws, in a real window.
 
@@ -16,9 +18,11 @@ namespace {
 
 using test::ViewHost;
 
-// Asking for another format, so that == compares colours only.
+// In one format and without the colour space that a file names, so that == compares levels only.
 QImage colours(const QImage& image) {
-  return image.convertToFormat(QImage::Format_RGB888);
+  QImage plain = image.convertToFormat(QImage::Format_RGB888);
+  plain.setColorSpace({});
+  return plain;
 }
 
 // The picture that the command line writes: another context without a window, a file, 8 bits.
@@ -44,6 +48,7 @@ TEST(Picture, atRestIsBitForBitWhatTheCommandLineWrites) {
   ASSERT_TRUE(host.rest());
   const QImage shown = colours(host.view.grabFramebuffer());
   const QImage kept = colours(host.view.currentPicture(0));
+  host.view.doneCurrent(); // makes room for the command line's context
   const QImage expected = pictureFromFile(host.scene, host.view.size());
   EXPECT_EQ(shown, expected);
   EXPECT_EQ(kept, expected);
@@ -131,6 +136,35 @@ TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
   EXPECT_NE(host.view.currentPicture(0), old);
 }
 
+// How long the event loop was held from one beat to the next by the program's own work: the time on the clock
+// or, where other programs had the processor, the program's own processor time.
+class Heart {
+public:
+  Heart() {
+    QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
+    m_timer.start(2);
+  }
+  double longestMs() const { return m_longestMs; }
+  int beats() const { return m_beats; }
+
+private:
+  void beat() {
+    const std::clock_t processor = std::clock();
+    if (m_beats++ > 0) {
+      const double processorMs = 1000.0 * static_cast<double>(processor - m_processor) / CLOCKS_PER_SEC;
+      m_longestMs = std::max(m_longestMs, std::min<double>(processorMs, m_clock.elapsed()));
+    }
+    m_clock.start();
+    m_processor = processor;
+  }
+
+  QTimer m_timer;
+  QElapsedTimer m_clock;
+  std::clock_t m_processor = 0;
+  double m_longestMs = 0.0;
+  int m_beats = 0;
+};
+
 TEST(Picture, refinementLeavesTheEventLoopFree) {
   ViewHost host({640, 400});
   host.view.setCompareLayout(CompareLayout::sideBySide);
@@ -139,22 +173,24 @@ TEST(Picture, refinementLeavesTheEventLoopFree) {
   // The first picture uploads the volume and compiles; from then on the loop must keep turning.
   ASSERT_TRUE(QTest::qWaitFor([&] { return !host.view.pictureState().sides.empty(); }, 30000));
   ASSERT_FALSE(host.view.pictureState().resting);
-  QElapsedTimer sinceBeat;
-  qint64 longestMs = 0;
-  int beats = 0;
-  QTimer heart;
-  QObject::connect(&heart, &QTimer::timeout, [&] {
-    if (beats++ > 0)
-      longestMs = std::max(longestMs, sinceBeat.elapsed());
-    sinceBeat.start();
-  });
-  heart.start(2);
+  const Heart heart;
   ASSERT_TRUE(host.rest());
-  EXPECT_GT(beats, 10);
-  // A turn aims at 30 ms of drawing and a few of showing. The bound is eight times that, because the
-  // machines that run tests have few cores and do other work at the same time.
-  EXPECT_LE(longestMs, 250);
-  RecordProperty("longestMs", static_cast<int>(longestMs));
+  EXPECT_GT(heart.beats(), 10);
+  // A turn aims at 30 ms of drawing and a few of showing; rows that cost more than those before them and
+  // slower machines than ours get the rest.
+  EXPECT_LE(heart.longestMs(), 250.0);
+  RecordProperty("longestMs", static_cast<int>(heart.longestMs()));
+}
+
+TEST(Picture, carriesItsOverlayIntoAGrabbedWindow) {
+  ViewHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const QImage shown = colours(host.view.grabFramebuffer());
+  EXPECT_EQ(colours(host.view.grab().toImage()), shown);
+  host.view.setOverlayVisible(false);
+  EXPECT_NE(colours(host.view.grabFramebuffer()), shown);
 }
 
 TEST(Picture, isNeverEmptyWhileItRefines) {

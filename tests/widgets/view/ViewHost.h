@@ -13,8 +13,8 @@
 
 namespace limn::test {
 
-/// A compare view in a window of its own that does what the main window does: it answers what the view asks for
-/// with the scene that results. Records what was asked.
+/// A compare view in a window of its own that does what the main window does: it answers what the view asks
+/// for with the scene that results. Records what was asked.
 class ViewHost {
 public:
   explicit ViewHost(const QSize& size = {400, 240}) {
@@ -30,8 +30,10 @@ public:
                        scene.transferFunction = function;
                        view.setScene(scene);
                      });
-    QObject::connect(&view, &CompareView::probed, [this](const std::optional<Probe>& p) { probes.push_back(p); });
-    QObject::connect(&view, &CompareView::errorOccurred, [this](const QString& text) { errors.push_back(text); });
+    QObject::connect(&view, &CompareView::probed,
+                     [this](const std::optional<Probe>& p) { probes.push_back(p); });
+    QObject::connect(&view, &CompareView::errorOccurred,
+                     [this](const QString& text) { errors.push_back(text); });
   }
 
   /// Shows a coarse phantom with a skin, muscle and bone function.
