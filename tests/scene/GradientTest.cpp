@@ -7,8 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include <cmath>
-
 namespace limn {
 namespace {
 
