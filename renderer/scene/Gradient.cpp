@@ -2,7 +2,12 @@
 #include "scene/Gradient.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <thread>
 
 namespace limn {
 namespace {
@@ -48,16 +53,75 @@ struct Stencil {
   }
 };
 
-template <class Function>
-void forEachEligibleModulus(const Volume& volume, Function&& function) {
+template <class T, class Function>
+void forEachModulusOfSlice(const Stencil<T>& stencil, int k, Function&& function) {
+  for (int j = 0; j < stencil.dims.y; ++j)
+    for (int i = 0; i < stencil.dims.x; ++i)
+      if (stencil.isEligible(i, j, k))
+        function(glm::length(stencil.alongAxes(i, j, k)));
+}
+
+// Feeds the moduli of all eligible voxels to one collector per core, each a copy of `empty`, and returns the
+// collectors. Which voxel goes to which is left open: collect only what does not depend on it.
+template <class Collector>
+std::vector<Collector> collected(const Volume& volume, const Collector& empty) {
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<Collector> collectors(
+      std::min<std::size_t>(cores, static_cast<std::size_t>(volume.grid().dims.z)), empty);
   visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
     const Stencil<T> stencil{volume, stored};
-    for (int k = 0; k < stencil.dims.z; ++k)
-      for (int j = 0; j < stencil.dims.y; ++j)
-        for (int i = 0; i < stencil.dims.x; ++i)
-          if (stencil.isEligible(i, j, k))
-            function(glm::length(stencil.alongAxes(i, j, k)));
+    std::atomic<int> nextSlice{0};
+    std::vector<std::jthread> threads;
+    for (Collector& collector : collectors)
+      threads.emplace_back([&stencil, &nextSlice, &collector] {
+        // Work on a copy: neighbouring collectors would share cache lines.
+        Collector own = std::move(collector);
+        for (int k = nextSlice++; k < stencil.dims.z; k = nextSlice++)
+          forEachModulusOfSlice(stencil, k, [&own](double modulus) { own.add(modulus); });
+        collector = std::move(own);
+      });
   });
+  return collectors;
+}
+
+struct LargestCollector {
+  double largest = 0.0;
+  void add(double modulus) { largest = std::max(largest, modulus); }
+};
+
+// Floats that are not negative order as their bits do.
+constexpr int lowBits = 16;
+
+struct HighBitsCollector {
+  std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(1u << (32 - lowBits), 0);
+  void add(double modulus) { ++counts[std::bit_cast<std::uint32_t>(static_cast<float>(modulus)) >> lowBits]; }
+};
+
+struct LowBitsCollector {
+  std::uint32_t high = 0;
+  std::vector<std::uint64_t> counts = std::vector<std::uint64_t>(1u << lowBits, 0);
+  void add(double modulus) {
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(modulus));
+    if (bits >> lowBits == high)
+      ++counts[bits & ((1u << lowBits) - 1)];
+  }
+};
+
+template <class Collector>
+std::vector<std::uint64_t> countsOf(const std::vector<Collector>& collectors) {
+  std::vector<std::uint64_t> sum(collectors.front().counts.size(), 0);
+  for (const Collector& collector : collectors)
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += collector.counts[i];
+  return sum;
+}
+
+// The bin that holds the element of a rank (from 1), which becomes its rank within the bin.
+std::uint32_t binOfRank(const std::vector<std::uint64_t>& counts, std::uint64_t& rank) {
+  std::uint32_t bin = 0;
+  while (rank > counts[bin])
+    rank -= counts[bin++];
+  return bin;
 }
 
 } // namespace
@@ -87,21 +151,24 @@ glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& index) {
 
 double largestGradient(const Volume& volume) {
   double largest = 0.0;
-  forEachEligibleModulus(volume, [&](double modulus) { largest = std::max(largest, modulus); });
+  for (const LargestCollector& collector : collected(volume, LargestCollector{}))
+    largest = std::max(largest, collector.largest);
   return largest;
 }
 
 double gradientPercentile(const Volume& volume, double percent) {
-  // Floats order as the doubles they came from, and halve the memory of a large volume.
-  std::vector<float> moduli;
-  moduli.reserve(volume.voxelCount());
-  forEachEligibleModulus(volume, [&](double modulus) { moduli.push_back(static_cast<float>(modulus)); });
-  if (moduli.empty())
+  // Count by the upper half of the float's bits, then within the bin of the rank by the lower half: exact
+  // selection in two passes over the volume and without a copy of its gradients.
+  const std::vector<std::uint64_t> highCounts = countsOf(collected(volume, HighBitsCollector{}));
+  const std::uint64_t total = std::accumulate(highCounts.begin(), highCounts.end(), std::uint64_t{0});
+  if (total == 0)
     return 0.0;
-  const double rank = std::ceil(percent / 100.0 * static_cast<double>(moduli.size()));
-  const auto index = static_cast<std::size_t>(std::clamp(rank, 1.0, static_cast<double>(moduli.size()))) - 1;
-  std::nth_element(moduli.begin(), moduli.begin() + static_cast<std::ptrdiff_t>(index), moduli.end());
-  return moduli[index];
+  const double wanted = std::ceil(percent / 100.0 * static_cast<double>(total));
+  auto rank = static_cast<std::uint64_t>(std::clamp(wanted, 1.0, static_cast<double>(total)));
+  LowBitsCollector empty;
+  empty.high = binOfRank(highCounts, rank);
+  const std::uint32_t low = binOfRank(countsOf(collected(volume, empty)), rank);
+  return std::bit_cast<float>(empty.high << lowBits | low);
 }
 
 GradientReference resolvedReference(const Shading& shading) {

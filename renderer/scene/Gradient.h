@@ -18,7 +18,8 @@ glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& index);
 /// eligible if it and its stencil neighbours are valid.
 double largestGradient(const Volume& volume);
 
-/// The nearest-rank percentile (0..100] of the gradient modulus over the eligible voxels; exact.
+/// The nearest-rank percentile (0..100] of the gradient modulus over the eligible voxels: the exact element,
+/// rounded to float.
 double gradientPercentile(const Volume& volume, double percent);
 
 /// The moduli that lighting needs: the largest, and the one that maps to r = 1.

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace limn {
 namespace {
@@ -53,6 +55,29 @@ TEST(Gradient, percentileIsTheNearestRank) {
   EXPECT_NEAR(gradientPercentile(volume, 50.0), 4.0, 1e-6);
   EXPECT_NEAR(gradientPercentile(volume, 60.1), 6.0, 1e-6);
   EXPECT_NEAR(gradientPercentile(volume, 100.0), 7.0, 1e-6);
+}
+
+TEST(Gradient, percentilesAreThoseOfTheSortedModuli) {
+  Grid grid;
+  grid.dims = {23, 17, 11};
+  grid.spacingMm = {0.5, 1.0, 2.5};
+  std::mt19937 generator(3);
+  std::vector<float> voxels(23 * 17 * 11);
+  for (float& voxel : voxels)
+    voxel = static_cast<float>(generator() % 3000) * (generator() % 7 == 0 ? 0.0f : 1.0f);
+  const Volume volume(grid, voxels, {}, std::nullopt, {});
+  std::vector<float> moduli;
+  for (int k = 0; k < 11; ++k)
+    for (int j = 0; j < 17; ++j)
+      for (int i = 0; i < 23; ++i)
+        moduli.push_back(static_cast<float>(glm::length(gradientAtVoxel(volume, {i, j, k}))));
+  std::sort(moduli.begin(), moduli.end());
+  for (const double percent : {0.001, 1.0, 12.5, 50.0, 90.0, 99.5, 100.0}) {
+    const auto rank =
+        static_cast<std::size_t>(std::ceil(percent / 100.0 * static_cast<double>(moduli.size())));
+    EXPECT_EQ(gradientPercentile(volume, percent), moduli[rank - 1]) << percent;
+  }
+  EXPECT_EQ(static_cast<float>(largestGradient(volume)), moduli.back());
 }
 
 TEST(Gradient, leavesOutVoxelsWhoseStencilTouchesAnInvalidOne) {
