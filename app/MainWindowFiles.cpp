@@ -8,6 +8,7 @@
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -73,7 +74,10 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
   m_editor->setPinnedValue(std::nullopt);
-  m_session.open(loaded);
+  LoadedScene shown = loaded;
+  if (!loaded.fromSceneFile)
+    shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
+  m_session.open(shown);
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
                              .arg(grid.dims.x)
@@ -85,7 +89,10 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
                              .arg(volume.range().lowest, 0, 'g', 5)
                              .arg(volume.range().highest, 0, 'g', 5)
                              .arg(QString::fromStdString(info.unit)));
+  m_presets->setCurrent(QString::fromStdString(loaded.preset));
   QStringList remarks;
+  for (const std::string& note : loaded.notes)
+    remarks << QString::fromStdString(note);
   for (const std::string& warning : info.warnings)
     remarks << QString::fromStdString(warning);
   if (volume.invalidVoxels() > 0)
@@ -93,8 +100,6 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   if (!remarks.isEmpty())
     m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
                      info.spacingKnown ? QString() : tr("Set spacing…"));
-  for (const std::string& note : loaded.notes)
-    statusBar()->showMessage(QString::fromStdString(note), 6000);
   m_settings.addRecentSource(m_source);
   refreshRecentMenu();
   updateTitle();

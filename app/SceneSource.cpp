@@ -84,7 +84,7 @@ void completeScene(LoadedScene& loaded, bool hasCamera, bool hasTransferFunction
   if (!hasTransferFunction) {
     const Preset preset = bestFitting(builtInPresets(), *scene.volume);
     scene = withPreset(scene, preset, true);
-    loaded.notes.push_back("Shown with the preset \"" + preset.name + "\".");
+    loaded.preset = preset.name;
   }
 }
 

@@ -19,10 +19,11 @@ struct SourceOptions {
 
 /// A scene ready to draw, and where its volume came from.
 struct LoadedScene {
-  Scene scene;                    ///< with volume, camera and transfer function
-  std::string volumePath;         ///< absolute path, or the built-in name ("phantom:1")
-  bool fromSceneFile = false;     ///< its shading and transfer function are the author's
-  std::vector<std::string> notes; ///< one sentence each: what the program chose
+  Scene scene;                ///< with volume, camera and transfer function
+  std::string volumePath;     ///< absolute path, or the built-in name ("phantom:1")
+  bool fromSceneFile = false; ///< its shading and transfer function are the author's
+  std::string preset;         ///< the preset the program chose, empty where the source says how to show it
+  std::vector<std::string> notes; ///< one sentence each: what else was noteworthy
 };
 
 /// Loads anything that names a scene: a volume (see readVolume), a scene file, a picture written by Limn,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts a premultiplied picture over the background; with a gain, the amplified difference of two.
 
 in vec2 v_place;

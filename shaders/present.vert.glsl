@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts a picture on the screen: one triangle covers the viewport, its corners follow from the vertex number.
 
 out vec2 v_place; // 0..1 over the picture, y up

@@ -117,9 +117,10 @@ void runRender(const RenderArguments& arguments) {
   writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(scene, volume));
   if (arguments.source.quiet)
     return;
-  if (arguments.preset.empty())
-    for (const std::string& remark : loaded.notes)
-      note(remark);
+  if (arguments.preset.empty() && !loaded.preset.empty())
+    note("Shown with the preset \"" + loaded.preset + "\".");
+  for (const std::string& remark : loaded.notes)
+    note(remark);
   for (const std::string& warning : scene.volume->info().warnings)
     note(warning);
   for (const std::string& remark : picture.notes)

@@ -119,6 +119,7 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot
 
 PiecewiseTable piecewiseTable(const std::vector<Knot>& knots, const ValueRange& limits) {
   std::vector<FloatKnot> rounded;
+  rounded.reserve(knots.size());
   for (const Knot& knot : knots)
     rounded.push_back({static_cast<float>(std::clamp(knot.x, -1e30, 1e30)), glm::vec4(knot.value)});
   if (rounded.empty())

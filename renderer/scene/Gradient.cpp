@@ -72,6 +72,7 @@ std::vector<Collector> collected(const Volume& volume, const Collector& empty) {
     const Stencil<T> stencil{volume, stored};
     std::atomic<int> nextSlice{0};
     std::vector<std::jthread> threads;
+    threads.reserve(collectors.size());
     for (Collector& collector : collectors)
       threads.emplace_back([&stencil, &nextSlice, &collector] {
         // Work on a copy: neighbouring collectors would share cache lines.

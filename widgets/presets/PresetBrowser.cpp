@@ -99,10 +99,8 @@ void PresetBrowser::refill() {
   const QString current = m_list->currentIndex().data().toString();
   fillPresetModel(*m_model, m_builtIn, m_own, m_thumbnails, isDark(palette()));
   search(m_search->text());
-  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, current, 1,
-                                                  Qt::MatchExactly | Qt::MatchRecursive);
-  if (!current.isEmpty() && !found.isEmpty())
-    m_list->setCurrentIndex(found.front());
+  if (!current.isEmpty())
+    setCurrent(current);
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
@@ -119,6 +117,13 @@ void PresetBrowser::search(const QString& text) {
   m_list->expandAll();
   const bool nothing = m_filtered->rowCount() == 0 && !text.isEmpty();
   m_nothing->setVisible(nothing);
+}
+
+void PresetBrowser::setCurrent(const QString& name) {
+  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, name, 1,
+                                                  Qt::MatchExactly | Qt::MatchRecursive);
+  m_list->setCurrentIndex(name.isEmpty() || found.isEmpty() ? QModelIndex() : found.front());
+  showButtons();
 }
 
 void PresetBrowser::focusSearch() {

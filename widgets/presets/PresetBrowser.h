@@ -32,6 +32,9 @@ public:
   /// A picture of what the preset shows; without one its curve is drawn.
   void setThumbnail(const QString& name, const QImage& thumbnail);
 
+  /// Selects a preset by name without choosing it; an unknown or empty name selects none.
+  void setCurrent(const QString& name);
+
   /// Puts the keyboard into the search field.
   void focusSearch();
 

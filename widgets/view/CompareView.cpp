@@ -184,6 +184,11 @@ std::vector<PixelRect> CompareView::rects() const {
   return pictureRects(m_layout, deviceSize(), gap);
 }
 
+double CompareView::pictureAspect() const {
+  const std::vector<PixelRect> places = rects();
+  return places.empty() ? 1.0 : static_cast<double>(places[0].size.x) / places[0].size.y;
+}
+
 template <class Work>
 void CompareView::guarded(Work&& work) {
   try {

@@ -75,6 +75,9 @@ public:
   /// The scene as one side shows it.
   Scene sceneOfSide(int side) const;
 
+  /// Width over height of one picture at present.
+  double pictureAspect() const;
+
   /// How many shader programs were compiled so far.
   int compiledPrograms() const;
 
@@ -82,7 +85,7 @@ public:
   QSize minimumSizeHint() const override { return {240, 180}; }
 
 public slots:
-  /// Asks for the standard view, or for the camera of a freshly opened volume.
+  /// Asks for a standard view that fills the picture with the volume; reset is the anterior one.
   void lookFrom(limn::StandardView view);
   void resetCamera();
 

@@ -29,8 +29,10 @@ double lengthOf(const QPointF& vector) {
 } // namespace
 
 void CompareView::lookFrom(StandardView view) {
-  if (m_scene.volume)
-    emit cameraEdited(standardView(m_scene.camera, m_scene.volume->grid(), view));
+  if (!m_scene.volume)
+    return;
+  const Grid& grid = m_scene.volume->grid();
+  emit cameraEdited(framed(standardView(m_scene.camera, grid, view), grid, pictureAspect()));
 }
 
 void CompareView::resetCamera() {

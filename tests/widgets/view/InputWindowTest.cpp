@@ -116,13 +116,16 @@ TEST_F(ViewInput, escapeCancelsADrag) {
 
 TEST_F(ViewInput, keysChooseStandardViewsAndRotate) {
   const Grid& grid = host.scene.volume->grid();
-  const Camera front = host.scene.camera;
+  const auto lookFrom = [&](StandardView view) {
+    return framed(standardView(host.scene.camera, grid, view), grid, host.view.pictureAspect());
+  };
+  const Camera front = lookFrom(StandardView::anterior);
   QTest::keyClick(&host.view, Qt::Key_PageDown);
-  EXPECT_EQ(host.scene.camera, standardView(front, grid, StandardView::left));
+  EXPECT_EQ(host.scene.camera, lookFrom(StandardView::left));
   QTest::keyClick(&host.view, Qt::Key_PageDown, Qt::ShiftModifier);
-  EXPECT_EQ(host.scene.camera, standardView(front, grid, StandardView::right));
+  EXPECT_EQ(host.scene.camera, lookFrom(StandardView::right));
   QTest::keyClick(&host.view, Qt::Key_S);
-  EXPECT_EQ(host.scene.camera, standardView(front, grid, StandardView::superior));
+  EXPECT_EQ(host.scene.camera, lookFrom(StandardView::superior));
   QTest::keyClick(&host.view, Qt::Key_R);
   EXPECT_EQ(host.scene.camera, front);
   QTest::keyClick(&host.view, Qt::Key_Left);
