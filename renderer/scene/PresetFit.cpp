@@ -78,8 +78,8 @@ TransferFunction automaticRamp(const Histogram& histogram) {
   const double threshold = std::clamp(otsuThreshold(histogram), low, high);
   const double knee = threshold + 0.35 * (high - threshold);
   return {1.0,
-          {{threshold, {0.45, 0.28, 0.20}, 0.0},
-           {knee, {0.85, 0.62, 0.45}, 0.08},
+          {{threshold, {0.74, 0.52, 0.42}, 0.0},
+           {knee, {0.92, 0.76, 0.62}, 0.10},
            {high, {1.0, 0.97, 0.90}, 0.6}}};
 }
 
