@@ -3,12 +3,42 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <type_traits>
 
 namespace limn {
 
-Histogram histogramOf(const Volume& volume, int bins) {
-  assert(bins > 0);
-  Histogram histogram{volume.range(), std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
+namespace {
+
+// The scalar distance between neighbouring stored values, 0 for floating-point data.
+double quantumOf(const Volume& volume) {
+  return visitVoxels(volume, [&]<class T>(const std::vector<T>&) {
+    return std::is_integral_v<T> ? std::abs(volume.rescale().slope) : 0.0;
+  });
+}
+
+Histogram emptyHistogram(const Volume& volume, int mostBins) {
+  const ValueRange range = volume.range();
+  const double width = range.highest - range.lowest;
+  const double quantum = quantumOf(volume);
+  if (!(width > 0.0))
+    return {range, std::vector<std::uint64_t>(1, 0)};
+  if (!(quantum > 0.0))
+    return {range, std::vector<std::uint64_t>(static_cast<std::size_t>(mostBins), 0)};
+  const double values = std::round(width / quantum) + 1.0;
+  const double valuesPerBin = std::ceil(values / mostBins);
+  const double bins = std::ceil(values / valuesPerBin);
+  const double first = range.lowest - quantum / 2.0;
+  return {{first, first + bins * valuesPerBin * quantum},
+          std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
+}
+
+} // namespace
+
+Histogram histogramOf(const Volume& volume, int mostBins) {
+  assert(mostBins > 0);
+  Histogram histogram = emptyHistogram(volume, mostBins);
+  const int bins = static_cast<int>(histogram.counts.size());
   const double width = histogram.range.highest - histogram.range.lowest;
   const double binsPerValue = width > 0.0 ? bins / width : 0.0;
   const Rescale rescale = volume.rescale();

@@ -8,14 +8,16 @@
 
 namespace limn {
 
-/// Counts of the valid voxels over equal bins from the lowest to the highest scalar.
+/// Counts of the valid voxels over equal bins that fill `range`.
 struct Histogram {
   ValueRange range;
   std::vector<std::uint64_t> counts;
   bool operator==(const Histogram&) const = default;
 };
 
-/// Counts every valid voxel of `volume` once; a constant volume fills the first bin. `bins` > 0.
-Histogram histogramOf(const Volume& volume, int bins = 1024);
+/// Counts every valid voxel of `volume` once, in at most `mostBins` > 0 bins from the lowest to the highest
+/// scalar. Bins of integer data are centred on values and hold equally many of them each, so that no comb
+/// appears; a constant volume has one bin.
+Histogram histogramOf(const Volume& volume, int mostBins = 1024);
 
 } // namespace limn

@@ -56,9 +56,25 @@ TEST(Histogram, countsEveryValidVoxelOnce) {
                       PaddingRange{-9, -9}, {});
   const Histogram histogram = histogramOf(volume, 10);
   EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}), 4u);
+  // 101 values in 10 bins of 11 each, from -0.5: 50 lies in the fifth.
+  EXPECT_EQ(histogram.range, (ValueRange{-0.5, 109.5}));
   EXPECT_EQ(histogram.counts.front(), 1u);
-  EXPECT_EQ(histogram.counts[5], 1u);
+  EXPECT_EQ(histogram.counts[4], 1u);
   EXPECT_EQ(histogram.counts.back(), 2u);
+}
+
+TEST(Histogram, ofIntegersHasNoComb) {
+  // Every value of 0..255 once, scaled as MR files scale them: each bin holds one.
+  std::vector<std::uint8_t> voxels(256);
+  std::iota(voxels.begin(), voxels.end(), std::uint8_t{0});
+  const Volume volume(gridOf(256, 1, 1), voxels, {2.00784, -3.0}, {}, {});
+  for (const std::uint64_t count : histogramOf(volume, 1024).counts)
+    EXPECT_EQ(count, 1u);
+}
+
+TEST(Histogram, ofAConstantVolumeIsOneBin) {
+  const Volume volume(gridOf(2, 2, 1), std::vector<float>(4, 3.0f), {}, {}, {});
+  EXPECT_EQ(histogramOf(volume).counts, std::vector<std::uint64_t>{4});
 }
 
 } // namespace
