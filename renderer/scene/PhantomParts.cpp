@@ -21,9 +21,9 @@ void addShells(std::vector<PhantomPart>& parts) {
   parts.push_back({{0, 22, -112}, {50, 48, 58}, hu::fat, edge});
   parts.push_back({{0, 22, -112}, {46, 44, 56}, hu::muscle, edge});
   // The face below the skull.
-  parts.push_back({{0, -34, -62}, {56, 58, 56}, hu::skin, edge});
-  parts.push_back({{0, -34, -62}, {54, 56, 54}, hu::fat, edge});
-  parts.push_back({{0, -34, -62}, {50, 52, 51}, hu::muscle, edge});
+  parts.push_back({{0, -40, -58}, {60, 58, 60}, hu::skin, edge});
+  parts.push_back({{0, -40, -58}, {58, 56, 58}, hu::fat, edge});
+  parts.push_back({{0, -40, -58}, {55, 53, 55}, hu::muscle, edge});
   // Nose.
   parts.push_back({{0, -92, -34}, {13, 18, 22}, hu::skin, edge});
   // Scalp.
@@ -49,21 +49,22 @@ void addSkullAndBrain(std::vector<PhantomPart>& parts) {
 void addFace(std::vector<PhantomPart>& parts) {
   for (const double side : {-1.0, 1.0}) {
     // Cheek bones, orbits with the eyes, maxillary sinuses.
-    parts.push_back({{side * 46, -62, -24}, {15, 20, 13}, hu::compactBone, edge});
-    parts.push_back({{side * 31, -78, -6}, {22, 22, 20}, hu::compactBone, edge});
-    parts.push_back({{side * 31, -82, -6}, {17.5, 24, 16}, hu::fat, edge});
-    parts.push_back({{side * 31, -84, -6}, {12, 12, 12}, hu::vitreous, edge});
-    parts.push_back({{side * 31, -94, -6}, {4.5, 2.6, 4.5}, hu::lens, edge});
+    parts.push_back({{side * 40, -48, -25}, {13, 14, 9}, hu::compactBone, edge});
+    parts.push_back({{side * 31, -61, -8}, {19, 17, 18}, hu::compactBone, edge});
+    parts.push_back({{side * 31, -64, -8}, {15.5, 15.5, 15}, hu::fat, edge});
+    parts.push_back({{side * 31, -67, -8}, {12, 12, 12}, hu::vitreous, edge});
+    parts.push_back({{side * 31, -76, -8}, {4.5, 2.6, 4.5}, hu::lens, edge});
     parts.push_back({{side * 24, -62, -36}, {12, 17, 15}, hu::compactBone, edge});
     parts.push_back({{side * 24, -62, -36}, {10, 15, 13}, hu::air, edge});
     // The mandible's branches.
     parts.push_back({{side * 44, -24, -62}, {6.5, 15, 28}, hu::compactBone, edge});
-    parts.push_back({{side * 36, -44, -88}, {8, 24, 10}, hu::compactBone, edge});
+    parts.push_back({{side * 35, -46, -86}, {8, 22, 9}, hu::compactBone, edge});
   }
-  parts.push_back({{0, -74, -92}, {30, 10, 11}, hu::compactBone, edge});
+  parts.push_back({{0, -70, -91}, {29, 10, 10}, hu::compactBone, edge});
   parts.push_back({{0, -66, -52}, {30, 18, 7}, hu::compactBone, edge});
   // Frontal sinus, nasal cavity, mouth.
-  parts.push_back({{0, -84, 26}, {14, 6, 9}, hu::air, edge});
+  parts.push_back({{0, -79, 22}, {18, 9, 12}, hu::compactBone, edge});
+  parts.push_back({{0, -79, 22}, {13, 5, 7}, hu::air, edge});
   parts.push_back({{0, -72, -30}, {8, 22, 18}, hu::air, edge});
   parts.push_back({{0, -48, -68}, {22, 24, 6}, hu::muscle, edge});
   parts.push_back({{0, 2, -72}, {10, 8, 44}, hu::air, edge});
