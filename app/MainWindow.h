@@ -35,11 +35,17 @@ public:
   void openSource(const QString& source, const SourceOptions& options = {});
 
   const Session& session() const { return m_session; }
+  Session& session() { return m_session; }
   CompareView& view() { return *m_view; }
   TransferFunctionEditor& editor() { return *m_editor; }
   const VolumeLoader& loader() const { return m_loader; }
 
   void setCompareLayout(CompareLayout layout);
+
+  /// What the file menu does once a name is chosen; a failure is said in the message bar. The picture is the
+  /// one at rest.
+  void writeScene(const QString& path);
+  void writePicture(const QString& path);
 
 protected:
   void closeEvent(QCloseEvent* event) override;

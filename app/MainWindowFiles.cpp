@@ -173,8 +173,11 @@ void MainWindow::refreshRecentMenu() {
 void MainWindow::saveScene() {
   const QString path = QFileDialog::getSaveFileName(this, tr("Save the scene"), QStringLiteral("scene.json"),
                                                     tr("Limn scene (*.json)"));
-  if (path.isEmpty())
-    return;
+  if (!path.isEmpty())
+    writeScene(path);
+}
+
+void MainWindow::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
   const std::filesystem::path volume(m_session.volumePath());
   // A relative name survives moving scene and volume together.
@@ -189,8 +192,7 @@ void MainWindow::saveScene() {
 }
 
 void MainWindow::savePicture() {
-  const std::optional<Image> left = m_view->restingImage(0);
-  if (!left) {
+  if (!m_view->restingImage(0)) {
     statusBar()->showMessage(tr("The picture is still refining; save it when the line under it is gone."),
                              4000);
     return;
@@ -199,8 +201,16 @@ void MainWindow::savePicture() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Save the picture"), folder + QStringLiteral("/limn.png"),
                                    tr("Pictures (*.png *.tif *.jpg *.exr)"));
-  if (path.isEmpty())
+  if (!path.isEmpty())
+    writePicture(path);
+}
+
+void MainWindow::writePicture(const QString& path) {
+  const std::optional<Image> left = m_view->restingImage(0);
+  if (!left) {
+    showError(tr("The picture changed while its name was chosen; save it again once it is complete."));
     return;
+  }
   const std::optional<Image> right =
       m_view->compareLayout() == CompareLayout::sideBySide ? m_view->restingImage(1) : std::nullopt;
   const std::string volume = std::filesystem::path(m_session.volumePath()).filename().string();

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "io/dicom/SyntheticSeries.h"
+#include "support/FileBytes.h"
+#include "widgets/presets/PresetBrowser.h"
+
+#include <QInputDialog>
+#include <QPushButton>
+#include <QTreeView>
+
+#include <algorithm>
+
+// What the window writes: presets, scenes, pictures, settings; and that nobody is named in them.
+
+namespace limn {
+namespace {
+
+using MainWindowFiles = test::WindowHarness;
+
+// Clicks a preset of the list by name.
+void clickPreset(PresetBrowser& browser, const QString& name) {
+  QTreeView& list = *browser.list();
+  const QModelIndexList found = list.model()->match(list.model()->index(0, 0), Qt::DisplayRole, name, 1,
+                                                    Qt::MatchExactly | Qt::MatchRecursive);
+  ASSERT_EQ(found.size(), 1) << name.toStdString();
+  list.scrollTo(found.front());
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(found.front()).center());
+}
+
+TEST_F(MainWindowFiles, choosingAPresetIsOneUndoStep) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  auto& browser = *window->findChild<PresetBrowser*>();
+  const TransferFunction before = scene().transferFunction;
+  const QStringList names = browser.shownNames();
+  const QString current = browser.list()->currentIndex().data().toString();
+  const auto other = std::find_if(names.begin(), names.end(), [&](const QString& n) { return n != current; });
+  ASSERT_NE(other, names.end());
+  clickPreset(browser, *other);
+  EXPECT_NE(scene().transferFunction, before);
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use preset %1").arg(*other));
+}
+
+TEST_F(MainWindowFiles, aSavedPresetAppearsAsAFileAndInTheListUntilDeleted) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  auto& browser = *window->findChild<PresetBrowser*>();
+  emit browser.saveRequested();
+  auto* dialog = window->findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->setTextValue(QStringLiteral("My head"));
+  dialog->accept();
+  ASSERT_TRUE(browser.shownNames().contains(QStringLiteral("My head")));
+  EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 1u);
+  clickPreset(browser, QStringLiteral("My head"));
+  QTest::keyClick(browser.list(), Qt::Key_Delete);
+  EXPECT_FALSE(browser.shownNames().contains(QStringLiteral("My head")));
+  EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 0u);
+}
+
+// Two slices of a marked patient.
+void writeSeries(const std::filesystem::path& folder) {
+  for (int i = 1; i <= 4; ++i)
+    test::slice(i, i)
+        .text(0x00100010, "PN", "ZEBEDEE^QUILLON")
+        .text(0x00100020, "LO", "PID774411")
+        .text(0x00080020, "DA", "19870615")
+        .text(0x0020000D, "UI", "1.2.826.99.55501")
+        .text(0x0020000E, "UI", "1.2.826.99.55502")
+        .text(0x00080018, "UI", "1.2.826.99.55503." + std::to_string(i))
+        .write(folder / ("slice" + std::to_string(i)));
+}
+
+TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
+  writeSeries(folder.path() / "series");
+  ASSERT_TRUE(open(pathTo("series")));
+  ASSERT_NE(scene().volume, nullptr) << messages().sentence().toStdString();
+  const QString title = window->windowTitle();
+  for (const char* part : {"ZEBEDEE", "PID774411", "1987"})
+    EXPECT_TRUE(title.contains(QLatin1String(part))) << title.toStdString();
+  QAction* patient = action(QStringLiteral("Patient in the title &bar"));
+  ASSERT_NE(patient, nullptr);
+  patient->trigger();
+  for (const char* part : {"ZEBEDEE", "PID774411", "1987"})
+    EXPECT_FALSE(window->windowTitle().contains(QLatin1String(part)));
+
+  ASSERT_TRUE(rest());
+  emit window->findChild<PresetBrowser*>()->saveRequested();
+  auto* dialog = window->findChild<QInputDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->setTextValue(QStringLiteral("Marked"));
+  dialog->accept();
+  window->writeScene(pathTo("scene.json"));
+  window->writePicture(pathTo("picture.png"));
+  window->close();
+  QSettings().sync();
+  window.reset();
+  std::filesystem::remove_all(folder.path() / "series");
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+    if (!entry.is_regular_file())
+      continue;
+    ++files;
+    const std::string bytes = test::bytesOfFile(entry.path());
+    for (const char* mark : {"ZEBEDEE", "QUILLON", "PID774411", "19870615", "1987-06-15", "1.2.826.99"})
+      EXPECT_EQ(bytes.find(mark), std::string::npos) << mark << " in " << entry.path();
+  }
+  EXPECT_GE(files, 4u); // settings, preset, scene, picture
+}
+
+} // namespace
+} // namespace limn

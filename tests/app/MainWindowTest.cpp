@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/PictureMaker.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+
+#include <QRegularExpression>
+
+// The program's window with real mouse and key events.
+
+namespace limn {
+namespace {
+
+using MainWindowTest = test::WindowHarness;
+
+const QString phantom = QStringLiteral("phantom:4");
+
+// Drags the first visible point that is neither transparent nor opaque 25 pixels down.
+void dragAPoint(MainWindow& window) {
+  TransferFunctionCanvas& canvas = *window.editor().canvas();
+  const PlotTransform plot = canvas.transform();
+  for (const ControlPoint& point : canvas.transferFunction().points) {
+    if (point.opacity < 0.2 || point.value < plot.visible.lowest || point.value > plot.visible.highest)
+      continue;
+    const QPointF at(xOfValue(plot, point.value), yOfOpacity(plot, point.opacity));
+    const QPoint from = canvas.mapTo(&window, at).toPoint();
+    QWindow* handle = window.windowHandle();
+    QTest::mousePress(handle, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= 5; ++step)
+      QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 5 * step));
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 25));
+    QCoreApplication::processEvents();
+    return;
+  }
+  FAIL() << "no point to drag";
+}
+
+TEST_F(MainWindowTest, openingThePhantomShowsItAndItsSize) {
+  ASSERT_TRUE(open(phantom));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().pictureState().sides.size(), 2u);
+  EXPECT_TRUE(window->windowTitle().contains(QStringLiteral("not for diagnosis")));
+  const glm::ivec3 dims = scene().volume->grid().dims;
+  EXPECT_TRUE(labelSays(QStringLiteral("%1×%2×%3").arg(dims.x).arg(dims.y).arg(dims.z)));
+  EXPECT_FALSE(isLoadingShown());
+}
+
+TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothing) {
+  ASSERT_TRUE(open(phantom));
+  ASSERT_TRUE(rest());
+  const Scene before = scene();
+  const auto picture = view().restingImage(0);
+  ASSERT_TRUE(picture);
+  const int programs = view().compiledPrograms();
+  dragAPoint(*window);
+  EXPECT_NE(scene(), before);
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_TRUE(undo().undoText().contains(QRegularExpression(QStringLiteral("point.*\\d"))))
+      << undo().undoText().toStdString();
+  ASSERT_TRUE(rest());
+  EXPECT_FALSE(view().restingImage(0) == picture);
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene(), before);
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(view().restingImage(0) == picture);
+  EXPECT_EQ(view().compiledPrograms(), programs);
+}
+
+TEST_F(MainWindowTest, enhancedWithEqualRangesShowsTheClassicPicture) {
+  ASSERT_TRUE(open(phantom));
+  Shading shading = scene().shading;
+  // RENDERING: the ranges then give the exponent and the opacity factor of classic everywhere.
+  shading.exponentRange = {shading.exponent, shading.exponent};
+  shading.opacityRange = {1.0, 1.0};
+  window->session().setShading(shading, {nextGestureId(), QStringLiteral("equal ranges")});
+  ASSERT_TRUE(rest());
+  ASSERT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic);
+  ASSERT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::enhanced);
+  EXPECT_TRUE(view().restingImage(0) == view().restingImage(1));
+}
+
+TEST_F(MainWindowTest, theRestingPictureIsThatOfTheSavedScene) {
+  ASSERT_TRUE(open(phantom));
+  ASSERT_TRUE(rest());
+  const auto shown = view().restingImage(0);
+  ASSERT_TRUE(shown);
+  window->writeScene(pathTo("scene.json"));
+  LoadedScene saved = loadScene((folder.path() / "scene.json").string(), {}, {});
+  saved.scene.shading.model = view().sceneOfSide(0).shading.model;
+  view().doneCurrent(); // makes room for the command line's context
+  const auto made = makePictures({saved.scene}, shown->size, Engine::gl, 1);
+  EXPECT_TRUE(made.front().image == *shown);
+}
+
+TEST_F(MainWindowTest, aFileThatCannotBeReadLeavesTheFormerVolume) {
+  ASSERT_TRUE(open(phantom));
+  const Scene before = scene();
+  const QString title = window->windowTitle();
+  ASSERT_TRUE(open(pathTo("missing.nii")));
+  EXPECT_EQ(scene(), before);
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("missing.nii")));
+  EXPECT_FALSE(isLoadingShown());
+  EXPECT_EQ(window->windowTitle(), title);
+}
+
+TEST_F(MainWindowTest, cancellingALoadLeavesTheFormerVolume) {
+  ASSERT_TRUE(open(phantom));
+  const Scene before = scene();
+  window->openSource(QStringLiteral("phantom:1"));
+  EXPECT_TRUE(isLoadingShown());
+  QTest::mouseClick(window->findChild<QWidget*>(QStringLiteral("cancel")), Qt::LeftButton);
+  EXPECT_FALSE(window->loader().isLoading());
+  EXPECT_FALSE(isLoadingShown());
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(scene().volume, before.volume);
+}
+
+TEST_F(MainWindowTest, openingASecondVolumeWhileOneLoadsShowsOnlyTheSecond) {
+  QSignalSpy scenes(&window->session(), &Session::sceneChanged);
+  window->openSource(QStringLiteral("phantom:2"));
+  ASSERT_TRUE(open(phantom));
+  EXPECT_EQ(std::as_const(*window).session().volumePath(), "phantom:4");
+  EXPECT_TRUE(rest());
+  EXPECT_EQ(scenes.count(), 1);
+  EXPECT_FALSE(isLoadingShown());
+}
+
+TEST_F(MainWindowTest, buttonsChooseLayoutsAndModels) {
+  ASSERT_TRUE(open(phantom));
+  const std::pair<const char*, CompareLayout> layouts[] = {{"Single", CompareLayout::single},
+                                                           {"Wipe", CompareLayout::wipe},
+                                                           {"Difference", CompareLayout::difference},
+                                                           {"Side by side", CompareLayout::sideBySide}};
+  window->resize(1380, 640); // every button fits
+  QCoreApplication::processEvents();
+  for (const auto& [text, layout] : layouts) {
+    clickTool(QString::fromLatin1(text));
+    EXPECT_EQ(view().compareLayout(), layout) << text;
+  }
+  clickTool(QStringLiteral("Enhanced"));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::enhanced);
+  EXPECT_TRUE(rest());
+}
+
+} // namespace
+} // namespace limn

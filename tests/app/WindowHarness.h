@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/MainWindow.h"
+#include "app/MessageBar.h"
+#include "support/TemporaryFolder.h"
+#include "widgets/view/ViewPanels.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace limn::test {
+
+/// The program's window on settings, presets and files of a folder of its own. Half a minute of waiting is
+/// for machines that do much else.
+class WindowHarness : public testing::Test {
+protected:
+  WindowHarness() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pathTo("settings"));
+    window = std::make_unique<MainWindow>(PresetStore(folder.path() / "presets"));
+    window->resize(900, 640);
+    window->show();
+  }
+
+  void SetUp() override { ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get())); }
+
+  QString pathTo(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
+  const Scene& scene() const { return std::as_const(*window).session().scene(); }
+  QUndoStack& undo() { return window->session().undoStack(); }
+  CompareView& view() { return window->view(); }
+
+  /// Waits until nothing loads and every picture is complete.
+  [[nodiscard]] bool rest() {
+    return QTest::qWaitFor([this] { return !window->loader().isLoading() && view().pictureState().resting; },
+                           30000);
+  }
+
+  [[nodiscard]] bool open(const QString& source) {
+    window->openSource(source);
+    return QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000);
+  }
+
+  /// Whether a label of the window says this.
+  bool labelSays(const QString& text) const {
+    for (const QLabel* label : window->findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains(text))
+        return true;
+    return false;
+  }
+
+  /// Clicks the button of the tool bar that carries this text.
+  void clickTool(const QString& text) {
+    QToolBar* bar = window->findChild<QToolBar*>();
+    for (QAction* action : bar->actions())
+      if (action->text() == text)
+        return QTest::mouseClick(bar->widgetForAction(action), Qt::LeftButton);
+    FAIL() << "no button " << text.toStdString();
+  }
+
+  QAction* action(const QString& text) const {
+    for (QAction* one : window->findChildren<QAction*>())
+      if (one->text() == text)
+        return one;
+    return nullptr;
+  }
+
+  MessageBar& messages() const { return *window->findChild<MessageBar*>(); }
+  bool isLoadingShown() { return window->findChild<LoadingPanel*>()->isVisible(); }
+
+  TemporaryFolder folder;
+  std::unique_ptr<MainWindow> window;
+};
+
+} // namespace limn::test
