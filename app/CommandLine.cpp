@@ -30,11 +30,18 @@ int statusOf(Error::Kind kind) {
   return 1;
 }
 
-int parseAndRun(CLI::App& program, int argc, char** argv, const WindowArguments& window) {
+struct RootArguments {
+  WindowArguments window;
+  SourceArguments source;
+};
+
+int parseAndRun(CLI::App& program, int argc, char** argv, RootArguments& arguments) {
   try {
     program.parse(argc, argv);
-    if (program.get_subcommands().empty())
-      return runWindow(argc, argv, window);
+    if (program.get_subcommands().empty()) {
+      arguments.window.options = sourceOptions(arguments.source);
+      return runWindow(argc, argv, arguments.window);
+    }
     return 0;
   } catch (const CLI::Success& asked) {
     return program.exit(asked);
@@ -65,18 +72,20 @@ int runCommandLine(int argc, char** argv) {
       "Blinn-Phong. Not for diagnosis.",
       "limn");
   program.set_version_flag("--version", LIMN_VERSION);
-  WindowArguments window;
+  RootArguments arguments;
+  WindowArguments& window = arguments.window;
   program.add_option("PATH", window.path,
                      "open the window on this volume, DICOM folder, scene or Limn picture");
   program.add_option("--screenshot", window.screenshot,
                      "save a PNG of the window once its picture rests, then quit");
   program.add_option("--theme", window.theme, "light or dark, for this run")
       ->check(CLI::IsMember({"light", "dark"}));
+  addSourceOptions(program, arguments.source);
   program.footer("Example: limn head.nii.gz");
   addInfoCommand(program);
   addRenderCommand(program);
   addPresetsCommand(program);
-  return parseAndRun(program, argc, argv, window);
+  return parseAndRun(program, argc, argv, arguments);
 }
 
 } // namespace limn

@@ -108,7 +108,6 @@ void MainWindow::connectPanels() {
   connect(m_presets, &PresetBrowser::presetChosen, this, &MainWindow::applyPreset);
   connect(m_presets, &PresetBrowser::saveRequested, this, &MainWindow::savePreset);
   connect(m_presets, &PresetBrowser::deleteRequested, this, &MainWindow::deletePreset);
-  connect(m_messages, &MessageBar::actionRequested, this, &MainWindow::askForSpacing);
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -116,6 +115,8 @@ void MainWindow::showScene(const Scene& scene) {
   m_editor->setTransferFunction(scene.transferFunction);
   m_shading->setShading(scene.shading);
   m_shading->setQuality(scene.quality);
+  const bool showsPreset = scene.volume && scene.transferFunction == m_presetFunction;
+  m_presets->setCurrent(showsPreset ? m_presetName : QString());
   showModels();
   m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   for (QAction* action : m_sceneActions)

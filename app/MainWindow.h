@@ -90,7 +90,9 @@ private:
   void showLoaded(const LoadedScene& loaded, const Histogram& histogram);
   void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
   void askForSpacing();
+  void locateVolume(const QString& scene);
   void refreshRecentMenu();
+  QString suggestedName() const;
   void saveScene();
   void savePicture();
 
@@ -109,9 +111,13 @@ private:
   Session m_session;
   VolumeLoader m_loader;
   Histogram m_histogram;
+  QString m_presetName; ///< the preset last used, marked in the list while its function is on screen
+  TransferFunction m_presetFunction;
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
-  QString m_source; ///< as it was asked for, to read it again with other options
+  QString m_asked; ///< what was last asked for; what is on screen may still be another
+  SourceOptions m_askedOptions;
+  QString m_source; ///< what is on screen, as it was asked for, to read it again with other options
   SourceOptions m_sourceOptions;
 
   CompareView* m_view = nullptr;

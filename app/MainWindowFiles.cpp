@@ -3,6 +3,7 @@
 
 #include "app/MessageBar.h"
 #include "app/PictureMaker.h"
+#include "app/SeriesDialog.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
@@ -32,14 +33,32 @@ void MainWindow::connectLoader() {
     refreshRecentMenu();
     showError(sentence);
   });
+  connect(&m_loader, &VolumeLoader::volumeMissing, this,
+          [this](const QString& source, const QString& sentence) {
+            m_messages->show(MessageBar::Kind::error, sentence, {},
+                             {tr("Locate volume…"), [this, source] { locateVolume(source); }});
+          });
 }
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
   m_messages->hide();
-  m_source = source;
-  m_sourceOptions = options;
+  m_asked = source;
+  m_askedOptions = options;
+  SourceOptions known = options;
+  for (const QString& recent : m_settings.recentSources())
+    known.knownVolumes.emplace_back(recent.toStdString());
   m_view->setLoading(-1.0, tr("Opening %1").arg(QFileInfo(source).fileName()));
-  m_loader.start(source, options);
+  m_loader.start(source, known);
+}
+
+void MainWindow::locateVolume(const QString& scene) {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()));
+  if (path.isEmpty())
+    return;
+  SourceOptions options;
+  options.volume = path.toStdString();
+  openSource(scene, options);
 }
 
 void MainWindow::openFile() {
@@ -69,13 +88,17 @@ void MainWindow::closeVolume() {
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram) {
   m_view->clearLoading();
   m_histogram = histogram;
+  m_source = m_asked;
+  m_sourceOptions = m_askedOptions;
   const Volume& volume = *loaded.scene.volume;
   const VolumeInfo& info = volume.info();
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
   m_editor->setPinnedValue(std::nullopt);
+  m_presetName = QString::fromStdString(loaded.preset);
+  m_presetFunction = loaded.scene.transferFunction;
   LoadedScene shown = loaded;
-  if (!loaded.fromSceneFile)
+  if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
   const Grid& grid = volume.grid();
@@ -89,7 +112,6 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
                              .arg(volume.range().lowest, 0, 'g', 5)
                              .arg(volume.range().highest, 0, 'g', 5)
                              .arg(QString::fromStdString(info.unit)));
-  m_presets->setCurrent(QString::fromStdString(loaded.preset));
   QStringList remarks;
   for (const std::string& note : loaded.notes)
     remarks << QString::fromStdString(note);
@@ -99,7 +121,8 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     remarks << tr("%L1 voxels hold no data and are shown as the smallest value.").arg(volume.invalidVoxels());
   if (!remarks.isEmpty())
     m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
-                     info.spacingKnown ? QString() : tr("Set spacing…"));
+                     info.spacingKnown ? MessageBar::Action{}
+                                       : MessageBar::Action{tr("Set spacing…"), [this] { askForSpacing(); }});
   m_settings.addRecentSource(m_source);
   refreshRecentMenu();
   updateTitle();
@@ -107,26 +130,11 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
 
 void MainWindow::chooseSeries(const QString& source, const std::vector<SeriesSummary>& series) {
   m_view->clearLoading();
-  auto* dialog = new QInputDialog(this);
+  auto* dialog = new SeriesDialog(series, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Choose a series"));
-  dialog->setLabelText(tr("This folder holds %1 series.").arg(series.size()));
-  dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
-  dialog->setOkButtonText(tr("Open"));
-  QStringList rows;
-  for (const SeriesSummary& one : series)
-    rows << tr("%1 · %2 · %3×%4, %5 images · %6")
-                .arg(one.number)
-                .arg(QString::fromStdString(one.modality))
-                .arg(one.dims.x)
-                .arg(one.dims.y)
-                .arg(one.dims.z)
-                .arg(QString::fromStdString(one.description));
-  dialog->setComboBoxItems(rows);
-  connect(dialog, &QInputDialog::textValueSelected, this, [this, source, series, rows](const QString& row) {
-    const auto index = rows.indexOf(row);
-    SourceOptions options = m_sourceOptions;
-    options.read.series = series[static_cast<std::size_t>(index)].number;
+  connect(dialog, &SeriesDialog::seriesChosen, this, [this, source](int number) {
+    SourceOptions options = m_askedOptions;
+    options.read.series = number;
     openSource(source, options);
   });
   dialog->open();
@@ -170,9 +178,14 @@ void MainWindow::refreshRecentMenu() {
   m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
 }
 
+QString MainWindow::suggestedName() const {
+  const QString name = QFileInfo(QString::fromStdString(m_session.volumePath())).baseName();
+  return name.isEmpty() ? QStringLiteral("limn") : name;
+}
+
 void MainWindow::saveScene() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the scene"), QStringLiteral("scene.json"),
-                                                    tr("Limn scene (*.json)"));
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save the scene"), suggestedName() + QStringLiteral(".json"), tr("Limn scene (*.json)"));
   if (!path.isEmpty())
     writeScene(path);
 }
@@ -186,6 +199,7 @@ void MainWindow::writeScene(const QString& path) {
                            : volume;
   try {
     writeFileAtomically(target, sceneToJson(m_session.scene(), named.string()));
+    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
   } catch (const Error& error) {
     showError(QString::fromStdString(error.what()));
   }
@@ -198,9 +212,9 @@ void MainWindow::savePicture() {
     return;
   }
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save the picture"), folder + QStringLiteral("/limn.png"),
-                                   tr("Pictures (*.png *.tif *.jpg *.exr)"));
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Save the picture"), folder + QLatin1Char('/') + suggestedName() + QStringLiteral(".png"),
+      tr("Pictures (*.png *.tif *.jpg *.exr)"));
   if (!path.isEmpty())
     writePicture(path);
 }
@@ -217,6 +231,7 @@ void MainWindow::writePicture(const QString& path) {
   try {
     writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
                m_session.scene().image.background, sceneToJson(m_view->sceneOfSide(0), volume));
+    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
   } catch (const Error& error) {
     showError(QString::fromStdString(error.what()));
   }

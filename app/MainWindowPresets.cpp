@@ -35,6 +35,8 @@ void MainWindow::applyPreset(const QString& name) {
   const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
   // Own presets were shaped on data like this; built-in ones fit themselves to it.
   const Preset preset = isBuiltIn ? fittedTo(*found, *m_session.scene().volume) : *found;
+  m_presetName = name;
+  m_presetFunction = preset.transferFunction;
   m_session.edit(withPreset(m_session.scene(), preset, true),
                  {nextGestureId(), tr("use preset %1").arg(name)});
 }

@@ -37,12 +37,15 @@ MessageBar::MessageBar(QWidget* parent)
   column->addLayout(row);
   column->addWidget(m_details);
   connect(m_more, &QToolButton::toggled, this, &MessageBar::setDetailsShown);
-  connect(m_action, &QToolButton::clicked, this, &MessageBar::actionRequested);
+  connect(m_action, &QToolButton::clicked, this, [this] {
+    if (m_run)
+      m_run();
+  });
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   hide();
 }
 
-void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const QString& action) {
+void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const Action& action) {
   setProperty("kind", kind == Kind::error ? QStringLiteral("error") : QStringLiteral("warning"));
   style()->unpolish(this);
   style()->polish(this);
@@ -51,9 +54,10 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_more->setVisible(!details.isEmpty());
   m_more->setChecked(false);
   setDetailsShown(false);
-  m_action->setText(action);
-  m_action->setAccessibleName(action);
-  m_action->setVisible(!action.isEmpty());
+  m_run = action.run;
+  m_action->setText(action.text);
+  m_action->setAccessibleName(action.text);
+  m_action->setVisible(!action.text.isEmpty());
   QFrame::show();
 }
 

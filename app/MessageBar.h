@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QFrame>
+#include <QStringList>
+
+#include <functional>
 
 class QLabel;
 class QToolButton;
@@ -18,13 +21,16 @@ public:
 
   enum class Kind { error, warning };
 
-  /// Shows a sentence; `details` (may be empty) unfold on demand. `action` (may be empty) labels a button.
-  void show(Kind kind, const QString& sentence, const QStringList& details = {}, const QString& action = {});
+  /// A button beside the sentence: what it says and does. Empty: no button.
+  struct Action {
+    QString text;
+    std::function<void()> run;
+  };
+
+  /// Shows a sentence; `details` (may be empty) unfold on demand.
+  void show(Kind kind, const QString& sentence, const QStringList& details = {}, const Action& action = {});
 
   QString sentence() const;
-
-signals:
-  void actionRequested();
 
 private:
   void setDetailsShown(bool shown);
@@ -33,6 +39,7 @@ private:
   QLabel* m_details;
   QToolButton* m_more;
   QToolButton* m_action;
+  std::function<void()> m_run;
 };
 
 } // namespace limn

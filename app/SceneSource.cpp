@@ -4,7 +4,6 @@
 #include "app/BuiltInPresets.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
 #include "scene/Phantom.h"
 #include "scene/PresetFit.h"
 
@@ -88,21 +87,27 @@ void completeScene(LoadedScene& loaded, bool hasCamera, bool hasTransferFunction
   }
 }
 
+// Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
+std::string volumeOf(const SceneDocument& document, const SourceOptions& options) {
+  if (options.volume)
+    return options.volume->string();
+  if (fs::exists(document.volume))
+    return document.volume;
+  // Built-in volumes are named without a folder; reading made the name absolute.
+  const std::string name = fs::path(document.volume).filename().string();
+  if (name == "phantom" || name == "sample" || name.starts_with("phantom:"))
+    return name;
+  for (const fs::path& known : options.knownVolumes)
+    if (known.filename() == name && fs::exists(known))
+      return known.string();
+  throw VolumeMissing(name);
+}
+
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded;
-  loaded.fromSceneFile = true;
+  loaded.hasOwnCamera = document.hasCamera;
   loaded.scene = std::move(document.scene);
-  std::string source = document.volume;
-  // Built-in volumes are named without a folder; reading made the name absolute.
-  const std::string name = fs::path(source).filename().string();
-  if (!fs::exists(source) && (name == "phantom" || name == "sample" || name.starts_with("phantom:")))
-    source = name;
-  if (options.volume)
-    source = options.volume->string();
-  else if (source != name && !fs::exists(source))
-    throw Error(Error::Kind::input, "The scene's volume " + name +
-                                        " is not where the scene expects it; name it with "
-                                        "--volume PATH.");
+  const std::string source = volumeOf(document, options);
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/VolumeReader.h"
+#include "scene/Error.h"
 #include "scene/Scene.h"
 
 #include <filesystem>
@@ -11,18 +12,30 @@
 
 namespace limn {
 
+/// A scene or picture was read, but its volume is not where it says.
+class VolumeMissing : public Error {
+public:
+  /// `volume` is the name of the file or folder.
+  explicit VolumeMissing(const std::string& volume)
+      : Error(Error::Kind::input,
+              "The scene's volume " + volume +
+                  " is not where the scene expects it; say where it is (--volume PATH).") {}
+};
+
 /// What a person adds when naming a source.
 struct SourceOptions {
   ReadOptions read;
   std::optional<std::filesystem::path> volume; ///< replaces the volume that a scene or picture names
+  /// Where else a scene's volume may be: files and folders opened before. One of the same name is taken.
+  std::vector<std::filesystem::path> knownVolumes;
 };
 
 /// A scene ready to draw, and where its volume came from.
 struct LoadedScene {
-  Scene scene;                ///< with volume, camera and transfer function
-  std::string volumePath;     ///< absolute path, or the built-in name ("phantom:1")
-  bool fromSceneFile = false; ///< its shading and transfer function are the author's
-  std::string preset;         ///< the preset the program chose, empty where the source says how to show it
+  Scene scene;               ///< with volume, camera and transfer function
+  std::string volumePath;    ///< absolute path, or the built-in name ("phantom:1")
+  bool hasOwnCamera = false; ///< the source says from where to look
+  std::string preset;        ///< the preset the program chose, empty where the source says how to show it
   std::vector<std::string> notes; ///< one sentence each: what else was noteworthy
 };
 

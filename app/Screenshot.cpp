@@ -30,7 +30,13 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   QObject::connect(&window.loader(), &VolumeLoader::failed, &window,
                    [](const QString&, const QString& sentence) {
                      std::fprintf(stderr, "limn: %s\n", qPrintable(sentence));
-                     QApplication::exit(1);
+                     QApplication::exit(3);
+                   });
+  QObject::connect(&window.loader(), &VolumeLoader::seriesFound, &window,
+                   [](const QString&, const std::vector<SeriesSummary>& series) {
+                     std::fprintf(stderr, "limn: The folder holds %zu series; choose one with --series.\n",
+                                  series.size());
+                     QApplication::exit(3);
                    });
   if (!window.loader().isLoading()) {
     QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });

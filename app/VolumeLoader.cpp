@@ -45,10 +45,12 @@ void VolumeLoader::cancel() {
 }
 
 void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options) {
-  const auto fail = [&](const QString& sentence) {
-    deliver(job, [this, source, sentence] {
+  const auto fail = [&](const QString& sentence, bool volumeIsMissing = false) {
+    deliver(job, [this, source, sentence, volumeIsMissing] {
       m_job.reset();
       emit failed(source, sentence);
+      if (volumeIsMissing)
+        emit volumeMissing(source, sentence);
     });
   };
   Progress progress;
@@ -76,6 +78,8 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
     });
   } catch (const Cancelled&) {
     // Whoever cancelled has already said so.
+  } catch (const VolumeMissing& error) {
+    fail(QString::fromStdString(error.what()), true);
   } catch (const Error& error) {
     fail(QString::fromStdString(error.what()));
   } catch (const std::bad_alloc&) {

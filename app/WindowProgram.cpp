@@ -45,7 +45,7 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   MainWindow window;
   window.show();
   if (!arguments.path.empty())
-    window.openSource(QString::fromStdString(arguments.path));
+    window.openSource(QString::fromStdString(arguments.path), arguments.options);
   if (!arguments.screenshot.empty())
     saveScreenshotAtRest(window, QString::fromStdString(arguments.screenshot));
   return QApplication::exec();

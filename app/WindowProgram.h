@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/SceneSource.h"
+
 #include <string>
 
 namespace limn {
@@ -8,6 +10,7 @@ namespace limn {
 /// How the window starts.
 struct WindowArguments {
   std::string path;       ///< what to open; empty: the empty state
+  SourceOptions options;  ///< how to open it
   std::string screenshot; ///< PNG to save once the picture rests, then quit; empty: stay open
   std::string theme;      ///< "light" or "dark"; empty: as set
 };

@@ -19,6 +19,9 @@ struct SourceArguments {
   bool quiet = false;
 };
 
+/// Adds the options that say how to read a source.
+void addSourceOptions(CLI::App& command, SourceArguments& arguments);
+
 /// Adds SOURCE and its options to a command.
 void addSourceArguments(CLI::App& command, SourceArguments& arguments, const std::string& what);
 

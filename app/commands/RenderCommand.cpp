@@ -104,11 +104,15 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
     throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl or reference.");
+  const bool isComparison = arguments.model == "compare";
   LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
                                  terminalProgress(arguments.source.quiet));
   Scene scene = adjusted(std::move(loaded.scene), arguments);
-  if (!arguments.model.empty() && arguments.model != "compare")
-    scene.shading.model = chosen(models, arguments.model, "--model");
+  // Half a picture is narrow: the volume is fitted into it unless the scene says from where to look.
+  if (isComparison && !loaded.hasOwnCamera)
+    scene.camera = framed(scene.camera, scene.volume->grid(), 0.5 * scene.image.width / scene.image.height);
+  if (!arguments.model.empty() && !isComparison)
+    scene.shading.model = chosen(models, arguments.model, "--model (beside compare)");
   const auto start = std::chrono::steady_clock::now();
   const MadePicture picture = pictureOf(scene, arguments);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
@@ -143,8 +147,9 @@ void addRenderCommand(CLI::App& root) {
   command->add_option("--engine", arguments->engine, "auto, gl or reference (double precision, slow)");
   command->add_option("--model", arguments->model,
                       "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
-  command->add_option("--preset", arguments->preset,
-                      "name of a built-in or own preset; see `limn presets list`");
+  command->add_option(
+      "--preset", arguments->preset,
+      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
   command->add_option("--view", arguments->view, "anterior, posterior, left, right, superior or inferior");
   command->add_option("--step", arguments->stepVoxels, "sampling step in units of the smallest voxel spacing")
       ->check(CLI::Range(1e-4, 1e4));

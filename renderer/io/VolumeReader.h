@@ -30,6 +30,7 @@ struct SeriesSummary {
   std::string description;
   std::string modality;
   glm::ivec3 dims{0}; ///< columns, rows, images
+  std::string folder; ///< of its files below the folder listed, empty where they lie in it
 };
 
 /// The series in a DICOM folder (or file), largest first; empty where `path` is not DICOM.

@@ -15,7 +15,7 @@ double valueOfBin(const Histogram& histogram, std::size_t bin) {
   return histogram.range.lowest + (static_cast<double>(bin) + 0.5) * binWidth(histogram);
 }
 
-// The threshold that makes the variance between the two classes largest.
+// The threshold that makes the variance between the two classes largest; the middle where several do.
 double otsuThreshold(const Histogram& histogram) {
   double total = 0.0;
   double sum = 0.0;
@@ -26,7 +26,8 @@ double otsuThreshold(const Histogram& histogram) {
   double below = 0.0;
   double sumBelow = 0.0;
   double best = -1.0;
-  std::size_t threshold = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
   for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
     below += static_cast<double>(histogram.counts[bin]);
     sumBelow += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
@@ -37,10 +38,12 @@ double otsuThreshold(const Histogram& histogram) {
     const double variance = below * above * difference * difference;
     if (variance > best) {
       best = variance;
-      threshold = bin;
+      first = bin;
     }
+    if (variance == best)
+      last = bin;
   }
-  return valueOfBin(histogram, threshold);
+  return (valueOfBin(histogram, first) + valueOfBin(histogram, last)) / 2.0;
 }
 
 const Preset* named(const std::vector<Preset>& presets, const std::string& name) {
@@ -75,7 +78,8 @@ double quantile(const Histogram& histogram, double fraction) {
 TransferFunction automaticRamp(const Histogram& histogram) {
   const double low = histogram.range.lowest;
   const double high = std::max(quantile(histogram, 0.995), low + binWidth(histogram));
-  const double threshold = std::clamp(otsuThreshold(histogram), low, high);
+  // Skin is darker than what it covers: the ramp begins below the threshold.
+  const double threshold = std::clamp(low + 0.6 * (otsuThreshold(histogram) - low), low, high);
   const double knee = threshold + 0.35 * (high - threshold);
   return {1.0,
           {{threshold, {0.74, 0.52, 0.42}, 0.0},

@@ -114,6 +114,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"info nowhere.nii.gz", 3, "nowhere.nii.gz"},
       {"frobnicate --loudly", 2, "loudly"},
       {"presets show nothing", 2, "nothing"},
+      {"phantom:8 --spacing 1,2", 2, "--spacing"},
   };
   for (const auto& one : cases) {
     const Outcome outcome = run(one.arguments);
@@ -129,6 +130,18 @@ TEST_F(CommandLine, aSceneWithAMisspeltKeyIsRefusedByName) {
   const Outcome outcome = run("render " + file("scene.json").string() + " -o x.png");
   EXPECT_EQ(outcome.status, 3);
   EXPECT_NE(outcome.err.find("shadingg"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, aSceneWhoseVolumeMovedSaysSoAndOpensWithItsNewPlace) {
+  std::filesystem::create_directory(file("elsewhere"));
+  std::ofstream(file("scene.json"))
+      << R"({"limn_scene": 1, "volume": "moved.nii", "image": {"width": 8, "height": 8}})";
+  const std::string picture = file("m.png").string();
+  const Outcome lost = run("render " + file("scene.json").string() + " -o " + picture);
+  EXPECT_EQ(lost.status, 3);
+  EXPECT_NE(lost.err.find("moved.nii"), std::string::npos) << lost.err;
+  const Outcome found = run("render " + file("scene.json").string() + " --volume phantom:8 -o " + picture);
+  EXPECT_EQ(found.status, 0) << found.err;
 }
 
 TEST_F(CommandLine, withoutADisplayTheWindowSaysWhatToDo) {

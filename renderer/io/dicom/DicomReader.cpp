@@ -191,8 +191,11 @@ std::vector<SeriesSummary> listDicomSeries(const std::filesystem::path& path) {
   const DicomScan scan = scanDicom(path, {});
   std::vector<SeriesSummary> summaries;
   for (const DicomSeries& series : seriesOf(scan.images))
-    if (series.front().header->pixels)
+    if (series.front().header->pixels) {
       summaries.push_back(summaryOf(series, static_cast<int>(summaries.size()) + 1));
+      const auto folder = series.front().header->path.parent_path().lexically_relative(path);
+      summaries.back().folder = folder == "." ? std::string() : folder.generic_string();
+    }
   return summaries;
 }
 

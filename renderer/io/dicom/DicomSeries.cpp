@@ -116,7 +116,8 @@ SeriesSummary summaryOf(const DicomSeries& series, int number) {
   return {number,
           first.seriesDescription,
           first.modality,
-          {first.columns, first.rows, static_cast<int>(series.size())}};
+          {first.columns, first.rows, static_cast<int>(series.size())},
+          {}};
 }
 
 bool isPlaced(const DicomSeries& series) {

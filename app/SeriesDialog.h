@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/VolumeReader.h"
+
+#include <QDialog>
+
+class QListWidget;
+
+namespace limn {
+
+/// Lets the user choose one of the series in a folder; the largest is chosen at first.
+class SeriesDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent);
+
+signals:
+  /// The number of the chosen series, as listSeries gives it.
+  void seriesChosen(int number);
+
+private:
+  void choose();
+
+  std::vector<SeriesSummary> m_series;
+  QListWidget* m_list;
+};
+
+} // namespace limn
