@@ -111,8 +111,13 @@ private:
   Histogram m_histogram;
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
-  QString m_source; ///< as it was asked for, to read it again with other options
-  SourceOptions m_sourceOptions;
+  /// A source as it was asked for, to read it again with other options.
+  struct Request {
+    QString source;
+    SourceOptions options;
+  };
+  Request m_requested; ///< last; it may still load, or have failed
+  Request m_shown;     ///< of the volume on screen
 
   CompareView* m_view = nullptr;
   MessageBar* m_messages = nullptr;

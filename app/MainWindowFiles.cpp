@@ -36,8 +36,7 @@ void MainWindow::connectLoader() {
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
   m_messages->hide();
-  m_source = source;
-  m_sourceOptions = options;
+  m_requested = {source, options};
   m_view->setLoading(-1.0, tr("Opening %1").arg(QFileInfo(source).fileName()));
   m_loader.start(source, options);
 }
@@ -68,6 +67,7 @@ void MainWindow::closeVolume() {
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram) {
   m_view->clearLoading();
+  m_shown = m_requested;
   m_histogram = histogram;
   const Volume& volume = *loaded.scene.volume;
   const VolumeInfo& info = volume.info();
@@ -100,7 +100,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   if (!remarks.isEmpty())
     m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
                      info.spacingKnown ? QString() : tr("Set spacing…"));
-  m_settings.addRecentSource(m_source);
+  m_settings.addRecentSource(m_shown.source);
   refreshRecentMenu();
   updateTitle();
 }
@@ -125,7 +125,7 @@ void MainWindow::chooseSeries(const QString& source, const std::vector<SeriesSum
   dialog->setComboBoxItems(rows);
   connect(dialog, &QInputDialog::textValueSelected, this, [this, source, series, rows](const QString& row) {
     const auto index = rows.indexOf(row);
-    SourceOptions options = m_sourceOptions;
+    SourceOptions options = m_requested.options;
     options.read.series = series[static_cast<std::size_t>(index)].number;
     openSource(source, options);
   });
@@ -152,9 +152,9 @@ void MainWindow::askForSpacing() {
       showError(tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
       return;
     }
-    SourceOptions options = m_sourceOptions;
+    SourceOptions options = m_shown.options;
     options.read.spacingMm = entered;
-    openSource(m_source, options);
+    openSource(m_shown.source, options);
   });
   dialog->open();
 }
