@@ -186,7 +186,7 @@ void MainWindow::updateTitle() {
   const auto& volume = m_session.scene().volume;
   QString title = tr("Limn · not for diagnosis");
   if (volume) {
-    QString what = m_source == QStringLiteral("sample") ? tr("Sample head") : QString();
+    QString what = m_shown.source == QStringLiteral("sample") ? tr("Sample head") : QString();
     if (what.isEmpty())
       what = QString::fromStdString(std::filesystem::path(m_session.volumePath()).filename().string());
     const PatientLabel& patient = volume->info().patient;

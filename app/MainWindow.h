@@ -115,10 +115,13 @@ private:
   TransferFunction m_presetFunction;
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
-  QString m_asked; ///< what was last asked for; what is on screen may still be another
-  SourceOptions m_askedOptions;
-  QString m_source; ///< what is on screen, as it was asked for, to read it again with other options
-  SourceOptions m_sourceOptions;
+  /// A source as it was asked for, to read it again with other options.
+  struct Request {
+    QString source;
+    SourceOptions options;
+  };
+  Request m_requested; ///< last; it may still load, or have failed
+  Request m_shown;     ///< of the volume on screen
 
   CompareView* m_view = nullptr;
   MessageBar* m_messages = nullptr;

@@ -42,8 +42,7 @@ void MainWindow::connectLoader() {
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
   m_messages->hide();
-  m_asked = source;
-  m_askedOptions = options;
+  m_requested = {source, options};
   SourceOptions known = options;
   for (const QString& recent : m_settings.recentSources())
     known.knownVolumes.emplace_back(recent.toStdString());
@@ -87,9 +86,8 @@ void MainWindow::closeVolume() {
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram) {
   m_view->clearLoading();
+  m_shown = m_requested;
   m_histogram = histogram;
-  m_source = m_asked;
-  m_sourceOptions = m_askedOptions;
   const Volume& volume = *loaded.scene.volume;
   const VolumeInfo& info = volume.info();
   m_editor->setUnit(QString::fromStdString(info.unit));
@@ -123,7 +121,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
                      info.spacingKnown ? MessageBar::Action{}
                                        : MessageBar::Action{tr("Set spacing…"), [this] { askForSpacing(); }});
-  m_settings.addRecentSource(m_source);
+  m_settings.addRecentSource(m_shown.source);
   refreshRecentMenu();
   updateTitle();
 }
@@ -133,7 +131,7 @@ void MainWindow::chooseSeries(const QString& source, const std::vector<SeriesSum
   auto* dialog = new SeriesDialog(series, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &SeriesDialog::seriesChosen, this, [this, source](int number) {
-    SourceOptions options = m_askedOptions;
+    SourceOptions options = m_requested.options;
     options.read.series = number;
     openSource(source, options);
   });
@@ -160,9 +158,9 @@ void MainWindow::askForSpacing() {
       showError(tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
       return;
     }
-    SourceOptions options = m_sourceOptions;
+    SourceOptions options = m_shown.options;
     options.read.spacingMm = entered;
-    openSource(m_source, options);
+    openSource(m_shown.source, options);
   });
   dialog->open();
 }

@@ -57,7 +57,7 @@ TEST_F(MainWindowFiles, aSavedPresetAppearsAsAFileAndInTheListUntilDeleted) {
   EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 0u);
 }
 
-// Two slices of a marked patient.
+// Four slices of a marked patient.
 void writeSeries(const std::filesystem::path& folder) {
   for (int i = 1; i <= 4; ++i)
     test::slice(i, i)
@@ -95,6 +95,7 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
   QSettings().sync();
   window.reset();
   std::filesystem::remove_all(folder.path() / "series");
+  EXPECT_EQ(test::entriesOf(folder.path() / "settings"), 1u);
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     if (!entry.is_regular_file())

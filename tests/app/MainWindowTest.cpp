@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "app/PictureMaker.h"
+#include "support/Heart.h"
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 
@@ -114,6 +115,30 @@ TEST_F(MainWindowTest, cancellingALoadLeavesTheFormerVolume) {
   EXPECT_FALSE(isLoadingShown());
   ASSERT_TRUE(rest());
   EXPECT_EQ(scene().volume, before.volume);
+}
+
+TEST_F(MainWindowTest, aCancelledLoadLeavesNoTraceInTheTitle) {
+  ASSERT_TRUE(open(phantom));
+  const QString title = window->windowTitle();
+  window->openSource(QStringLiteral("sample"));
+  QTest::mouseClick(window->findChild<QWidget*>(QStringLiteral("cancel")), Qt::LeftButton);
+  ASSERT_EQ(std::as_const(*window).session().volumePath(), "phantom:4");
+  QAction* patient = action(QStringLiteral("Patient in the title &bar"));
+  ASSERT_NE(patient, nullptr);
+  patient->trigger(); // writes the title anew
+  EXPECT_EQ(window->windowTitle(), title);
+}
+
+TEST_F(MainWindowTest, refinementLeavesTheEventLoopFree) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:2")));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !view().pictureState().sides.empty(); }, 30000));
+  ASSERT_FALSE(view().pictureState().resting);
+  const test::Heart heart;
+  ASSERT_TRUE(rest());
+  EXPECT_GT(heart.beats(), 10);
+  // The bound of the view's own test: a turn aims at 30 ms of drawing.
+  EXPECT_LE(heart.longestMs(), 250.0);
+  RecordProperty("longestMs", static_cast<int>(heart.longestMs()));
 }
 
 TEST_F(MainWindowTest, openingASecondVolumeWhileOneLoadsShowsOnlyTheSecond) {

@@ -25,13 +25,19 @@ namespace limn::test {
 class WindowHarness : public testing::Test {
 protected:
   WindowHarness() {
+    QCoreApplication::setOrganizationName(QStringLiteral("limn"));
+    QCoreApplication::setApplicationName(QStringLiteral("limn"));
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pathTo("settings"));
     window = std::make_unique<MainWindow>(PresetStore(folder.path() / "presets"));
     window->resize(900, 640);
     window->show();
   }
 
-  void SetUp() override { ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get())); }
+  void SetUp() override {
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->activateWindow(); // shortcuts are those of the active window
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+  }
 
   QString pathTo(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
   const Scene& scene() const { return std::as_const(*window).session().scene(); }

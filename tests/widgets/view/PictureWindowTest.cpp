@@ -2,14 +2,13 @@
 #include "ViewHost.h"
 #include "gl/HeadlessContext.h"
 #include "io/ImageFile.h"
+#include "support/Heart.h"
 #include "support/TemporaryFolder.h"
 
 #include <QColorSpace>
-#include <QElapsedTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <ctime>
 
 // What the view draws, in a real window.
 
@@ -136,35 +135,6 @@ TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
   EXPECT_NE(host.view.currentPicture(0), old);
 }
 
-// How long the event loop was held from one beat to the next by the program's own work: the time on the clock
-// or, where other programs had the processor, the program's own processor time.
-class Heart {
-public:
-  Heart() {
-    QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
-    m_timer.start(2);
-  }
-  double longestMs() const { return m_longestMs; }
-  int beats() const { return m_beats; }
-
-private:
-  void beat() {
-    const std::clock_t processor = std::clock();
-    if (m_beats++ > 0) {
-      const double processorMs = 1000.0 * static_cast<double>(processor - m_processor) / CLOCKS_PER_SEC;
-      m_longestMs = std::max(m_longestMs, std::min<double>(processorMs, m_clock.elapsed()));
-    }
-    m_clock.start();
-    m_processor = processor;
-  }
-
-  QTimer m_timer;
-  QElapsedTimer m_clock;
-  std::clock_t m_processor = 0;
-  double m_longestMs = 0.0;
-  int m_beats = 0;
-};
-
 TEST(Picture, refinementLeavesTheEventLoopFree) {
   ViewHost host({640, 400});
   host.view.setCompareLayout(CompareLayout::sideBySide);
@@ -173,7 +143,7 @@ TEST(Picture, refinementLeavesTheEventLoopFree) {
   // The first picture uploads the volume and compiles; from then on the loop must keep turning.
   ASSERT_TRUE(QTest::qWaitFor([&] { return !host.view.pictureState().sides.empty(); }, 30000));
   ASSERT_FALSE(host.view.pictureState().resting);
-  const Heart heart;
+  const test::Heart heart;
   ASSERT_TRUE(host.rest());
   EXPECT_GT(heart.beats(), 10);
   // A turn aims at 30 ms of drawing and a few of showing; rows that cost more than those before them and
