@@ -61,7 +61,7 @@ PointFields::PointFields(QWidget* parent)
   });
   connect(m_opacity, &NumberField::numberEdited, this, [this](double opacity) {
     emit functionEdited(withOpacityAt(m_function, m_selected, opacity),
-                        {nextGestureId(), tr("set opacity to %1").arg(plainNumber(opacity, 4))});
+                        {nextGestureId(), tr("set opacity to %1").arg(opacityText(opacity))});
   });
   connect(m_color, &ColorButton::colorEdited, this, [this](const glm::dvec3& color, const Gesture& gesture) {
     emit functionEdited(withColorAt(m_function, m_selected, color), gesture);
