@@ -40,7 +40,7 @@ ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringLis
   layout->addWidget(m_box);
   m_box->addItems(choices);
   // Boxes stand in a column of equal widths unless a choice needs more.
-  m_box->setMinimumWidth(140);
+  m_box->setMinimumWidth(148);
   m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   m_box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   m_box->setAccessibleName(label);

@@ -43,6 +43,7 @@ PointFields::PointFields(QWidget* parent)
   m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(88).arg(88)));
   m_value->setFixedWidth(104);
   m_opacity->setFixedWidth(64);
+  m_opacity->setShownAs(opacityText);
   m_opacity->setSingleStep(0.01);
   m_value->setAccessibleName(tr("Value of the selected point"));
   m_opacity->setAccessibleName(tr("Opacity of the selected point"));
