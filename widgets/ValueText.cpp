@@ -30,6 +30,12 @@ QString plainNumber(double number, int decimals) {
   return text == locale.negativeSign() + locale.zeroDigit() ? locale.zeroDigit() : text;
 }
 
+QString opacityText(double opacity) {
+  if (!(opacity > 0.0))
+    return plainNumber(opacity, 3);
+  return plainNumber(opacity, std::clamp(2 - static_cast<int>(std::floor(std::log10(opacity))), 2, 6));
+}
+
 QString valueText(double value, const QString& unit, int decimals) {
   const QString number = readableNumber(value, decimals);
   return unit.isEmpty() ? number : number + QChar(0x00a0) + unit;

@@ -8,6 +8,9 @@ namespace limn {
 /// A number in the user's locale without grouping or trailing zeros, at most `decimals` of them.
 QString plainNumber(double number, int decimals);
 
+/// An opacity for reading: three significant digits, at most six decimals, no trailing zeros.
+QString opacityText(double opacity);
+
 /// A number for reading, with a real minus sign and its unit: "−310 HU". An empty unit adds nothing.
 QString valueText(double value, const QString& unit, int decimals);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/ColorButton.h"
 #include "widgets/controls/ColorPicker.h"
@@ -20,6 +21,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -52,6 +54,25 @@ TEST(SliderScale, isExactAtItsEndsAndGeometricInTheMiddle) {
   EXPECT_NEAR(valueAtFraction(scale, 0.5), 32.0, 1e-9); // sqrt(1 · 1024)
   EXPECT_NEAR(fractionOf(scale, 32.0), 0.5, 1e-12);
   EXPECT_DOUBLE_EQ(fractionOf(scale, 5000.0), 1.0);
+}
+
+TEST(NumberField, keepsTheExactNumberWhereItShowsARoundedOne) {
+  NumberField field(0.0, 1.0, 4);
+  field.setShownAs(opacityText);
+  std::vector<double> edits;
+  QObject::connect(&field, &NumberField::numberEdited, [&](double number) { edits.push_back(number); });
+  field.setNumber(0.63019);
+  EXPECT_EQ(field.text(), QLocale().toString(0.63));
+  field.selectAll();
+  QTest::keyClicks(&field, QLocale().toString(0.63));
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(field.number(), 0.63019);
+  EXPECT_TRUE(edits.empty());
+  field.selectAll();
+  QTest::keyClicks(&field, QLocale().toString(0.0005));
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_EQ(edits, std::vector<double>{0.0005});
+  EXPECT_EQ(field.text(), QLocale().toString(0.0005));
 }
 
 class RangeSliderTest : public testing::Test {

@@ -55,6 +55,11 @@ TEST(ValueText, keepsTheDigitsThatMatter) {
   EXPECT_EQ(plainNumber(0.2500, 4), QStringLiteral("0.25"));
   EXPECT_EQ(plainNumber(1200.0, 2), QStringLiteral("1200"));
   EXPECT_EQ(plainNumber(-0.0001, 2), QStringLiteral("0"));
+  EXPECT_EQ(opacityText(0.6302), QStringLiteral("0.63"));
+  EXPECT_EQ(opacityText(0.63251), QStringLiteral("0.633"));
+  EXPECT_EQ(opacityText(0.00042), QStringLiteral("0.00042"));
+  EXPECT_EQ(opacityText(0.0), QStringLiteral("0"));
+  EXPECT_EQ(opacityText(1.0), QStringLiteral("1"));
   EXPECT_EQ(decimalsFor(1.0), 0);
   EXPECT_EQ(decimalsFor(0.1), 1);
   EXPECT_EQ(decimalsFor(0.03), 2);
@@ -84,6 +89,27 @@ TEST(CurveGeometry, pointsComeBeforeTheCurve) {
             CurveHit::Part::curve);
   EXPECT_EQ(hitAt(plot, function, {xOfValue(plot, 750.0), yOfOpacity(plot, 0.2)}).part,
             CurveHit::Part::nothing);
+}
+
+TEST(CurveGeometry, theBarStaysAboveThePlotWhereTheCurveReachesBeyondIt) {
+  PlotTransform transform = plot;
+  transform.visible = {-1000.0, 792.0};
+  const TransferFunction wide{1.0, {{-300.0, {1, 1, 1}, 0.0}, {3000.0, {1, 1, 1}, 1.0}}};
+  const CurveBar bar = *curveBar(transform, wide);
+  EXPECT_EQ(bar.start.x(), xOfValue(transform, -300.0));
+  EXPECT_EQ(bar.end.x(), 850.0);
+  EXPECT_LE(bar.grip.x() + 14.0, 850.0); // the grip is 28 pixels wide
+  EXPECT_TRUE(bar.startVisible);
+  EXPECT_FALSE(bar.endVisible);
+  EXPECT_EQ(hitAt(transform, wide, bar.grip).part, CurveHit::Part::barGrip);
+  // Widening about a middle beyond the view would run against the pointer.
+  EXPECT_EQ(hitAt(transform, wide, bar.end).part, CurveHit::Part::nothing);
+
+  transform.visible = {3100.0, 3200.0}; // all of the curve lies to the left
+  const CurveBar gone = *curveBar(transform, wide);
+  EXPECT_EQ(gone.start.x(), 50.0);
+  EXPECT_EQ(gone.end.x(), 50.0);
+  EXPECT_GE(gone.grip.x() - 14.0, 50.0);
 }
 
 TEST(CurveGeometry, theCurveStartsAndEndsAtThePlotsEdgesAndKeepsSteps) {

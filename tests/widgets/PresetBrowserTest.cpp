@@ -22,8 +22,11 @@ protected:
     own.name = "My temporal bone";
     m_browser.setPresets(samplePresets(), {own});
     m_browser.show();
-    QObject::connect(&m_browser, &PresetBrowser::presetChosen, &m_browser,
-                     [this](const QString& name) { m_chosen << name; });
+    QObject::connect(&m_browser, &PresetBrowser::presetChosen, &m_browser, [this](const QString& name) {
+      m_chosen << name;
+      if (m_takesEffect)
+        m_browser.setCurrent(name);
+    });
     QObject::connect(&m_browser, &PresetBrowser::deleteRequested, &m_browser,
                      [this](const QString& name) { m_deleted << name; });
   }
@@ -38,6 +41,9 @@ protected:
   }
 
   PresetBrowser m_browser;
+  QString marked() const { return m_browser.list()->currentIndex().data().toString(); }
+
+  bool m_takesEffect = true; ///< whether a choice changes the picture, as it does while one is shown
   QStringList m_chosen;
   QStringList m_deleted;
 };
@@ -51,6 +57,19 @@ TEST_F(PresetBrowserTest, listsOwnPresetsFirstThenModalities) {
 TEST_F(PresetBrowserTest, aClickChooses) {
   click(QStringLiteral("CT lung"));
   EXPECT_EQ(m_chosen, QStringList{"CT lung"});
+}
+
+TEST_F(PresetBrowserTest, marksOnlyWhatTookEffect) {
+  click(QStringLiteral("CT lung"));
+  EXPECT_EQ(marked(), QStringLiteral("CT lung"));
+  m_takesEffect = false;
+  click(QStringLiteral("CT bone"));
+  EXPECT_EQ(m_chosen, (QStringList{"CT lung", "CT bone"}));
+  EXPECT_EQ(marked(), QStringLiteral("CT lung"));
+  m_browser.setCurrent({}); // an edit left the preset
+  EXPECT_EQ(marked(), QString());
+  click(QStringLiteral("CT bone"));
+  EXPECT_EQ(marked(), QString());
 }
 
 TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {

@@ -58,6 +58,11 @@ Shading unusual() {
   return shading;
 }
 
+TEST_F(ShadingPanelTest, everyChoiceIsWideEnoughForItsText) {
+  for (const QComboBox* box : m_panel.findChildren<QComboBox*>())
+    EXPECT_GE(box->width(), box->sizeHint().width()) << box->accessibleName().toStdString();
+}
+
 TEST_F(ShadingPanelTest, settingEmitsNothing) {
   int quality = 0;
   QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel, [&] { ++quality; });

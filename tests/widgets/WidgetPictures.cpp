@@ -51,6 +51,10 @@ void saveEditor(const QString& prefix) {
   editor.canvas()->setFineLowOpacities(true);
   editor.canvas()->setPinnedValue(1800.0);
   save(editor, {1200, 260}, prefix + "editor_fine.png");
+  TransferFunction wide = sampleFunction();
+  wide.points.back().value = 9000.0; // beyond the values of the histogram
+  editor.setTransferFunction(wide);
+  save(editor, {1200, 260}, prefix + "editor_wide.png");
   auto* popup = new PointPopup(sampleFunction(), 2, QStringLiteral("HU"), 1, &editor); // deletes itself
   save(*popup, popup->sizeHint(), prefix + "popup.png");
   popup->close();
@@ -86,7 +90,7 @@ void savePanels(const QString& prefix) {
   icons->setIconSize({24, 24});
   for (QWidget* widget : std::initializer_list<QWidget*>{browser, compared, open, icons})
     layout->addWidget(widget);
-  save(both, {1200, 1000}, prefix + "panels.png");
+  save(both, {1240, 1600}, prefix + "panels.png");
 }
 
 // A window like the program's, to see the parts together.

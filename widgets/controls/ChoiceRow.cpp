@@ -39,7 +39,10 @@ ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringLis
   layout->addWidget(m_label, 1);
   layout->addWidget(m_box);
   m_box->addItems(choices);
-  m_box->setFixedWidth(140);
+  // Boxes stand in a column of equal widths unless a choice needs more.
+  m_box->setMinimumWidth(148);
+  m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  m_box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   m_box->setAccessibleName(label);
   m_label->setBuddy(m_box);
   setUnavailable({});

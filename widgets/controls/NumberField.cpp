@@ -24,13 +24,18 @@ void NumberField::setNumber(double number) {
   setValue(number);
 }
 
+void NumberField::setShownAs(QString (*write)(double)) {
+  m_write = write;
+  setNumber(m_number);
+}
+
 void NumberField::stepBy(int steps) {
   QDoubleSpinBox::stepBy(steps);
   reportIfChanged();
 }
 
 QString NumberField::textFromValue(double value) const {
-  return plainNumber(value, decimals());
+  return m_write ? m_write(value) : plainNumber(value, decimals());
 }
 
 void NumberField::wheelEvent(QWheelEvent* event) {
@@ -44,7 +49,9 @@ void NumberField::reportIfChanged() {
   // The display rounds: an untouched field must not replace the exact number by its rounding.
   const double shownBefore =
       std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());
-  if (value() == shownBefore)
+  // What was read back from the text may be rounded further.
+  const double readBefore = valueFromText(textFromValue(shownBefore));
+  if (value() == shownBefore || value() == readBefore)
     return;
   m_number = value();
   emit numberEdited(m_number);

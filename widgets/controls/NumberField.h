@@ -17,6 +17,9 @@ public:
   void setNumber(double number);
   double number() const { return m_number; }
 
+  /// Shows numbers as `write` does them, which may round more than `decimals` says.
+  void setShownAs(QString (*write)(double));
+
   void stepBy(int steps) override;
   QString textFromValue(double value) const override;
 
@@ -30,6 +33,7 @@ private:
   void reportIfChanged();
 
   double m_number = 0.0;
+  QString (*m_write)(double) = nullptr;
 };
 
 } // namespace limn

@@ -10,6 +10,7 @@ namespace limn {
 namespace {
 
 constexpr double barAbovePlot = 9.0;
+constexpr double gripInset = 24.0; // from the plot's edge: half the grip and the arrow beside it
 
 double distance(const QPointF& a, const QPointF& b) {
   return QLineF(a, b).length();
@@ -88,10 +89,19 @@ QPolygonF curvePolygon(const PlotTransform& transform, const TransferFunction& f
 std::optional<CurveBar> curveBar(const PlotTransform& transform, const TransferFunction& function) {
   if (function.points.empty())
     return std::nullopt;
-  const double y = transform.plot.top() - barAbovePlot;
-  return CurveBar{{xOfValue(transform, function.points.front().value), y},
-                  {xOfValue(transform, middleValue(function)), y},
-                  {xOfValue(transform, function.points.back().value), y}};
+  const QRectF& plot = transform.plot;
+  const double y = plot.top() - barAbovePlot;
+  const auto placeOf = [&](double value, double inset) {
+    const double room = std::min(inset, plot.width() / 2.0);
+    return QPointF(std::clamp(xOfValue(transform, value), plot.left() + room, plot.right() - room), y);
+  };
+  const auto isVisible = [&](double value) {
+    return value >= transform.visible.lowest && value <= transform.visible.highest;
+  };
+  const double first = function.points.front().value;
+  const double last = function.points.back().value;
+  return CurveBar{placeOf(first, 0.0), placeOf(middleValue(function), gripInset), placeOf(last, 0.0),
+                  isVisible(first), isVisible(last)};
 }
 
 CurveHit hitAt(const PlotTransform& transform, const TransferFunction& function, const QPointF& position) {
@@ -100,8 +110,9 @@ CurveHit hitAt(const PlotTransform& transform, const TransferFunction& function,
     if (position.y() < transform.plot.top() - 2.0) {
       if (distance(position, bar->grip) <= handleHitRadius)
         return {CurveHit::Part::barGrip, 0};
-      if (function.points.size() > 1 && (distance(position, bar->start) <= handleHitRadius ||
-                                         distance(position, bar->end) <= handleHitRadius))
+      const bool onStart = bar->startVisible && distance(position, bar->start) <= handleHitRadius;
+      const bool onEnd = bar->endVisible && distance(position, bar->end) <= handleHitRadius;
+      if (function.points.size() > 1 && (onStart || onEnd))
         return {CurveHit::Part::barEnd, 0};
     }
   }

@@ -16,11 +16,14 @@ inline constexpr double curveHitDistance = 6.0; ///< pixels
 inline constexpr double handleHitRadius = 10.0; ///< pixels
 
 /// The bar above the plot that spans the curve: the grip at its middle moves the whole curve, its ends widen
-/// it.
+/// it. It stays above the plot: what lies beyond the visible values stands at the plot's edge, where the grip
+/// can still be taken hold of and an end only points the way.
 struct CurveBar {
   QPointF start;
   QPointF grip;
   QPointF end;
+  bool startVisible = true;
+  bool endVisible = true;
 };
 
 /// What lies under the pointer. `index` is a point's.

@@ -13,6 +13,9 @@
 namespace limn {
 namespace {
 
+constexpr double gripHalfWidth = 14.0;
+constexpr double gripClearance = gripHalfWidth + 4.0;
+
 QString translated(const char* text) {
   return QCoreApplication::translate("CurvePainting", text);
 }
@@ -26,6 +29,14 @@ QColor withAlpha(QColor color, int alpha) {
   return color;
 }
 
+void paintBox(QPainter& painter, const CanvasPicture& picture, const QString& text, const QRectF& box) {
+  painter.setPen(QPen(picture.colors.border, 1.0));
+  painter.setBrush(picture.colors.raised);
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setPen(picture.colors.text);
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
 // A small label with a background, kept inside the plot.
 void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
   const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
@@ -35,11 +46,7 @@ void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString&
                           std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
   if (box.top() < plot.top() + 2.0)
     box.moveTop(centreBottom.y() + 28.0);
-  painter.setPen(QPen(picture.colors.border, 1.0));
-  painter.setBrush(picture.colors.raised);
-  painter.drawRoundedRect(box, 4.0, 4.0);
-  painter.setPen(picture.colors.text);
-  painter.drawText(box, Qt::AlignCenter, text);
+  paintBox(painter, picture, text, box);
 }
 
 void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
@@ -76,6 +83,16 @@ void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
   painter.drawPolyline(line);
 }
 
+// An end of the bar; one beyond the visible values is an arrow that points there.
+void paintBarEnd(QPainter& painter, const CanvasPicture& picture, const QPointF& end, bool visible) {
+  if (visible) {
+    painter.drawRoundedRect(QRectF(end.x() - 2.0, end.y() - 6.0, 4.0, 12.0), 2.0, 2.0);
+    return;
+  }
+  const double way = end.x() < picture.transform.plot.center().x() ? -1.0 : 1.0;
+  painter.drawPolygon(QPolygonF({end, end + QPointF(-7.0 * way, -5.0), end + QPointF(-7.0 * way, 5.0)}));
+}
+
 void paintBar(QPainter& painter, const CanvasPicture& picture) {
   const auto bar = curveBar(picture.transform, picture.function);
   if (!bar)
@@ -90,11 +107,13 @@ void paintBar(QPainter& painter, const CanvasPicture& picture) {
   painter.drawLine(bar->start, bar->end);
   painter.setPen(Qt::NoPen);
   painter.setBrush(picture.hoveredPart == CurveHit::Part::barEnd ? lively : idle);
-  if (picture.function.points.size() > 1)
-    for (const QPointF& end : {bar->start, bar->end})
-      painter.drawRoundedRect(QRectF(end.x() - 2.0, end.y() - 6.0, 4.0, 12.0), 2.0, 2.0);
+  if (picture.function.points.size() > 1 || !bar->startVisible) {
+    paintBarEnd(painter, picture, bar->start, bar->startVisible);
+    paintBarEnd(painter, picture, bar->end, bar->endVisible);
+  }
   painter.setBrush(picture.hoveredPart == CurveHit::Part::barGrip ? lively : idle);
-  painter.drawRoundedRect(QRectF(bar->grip.x() - 14.0, bar->grip.y() - 5.0, 28.0, 10.0), 5.0, 5.0);
+  painter.drawRoundedRect(
+      QRectF(bar->grip.x() - gripHalfWidth, bar->grip.y() - 5.0, 2.0 * gripHalfWidth, 10.0), 5.0, 5.0);
   painter.setPen(QPen(picture.colors.window, 1.5));
   for (const double dx : {-4.0, 0.0, 4.0})
     painter.drawLine(bar->grip + QPointF(dx, -2.0), bar->grip + QPointF(dx, 2.0));
@@ -149,7 +168,7 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
   const QPointF centre = positionOf(picture.transform, point);
   paintBubble(painter, picture,
               translated(QT_TRANSLATE_NOOP("CurvePainting", "%1 · opacity %2"))
-                  .arg(valueText(point.value, picture.unit, picture.decimals), plainNumber(point.opacity, 4)),
+                  .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
               centre - QPointF(0.0, 12.0));
 }
 
@@ -162,7 +181,7 @@ void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
 }
 
-// On the axis, where it hides no part of the curve.
+// In the bar's lane, where it hides neither numbers of the axis nor the curve; beside the grip.
 void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.hoveredValue || picture.readOut)
     return;
@@ -170,11 +189,24 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
     text += translated(QT_TRANSLATE_NOOP("CurvePainting", " · opacity %1"))
-                .arg(plainNumber(classify(picture.function, value).opacity, 3));
+                .arg(opacityText(classify(picture.function, value).opacity));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;
-  paintBubble(painter, picture, text,
-              {xOfValue(picture.transform, value), picture.transform.plot.bottom() + plotBottom - 1.0});
+  const QRectF& plot = picture.transform.plot;
+  const double x = xOfValue(picture.transform, value);
+  const double width = painter.fontMetrics().horizontalAdvance(text) + 12.0;
+  const double rightmost = std::max(plot.left(), plot.right() - width);
+  QRectF box(std::clamp(x - width / 2.0, plot.left(), rightmost), 0.5, width, plot.top() - 1.5);
+  if (const auto bar = curveBar(picture.transform, picture.function)) {
+    const double grip = bar->grip.x();
+    const double before = grip - gripClearance - width;
+    const double after = grip + gripClearance;
+    const bool fitsBefore = before >= plot.left();
+    const bool fitsAfter = after <= rightmost;
+    if (box.right() > grip - gripClearance && box.left() < after && (fitsBefore || fitsAfter))
+      box.moveLeft(fitsBefore && (x < grip || !fitsAfter) ? before : after);
+  }
+  paintBox(painter, picture, text, box);
 }
 
 void paintEmptyState(QPainter& painter, const CanvasPicture& picture) {

@@ -43,6 +43,7 @@ PointFields::PointFields(QWidget* parent)
   m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(88).arg(88)));
   m_value->setFixedWidth(104);
   m_opacity->setFixedWidth(64);
+  m_opacity->setShownAs(opacityText);
   m_opacity->setSingleStep(0.01);
   m_value->setAccessibleName(tr("Value of the selected point"));
   m_opacity->setAccessibleName(tr("Opacity of the selected point"));
@@ -61,7 +62,7 @@ PointFields::PointFields(QWidget* parent)
   });
   connect(m_opacity, &NumberField::numberEdited, this, [this](double opacity) {
     emit functionEdited(withOpacityAt(m_function, m_selected, opacity),
-                        {nextGestureId(), tr("set opacity to %1").arg(plainNumber(opacity, 4))});
+                        {nextGestureId(), tr("set opacity to %1").arg(opacityText(opacity))});
   });
   connect(m_color, &ColorButton::colorEdited, this, [this](const glm::dvec3& color, const Gesture& gesture) {
     emit functionEdited(withColorAt(m_function, m_selected, color), gesture);

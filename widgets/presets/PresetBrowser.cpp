@@ -100,7 +100,7 @@ void PresetBrowser::refill() {
   fillPresetModel(*m_model, m_builtIn, m_own, m_thumbnails, isDark(palette()));
   search(m_search->text());
   if (!current.isEmpty())
-    setCurrent(current);
+    mark(current);
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
@@ -120,6 +120,11 @@ void PresetBrowser::search(const QString& text) {
 }
 
 void PresetBrowser::setCurrent(const QString& name) {
+  m_current = name;
+  mark(name);
+}
+
+void PresetBrowser::mark(const QString& name) {
   const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, name, 1,
                                                   Qt::MatchExactly | Qt::MatchRecursive);
   m_list->setCurrentIndex(name.isEmpty() || found.isEmpty() ? QModelIndex() : found.front());
@@ -142,8 +147,12 @@ QStringList PresetBrowser::shownNames() const {
 }
 
 void PresetBrowser::choose(const QModelIndex& index) {
-  if (index.isValid() && !index.data(presetRole::isGroup).toBool())
-    emit presetChosen(index.data().toString());
+  if (!index.isValid() || index.data(presetRole::isGroup).toBool())
+    return;
+  const QString chosen = index.data().toString();
+  emit presetChosen(chosen);
+  if (m_current != chosen) // it did not take effect, so the list must not say so
+    mark(m_current);
 }
 
 QString PresetBrowser::ownPresetInHand() const {

@@ -32,7 +32,9 @@ public:
   /// A picture of what the preset shows; without one its curve is drawn.
   void setThumbnail(const QString& name, const QImage& thumbnail);
 
-  /// Selects a preset by name without choosing it; an unknown or empty name selects none.
+  /// Marks a preset by name, without choosing it, as the one in use; an unknown or empty name marks none. A
+  /// choice by the user marks nothing by itself: its receiver answers with this where the preset took effect,
+  /// and with an empty name where an edit left it.
   void setCurrent(const QString& name);
 
   /// Puts the keyboard into the search field.
@@ -61,6 +63,7 @@ private:
   QWidget* makeButtons();
   void refill();
   void search(const QString& text);
+  void mark(const QString& name);
   void choose(const QModelIndex& index);
   QString ownPresetInHand() const;
   void showButtons();
@@ -69,6 +72,7 @@ private:
   std::vector<Preset> m_builtIn;
   std::vector<Preset> m_own;
   QMap<QString, QImage> m_thumbnails;
+  QString m_current; ///< the preset in use
   QLineEdit* m_search;
   QTreeView* m_list;
   QLabel* m_nothing;

@@ -11,6 +11,9 @@ namespace limn {
 /// each other with a movable border; the amplified difference of two.
 enum class CompareLayout { single, sideBySide, wipe, difference };
 
+/// How many times the `difference` layout shows the difference.
+inline constexpr double differenceGain = 4.0;
+
 /// How many pictures a layout draws: 1 or 2.
 int pictureCount(CompareLayout layout);
 

@@ -162,8 +162,15 @@ private:
 
   // What stands above the pictures (CompareViewOverlay.cpp)
   void paintOverlay();
-  void paintOrientation(QPainter& painter);
-  void paintScale(QPainter& painter);
+  std::vector<QRectF> paintTitles(QPainter& painter);
+  std::vector<QRectF> paintNotes(QPainter& painter);
+  void paintOrientation(QPainter& painter, const std::vector<QRectF>& plates);
+  std::optional<ScaleMark> scaleMark() const;
+  QRectF labelPlateOf(int position, const SideLabel& label) const;
+  QRectF steadyLabelRect(int position) const;
+  SideLabel differenceTitle() const;
+  QRectF differenceTitleRect() const;
+  Note differenceNote() const;
   QRectF logicalRect(int position) const;
   SideLabel labelOf(int position) const;
   QRectF labelRect(int position) const;

@@ -176,6 +176,14 @@ void CompareView::hover(QMouseEvent* event) {
     setCursor(label >= 0 ? Qt::PointingHandCursor : border ? Qt::SplitHCursor : Qt::ArrowCursor);
     update();
   }
+  // Only over the title: a tool tip anywhere else would cover the picture.
+  const bool onTitle = m_layout == CompareLayout::difference &&
+                       (differenceTitleRect().contains(point) || differenceNote().plate.contains(point));
+  setToolTip(onTitle ? tr("<p>Black where both sides show the same; brighter the more they differ, in the "
+                          "colour in which they differ. Differences are shown %1 times as large as they "
+                          "are.</p>")
+                           .arg(differenceGain)
+                     : QString());
   const bool probing = event->modifiers() == Qt::ShiftModifier && event->buttons() == Qt::NoButton;
   showProbe(probing ? probeAt(point) : std::nullopt, point);
 }

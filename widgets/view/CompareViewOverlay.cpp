@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/CompareView.h"
+#include "widgets/view/OverlayRows.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/ViewOverlay.h"
 
@@ -50,12 +51,50 @@ SideLabel CompareView::labelOf(int position) const {
   return label;
 }
 
-QRectF CompareView::labelRect(int position) const {
+// With `label` in place of what is shown there at present.
+QRectF CompareView::labelPlateOf(int position, const SideLabel& label) const {
   QRectF side = logicalRect(position);
   const bool over = m_layout == CompareLayout::wipe || m_layout == CompareLayout::difference;
   if (over) // two labels share one picture: each has its half
     position == 0 ? side.setRight(side.center().x()) : side.setLeft(side.center().x());
-  return labelPlate(font(), labelOf(position), side, over && position == 1);
+  return labelPlate(font(), label, side, over && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
+}
+
+QRectF CompareView::labelRect(int position) const {
+  return labelPlateOf(position, labelOf(position));
+}
+
+// The label's plate while its numbers show: what yields to a label must not jump when they fade.
+QRectF CompareView::steadyLabelRect(int position) const {
+  SideLabel label = labelOf(position);
+  label.detailsOpacity = 1.0;
+  return labelPlateOf(position, label);
+}
+
+SideLabel CompareView::differenceTitle() const {
+  SideLabel title;
+  title.title = tr("Difference of %1 and %2 ×%3")
+                    .arg(modelName(sceneOfSide(0).shading.model), modelName(sceneOfSide(1).shading.model))
+                    .arg(differenceGain);
+  title.leadsToMenu = false;
+  return title;
+}
+
+// In the middle, under the models' labels where it does not fit between them.
+QRectF CompareView::differenceTitleRect() const {
+  QRectF plate = labelPlate(font(), differenceTitle(), rect(), Qt::AlignHCenter);
+  plate.moveTop(clearRowBelow(plate.top(), plate.size(), {plate.center().x()},
+                              {steadyLabelRect(0), steadyLabelRect(1)}));
+  return plate;
+}
+
+Note CompareView::differenceNote() const {
+  const QRectF title = differenceTitleRect();
+  Note note = noteAt(font(), tr("Black where both are equal, brighter the more they differ"),
+                     {title.center().x(), 0.0}, Qt::AlignHCenter, width() - 2 * margin);
+  note.plate.moveTop(clearRowBelow(title.bottom() + margin / 3, note.plate.size(), {title.center().x()},
+                                   {steadyLabelRect(0), steadyLabelRect(1)}));
+  return note;
 }
 
 void CompareView::paintOverlay() {
@@ -71,16 +110,12 @@ void CompareView::paintOverlay() {
     const QRectF right = logicalRect(1);
     painter.fillRect(QRectF(left.topRight(), right.bottomLeft()), QColor(70, 76, 88));
   }
-  paintOrientation(painter);
-  paintScale(painter);
   if (m_layout == CompareLayout::wipe)
     paintWipeBorder(painter, m_wipe * width(), rect(), m_wipeHovered || (m_drag && m_drag->wipe));
-  for (int position = 0; position < pictureCount(m_layout); ++position)
-    paintLabel(painter, labelOf(position), labelRect(position));
-  const QPointF corner(width() - margin, height() - margin);
-  paintNote(painter, tr("Not for diagnosis"), corner, Qt::AlignRight);
-  if (!m_state.limitation.isEmpty())
-    paintNote(painter, m_state.limitation, {width() / 2.0, height() - 3 * margin}, Qt::AlignHCenter);
+  std::vector<QRectF> plates = paintTitles(painter);
+  const std::vector<QRectF> notes = paintNotes(painter);
+  plates.insert(plates.end(), notes.begin(), notes.end());
+  paintOrientation(painter, plates);
   if (m_probe)
     paintProbe(painter, m_probePoint, valueText(m_probe->value, *m_scene.volume), rect());
   if (!m_state.resting && !m_state.sides.empty()) {
@@ -91,35 +126,86 @@ void CompareView::paintOverlay() {
   }
 }
 
-void CompareView::paintOrientation(QPainter& painter) {
-  const int pictures = m_layout == CompareLayout::sideBySide ? 2 : 1;
-  for (int position = 0; position < pictures; ++position) {
-    const QRectF side = logicalRect(position);
-    double column = side.center().x();
-    if (m_layout == CompareLayout::wipe && std::abs(m_wipe * width() - column) < 2 * margin)
-      column = m_wipe * width() + 2 * margin; // beside the border, not under it
-    const QRectF label = labelRect(position);
-    const bool inTheWay = std::abs(column - label.center().x()) < label.width() / 2 + 2 * margin;
-    if (m_scene.volume->info().orientationKnown)
-      paintLetters(painter, orientationLetters(m_scene.camera), side, column,
-                   inTheWay ? label.bottom() + margin / 3 : side.top());
-    else
-      paintNote(painter, tr("Orientation unknown"), {side.center().x(), side.bottom() - margin},
-                Qt::AlignHCenter);
+// What the pictures are, at the upper edge; tells the plates.
+std::vector<QRectF> CompareView::paintTitles(QPainter& painter) {
+  std::vector<QRectF> plates;
+  for (int position = 0; position < pictureCount(m_layout); ++position) {
+    paintLabel(painter, labelOf(position), labelRect(position));
+    plates.push_back(steadyLabelRect(position));
   }
+  if (m_layout == CompareLayout::difference) {
+    paintLabel(painter, differenceTitle(), differenceTitleRect());
+    const Note note = differenceNote();
+    painter.setOpacity(m_labelFade.currentValue().toDouble());
+    paintNote(painter, note);
+    painter.setOpacity(1.0);
+    plates.insert(plates.end(), {differenceTitleRect(), note.plate});
+  }
+  return plates;
 }
 
-void CompareView::paintScale(QPainter& painter) {
-  if (!m_scene.volume->info().spacingKnown)
+// Scale and notes at the lower edge; tells the plates. The notes never give way, the scale does.
+std::vector<QRectF> CompareView::paintNotes(QPainter& painter) {
+  const double room = width() - 2 * margin;
+  const Note warning =
+      noteAt(font(), tr("Not for diagnosis"), {width() - margin, height() - margin}, Qt::AlignRight, room);
+  paintNote(painter, warning);
+  std::vector<QRectF> plates{warning.plate};
+  const std::optional<ScaleMark> scale = scaleMark();
+  if (scale && !scale->plate.adjusted(0.0, 0.0, margin, 0.0).intersects(warning.plate)) {
+    paintScaleBar(painter, *scale);
+    plates.push_back(scale->plate);
+  }
+  if (!m_state.limitation.isEmpty()) {
+    Note note =
+        noteAt(font(), m_state.limitation, {width() / 2.0, height() - 3 * margin}, Qt::AlignHCenter, room);
+    note.plate.moveBottom(
+        clearRowAbove(note.plate.bottom(), note.plate.size(), {note.plate.center().x()}, plates));
+    paintNote(painter, note);
+    plates.push_back(note.plate);
+  }
+  return plates;
+}
+
+void CompareView::paintOrientation(QPainter& painter, const std::vector<QRectF>& plates) {
+  const int pictures = m_layout == CompareLayout::sideBySide ? 2 : 1;
+  std::vector<double> columns;
+  for (int position = 0; position < pictures; ++position) {
+    double column = logicalRect(position).center().x();
+    if (m_layout == CompareLayout::wipe && std::abs(m_wipe * width() - column) < 2 * margin)
+      column = m_wipe * width() + 2 * margin; // beside the border, not under it
+    columns.push_back(column);
+  }
+  if (!m_scene.volume->info().orientationKnown) {
+    Note note =
+        noteAt(font(), tr("Orientation unknown"), {0.0, 0.0}, Qt::AlignHCenter, logicalRect(0).width());
+    note.plate.moveBottom(clearRowAbove(height() - margin, note.plate.size(), columns, plates));
+    for (const double column : columns) {
+      note.plate.moveLeft(column - note.plate.width() / 2);
+      paintNote(painter, note);
+    }
     return;
+  }
+  const QSizeF letter = letterSize(font());
+  const double top = clearRowBelow(margin, letter, columns, plates);
+  const double bottom = clearRowAbove(height() - margin, letter, columns, plates);
+  for (int position = 0; position < pictures; ++position)
+    paintLetters(painter, orientationLetters(m_scene.camera), logicalRect(position), columns[position], top,
+                 bottom);
+}
+
+std::optional<ScaleMark> CompareView::scaleMark() const {
+  if (!m_scene.volume->info().spacingKnown)
+    return std::nullopt;
   const QRectF side = logicalRect(0);
   const ScaleBar bar = scaleBar(mmPerPixel(m_scene.camera, side.height()), std::min(160.0, side.width() / 4));
   if (bar.pixels < 8.0)
-    return;
+    return std::nullopt;
   const QString length = tr("%1 mm").arg(bar.lengthMm);
   // In perspective a length holds at one distance only.
   const bool perspective = m_scene.camera.projection == Camera::Projection::perspective;
-  paintScaleBar(painter, bar, perspective ? tr("%1 at the centre").arg(length) : length, side);
+  const QString text = perspective ? tr("%1 at the centre").arg(length) : length;
+  return ScaleMark{bar, text, scaleBarPlate(font(), bar, text, side)};
 }
 
 } // namespace limn

@@ -50,7 +50,7 @@ constexpr double arrowWidth = 4 * unit;
 
 } // namespace
 
-QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, bool toTheRight) {
+QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment) {
   const QFontMetricsF title(titleFont(font));
   const QFontMetricsF details(font);
   double width = title.horizontalAdvance(label.title) + 4 * unit;
@@ -60,8 +60,37 @@ QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side,
     width += details.horizontalAdvance(label.details) + 2 * unit;
   width = std::min(width, side.width() - 2 * margin);
   const double height = title.height() + 2 * unit;
-  const double x = toTheRight ? side.right() - margin - width : side.left() + margin;
+  double x = side.left() + margin;
+  if (alignment & Qt::AlignRight)
+    x = side.right() - margin - width;
+  else if (alignment & Qt::AlignHCenter)
+    x = side.center().x() - width / 2;
   return {x, side.top() + margin, width, height};
+}
+
+Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::Alignment alignment,
+            double room) {
+  const QFontMetricsF metrics(smallFont(font));
+  const QString fitting = metrics.elidedText(text, Qt::ElideRight, std::max(0.0, room - 3 * unit));
+  const QSizeF size(metrics.horizontalAdvance(fitting) + 3 * unit, metrics.height() + unit);
+  double left = corner.x();
+  if (alignment & Qt::AlignRight)
+    left -= size.width();
+  else if (alignment & Qt::AlignHCenter)
+    left -= size.width() / 2;
+  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size)};
+}
+
+QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side) {
+  const QFontMetricsF metrics(smallFont(font));
+  const double width = std::max(bar.pixels, metrics.horizontalAdvance(text)) + 4 * unit;
+  const double height = metrics.height() + 4 * unit;
+  return {side.left() + margin, side.bottom() - margin - height, width, height};
+}
+
+QSizeF letterSize(const QFont& font) {
+  const QFontMetricsF metrics(titleFont(font));
+  return {metrics.horizontalAdvance(QStringLiteral("WWW")), metrics.height()};
 }
 
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
@@ -92,38 +121,33 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
 }
 
 void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
-                  double labelBottom) {
+                  double top, double bottom) {
   painter.save();
+  const QSizeF size = letterSize(painter.font());
   painter.setFont(titleFont(painter.font()));
-  const QFontMetricsF metrics(painter.font());
-  const double height = metrics.height();
-  const double width = metrics.horizontalAdvance(QStringLiteral("WWW"));
   const double middle = side.center().y();
-  const auto place = [&](double x, double y) { return QRectF(x - width / 2, y - height / 2, width, height); };
-  const double inset = margin + height / 2;
+  const auto place = [&](double x, double y) {
+    return QRectF(QPointF(x - size.width() / 2, y - size.height() / 2), size);
+  };
+  const double inset = margin + size.height() / 2;
   paintOutlined(painter, place(side.left() + inset, middle), QString::fromStdString(letters.left));
   paintOutlined(painter, place(side.right() - inset, middle), QString::fromStdString(letters.right));
-  paintOutlined(painter, place(column, std::max(side.top() + margin, labelBottom) + height / 2),
-                QString::fromStdString(letters.top));
-  paintOutlined(painter, place(column, side.bottom() - inset), QString::fromStdString(letters.bottom));
+  paintOutlined(painter, place(column, top + size.height() / 2), QString::fromStdString(letters.top));
+  paintOutlined(painter, place(column, bottom - size.height() / 2), QString::fromStdString(letters.bottom));
   painter.restore();
 }
 
-void paintScaleBar(QPainter& painter, const ScaleBar& bar, const QString& text, const QRectF& side) {
+void paintScaleBar(QPainter& painter, const ScaleMark& mark) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setFont(smallFont(painter.font()));
-  const QFontMetricsF metrics(painter.font());
-  const double width = std::max(bar.pixels, metrics.horizontalAdvance(text)) + 4 * unit;
-  const double height = metrics.height() + 4 * unit;
-  const QRectF plate(side.left() + margin, side.bottom() - margin - height, width, height);
-  paintPlate(painter, plate);
-  const double x = plate.left() + 2 * unit;
-  const double y = plate.bottom() - 2 * unit;
+  paintPlate(painter, mark.plate);
+  const double x = mark.plate.left() + 2 * unit;
+  const double y = mark.plate.bottom() - 2 * unit;
   painter.setPen(QPen(textColor, 1.0));
-  painter.drawPolyline(QPolygonF(
-      {QPointF(x, y - unit), QPointF(x, y), QPointF(x + bar.pixels, y), QPointF(x + bar.pixels, y - unit)}));
-  painter.drawText(plate.adjusted(2 * unit, unit, 0, 0), Qt::AlignLeft | Qt::AlignTop, text);
+  painter.drawPolyline(QPolygonF({QPointF(x, y - unit), QPointF(x, y), QPointF(x + mark.bar.pixels, y),
+                                  QPointF(x + mark.bar.pixels, y - unit)}));
+  painter.drawText(mark.plate.adjusted(2 * unit, unit, 0, 0), Qt::AlignLeft | Qt::AlignTop, mark.text);
   painter.restore();
 }
 
@@ -172,17 +196,13 @@ void paintProbe(QPainter& painter, const QPointF& point, const QString& text, co
   painter.restore();
 }
 
-void paintNote(QPainter& painter, const QString& text, const QPointF& corner, Qt::Alignment alignment) {
+void paintNote(QPainter& painter, const Note& note) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(smallFont(painter.font()));
-  const QFontMetricsF metrics(painter.font());
-  const QSizeF size(metrics.horizontalAdvance(text) + 3 * unit, metrics.height() + unit);
-  const double left = alignment & Qt::AlignRight ? corner.x() - size.width() : corner.x() - size.width() / 2;
-  const QRectF plate(QPointF(left, corner.y() - size.height()), size);
-  paintPlate(painter, plate);
+  paintPlate(painter, note.plate);
   painter.setPen(quietColor);
-  painter.drawText(plate, Qt::AlignCenter, text);
+  painter.drawText(note.plate, Qt::AlignCenter, note.text);
   painter.restore();
 }
 

@@ -4,10 +4,10 @@
 #include "widgets/view/OrientationLetters.h"
 #include "widgets/view/ScaleBar.h"
 
+#include <QFont>
 #include <QRectF>
 #include <QString>
 
-class QFont;
 class QPainter;
 
 namespace limn {
@@ -21,22 +21,44 @@ struct SideLabel {
   bool leadsToMenu = true; ///< shows that a click changes the model
 };
 
-/// The plate of a label whose side is `side`, logical pixels. A label of the right half of a wipe is aligned
-/// to the right (`toTheRight`).
-QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, bool toTheRight);
+/// The plate of a label at the upper edge of `side`, logical pixels: left, centred or right.
+QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment);
+
+/// A small line of text on a plate of its own.
+struct Note {
+  QString text;
+  QRectF plate;
+};
+
+/// A note with its lower right, lower centre or lower left at `corner`; text that is wider than `room` is
+/// shortened.
+Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::Alignment alignment,
+            double room);
+
+/// The plate of a scale bar in the lower left corner of `side`.
+QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side);
+
+/// A scale bar with its text and plate.
+struct ScaleMark {
+  ScaleBar bar;
+  QString text;
+  QRectF plate;
+};
+
+/// The room an orientation letter takes.
+QSizeF letterSize(const QFont& font);
 
 /// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on
 /// any picture.
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
-/// The upper letter keeps clear of `labelBottom`; the upper and lower ones stand at `column`.
+/// The upper letter starts at `top`, the lower one ends at `bottom`; both stand at `column`.
 void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
-                  double labelBottom);
-void paintScaleBar(QPainter& painter, const ScaleBar& bar, const QString& text, const QRectF& side);
+                  double top, double bottom);
+void paintScaleBar(QPainter& painter, const ScaleMark& mark);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
 /// Marks the probed point and tells its value.
 void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
-/// A small line of text with its bottom right, or bottom centre, at `corner`.
-void paintNote(QPainter& painter, const QString& text, const QPointF& corner, Qt::Alignment alignment);
+void paintNote(QPainter& painter, const Note& note);
 
 } // namespace limn

@@ -9,9 +9,6 @@
 namespace limn {
 namespace {
 
-// How much the difference of two pictures is amplified.
-constexpr double differenceGain = 4.0;
-
 // Qt's painter leaves its own state behind.
 void resetState() {
   glDisable(GL_BLEND);

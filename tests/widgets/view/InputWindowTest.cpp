@@ -183,6 +183,19 @@ TEST_F(ViewInput, aClickOnALabelChoosesTheModelOfThatSide) {
   EXPECT_EQ(host.cameraEdits, 0);
 }
 
+TEST_F(ViewInput, theTitleOfTheDifferenceExplainsItAndTheLabelsStillChoose) {
+  host.view.setCompareLayout(CompareLayout::difference);
+  host.move({200, 48}); // under the two labels, between which the title does not fit
+  EXPECT_TRUE(host.view.toolTip().contains(QStringLiteral("differ")));
+  host.move({200, 150});
+  EXPECT_TRUE(host.view.toolTip().isEmpty());
+  QTest::mouseClick(host.view.windowHandle(), Qt::LeftButton, {}, {225, 20}); // the right half's label
+  auto* menu = host.view.findChild<QMenu*>();
+  ASSERT_NE(menu, nullptr);
+  EXPECT_TRUE(menu->actions()[2]->isChecked()); // enhanced
+  menu->close();
+}
+
 TEST_F(ViewInput, doubleClickAsksToMaximise) {
   QSignalSpy maximise(&host.view, &CompareView::maximiseRequested);
   QTest::mouseDClick(host.view.windowHandle(), Qt::LeftButton, {}, {200, 150});
