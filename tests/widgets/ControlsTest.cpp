@@ -56,6 +56,22 @@ TEST(SliderScale, isExactAtItsEndsAndGeometricInTheMiddle) {
   EXPECT_DOUBLE_EQ(fractionOf(scale, 5000.0), 1.0);
 }
 
+TEST(NumberField, leavesUndoToTheProgramButWhileOneTypes) {
+  NumberField field(0.0, 100.0, 2);
+  field.show();
+  const auto takesUndo = [&] {
+    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    undo.ignore();
+    QCoreApplication::sendEvent(&field, &undo);
+    return undo.isAccepted();
+  };
+  EXPECT_FALSE(takesUndo());
+  QTest::keyClicks(&field, "5");
+  EXPECT_TRUE(takesUndo());
+  QTest::keyClick(&field, Qt::Key_Return);
+  EXPECT_FALSE(takesUndo());
+}
+
 TEST(NumberField, keepsTheExactNumberWhereItShowsARoundedOne) {
   NumberField field(0.0, 1.0, 4);
   field.setShownAs(opacityText);

@@ -3,6 +3,8 @@
 
 #include "widgets/ValueText.h"
 
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QWheelEvent>
 
 namespace limn {
@@ -38,6 +40,18 @@ QString NumberField::textFromValue(double value) const {
   return m_write ? m_write(value) : plainNumber(value, decimals());
 }
 
+bool NumberField::event(QEvent* event) {
+  // Undo belongs to the text while one types, and to the program before and after.
+  if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QDoubleSpinBox::event(event);
+}
+
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
     QDoubleSpinBox::wheelEvent(event);
@@ -46,6 +60,7 @@ void NumberField::wheelEvent(QWheelEvent* event) {
 }
 
 void NumberField::reportIfChanged() {
+  lineEdit()->setModified(false);
   // The display rounds: an untouched field must not replace the exact number by its rounding.
   const double shownBefore =
       std::clamp(QString::number(m_number, 'f', decimals()).toDouble(), minimum(), maximum());

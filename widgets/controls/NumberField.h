@@ -27,6 +27,7 @@ signals:
   void numberEdited(double number);
 
 protected:
+  bool event(QEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
 private:
