@@ -39,6 +39,8 @@ void MainWindow::applyPreset(const QString& name) {
   m_presetFunction = preset.transferFunction;
   m_session.edit(withPreset(m_session.scene(), preset, true),
                  {nextGestureId(), tr("use preset %1").arg(name)});
+  // A preset that changes nothing is in use as well.
+  m_presets->setCurrent(name);
 }
 
 void MainWindow::applyWindowPreset(int number) {
@@ -82,6 +84,9 @@ void MainWindow::savePreset() {
     try {
       m_presetStore.save(preset);
       refreshPresets();
+      m_presetName = name;
+      m_presetFunction = preset.transferFunction;
+      m_presets->setCurrent(name);
     } catch (const Error& error) {
       showError(QString::fromStdString(error.what()));
     }
