@@ -102,7 +102,6 @@ private:
   void applyWindowPreset(int number);
   void savePreset();
   void deletePreset(const QString& name);
-  std::vector<Preset> allPresets() const;
 
   void showError(const QString& sentence);
 

@@ -19,15 +19,8 @@ void MainWindow::refreshPresets() {
     showError(QString::fromStdString(own.problems.front()));
 }
 
-std::vector<Preset> MainWindow::allPresets() const {
-  std::vector<Preset> presets = builtInPresets();
-  for (Preset& own : m_presetStore.read().presets)
-    presets.push_back(std::move(own));
-  return presets;
-}
-
 void MainWindow::applyPreset(const QString& name) {
-  const std::vector<Preset> presets = allPresets();
+  const std::vector<Preset> presets = allPresets(m_presetStore);
   const auto found = std::find_if(presets.begin(), presets.end(),
                                   [&](const Preset& preset) { return preset.name == name.toStdString(); });
   if (found == presets.end() || !m_session.scene().volume)
@@ -50,7 +43,7 @@ void MainWindow::applyWindowPreset(int number) {
     m_session.setTransferFunction(automaticRamp(m_histogram), {nextGestureId(), tr("use the full range")});
     return;
   }
-  const std::vector<Preset> presets = allPresets();
+  const std::vector<Preset> presets = allPresets(m_presetStore);
   if (static_cast<std::size_t>(number) <= presets.size())
     applyPreset(QString::fromStdString(presets[static_cast<std::size_t>(number - 1)].name));
 }

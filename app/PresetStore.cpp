@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/PresetStore.h"
 
+#include "app/BuiltInPresets.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
@@ -61,6 +62,25 @@ void PresetStore::remove(const std::string& name) const {
   std::filesystem::remove(fileOf(name), failed);
   if (failed)
     throw Error(Error::Kind::other, "Cannot delete the preset \"" + name + "\": " + failed.message() + ".");
+}
+
+std::vector<Preset> allPresets(const PresetStore& store) {
+  std::vector<Preset> presets = builtInPresets();
+  for (Preset& own : store.read().presets)
+    presets.push_back(std::move(own));
+  return presets;
+}
+
+Preset presetNamed(const std::vector<Preset>& presets, const std::string& name) {
+  const QString wanted = QString::fromStdString(name);
+  for (const Qt::CaseSensitivity sensitivity : {Qt::CaseSensitive, Qt::CaseInsensitive})
+    for (const Preset& preset : presets)
+      if (QString::fromStdString(preset.name).compare(wanted, sensitivity) == 0)
+        return preset;
+  std::string known;
+  for (const Preset& preset : presets)
+    known += (known.empty() ? "" : ", ") + preset.name;
+  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; there are: " + known + ".");
 }
 
 } // namespace limn

@@ -35,4 +35,11 @@ private:
   std::filesystem::path m_folder;
 };
 
+/// The built-in presets, then the user's own that could be read.
+std::vector<Preset> allPresets(const PresetStore& store);
+
+/// The preset of this name, upper and lower case alike where no name matches exactly. Throws Error (usage)
+/// that lists the names.
+Preset presetNamed(const std::vector<Preset>& presets, const std::string& name);
+
 } // namespace limn

@@ -5,7 +5,6 @@
 #include "app/PresetStore.h"
 #include "app/commands/Arguments.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
 
 #include <cstdio>
 #include <iostream>
@@ -27,15 +26,7 @@ void listPresets() {
 }
 
 void showPreset(const std::string& name) {
-  std::vector<Preset> presets = builtInPresets();
-  for (const Preset& own : PresetStore::ofThisUser().read().presets)
-    presets.push_back(own);
-  for (const Preset& preset : presets)
-    if (preset.name == name) {
-      std::cout << presetToJson(preset);
-      return;
-    }
-  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; `limn presets list` names them all.");
+  std::cout << presetToJson(presetNamed(allPresets(PresetStore::ofThisUser()), name));
 }
 
 } // namespace

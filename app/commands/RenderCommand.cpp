@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/RenderCommand.h"
 
-#include "app/BuiltInPresets.h"
 #include "app/PictureMaker.h"
 #include "app/PresetStore.h"
 #include "app/commands/Arguments.h"
@@ -53,22 +52,11 @@ Value chosen(const std::map<std::string, Value>& choices, const std::string& wor
   throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
 }
 
-Preset presetNamed(const std::string& name) {
-  std::vector<Preset> presets = builtInPresets();
-  for (Preset& own : PresetStore::ofThisUser().read().presets)
-    presets.push_back(std::move(own));
-  std::string known;
-  for (const Preset& preset : presets) {
-    if (preset.name == name)
-      return preset;
-    known += (known.empty() ? "" : ", ") + preset.name;
-  }
-  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; there are: " + known + ".");
-}
-
 Scene adjusted(Scene scene, const RenderArguments& arguments) {
   if (!arguments.preset.empty())
-    scene = withPreset(scene, fittedTo(presetNamed(arguments.preset), *scene.volume), true);
+    scene = withPreset(
+        scene, fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset), *scene.volume),
+        true);
   if (!arguments.view.empty())
     scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
   if (arguments.stepVoxels > 0.0)

@@ -156,6 +156,7 @@ TEST_F(CommandLine, presetsAreListedAndShown) {
   EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 6);
   const Outcome show = run("presets show 'CT bone'");
   EXPECT_EQ(nlohmann::json::parse(show.out)["name"], "CT bone");
+  EXPECT_EQ(run("presets show 'ct BONE'").out, show.out);
 }
 
 TEST_F(CommandLine, aRealHeadRendersFromItsFile) {
