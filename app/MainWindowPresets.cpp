@@ -27,7 +27,7 @@ void MainWindow::applyPreset(const QString& name) {
     return;
   const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
   // Own presets were shaped on data like this; built-in ones fit themselves to it.
-  const Preset preset = isBuiltIn ? fittedTo(*found, *m_session.scene().volume) : *found;
+  const Preset preset = isBuiltIn ? fittedTo(*found, m_histogram) : *found;
   m_presetName = name;
   m_presetFunction = preset.transferFunction;
   m_session.edit(withPreset(m_session.scene(), preset, true),

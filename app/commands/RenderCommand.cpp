@@ -54,9 +54,10 @@ Value chosen(const std::map<std::string, Value>& choices, const std::string& wor
 
 Scene adjusted(Scene scene, const RenderArguments& arguments) {
   if (!arguments.preset.empty())
-    scene = withPreset(
-        scene, fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset), *scene.volume),
-        true);
+    scene = withPreset(scene,
+                       fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
+                                histogramOf(*scene.volume)),
+                       true);
   if (!arguments.view.empty())
     scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
   if (arguments.stepVoxels > 0.0)

@@ -87,11 +87,10 @@ TransferFunction automaticRamp(const Histogram& histogram) {
            {high, {1.0, 0.97, 0.90}, 0.6}}};
 }
 
-Preset fittedTo(const Preset& preset, const Volume& volume) {
+Preset fittedTo(const Preset& preset, const Histogram& histogram) {
   const auto& points = preset.transferFunction.points;
   if (preset.modality == "CT" || points.size() < 2 || points.front().value == points.back().value)
     return preset;
-  const Histogram histogram = histogramOf(volume, 4096);
   const double low = quantile(histogram, 0.005);
   const double high = quantile(histogram, 0.998);
   if (!(high > low))
@@ -110,7 +109,7 @@ Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume) {
       return *preset;
   } else if (volume.info().modality == "MR") {
     if (const Preset* preset = named(builtIn, "MR head"))
-      return fittedTo(*preset, volume);
+      return fittedTo(*preset, histogramOf(volume));
   }
   Preset automatic;
   automatic.name = "Automatic";

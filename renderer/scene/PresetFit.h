@@ -22,7 +22,7 @@ TransferFunction automaticRamp(const Histogram& histogram);
 
 /// A preset moved onto data without an absolute scale (MR): its first and last point go to the 0.5 % and
 /// 99.8 % quantiles of the volume's values. CT presets stay where Hounsfield put them.
-Preset fittedTo(const Preset& preset, const Volume& volume);
+Preset fittedTo(const Preset& preset, const Histogram& histogram);
 
 /// The preset a volume opens with: by modality and value range from `builtIn`, fitted; the automatic ramp
 /// where none suits. `builtIn` may be empty.

@@ -41,10 +41,10 @@ TEST(PresetFit, automaticRampIsTransparentForTheBackgroundAndShowsTheObject) {
 }
 
 TEST(PresetFit, stretchesMrPresetsAndLeavesCtPresetsWhereHounsfieldPutThem) {
-  const Preset mr = fittedTo(spanning(0, 1000, "MR"), twoClasses());
+  const Preset mr = fittedTo(spanning(0, 1000, "MR"), histogramOf(twoClasses()));
   EXPECT_NEAR(mr.transferFunction.points.front().value, 5.0, 0.1);
   EXPECT_NEAR(mr.transferFunction.points.back().value, 95.0, 0.1);
-  EXPECT_EQ(fittedTo(spanning(0, 1000, "CT"), twoClasses()), spanning(0, 1000, "CT"));
+  EXPECT_EQ(fittedTo(spanning(0, 1000, "CT"), histogramOf(twoClasses())), spanning(0, 1000, "CT"));
 }
 
 TEST(PresetFit, recognisesHounsfieldUnitsByNameOrRange) {
