@@ -3,6 +3,7 @@
 
 #include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
+#include "raycaster/CoveredPixels.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
@@ -32,6 +33,11 @@ void requireOpenGl3() {
 void bind(TextureUnit unit, unsigned target, unsigned texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(target, texture);
+}
+
+// OpenGL's rows go upwards.
+void scissor(const PixelRect& rect, const glm::ivec2& size) {
+  glScissor(rect.topLeft.x, size.y - rect.topLeft.y - rect.size.y, rect.size.x, rect.size.y);
 }
 
 // A framebuffer of floats, bound while it lives.
@@ -159,7 +165,10 @@ void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::i
   // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(tile.topLeft.x, size.y - tile.topLeft.y - tile.size.y, tile.size.x, tile.size.y);
+  scissor(tile, size);
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  scissor(intersection(tile, coveredPixels(scene, size)), size);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
