@@ -17,7 +17,7 @@ Gathered gather(March march, int count) {
     while (!mayBeSeenBetween(before, behind)) {
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
       // All steps that end in the empty blocks around this border are empty.
-      int skipped = max(1, emptySamples(next, march.advance));
+      int skipped = max(1, emptySamples(march.blocks, float(i) + 0.5));
       i += skipped;
       if (skipped > 1) {
         next = positionOf(march, float(i) - 0.5);
