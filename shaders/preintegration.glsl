@@ -9,16 +9,15 @@ bool mayBeSeenBetween(float a, float b) {
   return high.g + (high.r > 0.0 ? 1.0 : 0.0) > low.g;
 }
 
-float segmentOf(float scalar) {
-  float start;
+float segmentOf(float scalar, out float start) {
   return segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
 }
 
-// The means of colour times extinction (rgb) and of extinction (a) of one segment between two scalars.
-vec4 meanOfPiece(float segment, float from, float to) {
+// The means of colour times extinction (rgb) and of extinction (a) between two scalars of the segment that
+// begins at `start`.
+vec4 meanOfPiece(float segment, float start, float from, float to) {
   vec4 value = segmentTexel(u_functionSegments, segment, 0);
   vec4 slope = segmentTexel(u_functionSegments, segment, 1);
-  float start = segmentTexel(u_functionSegments, segment, 2).x;
   bool isRising = slope.a >= 0.0;
   float faint = isRising ? from : to; // the end of less opacity
   float dense = isRising ? to : from;
@@ -36,17 +35,15 @@ vec4 meanOfPiece(float segment, float from, float to) {
 Material meanMaterial(float a, float b) {
   float from = min(a, b);
   float to = max(a, b);
-  float first = segmentOf(from);
-  float last = segmentOf(to);
-  vec4 mean;
-  if (first == last) {
-    mean = meanOfPiece(first, from, to);
-  } else {
+  float firstStart, lastStart;
+  float first = segmentOf(from, firstStart);
+  float last = segmentOf(to, lastStart);
+  bool isOnePiece = first == last;
+  float firstEnd = isOnePiece ? to : segmentTexel(u_functionSegments, first, 2).y;
+  vec4 mean = meanOfPiece(first, firstStart, from, firstEnd);
+  if (!isOnePiece) {
     // Add the piece up to the first knot, the whole segments between, and the piece behind the last knot.
-    float firstEnd = segmentTexel(u_functionSegments, first, 2).y;
-    float lastStart = segmentTexel(u_functionSegments, last, 2).x;
-    vec4 sum = (firstEnd - from) * meanOfPiece(first, from, firstEnd) +
-               (to - lastStart) * meanOfPiece(last, lastStart, to) +
+    vec4 sum = (firstEnd - from) * mean + (to - lastStart) * meanOfPiece(last, lastStart, lastStart, to) +
                (segmentTexel(u_functionSegments, last, 3) - segmentTexel(u_functionSegments, first + 1.0, 3));
     mean = sum / (to - from);
   }
