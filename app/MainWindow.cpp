@@ -26,6 +26,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   makeActions();
   connectView();
   connectPanels();
+  connectSceneSections();
   connectLoader();
   refreshPresets();
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
@@ -113,8 +114,7 @@ void MainWindow::connectPanels() {
 void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
-  m_shading->setShading(scene.shading);
-  m_shading->setQuality(scene.quality);
+  m_shading->setScene(scene);
   const bool showsPreset = scene.volume && scene.transferFunction == m_presetFunction;
   m_presets->setCurrent(showsPreset ? m_presetName : QString());
   showModels();

@@ -103,6 +103,12 @@ private:
   void savePreset();
   void deletePreset(const QString& name);
 
+  // MainWindowScene.cpp
+  void connectSceneSections();
+  void setProjection(Projection projection, const Gesture& gesture);
+  template <class Change>
+  void editScene(const Gesture& gesture, Change&& change);
+
   void showError(const QString& sentence);
 
   Settings m_settings;

@@ -10,6 +10,7 @@
 #include "scene/Error.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/shading/ShadingPanel.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -99,6 +100,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
+  m_shading->foldUnused();
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
                              .arg(grid.dims.x)
