@@ -7,6 +7,7 @@
 #include "widgets/shading/ShadingPanel.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -40,6 +41,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
 MainWindow::~MainWindow() {
   // The view's last words must not reach a window half gone.
   m_view->disconnect(this);
+  qApp->disconnect(this);
 }
 
 void MainWindow::layOut() {

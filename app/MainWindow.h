@@ -105,6 +105,9 @@ private:
 
   // MainWindowScene.cpp
   void connectSceneSections();
+  QAction* makeCropBoxAction();
+  void showCropBox();
+  void followFocus(QWidget* now);
   void setProjection(Projection projection, const Gesture& gesture);
   template <class Change>
   void editScene(const Gesture& gesture, Change&& change);
@@ -120,6 +123,7 @@ private:
   TransferFunction m_presetFunction;
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
+  bool m_cropIsEdited = false; ///< in its section, or in the view since
   /// A source as it was asked for, to read it again with other options.
   struct Request {
     QString source;
@@ -146,6 +150,7 @@ private:
   QActionGroup* m_layoutActions = nullptr;
   QActionGroup* m_modelActions = nullptr;
   QAction* m_orthographicAction = nullptr;
+  QAction* m_cropBoxAction = nullptr;
   QAction* m_patientAction = nullptr;
   QAction* m_focusAction = nullptr;
   QList<QAction*> m_sceneActions; ///< enabled while a volume is open

@@ -2,8 +2,12 @@
 #include "app/MainWindow.h"
 
 #include "scene/PresetFit.h"
+#include "widgets/scene/CropSection.h"
 #include "widgets/scene/ProjectionSection.h"
 #include "widgets/shading/ShadingPanel.h"
+
+#include <QAction>
+#include <QApplication>
 
 namespace limn {
 
@@ -25,6 +29,38 @@ void MainWindow::connectSceneSections() {
   connect(m_shading, &ShadingPanel::cropEdited, this, [this](const CropBox& crop, const Gesture& gesture) {
     editScene(gesture, [&](Scene& scene) { scene.crop = crop; });
   });
+  connect(m_view, &CompareView::cropEdited, m_shading, &ShadingPanel::cropEdited);
+  connect(m_shading->cropSection(), &FoldingSection::foldedByUser, this, [this](bool folded) {
+    m_cropIsEdited = !folded;
+    showCropBox();
+  });
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { followFocus(now); });
+}
+
+QAction* MainWindow::makeCropBoxAction() {
+  m_cropBoxAction = new QAction(tr("&Crop box"), this);
+  m_cropBoxAction->setCheckable(true);
+  m_cropBoxAction->setShortcut(QKeySequence(Qt::Key_B));
+  // A letter belongs to whatever has the focus: this one to the picture.
+  m_cropBoxAction->setShortcutContext(Qt::WidgetShortcut);
+  m_view->addAction(m_cropBoxAction);
+  m_cropBoxAction->setToolTip(
+      tr("Shows a box with handles in the picture; what is outside is cut away. (B)"));
+  connect(m_cropBoxAction, &QAction::toggled, this, &MainWindow::showCropBox);
+  m_sceneActions << m_cropBoxAction;
+  return m_cropBoxAction;
+}
+
+void MainWindow::showCropBox() {
+  m_view->setCropBoxVisible(m_cropBoxAction->isChecked() || m_cropIsEdited);
+}
+
+// The box shows while the crop section is used, and on while one goes from there to its handles in the view.
+void MainWindow::followFocus(QWidget* now) {
+  if (!now)
+    return; // another program's turn
+  m_cropIsEdited = m_shading->cropSection()->isAncestorOf(now) || (m_cropIsEdited && now == m_view);
+  showCropBox();
 }
 
 void MainWindow::setProjection(Projection projection, const Gesture& gesture) {

@@ -110,6 +110,7 @@ void CompareView::paintOverlay() {
     const QRectF right = logicalRect(1);
     painter.fillRect(QRectF(left.topRight(), right.bottomLeft()), QColor(70, 76, 88));
   }
+  paintCropBoxes(painter);
   if (m_layout == CompareLayout::wipe)
     paintWipeBorder(painter, m_wipe * width(), rect(), m_wipeHovered || (m_drag && m_drag->wipe));
   std::vector<QRectF> plates = paintTitles(painter);
