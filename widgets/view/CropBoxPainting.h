@@ -3,6 +3,8 @@
 
 #include "widgets/view/CropBoxGeometry.h"
 
+#include <Qt>
+
 class QPainter;
 
 namespace limn {
