@@ -55,7 +55,8 @@ void saveEditor(const QString& prefix) {
   wide.points.back().value = 9000.0; // beyond the values of the histogram
   editor.setTransferFunction(wide);
   save(editor, {1200, 260}, prefix + "editor_wide.png");
-  auto* popup = new PointPopup(sampleFunction(), 2, QStringLiteral("HU"), 1, &editor); // deletes itself
+  auto* popup = new PointPopup(CurveSubject::value, sampleFunction(), 2, QStringLiteral("HU"), 1,
+                               &editor); // deletes itself
   save(*popup, popup->sizeHint(), prefix + "popup.png");
   popup->close();
   TransferFunctionEditor empty;

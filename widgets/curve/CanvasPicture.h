@@ -3,6 +3,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/curve/CurveGeometry.h"
+#include "widgets/curve/CurveSubject.h"
 
 #include <QPixmap>
 #include <QString>
@@ -16,12 +17,14 @@ namespace limn {
 
 /// Everything the plot shows, as one value for the painting functions.
 struct CanvasPicture {
+  CurveSubject subject = CurveSubject::value;
   TransferFunction function;
   PlotTransform transform;
   ThemeColors colors;
   QString unit;
   int decimals = 0;  ///< of shown values
   QPixmap histogram; ///< null without a volume
+  QString hint;      ///< in the middle of the plot, empty for none
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;

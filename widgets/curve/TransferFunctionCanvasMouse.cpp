@@ -251,7 +251,8 @@ void TransferFunctionCanvas::addPointActions(QMenu& menu, std::size_t index) {
   const QString text = m_selected.size() > 1 ? tr("Delete %1 points").arg(m_selected.size()) : tr("Delete");
   QAction* deletion = menu.addAction(text, this, &TransferFunctionCanvas::deleteSelected);
   deletion->setEnabled(m_function.points.size() > 1);
-  menu.addAction(tr("Colour and numbers…"), this, [this, index] { emit pointDetailsRequested(index); });
+  menu.addAction(hasColors(m_subject) ? tr("Colour and numbers…") : tr("Numbers…"), this,
+                 [this, index] { emit pointDetailsRequested(index); });
 }
 
 void TransferFunctionCanvas::contextMenuEvent(QContextMenuEvent* event) {
