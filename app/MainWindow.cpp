@@ -2,6 +2,8 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -28,6 +30,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   connectView();
   connectPanels();
   connectSceneSections();
+  connectGradientCurve();
   connectLoader();
   refreshPresets();
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
@@ -55,7 +58,8 @@ void MainWindow::layOut() {
   column->addWidget(m_view, 1);
   setCentralWidget(centre);
 
-  m_editor = new TransferFunctionEditor(this);
+  m_curves = new CurvePanel(this);
+  m_editor = m_curves->valueEditor();
   m_shading = new ShadingPanel(this);
   m_presets = new PresetBrowser(this);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -64,7 +68,7 @@ void MainWindow::layOut() {
   m_shadingDock =
       addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
   m_curveDock =
-      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_editor, Qt::BottomDockWidgetArea);
+      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
   resizeDocks({m_curveDock}, {280}, Qt::Vertical);
 
@@ -116,6 +120,8 @@ void MainWindow::connectPanels() {
 void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
+  m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
+  m_curves->setGradientUsed(scene.gradientOpacity.has_value());
   m_shading->setScene(scene);
   const bool showsPreset = scene.volume && scene.transferFunction == m_presetFunction;
   m_presets->setCurrent(showsPreset ? m_presetName : QString());

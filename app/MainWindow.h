@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/GradientMeasurer.h"
 #include "app/PresetStore.h"
 #include "app/Session.h"
 #include "app/Settings.h"
@@ -16,6 +17,7 @@ class QMenu;
 
 namespace limn {
 
+class CurvePanel;
 class MessageBar;
 class PresetBrowser;
 class ShadingPanel;
@@ -38,6 +40,7 @@ public:
   Session& session() { return m_session; }
   CompareView& view() { return *m_view; }
   TransferFunctionEditor& editor() { return *m_editor; }
+  CurvePanel& curves() { return *m_curves; }
   const VolumeLoader& loader() const { return m_loader; }
 
   void setCompareLayout(CompareLayout layout);
@@ -105,6 +108,8 @@ private:
 
   // MainWindowScene.cpp
   void connectSceneSections();
+  void connectGradientCurve();
+  void measureGradients();
   QAction* makeCropBoxAction();
   void showCropBox();
   void followFocus(QWidget* now);
@@ -118,6 +123,7 @@ private:
   PresetStore m_presetStore;
   Session m_session;
   VolumeLoader m_loader;
+  GradientMeasurer m_gradients;
   Histogram m_histogram;
   QString m_presetName; ///< the preset last used, marked in the list while its function is on screen
   TransferFunction m_presetFunction;
@@ -134,7 +140,8 @@ private:
 
   CompareView* m_view = nullptr;
   MessageBar* m_messages = nullptr;
-  TransferFunctionEditor* m_editor = nullptr;
+  CurvePanel* m_curves = nullptr;
+  TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
   ShadingPanel* m_shading = nullptr;
   PresetBrowser* m_presets = nullptr;
   QDockWidget* m_presetDock = nullptr;

@@ -81,6 +81,7 @@ void MainWindow::closeVolume() {
   m_messages->hide();
   m_session.open({});
   m_editor->setHistogram({});
+  measureGradients();
   m_volumeLabel->clear();
   updateTitle();
 }
@@ -101,6 +102,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
   m_shading->foldUnused();
+  measureGradients();
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
                              .arg(grid.dims.x)

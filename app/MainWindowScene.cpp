@@ -2,6 +2,8 @@
 #include "app/MainWindow.h"
 
 #include "scene/PresetFit.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/ProjectionSection.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -35,6 +37,30 @@ void MainWindow::connectSceneSections() {
     showCropBox();
   });
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { followFocus(now); });
+}
+
+void MainWindow::connectGradientCurve() {
+  GradientOpacityEditor* editor = m_curves->gradientEditor();
+  connect(editor, &GradientOpacityEditor::gradientOpacityEdited, this,
+          [this](const std::optional<GradientOpacity>& curve, const Gesture& gesture) {
+            editScene(gesture, [&](Scene& scene) { scene.gradientOpacity = curve; });
+          });
+  connect(m_curves, &CurvePanel::gradientShown, this, &MainWindow::measureGradients);
+  connect(&m_gradients, &GradientMeasurer::measured, editor, &GradientOpacityEditor::setHistogram);
+  connect(&m_gradients, &GradientMeasurer::failed, this, &MainWindow::showError);
+}
+
+// Counting gradients takes a while and most scenes need none of it: it waits until somebody looks.
+void MainWindow::measureGradients() {
+  const std::shared_ptr<const Volume>& volume = m_session.scene().volume;
+  GradientOpacityEditor* editor = m_curves->gradientEditor();
+  editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());
+  if (m_gradients.volume() == volume)
+    return;
+  editor->setHistogram(std::nullopt);
+  const bool begins = volume && m_curves->gradientIsShown();
+  editor->setMeasuring(begins);
+  m_gradients.measure(begins ? volume : nullptr);
 }
 
 QAction* MainWindow::makeCropBoxAction() {

@@ -82,9 +82,17 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   return row;
 }
 
-void TransferFunctionEditor::addLeading(QWidget* control) {
-  m_row->insertWidget(m_leading++, control);
+void TransferFunctionEditor::addLeading(QWidget* control, int place) {
+  m_row->insertWidget(place < 0 ? m_leading : place, control);
+  ++m_leading;
   hideWhatHasNoRoom();
+}
+
+void TransferFunctionEditor::setEditable(bool editable) {
+  m_canvas->setEnabled(editable);
+  for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll})
+    control->setEnabled(editable);
+  m_fields->setVisible(editable);
 }
 
 void TransferFunctionEditor::connectCanvas() {

@@ -29,8 +29,11 @@ class TransferFunctionEditor : public QWidget {
 public:
   explicit TransferFunctionEditor(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
 
-  /// Puts a control before the numbers of the selected point.
-  void addLeading(QWidget* control);
+  /// Puts a control before the numbers of the selected point, after the others there or at a place of theirs.
+  void addLeading(QWidget* control, int place = -1);
+
+  /// Whether the curve can be edited; it can unless said otherwise. The histogram shows in any case.
+  void setEditable(bool editable);
 
   void setTransferFunction(const TransferFunction& function);
 
