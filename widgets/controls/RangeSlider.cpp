@@ -28,8 +28,6 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_slider, 1, 0, 1, 4);
   layout->setColumnStretch(0, 1);
 
-  m_lower->setFixedWidth(58);
-  m_upper->setFixedWidth(58);
   setRange(spec.defaultValue, spec.defaultUpper);
   setSpec(spec);
   setUnavailable({});
@@ -49,8 +47,11 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_label->setText(spec.label);
   m_slider->setScale(spec.scale);
   m_slider->setDecimals(spec.decimals);
-  for (NumberField* field : {m_lower, m_upper})
+  for (NumberField* field : {m_lower, m_upper}) {
+    field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
+    field->setFixedWidth(spec.unit.isEmpty() ? 58 : 72);
     field->setLimits(spec.lowest, spec.highest, spec.decimals);
+  }
   m_lower->setAccessibleName(
       tr("%1, %2").arg(spec.label, spec.lowerName.isEmpty() ? tr("from") : spec.lowerName));
   m_upper->setAccessibleName(

@@ -8,6 +8,18 @@
 #include <QGridLayout>
 
 namespace limn {
+namespace {
+
+// Equal widths in a column, unless a unit and its digits need more.
+int fieldWidth(const NumberSpec& spec) {
+  if (spec.unit.size() <= 1)
+    return 72;
+  if (spec.unit.size() == 2)
+    return 84;
+  return spec.decimals > 3 ? 120 : 92;
+}
+
+} // namespace
 
 ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
     : QWidget(parent), m_spec(spec), m_label(new ResetLabel(spec.label)),
@@ -36,7 +48,7 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
 void ValueSlider::setSpec(const NumberSpec& spec) {
   m_spec = spec;
   m_label->setText(spec.label);
-  m_field->setFixedWidth(spec.unit.size() > 2 ? 92 : 72);
+  m_field->setFixedWidth(fieldWidth(spec));
   m_field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
   m_field->setLimits(spec.lowest, spec.highest, spec.decimals);
   m_slider->setScale(spec.scale);

@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr double stripHeight = 10.0;
-constexpr double stripGap = 5.0;
+constexpr double stripGap = stripBelow - stripHeight;
 constexpr double pixelsPerTick = 90.0;
 constexpr double pixelsPerOpacityTick = 24.0;
 
@@ -61,7 +61,7 @@ QString axisText(const CanvasPicture& picture) {
 
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
   const QRectF& plot = picture.transform.plot;
-  const double textTop = plot.bottom() + stripGap + stripHeight + 3.0;
+  const double textTop = plot.bottom() + (hasColors(picture.subject) ? stripBelow : 0.0) + 3.0;
   const QString unit = axisText(picture);
   const double unitWidth = painter.fontMetrics().horizontalAdvance(unit) + 12.0;
   painter.setPen(picture.colors.secondaryText);

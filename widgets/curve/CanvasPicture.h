@@ -36,12 +36,13 @@ struct CanvasPicture {
   bool focused = false;
 };
 
-/// Margins around the plot, pixels: room for the bar above, opacity labels left, colour strip and ticks
-/// below.
+/// Margins around the plot, pixels: room for the bar above, opacity labels left, the colour strip (where the
+/// curve has colours) and ticks below.
 inline constexpr double plotLeft = 52.0;
 inline constexpr double plotTop = 20.0;
 inline constexpr double plotRight = 12.0;
-inline constexpr double plotBottom = 40.0;
+inline constexpr double ticksBelow = 25.0;
+inline constexpr double stripBelow = 15.0;
 
 /// Grid, axes, tick labels and the colour strip.
 void paintAxes(QPainter& painter, const CanvasPicture& picture);

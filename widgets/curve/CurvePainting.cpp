@@ -209,17 +209,19 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   paintBox(painter, picture, text, box);
 }
 
-// On the plot's own ground, so that it can be read before a histogram.
+// On a plate where a histogram would disturb the reading.
 void paintHint(QPainter& painter, const CanvasPicture& picture) {
   if (picture.hint.isEmpty())
     return;
   const QRectF room = picture.transform.plot.adjusted(24.0, 4.0, -24.0, -4.0);
   const int flags = Qt::AlignCenter | Qt::TextWordWrap;
   const QRectF text = painter.boundingRect(room, flags, picture.hint);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(withAlpha(picture.colors.base, 220));
-  painter.drawRoundedRect(text.adjusted(-12.0, -6.0, 12.0, 6.0), 4.0, 4.0);
-  painter.setPen(picture.colors.secondaryText);
+  if (!picture.histogram.isNull()) {
+    painter.setPen(QPen(picture.colors.border, 1.0));
+    painter.setBrush(picture.colors.raised);
+    painter.drawRoundedRect(text.adjusted(-12.0, -6.0, 12.0, 6.0), 4.0, 4.0);
+  }
+  painter.setPen(picture.colors.text);
   painter.drawText(room, flags, picture.hint);
 }
 

@@ -35,17 +35,18 @@ CurvePanel::CurvePanel(QWidget* parent)
 
 QWidget* CurvePanel::makeSwitch(Switch& made) {
   auto* row = new QWidget;
+  row->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  auto* name = new QLabel(tr("Opacity over"));
-  name->setForegroundRole(QPalette::PlaceholderText);
+  made.name = new QLabel(tr("Opacity over"));
+  made.name->setForegroundRole(QPalette::PlaceholderText);
   made.value = makeButton(tr("Value"), tr("Opacity over value"),
                           tr("<p>How opaque tissue is by its value: the transfer function.</p>"));
   made.gradient = makeButton(
       tr("Gradient"), tr("Opacity over gradient"),
       tr("<p>How much of the opacity is left by how fast the value changes, so that boundaries stay.</p>"));
-  layout->addWidget(name);
+  layout->addWidget(made.name);
   layout->addSpacing(4);
   layout->addWidget(made.value);
   layout->addWidget(made.gradient);
@@ -67,6 +68,12 @@ void CurvePanel::showGradient(bool shown) {
   if (hadFocus) // the keyboard stays on the switch
     (shown ? m_switches[1].gradient : m_switches[0].value)->setFocus();
   emit gradientShown(shown);
+}
+
+void CurvePanel::resizeEvent(QResizeEvent* event) {
+  for (const Switch& pair : m_switches)
+    pair.name->setVisible(width() >= 840);
+  QStackedWidget::resizeEvent(event);
 }
 
 void CurvePanel::setGradientUsed(bool used) {

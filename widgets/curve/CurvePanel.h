@@ -5,6 +5,7 @@
 
 #include <array>
 
+class QLabel;
 class QToolButton;
 
 namespace limn {
@@ -29,6 +30,9 @@ public:
   /// Whether the scene uses the curve over the gradient, told by the switch.
   void setGradientUsed(bool used);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 signals:
   /// The curve over the gradient came into view or left it.
   void gradientShown(bool shown);
@@ -36,6 +40,7 @@ signals:
 private:
   /// The two buttons, one pair on each page.
   struct Switch {
+    QLabel* name;
     QToolButton* value;
     QToolButton* gradient;
   };

@@ -72,6 +72,7 @@ void TransferFunctionCanvas::setHint(const QString& hint) {
 }
 
 PlotTransform TransferFunctionCanvas::transform() const {
+  const double plotBottom = ticksBelow + (hasColors(m_subject) ? stripBelow : 0.0);
   const QRectF plot(plotLeft, plotTop, std::max(20.0, width() - plotLeft - plotRight),
                     std::max(20.0, height() - plotTop - plotBottom));
   return {plot, m_visible, m_fineLowOpacities};

@@ -78,7 +78,8 @@ CropSection::CropSection(QWidget* parent)
 void CropSection::setScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     m_volume = scene.volume;
-    nameAxes();
+    for (int axis = 0; axis < 3; ++axis)
+      range(axis)->setSpec(percentSpec(axisName(axis)));
   } else if (scene.crop == m_crop) {
     return;
   }
@@ -86,11 +87,10 @@ void CropSection::setScene(const Scene& scene) {
   showCrop();
 }
 
-void CropSection::nameAxes() {
+AxisName CropSection::axisName(int axis) const {
   const auto names =
       m_volume ? axisNames(m_volume->grid(), m_volume->info().orientationKnown) : axisNames({}, false);
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    m_rows[axis].range->setSpec(percentSpec(names[axis]));
+  return names[static_cast<std::size_t>(axis)];
 }
 
 void CropSection::edit(int axis, double lowerPercent, double upperPercent, const Gesture& gesture) {
@@ -107,7 +107,8 @@ void CropSection::edit(int axis, double lowerPercent, double upperPercent, const
     edited = withFaceAt(edited, grid, upper, upperPercent / 100.0);
   m_crop = edited;
   showCrop();
-  emit cropEdited(edited, gesture);
+  const QString name = axisName(axis).axis;
+  emit cropEdited(edited, {gesture.id, tr("crop %1").arg(name.toLower())});
 }
 
 void CropSection::showCrop() {

@@ -4,6 +4,7 @@
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
+#include "widgets/scene/AxisNames.h"
 
 #include <array>
 
@@ -37,7 +38,7 @@ private:
     QLabel* extent = nullptr; ///< the same in slices and millimetres
   };
 
-  void nameAxes();
+  AxisName axisName(int axis) const;
   void edit(int axis, double lowerPercent, double upperPercent, const Gesture& gesture);
   void showCrop();
 
