@@ -123,8 +123,9 @@ void MainWindow::showScene(const Scene& scene) {
   m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
   m_curves->setGradientUsed(scene.gradientOpacity.has_value());
   m_shading->setScene(scene);
-  const bool showsPreset = scene.volume && scene.transferFunction == m_presetFunction;
-  m_presets->setCurrent(showsPreset ? m_presetName : QString());
+  const bool showsPreset = scene.volume && scene.transferFunction == m_preset.transferFunction &&
+                           scene.gradientOpacity == m_preset.gradientOpacity;
+  m_presets->setCurrent(showsPreset ? QString::fromStdString(m_preset.name) : QString());
   showModels();
   m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   for (QAction* action : m_sceneActions)

@@ -125,8 +125,7 @@ private:
   VolumeLoader m_loader;
   GradientMeasurer m_gradients;
   Histogram m_histogram;
-  QString m_presetName; ///< the preset last used, marked in the list while its function is on screen
-  TransferFunction m_presetFunction;
+  Preset m_preset; ///< the one last used, marked in the list while its curves are on screen
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
   bool m_cropIsEdited = false; ///< in its section, or in the view since

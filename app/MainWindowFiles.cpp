@@ -95,8 +95,10 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
   m_editor->setPinnedValue(std::nullopt);
-  m_presetName = QString::fromStdString(loaded.preset);
-  m_presetFunction = loaded.scene.transferFunction;
+  m_preset = {};
+  m_preset.name = loaded.preset;
+  m_preset.transferFunction = loaded.scene.transferFunction;
+  m_preset.gradientOpacity = loaded.scene.gradientOpacity;
   LoadedScene shown = loaded;
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
