@@ -130,9 +130,12 @@ TEST_F(SceneSections, anUnlitProjectionDisablesLightAndSaysSo) {
   m_panel.setScene(m_scene);
   ShadingSection* light = m_panel.sections()[2];
   EXPECT_TRUE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
+  EXPECT_TRUE(light->isFolded());
   m_scene.projection = Projection::composite;
   m_panel.setScene(m_scene);
   EXPECT_FALSE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
+  EXPECT_FALSE(light->isFolded());
+  EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
 }
 
 TEST_F(SceneSections, theHeaderOfACropThatCutsNothingSaysOff) {

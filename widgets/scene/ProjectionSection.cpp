@@ -64,6 +64,10 @@ NumberSpec isovalueSpec(const Volume* volume) {
 
 } // namespace
 
+QString projectionName(Projection projection) {
+  return projectionNames().at(static_cast<int>(projection));
+}
+
 bool usesIsovalue(Projection projection) {
   return projection == Projection::isosurface || projection == Projection::compositeIsosurface;
 }

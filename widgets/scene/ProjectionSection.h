@@ -37,6 +37,9 @@ private:
   ValueSlider* m_isovalue;
 };
 
+/// "Maximum (MIP)": a clinician's word, the term in brackets.
+QString projectionName(Projection projection);
+
 /// True where the projection shows a surface at the isovalue.
 bool usesIsovalue(Projection projection);
 

@@ -61,6 +61,7 @@ void ShadingPanel::connectSections() {
 
 void ShadingPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
+  const bool otherLight = usesLight(scene.projection) != usesLight(m_scene.projection);
   m_scene = scene;
   setShading(scene.shading);
   setQuality(scene.quality);
@@ -69,6 +70,22 @@ void ShadingPanel::setScene(const Scene& scene) {
   m_fog->setScene(scene);
   if (otherProjection)
     showModels();
+  if (otherLight)
+    foldLight();
+}
+
+// Without light its sections step back; with it those come back that were open.
+void ShadingPanel::foldLight() {
+  for (ShadingSection* section : m_foldedForNow)
+    section->setFolded(false);
+  m_foldedForNow.clear();
+  if (usesLight(m_scene.projection))
+    return;
+  for (ShadingSection* section : m_sections)
+    if (!section->isFolded()) {
+      section->setFolded(true);
+      m_foldedForNow.push_back(section);
+    }
 }
 
 void ShadingPanel::setShading(const Shading& shading) {

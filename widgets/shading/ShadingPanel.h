@@ -53,9 +53,11 @@ private:
   void layOut();
   void connectSections();
   void showModels();
+  void foldLight();
 
   Scene m_scene;
   std::vector<ShadingModel> m_models{ShadingModel::classic};
+  std::vector<ShadingSection*> m_foldedForNow; ///< by a projection without light
   ProjectionSection* m_projection;
   std::vector<ShadingSection*> m_sections;
   CropSection* m_crop;

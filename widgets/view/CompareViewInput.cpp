@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/CompareView.h"
+
+#include "widgets/scene/ProjectionSection.h"
 #include "widgets/view/CropBoxPainting.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/WindowLevelGesture.h"
@@ -50,6 +52,8 @@ bool CompareView::onWipeBorder(const QPointF& point) const {
 }
 
 int CompareView::labelAt(const QPointF& point) const {
+  if (!usesLight(m_scene.projection))
+    return -1; // there is no model to choose
   for (int position = 0; position < pictureCount(m_layout); ++position)
     if (labelRect(position).contains(point))
       return position;
