@@ -17,4 +17,15 @@ inline nlohmann::json analyticCases() {
   return nlohmann::json::parse(stream)["cases"];
 }
 
+/// Whether a case is a `render`, a `helper` or a `fact`.
+inline bool isOfKind(const nlohmann::json& one, const char* kind) {
+  return one["kind"].get_ref<const std::string&>() == kind;
+}
+
+/// Whether a case needs a projection (J) or pre-integration (H), which no renderer draws yet.
+inline bool isAwaited(const nlohmann::json& one) {
+  const char group = one["id"].get_ref<const std::string&>().front();
+  return group == 'J' || group == 'H';
+}
+
 } // namespace limn::test

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double smallUnit = 1e-9;
+constexpr double smallUnit = smallUnitMm;
 constexpr double manySamples = 49152.0; // 2¹⁴·3: kinks at thirds and at powers of two fall between samples
 
 bool startsWith(const std::string& text, const char* prefix) {
