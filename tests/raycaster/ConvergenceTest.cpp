@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How fast the reference and the GLSL ray caster approach what they approximate when the step is halved. The
+// midpoint rule claims order 2 where the integrand is smooth. Tables are printed; bands are those of NUMERICS
+// 1.4, 1.8 to 2.2 over two halvings or more, where the error stands 20 times above the renderer's rounding.
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/Phantom.h"
+#include "support/ConvergingScenes.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+#include "support/ImageCompare.h"
+#include "support/Orders.h"
+#include "support/TestData.h"
+
+#include <iomanip>
+#include <iostream>
+
+namespace limn {
+namespace {
+
+// |float - double| of one pixel under the same discretisation, in NUMERICS 1.4.
+constexpr double floatFloor = 1e-6;
+constexpr double overFloor = 20.0;
+
+using Convergence = test::GlTest;
+
+void print(const std::string& what, const std::vector<double>& errors) {
+  std::cout << std::left << std::setw(44) << what << std::setprecision(3);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    std::cout << "  " << std::setw(9) << errors[i];
+    if (i > 0)
+      std::cout << "(" << std::log2(errors[i - 1] / errors[i]) << ")";
+  }
+  std::cout << "\n";
+}
+
+void expectOrder2(const std::string& what, const std::vector<double>& errors, double floor) {
+  print(what, errors);
+  const std::vector<double> orders = test::observedOrders(errors, floor);
+  EXPECT_GE(orders.size(), 2u) << what << " shows too few halvings above rounding";
+  for (const double order : orders) {
+    EXPECT_GE(order, 1.8) << what;
+    EXPECT_LE(order, 2.2) << what;
+  }
+}
+
+TEST_F(Convergence, theMidpointRuleIsOfOrderTwoOnSmoothRays) {
+  RayCaster caster;
+  std::cout << "largest error of colour and alpha by number of samples (order of the halving)\n";
+  for (const test::ConvergingRay& ray : test::convergingRays()) {
+    std::vector<double> reference, glsl;
+    for (int samples = ray.fewestSamples; samples <= ray.mostSamples; samples *= 2) {
+      const Scene scene = test::withSamples(ray, samples);
+      const glm::dvec4 exact = renderReference(scene, {1, 1}, 1).pixels[0];
+      const glm::dvec4 drawn(caster.render(scene, {1, 1}).pixels[0]);
+      reference.push_back(test::largestError(exact, ray.limit));
+      glsl.push_back(test::largestError(drawn, ray.limit));
+    }
+    const std::string what = ray.what + " from N=" + std::to_string(ray.fewestSamples);
+    expectOrder2(what + ", reference", reference, 1e-9);
+    expectOrder2(what + ", GLSL", glsl, overFloor * floatFloor);
+  }
+}
+
+// Mean errors in 8-bit levels over the channels of the covered pixels for steps of 1, 1/2, 1/4 and 1/8 voxel,
+// against a step of 1/32, whose own error is about a sixteenth of the last.
+struct HeadErrors {
+  std::vector<double> reference, glsl;
+  std::vector<double> apart; ///< GLSL against the reference at the same step
+};
+
+HeadErrors headErrors(const Scene& base) {
+  constexpr glm::ivec2 size{32, 32};
+  const auto all = [](std::size_t) { return true; };
+  Scene scene = base;
+  scene.quality.stepVoxels = 1.0 / 32.0;
+  const ReferencePicture converged = renderReference(scene, size);
+  RayCaster caster;
+  HeadErrors errors;
+  for (const double step : {1.0, 0.5, 0.25, 0.125}) {
+    scene.quality.stepVoxels = step;
+    const ReferencePicture exact = renderReference(scene, size);
+    const Image drawn = caster.render(scene, size);
+    errors.reference.push_back(test::differenceOf(toImage(exact), converged, all).mean);
+    errors.glsl.push_back(test::differenceOf(drawn, converged, all).mean);
+    errors.apart.push_back(test::differenceOf(drawn, exact, all).mean);
+  }
+  return errors;
+}
+
+// The mean error falls at every halving, and at the order to be expected once a step is well inside a voxel.
+// - Unlit, the integrand is smooth inside the cells of the grid and bends at their borders and at control
+//   points. A bend costs the midpoint rule O(h²): order 2. So it is for enhanced and robust, which weigh a
+//   sample by its gradient.
+// - Classic light knows a direction only. Across a ridge of the data the normal turns by 180° over a length
+//   |g along|/|g' across|, often a small part of a voxel, and a step longer than that sees a jump: between
+//   order 1 and 2 at these steps.
+void expectHeadOrder(const std::string& what, const std::vector<double>& errors, ShadingModel model) {
+  print(what, errors);
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_LT(errors[i], errors[i - 1]) << what;
+  const double order = 0.5 * std::log2(errors[1] / errors[3]);
+  EXPECT_GE(order, model == ShadingModel::classic ? 1.0 : 1.7) << what;
+  EXPECT_LE(order, 2.3) << what;
+}
+
+void compareHead(const std::shared_ptr<const Volume>& volume, const std::string& name) {
+  const std::pair<const char*, ShadingModel> models[] = {{"unlit", ShadingModel::none},
+                                                         {"classic", ShadingModel::classic},
+                                                         {"enhanced", ShadingModel::enhanced},
+                                                         {"robust", ShadingModel::robust}};
+  std::cout << "mean error in 8-bit levels at steps of 1, 1/2, 1/4, 1/8 voxel (order of the halving)\n";
+  for (const auto& [modelName, model] : models) {
+    const HeadErrors errors = headErrors(test::headScene(volume, model));
+    const std::string what = name + ", " + modelName;
+    expectHeadOrder(what + ", reference", errors.reference, model);
+    expectHeadOrder(what + ", GLSL", errors.glsl, model);
+    print(what + ", GLSL from the reference", errors.apart);
+    for (std::size_t i = 0; i < errors.apart.size(); ++i)
+      EXPECT_LE(overFloor * errors.apart[i], errors.glsl[i]) << what;
+  }
+}
+
+TEST_F(Convergence, bothRenderersShrinkTowardsTheCtHead) {
+  LIMN_NEEDS_SHARED(test::ctHeadFile);
+  compareHead(test::ctHead(), "CT head");
+}
+
+TEST_F(Convergence, bothRenderersShrinkTowardsThePhantom) {
+  compareHead(phantomVolume({.spacingMm = 3.0}), "phantom");
+}
+
+} // namespace
+} // namespace limn
