@@ -19,6 +19,8 @@ void checkFunctionCoordinate(const nlohmann::json& one, CaseLedger& ledger);
 void checkDifferences(const nlohmann::json& one, CaseLedger& ledger);
 void checkAnisotropicNormal(const nlohmann::json& one, CaseLedger& ledger);
 void checkBoundaryGradient(const nlohmann::json& one, CaseLedger& ledger);
+void checkSegment(const nlohmann::json& one, CaseLedger& ledger);
+void checkEqualEndpoints(const nlohmann::json& one, CaseLedger& ledger);
 void checkMarschnerLobb(const nlohmann::json& one, CaseLedger& ledger);
 
 /// The figure of a key of the case, whether written as a number or with its digits.

@@ -101,6 +101,19 @@ TEST_F(Invariants, alphaIsTheSameFromOppositeSides) {
     }
 }
 
+TEST_F(Invariants, projectionsOfTheWholeRayAreTheSameFromOppositeSides) {
+  for (const Renderer& renderer : renderers())
+    for (const Projection projection :
+         {Projection::mip, Projection::minip, Projection::average, Projection::xray}) {
+      Scene scene = phantomScene(ShadingModel::none);
+      scene.projection = projection;
+      const Pixels front = renderer.render(scene);
+      scene.camera.position = 2.0 * scene.camera.target - scene.camera.position;
+      expectSame(renderer.render(scene), front, renderer.tolerance,
+                 renderer.name + std::string(", projection ") + std::to_string(int(projection)), true);
+    }
+}
+
 // Everything that has a length, a thousand times as long.
 Scene scaled(const Scene& scene, double factor) {
   Scene result = scene;

@@ -22,10 +22,4 @@ inline bool isOfKind(const nlohmann::json& one, const char* kind) {
   return one["kind"].get_ref<const std::string&>() == kind;
 }
 
-/// Whether a case needs a projection (J) or pre-integration (H), which no renderer draws yet.
-inline bool isAwaited(const nlohmann::json& one) {
-  const char group = one["id"].get_ref<const std::string&>().front();
-  return group == 'J' || group == 'H';
-}
-
 } // namespace limn::test

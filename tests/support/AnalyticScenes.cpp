@@ -219,7 +219,8 @@ std::vector<AnalyticRay> analyticRays(const json& cases) {
   for (const json& one : cases) {
     if (!isOfKind(one, "render"))
       continue;
-    for (const auto& group : {homogeneousRays, rampRays, layerRays, shadingRays})
+    for (const auto& group :
+         {homogeneousRays, rampRays, layerRays, shadingRays, projectionRays, preintegratedRays})
       for (AnalyticRay& ray : group(one))
         rays.push_back(std::move(ray));
   }

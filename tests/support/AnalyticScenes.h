@@ -34,21 +34,24 @@ struct RefinedRay {
   std::string what;
   /// The ray through voxels of an edge length in mm, whose lattice is shifted by a part (0..1) of a voxel.
   std::function<Scene(double voxelMm, const glm::dvec3& shift)> scene;
-  double alpha = 0.0; ///< of the field
+  int channel = 3;       ///< of the pixel, which shows the figure: alpha
+  double expected = 0.0; ///< of the field
   double coarsestMm = 0.0;
   static constexpr int halvings = 2; ///< "two consecutive halvings" (NUMERICS 1.4)
   int lattices = 0;                  ///< to average over
   double lowestOrder = 0.0; ///< the band in which log2 of the ratio of mean errors must lie at every halving
   double highestOrder = 0.0;
   std::optional<double> finestError; ///< the mean error at the finest, where it is known, to 5 %
+  std::optional<double> finestLimit; ///< which the mean error at the finest must not exceed
 };
 
 /// The cases of balls, shells and blobs (C1 to C4), which no grid holds exactly.
 std::vector<RefinedRay> refinedRays(const nlohmann::json& one);
 
-/// The cases of kind `render` of analytic_cases.json that name a homogeneous, opacity-correction, ramp,
-/// layer, fog, gradient-enhanced, early-termination or transfer-function scene that midpoint compositing
-/// draws.
+/// The sphere of isosurfaces (J5), which no grid holds exactly.
+std::vector<RefinedRay> refinedSurfaces(const nlohmann::json& one);
+
+/// The cases of kind `render` of analytic_cases.json that a grid holds exactly.
 std::vector<AnalyticRay> analyticRays(const nlohmann::json& cases);
 
 /// Parts of the above, by group.
@@ -56,6 +59,8 @@ std::vector<AnalyticRay> homogeneousRays(const nlohmann::json& one);
 std::vector<AnalyticRay> rampRays(const nlohmann::json& one);
 std::vector<AnalyticRay> layerRays(const nlohmann::json& one);
 std::vector<AnalyticRay> shadingRays(const nlohmann::json& one);
+std::vector<AnalyticRay> projectionRays(const nlohmann::json& one);
+std::vector<AnalyticRay> preintegratedRays(const nlohmann::json& one);
 
 /// A volume from values along y, one voxel wide, centred on the origin.
 std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm);

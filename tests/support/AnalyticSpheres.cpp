@@ -50,7 +50,7 @@ RefinedRay refinedRay(const json& one, const char* what, const RadialField& fiel
   RefinedRay ray;
   ray.id = one["id"];
   ray.what = what;
-  ray.alpha = expectedOf(one, "alpha");
+  ray.expected = expectedOf(one, "alpha");
   ray.scene = [=](double voxelMm, const glm::dvec3& shift) {
     return radialScene(field, b, halfLength, function, voxelMm, shift);
   };
