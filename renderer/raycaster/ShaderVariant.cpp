@@ -12,14 +12,8 @@ namespace {
 // GLSL 1.30 is the language of OpenGL 3.0. Desktop drivers ignore precision.
 constexpr const char* version = "#version 130\n";
 
-bool readsRatio(EffectSet effects) {
-  return effects.has(Effect::exponentMap) || effects.has(Effect::opacityMap) ||
-         effects.has(Effect::significance);
-}
-
-bool hasFog(EffectSet effects) {
-  return effects.has(Effect::fogLinear) || effects.has(Effect::fogExp) || effects.has(Effect::fogExp2);
-}
+const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
+const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
 
 std::string prelude(EffectSet effects) {
   std::string text = version;
@@ -28,9 +22,11 @@ std::string prelude(EffectSet effects) {
     if (effects.has(static_cast<Effect>(i)))
       define(describe(static_cast<Effect>(i)).define);
   // Blocks that several effects share.
-  if (readsRatio(effects))
+  if (usesRatio(effects))
     define("EFFECT_GRADIENT_RATIO");
-  if (hasFog(effects))
+  if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
+    define("EFFECT_CHANGED_OPACITY");
+  if (effects.hasAny(fogs))
     define("EFFECT_FOG");
   return text;
 }
@@ -59,27 +55,40 @@ ShaderSource vertexSource() {
 ShaderSource fragmentSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
-  appendBlock(source, "ray.glsl");
-  if (!effects.has(Effect::sampleCounts)) {
-    for (const char* block : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
-      appendBlock(source, block);
-    if (effects.has(Effect::emptySpaceSkipping))
-      appendBlock(source, "empty_space.glsl");
-    if (effects.has(Effect::gradient))
-      appendBlock(source, "gradient.glsl");
-    if (readsRatio(effects))
-      appendBlock(source, "gradient_ratio.glsl");
-    if (effects.has(Effect::gradientOpacity))
-      appendBlock(source, "gradient_opacity.glsl");
-    if (effects.has(Effect::cutFaces))
-      appendBlock(source, "cut_faces.glsl");
-    if (effects.has(Effect::lighting))
-      appendBlock(source, "lighting.glsl");
-    if (hasFog(effects))
-      appendBlock(source, "fog.glsl");
-    appendBlock(source, "sample.glsl");
+  const auto block = [&source](const char* name) { appendBlock(source, name); };
+  const auto blockIf = [&](bool isNeeded, const char* name) {
+    if (isNeeded)
+      block(name);
+  };
+  block("ray.glsl");
+  if (effects.has(Effect::sampleCounts)) {
+    block("sample_counts.glsl");
+    return source;
   }
-  appendBlock(source, "composite.glsl");
+  for (const char* name : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
+    block(name);
+  blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
+  blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
+  blockIf(effects.has(Effect::jitter), "jitter.glsl");
+  blockIf(effects.has(Effect::gradient), "gradient.glsl");
+  blockIf(usesRatio(effects), "gradient_ratio.glsl");
+  blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
+  blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");
+  blockIf(effects.has(Effect::lighting), "lighting.glsl");
+  blockIf(effects.hasAny(fogs), "fog.glsl");
+  block("march.glsl");
+  if (effects.hasAny(scalarProjections)) {
+    block("scalar_projection.glsl");
+    return source;
+  }
+  block(effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl");
+  blockIf(effects.hasAny({Effect::isosurface, Effect::hybrid}), "isosurface.glsl");
+  if (effects.has(Effect::isosurface)) {
+    block("first_hit.glsl");
+    return source;
+  }
+  block(effects.has(Effect::preintegration) ? "gather_segments.glsl" : "gather.glsl");
+  block("composite.glsl");
   return source;
 }
 
