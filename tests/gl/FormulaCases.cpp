@@ -89,9 +89,8 @@ void checkEqualLayers(const json& one, CaseLedger& ledger) {
 // K1: a lookup table of M texels reads the identity right at s·(M-1)+½ only; the exact classification has no
 // such coordinate, so it meets the case's figures and the identity everywhere to rounding.
 void checkFunctionCoordinate(const json& one, CaseLedger& ledger) {
-  const GlslEvaluator evaluate(
-      {"piecewise.glsl", "classification.glsl"},
-      "float opacityAt(float s) { float segment, start; return opacityOf(s, segment, start); }");
+  const GlslEvaluator evaluate({"stable_math.glsl", "piecewise.glsl", "classification.glsl"},
+                               "float opacityAt(float s) { return materialOf(s).opacity; }");
   Scene scene = rayThrough(columnOf({0.0, 1.0}, 1.0));
   scene.transferFunction = {1.0, {{0.0, glm::dvec3(1.0), 0.0}, {1.0, glm::dvec3(1.0), 1.0}}};
   const auto opacityOnGpu = [&](double s) {
