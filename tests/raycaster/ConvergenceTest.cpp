@@ -82,10 +82,9 @@ struct HeadErrors {
 
 constexpr glm::ivec2 headSize{32, 32};
 
-HeadErrors headErrors(const Scene& base, const ReferencePicture& converged) {
+HeadErrors headErrors(RayCaster& caster, const Scene& base, const ReferencePicture& converged) {
   const auto all = [](std::size_t) { return true; };
   Scene scene = base;
-  RayCaster caster;
   HeadErrors errors;
   for (const double step : {1.0, 0.5, 0.25, 0.125}) {
     scene.quality.stepVoxels = step;
@@ -114,29 +113,32 @@ void expectHeadOrder(const std::string& what, const std::vector<double>& errors,
   EXPECT_LE(order, 2.3) << what;
 }
 
-void compareHead(const std::shared_ptr<const Volume>& volume, const std::string& name) {
-  const std::pair<const char*, ShadingModel> models[] = {{"unlit", ShadingModel::none},
-                                                         {"classic", ShadingModel::classic},
-                                                         {"enhanced", ShadingModel::enhanced},
-                                                         {"robust", ShadingModel::robust}};
-  std::cout << "mean error in 8-bit levels at steps of 1, 1/2, 1/4, 1/8 voxel (order of the halving)\n";
-  for (const auto& [modelName, model] : models) {
-    Scene scene = test::headScene(volume, model);
-    scene.quality.preintegrated = Preintegration::never;
-    scene.quality.stepVoxels = 1.0 / 32.0;
-    const ReferencePicture converged = renderReference(scene, headSize);
-    for (const Preintegration preintegrated : {Preintegration::never, Preintegration::always}) {
-      scene.quality.preintegrated = preintegrated;
-      const HeadErrors errors = headErrors(scene, converged);
-      const std::string what =
-          name + ", " + modelName + (preintegrated == Preintegration::always ? ", pre-integrated" : "");
-      expectHeadOrder(what + ", reference", errors.reference, model);
-      expectHeadOrder(what + ", GLSL", errors.glsl, model);
-      print(what + ", GLSL from the reference", errors.apart);
-      for (std::size_t i = 0; i < errors.apart.size(); ++i)
-        EXPECT_LE(overFloor * errors.apart[i], errors.glsl[i]) << what;
-    }
+void compareModel(RayCaster& caster, Scene scene, const std::string& what,
+                  std::initializer_list<Preintegration> ways) {
+  scene.quality.preintegrated = Preintegration::never;
+  scene.quality.stepVoxels = 1.0 / 32.0;
+  const ReferencePicture converged = renderReference(scene, headSize);
+  for (const Preintegration preintegrated : ways) {
+    scene.quality.preintegrated = preintegrated;
+    const HeadErrors errors = headErrors(caster, scene, converged);
+    const std::string name = what + (preintegrated == Preintegration::always ? ", pre-integrated" : "");
+    expectHeadOrder(name + ", reference", errors.reference, scene.shading.model);
+    expectHeadOrder(name + ", GLSL", errors.glsl, scene.shading.model);
+    print(name + ", GLSL from the reference", errors.apart);
+    for (std::size_t i = 0; i < errors.apart.size(); ++i)
+      EXPECT_LE(overFloor * errors.apart[i], errors.glsl[i]) << name;
   }
+}
+
+void compareHead(const std::shared_ptr<const Volume>& volume, const std::string& name) {
+  const auto never = Preintegration::never, always = Preintegration::always;
+  std::cout << "mean error in 8-bit levels at steps of 1, 1/2, 1/4, 1/8 voxel (order of the halving)\n";
+  RayCaster caster;
+  const auto scene = [&volume](ShadingModel model) { return test::headScene(volume, model); };
+  compareModel(caster, scene(ShadingModel::none), name + ", unlit", {never, always});
+  compareModel(caster, scene(ShadingModel::classic), name + ", classic", {never});
+  compareModel(caster, scene(ShadingModel::enhanced), name + ", enhanced", {never, always});
+  compareModel(caster, scene(ShadingModel::robust), name + ", robust", {never});
 }
 
 TEST_F(Convergence, bothRenderersShrinkTowardsTheCtHead) {

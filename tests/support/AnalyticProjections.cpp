@@ -103,19 +103,18 @@ std::vector<AnalyticRay> hitOnRamp(const json& one) {
   return rays;
 }
 
-// The ray of J5 along y at distance b through voxels of -r in 4×n×4 columns, which the gradient needs. (The
-// case's f = r is above its isovalue where the ray enters, which is a hit there; -r and -iso are the same
-// sphere seen from outside.)
+// The ray of J5 along y at distance b through voxels of -r in 4×n×4 columns, which the gradient needs,
+// between y = -0.6 and 0.1, where the surface lies. (The case's f = r is above its isovalue where the ray
+// enters, which is a hit there; -r and -iso are the same sphere seen from outside.)
 Scene sphere(double b, double voxelMm, const glm::dvec3& shift) {
-  const int count = 2 * static_cast<int>(std::ceil(1.0 / voxelMm) + 2.0);
   Grid grid;
-  grid.dims = {4, count, 4};
+  grid.dims = {4, static_cast<int>(std::ceil(0.7 / voxelMm)) + 1, 4};
   grid.spacingMm = glm::dvec3(voxelMm);
-  grid.originMm = voxelMm * (glm::dvec3(-1.0, -0.5 * count, -1.0) - shift) + glm::dvec3(b, 0.0, 0.0);
+  grid.originMm = glm::dvec3(b, -0.6, 0.0) - voxelMm * (glm::dvec3(1.0, 0.0, 1.0) + shift);
   std::vector<double> voxels;
-  voxels.reserve(16 * static_cast<std::size_t>(count));
+  voxels.reserve(16 * static_cast<std::size_t>(grid.dims.y));
   for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < count; ++j)
+    for (int j = 0; j < grid.dims.y; ++j)
       for (int i = 0; i < 4; ++i)
         voxels.push_back(-glm::length(grid.originMm + voxelMm * glm::dvec3(i, j, k)));
   Scene scene =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Radial fields in 2×n×2 voxels around one ray, which runs along y at a distance b from their centre. All but
-// one have an extinction linear in the voxels' values. Such a ray crosses cells whose faces across it lie in
-// the middle between two samples or on the border of two steps, so that sampling twice a voxel integrates the
-// trilinear field exactly, and what is left is the error of the voxels.
+// one have an extinction linear in the voxels' values. Along the ray it is linear between the planes of voxel
+// centres, and two samples a voxel put every such plane on the border of two steps: the midpoint rule
+// integrates the voxels exactly, and what is left is their own error.
 #include "support/AnalyticScenes.h"
 
 #include <cmath>
@@ -80,8 +80,10 @@ RefinedRay ballOfOnes(const json& one) {
   RefinedRay ray = refinedRay(
       one, "voxels of 0 and 1", [radius](double r) { return r < radius ? 1.0 : 0.0; }, b, halfLength,
       linearExtinction(tau));
-  if (isNearTangent)
+  if (isNearTangent) {
     ray.coarsestMm = 1.0 / 32768.0;
+    ray.lattices = 512;
+  }
   if (isTangent) {
     ray.coarsestMm = 1.0 / 1024.0;
     ray.lowestOrder = 0.45;
