@@ -41,18 +41,9 @@ std::vector<AnalyticRay> largestOnRamp(const json& one) {
   return {sampled, exact, smallest};
 }
 
-// J2: samples at the centres of N voxels that hold the parabola.
+// J2: samples at the centres of the voxels.
 std::vector<AnalyticRay> largestOnParabola(const json& one) {
-  const int samples = one["parameters"]["N"];
-  std::vector<double> values;
-  for (int i = 0; i < samples; ++i) {
-    const double fromTop = (i + 0.5) / samples - 0.437;
-    values.push_back(1.0 - 4.0 * fromTop * fromTop);
-  }
-  Scene scene = rayThrough(columnOf(values, 1.0 / samples));
-  scene.projection = Projection::mip;
-  scene.quality.stepVoxels = 1.0;
-  scene.transferFunction = {1.0, {{0.0, white, 0.0}, {1.0, white, 1.0}}};
+  const Scene scene = parabolaUnderMip(0.437, one["parameters"]["N"]);
   AnalyticRay sampled = rayOf(one, "as sampled", scene);
   sampled.alpha = expectedOf(one, "midpoint");
   AnalyticRay exact = rayOf(one, "within the bound", scene);
@@ -148,6 +139,19 @@ RefinedRay refinedSphere(const json& one, const char* what, double expected,
 }
 
 } // namespace
+
+Scene parabolaUnderMip(double top, int samples) {
+  std::vector<double> values;
+  for (int i = 0; i < samples; ++i) {
+    const double fromTop = (i + 0.5) / samples - top;
+    values.push_back(1.0 - 4.0 * fromTop * fromTop);
+  }
+  Scene scene = rayThrough(columnOf(values, 1.0 / samples));
+  scene.projection = Projection::mip;
+  scene.quality.stepVoxels = 1.0;
+  scene.transferFunction = {1.0, {{0.0, white, 0.0}, {1.0, white, 1.0}}};
+  return scene;
+}
 
 std::vector<AnalyticRay> projectionRays(const json& one) {
   const std::string id = one["id"];

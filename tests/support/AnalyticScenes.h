@@ -71,6 +71,9 @@ std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0
 /// An unlit scene of one pixel seen orthographically along `direction`, without early termination.
 Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
 
+/// The largest of samples of 1 - 4(t - top)² at the centres of as many voxels over 1 mm.
+Scene parabolaUnderMip(double top, int samples);
+
 /// The step in voxels that gives `samples` samples over `lengthMm`.
 double stepFor(const Scene& scene, double lengthMm, double samples);
 

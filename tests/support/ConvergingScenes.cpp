@@ -9,56 +9,61 @@
 namespace limn::test {
 namespace {
 
-const glm::dvec3 white(1.0);
+using nlohmann::json;
 
-// The scalar runs from 0 to 1 along 1 mm between two voxel centres; extinction 8 s, colour s.
-ConvergingRay ramp() {
-  ConvergingRay ray;
-  ray.what = "B1, s = t, extinction 8 s, colour s";
-  ray.scene = rayThrough(columnOf({0.0, 1.0}, 1.0));
-  ray.scene.crop.lower.y = 0.25;
-  ray.scene.crop.upper.y = 0.75;
-  ray.scene.transferFunction = {
-      smallUnitMm, {extinctionPoint(0.0, 0.0, glm::dvec3(0.0)), extinctionPoint(1.0, 8.0, white)}};
-  // -e^(-k/2) + sqrt(π/2k) erf(sqrt(k/2)) with k = 8.
-  const double color = -std::exp(-4.0) + std::sqrt(std::numbers::pi / 16.0) * std::erf(2.0);
-  ray.limit = glm::dvec4(glm::dvec3(color), -std::expm1(-4.0));
-  ray.fewestSamples = 4;
-  ray.mostSamples = 256;
+std::vector<int> doubled(int first, int last) {
+  std::vector<int> samples;
+  for (int count = first; count <= last; count *= 2)
+    samples.push_back(count);
+  return samples;
+}
+
+ConvergingRay convergingRay(const AnalyticRay& ray, std::vector<int> samples) {
+  ConvergingRay result;
+  result.what = ray.id + (ray.what.empty() ? "" : ", " + ray.what);
+  result.scene = ray.scene;
+  result.alpha = ray.alpha;
+  result.color = ray.color;
+  result.samples = std::move(samples);
+  return result;
+}
+
+// The order of an extinction k s shows once a step is thinner than a depth of 1.
+std::vector<ConvergingRay> linearExtinction(const json& one) {
+  const double k = one["parameters"]["k"];
+  const int first = k < 10.0 ? 4 : 32;
+  std::vector<ConvergingRay> rays;
+  for (const AnalyticRay& ray : rampRays(one))
+    rays.push_back(convergingRay(ray, doubled(first, 256)));
+  return rays;
+}
+
+// The order shows once a step is short against 1-a, in which the extinction bends. With a = 1 it is singular
+// at the end, where the midpoint rule errs by m h/2 ln 2: order 1.
+ConvergingRay linearOpacity(const json& one) {
+  const double a = one["parameters"]["a"];
+  const int first = a < 0.9 ? 2 : a < 0.99 ? 8 : 64;
+  ConvergingRay ray = convergingRay(rampRays(one).front(), doubled(first, 8 * first));
+  ray.floor = 1e-13;
+  if (a == 1.0)
+    ray.order = 1.0;
+  ray.showsInFloats = 1.0 - *ray.alpha > 4e-3;
   return ray;
 }
 
-// The finest picture that the limit of samples per ray admits, its error below that of the tests' by 10⁴.
-glm::dvec4 finest(const ConvergingRay& ray) {
-  return renderReference(withSamples(ray, 49152), {1, 1}, 1).pixels[0];
-}
-
-// The scalar is the cube of the way along the diagonal of the cube of voxel centres; extinction 6 s, colour
-// s.
-ConvergingRay diagonal() {
-  Grid grid;
-  grid.dims = glm::ivec3(2);
-  grid.originMm = glm::dvec3(-0.5);
-  std::vector<double> values(8, 0.0);
-  values[7] = 1.0;
-  ConvergingRay ray;
-  ray.what = "B6, s = t^3, extinction 6 s, colour s";
-  ray.scene = rayThrough(std::make_shared<const Volume>(grid, values, Rescale{}, std::nullopt, VolumeInfo{}),
-                         glm::normalize(white));
-  ray.scene.crop = {glm::dvec3(0.25), glm::dvec3(0.75)};
-  ray.scene.transferFunction = {
-      smallUnitMm, {extinctionPoint(0.0, 0.0, glm::dvec3(0.0)), extinctionPoint(1.0, 6.0, white)}};
-  ray.lengthMm = std::sqrt(3.0);
-  ray.limit = finest(ray);
-  ray.fewestSamples = 8;
-  ray.mostSamples = 512;
+// Odd numbers of steps have a sample on the step of the function, off by half a step: order 1.
+ConvergingRay stepFunction(const json& one) {
+  ConvergingRay ray = convergingRay(rampRays(one).front(), {31, 63, 127, 255});
+  ray.order = 1.0;
   return ray;
 }
+
+} // namespace
 
 // s = sin²(2.5πt) in 1025 voxels over 1 mm; extinction 20 exp(-(s-½)²/(2·0.1²)), colour s. The Gaussian is
 // passed twice in each of five rises and falls, 0.03 mm at a time, so its order shows from 64 samples on, and
 // to 256, where a step still is four voxels, whose straight pieces the finest picture sees.
-ConvergingRay wave() {
+ConvergingRay convergingWave() {
   constexpr int intervals = 1024, knots = 2048;
   std::vector<double> values;
   for (int i = 0; i <= intervals; ++i) {
@@ -77,16 +82,26 @@ ConvergingRay wave() {
     ray.scene.transferFunction.points.push_back(
         extinctionPoint(s, 20.0 * std::exp(-0.5 * x * x), glm::dvec3(s)));
   }
-  ray.limit = finest(ray);
-  ray.fewestSamples = 64;
-  ray.mostSamples = 256;
+  const glm::dvec4 finest = renderReference(withSamples(ray, 49152), {1, 1}, 1).pixels[0];
+  ray.alpha = finest.a;
+  ray.color = glm::dvec3(finest);
+  ray.samples = {64, 128, 256};
   return ray;
 }
 
-} // namespace
-
-std::vector<ConvergingRay> convergingRays() {
-  return {ramp(), diagonal(), wave()};
+std::vector<ConvergingRay> convergingRays(const json& one) {
+  const std::string id = one["id"];
+  if (id.rfind("B1_", 0) == 0)
+    return linearExtinction(one);
+  if (id.rfind("B2_", 0) == 0)
+    return {linearOpacity(one)};
+  if (id.rfind("K3_", 0) == 0)
+    return {stepFunction(one)};
+  if (id.rfind("B6_", 0) != 0)
+    return {};
+  ConvergingRay diagonal = convergingRay(rampRays(one).front(), doubled(8, 512));
+  diagonal.lengthMm = std::sqrt(3.0);
+  return {diagonal};
 }
 
 Scene withSamples(const ConvergingRay& ray, int samples) {
@@ -95,9 +110,11 @@ Scene withSamples(const ConvergingRay& ray, int samples) {
   return scene;
 }
 
-double largestError(const glm::dvec4& pixel, const glm::dvec4& limit) {
-  const glm::dvec4 error = glm::abs(pixel - limit);
-  return std::max({error.r, error.g, error.b, error.a});
+double largestError(const ConvergingRay& ray, const glm::dvec4& pixel) {
+  double largest = ray.alpha ? std::abs(pixel.a - *ray.alpha) : 0.0;
+  for (int channel = 0; ray.color && channel < 3; ++channel)
+    largest = std::max(largest, std::abs(pixel[channel] - (*ray.color)[channel]));
+  return largest;
 }
 
 } // namespace limn::test
