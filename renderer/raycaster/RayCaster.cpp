@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "gl/FloatTarget.h"
 #include "gl/SavedState.h"
 #include "raycaster/ProgramCache.h"
 #include "raycaster/SceneTextures.h"
@@ -30,44 +31,6 @@ void bind(TextureUnit unit, unsigned target, unsigned texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(target, texture);
 }
-
-// A framebuffer of floats, bound while it lives.
-class FloatTarget {
-public:
-  explicit FloatTarget(const glm::ivec2& size) {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawBefore);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readBefore);
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textureBefore);
-    glBindTexture(GL_TEXTURE_2D, m_color.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textureBefore));
-    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      restore();
-      throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
-                                           std::to_string(size.x) + "×" + std::to_string(size.y) +
-                                           " pixels in floats; try a smaller one or --engine reference.");
-    }
-  }
-  ~FloatTarget() { restore(); }
-  FloatTarget(const FloatTarget&) = delete;
-  FloatTarget& operator=(const FloatTarget&) = delete;
-
-private:
-  void restore() const {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawBefore));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readBefore));
-  }
-
-  GlTexture m_color;
-  GlFramebuffer m_framebuffer;
-  GLint m_drawBefore = 0;
-  GLint m_readBefore = 0;
-  GLint m_textureBefore = 0;
-};
 
 // Reads the framebuffer bound; its rows go from the bottom up.
 Image readBack(const glm::ivec2& size) {
