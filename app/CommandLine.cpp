@@ -3,6 +3,7 @@
 
 #include "app/WindowProgram.h"
 #include "app/commands/Arguments.h"
+#include "app/commands/EffectsCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/PresetsCommand.h"
 #include "app/commands/RenderCommand.h"
@@ -84,6 +85,7 @@ int runCommandLine(int argc, char** argv) {
   program.footer("Example: limn head.nii.gz");
   addInfoCommand(program);
   addRenderCommand(program);
+  addEffectsCommand(program);
   addPresetsCommand(program);
   return parseAndRun(program, argc, argv, arguments);
 }
