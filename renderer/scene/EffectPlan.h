@@ -22,6 +22,8 @@ struct EffectReason {
   Effect effect;
   bool isNeeded = false;
   std::string reason;
+  bool isDropped = false; ///< asked for by the scene, but without use in this picture
+  bool operator==(const EffectReason&) const = default;
 };
 
 /// The effects that a scene calls for, canonical, with one reason per effect in the order of the enumeration.
@@ -30,6 +32,7 @@ struct EffectPlan {
   EffectSet effects;
   bool isVisible = true; ///< false: the picture is empty without drawing
   std::vector<EffectReason> reasons;
+  bool operator==(const EffectPlan&) const = default;
 };
 
 /// A pure function of the scene and of facts about its data (NUMERICS section 4.2). A control point or the
@@ -38,8 +41,9 @@ struct EffectPlan {
 /// end. `canStandIn` lets a program go on drawing across such a change.
 EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts);
 
-/// Whether the step resolves the transfer function: no change of opacity or of a visible colour lies within
-/// less than a quarter of the change of value over a step. Pre-integration pays where it does not.
+/// Whether the step resolves the transfer function: over a sixteenth of the change of value in a step neither
+/// opacity nor a visible colour changes by a fifth, and no band of opacity is narrower than a third of it.
+/// Pre-integration pays where it does not.
 bool stepResolvesFunction(const Scene& scene, double steepestPerMm);
 
 /// Whether the plan depends on `steepestPerMm`: only then need it be measured.

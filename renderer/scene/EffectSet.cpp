@@ -54,6 +54,7 @@ const EffectSet neutralEffects{Effect::lighting,
                                Effect::opacityMap,
                                Effect::opacityFactor,
                                Effect::gradientOpacity,
+                               Effect::energyFactor,
                                Effect::significance,
                                Effect::knee,
                                Effect::fogLinear,
@@ -67,7 +68,7 @@ const EffectSet neutralEffects{Effect::lighting,
 
 const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
 const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
-const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight, Effect::energyFactor};
+const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight};
 const EffectSet lightChoices{Effect::twoSided, Effect::fixedLight};
 const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
@@ -122,9 +123,9 @@ EffectSet canonical(EffectSet effects) {
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
 
-EffectSet leavingOut(EffectSet effects, Effect effect) {
-  effects = effects.without(effect);
-  if (effect == Effect::gradient)
+EffectSet leavingOut(EffectSet effects, EffectSet leftOut) {
+  effects = effects.without(leftOut);
+  if (leftOut.has(Effect::gradient))
     effects = effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
                                Effect::significance, Effect::gradientOpacity});
   return canonical(effects);
@@ -142,8 +143,6 @@ bool canStandIn(EffectSet effects, EffectSet needed) {
   EffectSet free = neutralEffects;
   if (!needed.has(Effect::specular))
     free = free.with(highlightChoices);
-  if (!needed.has(Effect::exponentMap))
-    free = free.with(Effect::energyFactor);
   if (!needed.hasAny({Effect::diffuse, Effect::specular}))
     free = free.with(lightChoices);
   if (!usesRatio(needed))
@@ -157,8 +156,6 @@ EffectSet withAllNeutral(EffectSet needed) {
   EffectSet all = needed.with(neutralEffects);
   // Two fogs exclude each other.
   all = all.without(fogs.without(needed.hasAny(fogs) ? needed : EffectSet{Effect::fogExp}));
-  if (!needed.has(Effect::exponentMap))
-    all = all.with(Effect::energyFactor);
   return canonical(all);
 }
 
