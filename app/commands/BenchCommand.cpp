@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/BenchCommand.h"
 
+#include "app/BuiltInPresets.h"
 #include "app/PresetStore.h"
 #include "app/bench/BenchReport.h"
 #include "app/bench/RivalContender.h"
@@ -27,6 +28,7 @@ struct BenchArguments {
   int threads = 0;
   bool json = false;
   bool rivals = false;
+  bool allEffects = false;
 };
 
 // One scene to measure.
@@ -36,16 +38,25 @@ struct BenchScene {
   std::string volumePath;
 };
 
+std::vector<Preset> presetsFor(const std::vector<std::string>& names) {
+  if (names == std::vector<std::string>{"all"})
+    return builtInPresets();
+  const std::vector<Preset> known = allPresets(PresetStore::ofThisUser());
+  std::vector<Preset> presets;
+  for (const std::string& name : names)
+    presets.push_back(presetNamed(known, name));
+  return presets;
+}
+
 std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
                                  const Progress& progress) {
   const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
   const std::string stem = std::filesystem::path(source).stem().string();
   std::vector<BenchScene> scenes;
-  for (const std::string& name : arguments.presets) {
-    const Preset preset =
-        fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), name), histogramOf(*loaded.scene.volume));
-    scenes.push_back({stem + ", " + preset.name, withPreset(loaded.scene, preset, true), loaded.volumePath});
-  }
+  for (const Preset& preset : presetsFor(arguments.presets))
+    scenes.push_back({stem + ", " + preset.name,
+                      withPreset(loaded.scene, fittedTo(preset, histogramOf(*loaded.scene.volume))),
+                      loaded.volumePath});
   if (scenes.empty())
     scenes.push_back(
         {loaded.preset.empty() ? stem : stem + ", " + loaded.preset, loaded.scene, loaded.volumePath});
@@ -86,8 +97,16 @@ std::filesystem::path rivalProgram() {
 std::vector<std::unique_ptr<Contender>> contendersFor(const BenchScene& scene,
                                                       const BenchArguments& arguments) {
   std::vector<std::unique_ptr<Contender>> contenders;
-  for (const std::string& engine : arguments.engines)
-    contenders.push_back(engine == "gl" ? glContender() : referenceContender(arguments.threads));
+  for (const std::string& engine : arguments.engines) {
+    if (engine == "reference") {
+      contenders.push_back(referenceContender(arguments.threads));
+      continue;
+    }
+    const auto context = std::make_shared<HeadlessContext>();
+    contenders.push_back(glContender(context, RayCaster::Programs::specialised));
+    if (arguments.allEffects)
+      contenders.push_back(glContender(context, RayCaster::Programs::allEffects));
+  }
   if (!arguments.rivals)
     return contenders;
   for (const char* mapper : {"gpu", "fixedpoint"}) {
@@ -171,12 +190,15 @@ void addBenchCommand(CLI::App& root) {
       ->check(CLI::Range(1e-4, 1e4));
   command->add_option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--preset", arguments->presets, "name of a preset; may be given several times");
+  command->add_option("--preset", arguments->presets,
+                      "name of a preset, several times if wanted, or all: every built-in one");
   command->add_option("--engine", arguments->engines, "gl (default), reference, or both: gl,reference")
       ->delimiter(',')
       ->check(CLI::IsMember({"gl", "reference"}));
   command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
+  command->add_flag("--all-effects", arguments->allEffects,
+                    "the program with every effect compiled in draws the same views in turn");
   command->add_flag(
       "--rivals", arguments->rivals,
       "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
