@@ -16,6 +16,7 @@ class QMenu;
 
 namespace limn {
 
+class EffectsPanel;
 class MessageBar;
 class PresetBrowser;
 class ShadingPanel;
@@ -96,6 +97,10 @@ private:
   void saveScene();
   void savePicture();
 
+  // MainWindowEffects.cpp
+  void makeEffectsDock();
+  void connectEffects();
+
   // MainWindowPresets.cpp
   void refreshPresets();
   void applyPreset(const QString& name);
@@ -129,6 +134,8 @@ private:
   PresetBrowser* m_presets = nullptr;
   QDockWidget* m_presetDock = nullptr;
   QDockWidget* m_shadingDock = nullptr;
+  EffectsPanel* m_effects = nullptr;
+  QDockWidget* m_effectsDock = nullptr;
   QDockWidget* m_curveDock = nullptr;
 
   QLabel* m_volumeLabel = nullptr;

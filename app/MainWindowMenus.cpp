@@ -114,7 +114,7 @@ void MainWindow::makeViewMenu() {
   connect(m_orthographicAction, &QAction::triggered, this, &MainWindow::setOrthographic);
   m_sceneActions << m_orthographicAction;
   menu->addSeparator();
-  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_curveDock})
+  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_effectsDock, m_curveDock})
     menu->addAction(dock->toggleViewAction());
   m_focusAction = menu->addAction(tr("&Picture and curve only"));
   m_focusAction->setCheckable(true);
@@ -257,6 +257,7 @@ void MainWindow::applyThemeChoice(const QString& choice) {
 
 void MainWindow::setFocusMode(bool on) {
   m_presetDock->setVisible(!on);
+  m_effectsDock->setVisible(!on);
   m_shadingDock->setVisible(!on);
   for (QToolBar* bar : findChildren<QToolBar*>())
     bar->setVisible(!on);

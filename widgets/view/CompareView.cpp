@@ -36,6 +36,8 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
   connect(&m_idleTimer, &QTimer::timeout, this, &CompareView::refine);
   m_refineTimer.setSingleShot(true);
   connect(&m_refineTimer, &QTimer::timeout, this, &CompareView::refine);
+  m_restTimer.setSingleShot(true);
+  connect(&m_restTimer, &QTimer::timeout, this, &CompareView::workAtRest);
 
   m_labelFade.setDuration(labelFadeMs);
   m_labelFade.setStartValue(1.0);
@@ -226,6 +228,7 @@ void CompareView::releasePictures() {
   if (!m_pictures)
     return;
   m_refineTimer.stop();
+  m_restTimer.stop();
   makeCurrent();
   m_pictures.reset();
   doneCurrent();
@@ -277,6 +280,7 @@ void CompareView::redraw() {
   }
   m_refineTimer.stop();
   m_idleTimer.stop();
+  leaveRest();
   updatePanels();
   update();
 }
@@ -322,6 +326,7 @@ void CompareView::drawCoarsely() {
   }
   m_idleTimer.start();
   updateState();
+  showEffects();
 }
 
 // Of a wipe's two pictures each shows one part.
@@ -346,6 +351,8 @@ void CompareView::refine() {
     update();
   if (!complete && m_error.isEmpty())
     m_refineTimer.start(0);
+  else if (m_error.isEmpty())
+    m_restTimer.start(0);
 }
 
 void CompareView::updateState() {
@@ -354,8 +361,8 @@ void CompareView::updateState() {
   state.limitation = m_pictures->limitation();
   for (int i = 0; i < m_pictures->count(); ++i) {
     const SidePicture& side = m_pictures->side(i);
-    state.sides.push_back(
-        {side.scene().shading.model, side.fraction(), side.shownStepVoxels(), side.completeMs()});
+    state.sides.push_back({side.scene().shading.model, side.fraction(), side.shownStepVoxels(),
+                           side.completeMs(), side.contrast(), m_pictures->rest().overflow(i)});
     state.resting = state.resting && side.finished();
   }
   if (state == m_state)

@@ -4,6 +4,7 @@
 #include "scene/Image.h"
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
+#include "widgets/effects/EffectTimes.h"
 #include "widgets/view/CompareLayout.h"
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
@@ -89,6 +90,10 @@ public slots:
   void lookFrom(limn::StandardView view);
   void resetCamera();
 
+  /// Measures at rest what each effect of the picture costs whose effects are told; the next change of what
+  /// is shown stops it.
+  void measureEffects();
+
 signals:
   void cameraEdited(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
@@ -102,6 +107,9 @@ signals:
   void shortcutListRequested();
   void maximiseRequested();
   void pictureStateChanged(const limn::PictureState& state);
+  /// What the picture calls for; of two pictures the right one.
+  void effectsChanged(const std::vector<limn::EffectRow>& rows, limn::ShadingModel model);
+  void effectTimesChanged(const limn::EffectTimes& times);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
   void openFolderRequested();
@@ -160,6 +168,14 @@ private:
   void updatePanels();
   void wakeLabels();
 
+  // While nothing changes (CompareViewRest.cpp)
+  void workAtRest();
+  void leaveRest();
+  void showEffects();
+  void tellEffects(const std::vector<EffectRow>& rows, ShadingModel model);
+  void showTimes(const EffectTimes& times);
+  int sideOfEffects() const { return pictureCount(m_layout) - 1; }
+
   // What stands above the pictures (CompareViewOverlay.cpp)
   void paintOverlay();
   std::vector<QRectF> paintTitles(QPainter& painter);
@@ -203,6 +219,10 @@ private:
   bool m_stale = true; ///< the scene changed since it was last drawn
   QTimer m_idleTimer;  ///< from the last coarse picture to the start of refinement
   QTimer m_refineTimer;
+  QTimer m_restTimer;
+  std::vector<EffectRow> m_effects; ///< as told last
+  ShadingModel m_effectsModel = ShadingModel::classic;
+  EffectTimes m_times;
   QElapsedTimer m_sinceShown;
   PictureState m_state;
   QString m_error;

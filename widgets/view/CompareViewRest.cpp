@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "widgets/view/CompareView.h"
+
+#include "widgets/view/ViewPictures.h"
+
+#include <exception>
+
+// What the compare view does while its pictures rest, one piece per turn of the event loop.
+
+namespace limn {
+
+void CompareView::measureEffects() {
+  if (!m_pictures || !m_state.resting || m_effects.empty())
+    return;
+  m_pictures->rest().measureCosts(sideOfEffects());
+  showTimes(m_pictures->rest().times());
+  m_restTimer.start(0);
+}
+
+void CompareView::workAtRest() {
+  if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_state.resting)
+    return;
+  bool didSomething = false;
+  makeCurrent();
+  try {
+    didSomething = m_pictures->workAtRest();
+  } catch (const std::exception& error) {
+    // The picture is complete: it stays, only what was to be measured is missing.
+    emit errorOccurred(QString::fromStdString(error.what()));
+  }
+  doneCurrent();
+  if (!didSomething)
+    return;
+  const PictureState before = m_state;
+  updateState();
+  if (before != m_state)
+    update();
+  showTimes(m_pictures->rest().times());
+  m_restTimer.start(0);
+}
+
+void CompareView::leaveRest() {
+  m_restTimer.stop();
+  showTimes({});
+  if (!m_scene.volume && !m_effects.empty())
+    tellEffects({}, m_scene.shading.model);
+}
+
+void CompareView::showEffects() {
+  const std::vector<EffectRow> rows = m_pictures->effectRowsOf(sideOfEffects());
+  const ShadingModel model = sceneOfSide(sideOfEffects()).shading.model;
+  if (rows != m_effects || model != m_effectsModel)
+    tellEffects(rows, model);
+}
+
+// Receivers set widgets, which must not happen in the middle of painting.
+void CompareView::tellEffects(const std::vector<EffectRow>& rows, ShadingModel model) {
+  m_effects = rows;
+  m_effectsModel = model;
+  QTimer::singleShot(0, this, [this, rows, model] { emit effectsChanged(rows, model); });
+}
+
+void CompareView::showTimes(const EffectTimes& times) {
+  if (times == m_times)
+    return;
+  m_times = times;
+  QTimer::singleShot(0, this, [this, times] { emit effectTimesChanged(times); });
+}
+
+} // namespace limn
