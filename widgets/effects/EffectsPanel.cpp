@@ -21,13 +21,8 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   m_heading->setWordWrap(true);
   m_heading->setContentsMargins(12, 0, 12, 4);
   column->addWidget(m_heading);
-  auto* rows = new QVBoxLayout(m_list);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  column->addWidget(m_list);
-
   auto* buttonRow = new QHBoxLayout;
-  buttonRow->setContentsMargins(12, 8, 12, 0);
+  buttonRow->setContentsMargins(12, 0, 12, 4);
   m_measure->setObjectName(QStringLiteral("measureCost"));
   m_measure->setToolTip(tr("Draws the picture several times with and without each effect, while nothing else "
                            "is to be drawn; any change of the scene stops it."));
@@ -35,7 +30,10 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   buttonRow->addStretch(1);
   column->addLayout(buttonRow);
   connect(m_measure, &QPushButton::clicked, this, &EffectsPanel::measureRequested);
-
+  auto* rows = new QVBoxLayout(m_list);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  column->addWidget(m_list);
   m_method->setWordWrap(true);
   m_method->setForegroundRole(QPalette::PlaceholderText);
   m_method->setContentsMargins(12, 4, 12, 0);

@@ -69,16 +69,16 @@ QString modelName(ShadingModel model) {
 
 QString sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
-  const QString projection = unlitProjectionName(scene.projection);
-  const QString lighting = projection.isEmpty() ? lightingText(scene.shading) : projection;
-  if (!lighting.isEmpty())
-    parts << lighting;
   if (state.contrast)
     parts << translated("contrast %1").arg(*state.contrast, 0, 'f', 3);
   if (state.overflow)
     parts << translated("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
   if (state.completeMs)
     parts << translated("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+  const QString projection = unlitProjectionName(scene.projection);
+  const QString lighting = projection.isEmpty() ? lightingText(scene.shading) : projection;
+  if (!lighting.isEmpty())
+    parts << lighting;
   return parts.join(QStringLiteral(" · "));
 }
 
