@@ -2,7 +2,6 @@
 #include "app/MainWindow.h"
 
 #include "widgets/effects/EffectsPanel.h"
-#include "widgets/view/SideText.h"
 
 #include <QDockWidget>
 
@@ -20,9 +19,9 @@ void MainWindow::makeEffectsDock() {
 
 void MainWindow::connectEffects() {
   connect(m_view, &CompareView::effectsChanged, this,
-          [this](const std::vector<EffectRow>& rows, ShadingModel model) {
+          [this](const std::vector<EffectRow>& rows, const QString& picture) {
             const bool isSingle = m_view->compareLayout() == CompareLayout::single;
-            m_effects->setRows(rows, isSingle ? modelName(model) : tr("%1 (right)").arg(modelName(model)));
+            m_effects->setRows(rows, isSingle ? picture : tr("%1 (right)").arg(picture));
           });
   connect(m_view, &CompareView::effectTimesChanged, m_effects, &EffectsPanel::setTimes);
   connect(m_effects, &EffectsPanel::measureRequested, m_view, &CompareView::measureEffects);

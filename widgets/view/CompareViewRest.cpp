@@ -3,6 +3,7 @@
 
 #include "widgets/view/CompareView.h"
 
+#include "widgets/view/SideText.h"
 #include "widgets/view/ViewPictures.h"
 
 #include <exception>
@@ -45,21 +46,21 @@ void CompareView::leaveRest() {
   m_restTimer.stop();
   showTimes({});
   if (!m_scene.volume && !m_effects.empty())
-    tellEffects({}, m_scene.shading.model);
+    tellEffects({}, {});
 }
 
 void CompareView::showEffects() {
   const std::vector<EffectRow> rows = m_pictures->effectRowsOf(sideOfEffects());
-  const ShadingModel model = sceneOfSide(sideOfEffects()).shading.model;
-  if (rows != m_effects || model != m_effectsModel)
-    tellEffects(rows, model);
+  const QString picture = sideTitle(sceneOfSide(sideOfEffects()));
+  if (rows != m_effects || picture != m_effectsPicture)
+    tellEffects(rows, picture);
 }
 
 // Receivers set widgets, which must not happen in the middle of painting.
-void CompareView::tellEffects(const std::vector<EffectRow>& rows, ShadingModel model) {
+void CompareView::tellEffects(const std::vector<EffectRow>& rows, const QString& picture) {
   m_effects = rows;
-  m_effectsModel = model;
-  QTimer::singleShot(0, this, [this, rows, model] { emit effectsChanged(rows, model); });
+  m_effectsPicture = picture;
+  QTimer::singleShot(0, this, [this, rows, picture] { emit effectsChanged(rows, picture); });
 }
 
 void CompareView::showTimes(const EffectTimes& times) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/SideText.h"
 
+#include "widgets/scene/ProjectionSection.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -17,25 +19,6 @@ QString number(double value) {
 
 QString rangeText(const CoefficientRange& range) {
   return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
-}
-
-// Empty for the projections that are lit.
-QString unlitProjectionName(Projection projection) {
-  switch (projection) {
-  case Projection::mip:
-    return translated("Maximum intensity");
-  case Projection::minip:
-    return translated("Minimum intensity");
-  case Projection::average:
-    return translated("Average");
-  case Projection::xray:
-    return translated("X-ray");
-  case Projection::composite:
-  case Projection::isosurface:
-  case Projection::compositeIsosurface:
-    break;
-  }
-  return {};
 }
 
 QString lightingText(const Shading& shading) {
@@ -67,6 +50,10 @@ QString modelName(ShadingModel model) {
   return {};
 }
 
+QString sideTitle(const Scene& scene) {
+  return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
+}
+
 QString sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.contrast)
@@ -75,8 +62,8 @@ QString sideDetails(const Scene& scene, const SideState& state) {
     parts << translated("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
   if (state.completeMs)
     parts << translated("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
-  const QString projection = unlitProjectionName(scene.projection);
-  const QString lighting = projection.isEmpty() ? lightingText(scene.shading) : projection;
+  const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
+                                                       : translated("unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
   return parts.join(QStringLiteral(" · "));

@@ -89,10 +89,12 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   state.overflow = Overflow{0.0283, 0.1};
   EXPECT_EQ(sideDetails(scene, state),
             QString::fromUtf8("contrast 0.202 · overflow 2.8 % · 23 ms · SP 1–64 · O 0–3"));
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
   scene.projection = Projection::mip;
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));
   state = {};
   state.completeMs = 4.16;
-  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("4.2 ms · Maximum intensity"));
+  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("4.2 ms · unlit, the same with every model"));
 }
 
 } // namespace
