@@ -18,11 +18,7 @@ void MainWindow::makeEffectsDock() {
 }
 
 void MainWindow::connectEffects() {
-  connect(m_view, &CompareView::effectsChanged, this,
-          [this](const std::vector<EffectRow>& rows, const QString& picture) {
-            const bool isSingle = m_view->compareLayout() == CompareLayout::single;
-            m_effects->setRows(rows, isSingle ? picture : tr("%1 (right)").arg(picture));
-          });
+  connect(m_view, &CompareView::effectsChanged, m_effects, &EffectsPanel::setRows);
   connect(m_view, &CompareView::effectTimesChanged, m_effects, &EffectsPanel::setTimes);
   connect(m_effects, &EffectsPanel::measureRequested, m_view, &CompareView::measureEffects);
 }

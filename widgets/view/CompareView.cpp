@@ -259,6 +259,8 @@ void CompareView::showEvent(QShowEvent* event) {
   });
   if (!m_state.resting)
     redraw();
+  else
+    m_restTimer.start(0);
 }
 
 void CompareView::updatePanels() {

@@ -91,6 +91,9 @@ public:
   /// How many shader programs were compiled so far.
   int compiledPrograms() const;
 
+  /// Whether the pictures rest and all that is done at rest is done.
+  bool isIdle() const { return m_state.resting && !m_restTimer.isActive(); }
+
   QSize sizeHint() const override { return {960, 540}; }
   QSize minimumSizeHint() const override { return {240, 180}; }
 

@@ -51,7 +51,8 @@ void CompareView::leaveRest() {
 
 void CompareView::showEffects() {
   const std::vector<EffectRow> rows = m_pictures->effectRowsOf(sideOfEffects());
-  const QString picture = sideTitle(sceneOfSide(sideOfEffects()));
+  const QString title = sideTitle(sceneOfSide(sideOfEffects()));
+  const QString picture = pictureCount(m_layout) == 1 ? title : tr("%1 (right)").arg(title);
   if (rows != m_effects || picture != m_effectsPicture)
     tellEffects(rows, picture);
 }
