@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "gl/FloatTarget.h"
 #include "gl/SavedState.h"
 #include "raycaster/CoveredPixels.h"
 #include "raycaster/ProgramCache.h"
@@ -8,6 +9,7 @@
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
 #include "scene/Error.h"
+#include "scene/Neighbours.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
@@ -37,44 +39,6 @@ void scissor(const PixelRect& rect, const glm::ivec2& size) {
   glScissor(rect.topLeft.x, size.y - rect.topLeft.y - rect.size.y, rect.size.x, rect.size.y);
 }
 
-// A framebuffer of floats, bound while it lives.
-class FloatTarget {
-public:
-  explicit FloatTarget(const glm::ivec2& size) {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawBefore);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readBefore);
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textureBefore);
-    glBindTexture(GL_TEXTURE_2D, m_color.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textureBefore));
-    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      restore();
-      throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
-                                           std::to_string(size.x) + "×" + std::to_string(size.y) +
-                                           " pixels in floats; try a smaller one or --engine reference.");
-    }
-  }
-  ~FloatTarget() { restore(); }
-  FloatTarget(const FloatTarget&) = delete;
-  FloatTarget& operator=(const FloatTarget&) = delete;
-
-private:
-  void restore() const {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawBefore));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readBefore));
-  }
-
-  GlTexture m_color;
-  GlFramebuffer m_framebuffer;
-  GLint m_drawBefore = 0;
-  GLint m_readBefore = 0;
-  GLint m_textureBefore = 0;
-};
-
 // Reads the framebuffer bound; its rows go from the bottom up.
 Image readBack(const glm::ivec2& size) {
   Image flipped(size);
@@ -103,7 +67,7 @@ struct RayCaster::Parts {
   std::string stepLimitation;
   bool skipsEmptySpace = true;
   bool compilesAllEffects = false;
-  std::optional<Effect> leftOut;
+  std::optional<EffectSet> leftOut;
 
   Parts();
   EffectPlan plan(const Scene& scene);
@@ -113,6 +77,7 @@ struct RayCaster::Parts {
   void bindTextures() const;
   Image render(const Scene& scene, Content content, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
+  void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
 RayCaster::Parts::Parts() {
@@ -199,6 +164,15 @@ Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::i
   return readBack(size);
 }
 
+// Some drivers compile only when something is drawn: one pixel is enough.
+void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size) {
+  glViewport(0, 0, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(size.x / 2, size.y / 2, 1, 1);
+  textures.measure(scene, effects);
+  drawWith(programs.exactly(effects), scene, size);
+}
+
 RayCaster::RayCaster(EmptySpace emptySpace, Programs programs) {
   requireOpenGl3();
   m_parts = std::make_unique<Parts>();
@@ -234,8 +208,8 @@ EffectPlan RayCaster::plan(const Scene& scene) {
   return m_parts->plan(scene);
 }
 
-void RayCaster::leaveOut(std::optional<Effect> effect) {
-  m_parts->leftOut = effect;
+void RayCaster::leaveOut(std::optional<EffectSet> effects) {
+  m_parts->leftOut = effects;
 }
 
 std::string RayCaster::fragmentShader(const Scene& scene) {
@@ -246,19 +220,19 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
-  const EffectPlan needed = plan(scene);
+  const SavedState saved;
+  const EffectPlan needed = m_parts->plan(scene);
   if (!needed.isVisible)
     return false;
-  for (const EffectSet& effects : {needed.effects, withAllNeutral(needed.effects)}) {
-    if (m_parts->programs.has(effects))
+  if (!m_parts->programs.has(needed.effects)) {
+    m_parts->tryOut(needed.effects, scene, size);
+    return true;
+  }
+  for (const Scene& neighbour : neighbours(scene)) {
+    const EffectSet wanted = m_parts->plan(neighbour).effects;
+    if (m_parts->programs.canDraw(wanted))
       continue;
-    // Some drivers compile only when something is drawn: one pixel is enough.
-    const SavedState saved;
-    glViewport(0, 0, size.x, size.y);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(size.x / 2, size.y / 2, 1, 1);
-    m_parts->textures.measure(scene, needed.effects);
-    m_parts->drawWith(m_parts->programs.exactly(effects), scene, size);
+    m_parts->tryOut(withAllNeutral(wanted), neighbour, size);
     return true;
   }
   return false;
