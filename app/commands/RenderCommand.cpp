@@ -28,8 +28,11 @@ struct RenderArguments {
   int threads = 0;
 };
 
-const std::map<std::string, Engine> engines{
-    {"auto", Engine::automatic}, {"gl", Engine::gl}, {"reference", Engine::reference}};
+const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
+                                            {"gl", Engine::gl},
+                                            {"slices", Engine::slices},
+                                            {"slices-back-to-front", Engine::slicesBackToFront},
+                                            {"reference", Engine::reference}};
 
 const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
                                                  {"classic", ShadingModel::classic},
@@ -92,7 +95,7 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
 
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
-    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl or reference.");
+    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   const bool isComparison = arguments.model == "compare";
   LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
                                  terminalProgress(arguments.source.quiet));
@@ -133,7 +136,9 @@ void addRenderCommand(CLI::App& root) {
                      "scene file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
   command->add_option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr")->required();
   command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
-  command->add_option("--engine", arguments->engine, "auto, gl or reference (double precision, slow)");
+  command->add_option("--engine", arguments->engine,
+                      "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
+                      "slices-back-to-front, or reference (double precision, slow)");
   command->add_option("--model", arguments->model,
                       "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
   command->add_option(

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "gl/FloatTarget.h"
+#include "gl/GlVersion.h"
 #include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
 #include "scene/EffectSet.h"
-#include "scene/Error.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
@@ -19,73 +20,6 @@ namespace {
 
 // Pictures drawn off screen go to the driver in pieces that no watchdog takes for a hang.
 constexpr int tileSize = 256;
-
-void requireOpenGl3() {
-  if (epoxy_gl_version() < 30 || !epoxy_is_desktop_gl())
-    throw Error(Error::Kind::openGl,
-                "The graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
-                    std::to_string(epoxy_gl_version() % 10) +
-                    ", but drawing needs OpenGL 3.0; update the driver or install Mesa's "
-                    "software driver (libgl1-mesa-dri).");
-}
-
-void bind(TextureUnit unit, unsigned target, unsigned texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(target, texture);
-}
-
-// A framebuffer of floats, bound while it lives.
-class FloatTarget {
-public:
-  explicit FloatTarget(const glm::ivec2& size) {
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_drawBefore);
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_readBefore);
-    glGetIntegerv(GL_TEXTURE_BINDING_2D, &m_textureBefore);
-    glBindTexture(GL_TEXTURE_2D, m_color.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textureBefore));
-    glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      restore();
-      throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
-                                           std::to_string(size.x) + "×" + std::to_string(size.y) +
-                                           " pixels in floats; try a smaller one or --engine reference.");
-    }
-  }
-  ~FloatTarget() { restore(); }
-  FloatTarget(const FloatTarget&) = delete;
-  FloatTarget& operator=(const FloatTarget&) = delete;
-
-private:
-  void restore() const {
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_drawBefore));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_readBefore));
-  }
-
-  GlTexture m_color;
-  GlFramebuffer m_framebuffer;
-  GLint m_drawBefore = 0;
-  GLint m_readBefore = 0;
-  GLint m_textureBefore = 0;
-};
-
-// Reads the framebuffer bound; its rows go from the bottom up.
-Image readBack(const glm::ivec2& size) {
-  Image flipped(size);
-  GLint alignment = 4;
-  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, flipped.pixels.data());
-  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  Image image(size);
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      image.at(x, y) = flipped.at(x, size.y - 1 - y);
-  return image;
-}
 
 } // namespace
 
@@ -149,13 +83,7 @@ void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::i
   const ShaderProgram& shader = program(prepare(scene, countsSamples));
   shader.use();
   setUniforms(shader, scene, size, textures);
-  bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
-  bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
-  bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
-  bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
-  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
-  bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
-  bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
+  bindTextures(textures);
   // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);

@@ -39,6 +39,27 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+// What one sample needs, in the order of the stage contract.
+void appendSampleBlocks(ShaderSource& source, EffectSet effects) {
+  for (const char* block : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
+    appendBlock(source, block);
+  if (effects.has(Effect::emptySpaceSkipping))
+    appendBlock(source, "empty_space.glsl");
+  if (effects.has(Effect::gradient))
+    appendBlock(source, "gradient.glsl");
+  if (readsRatio(effects))
+    appendBlock(source, "gradient_ratio.glsl");
+  if (effects.has(Effect::gradientOpacity))
+    appendBlock(source, "gradient_opacity.glsl");
+  if (effects.has(Effect::cutFaces))
+    appendBlock(source, "cut_faces.glsl");
+  if (effects.has(Effect::lighting))
+    appendBlock(source, "lighting.glsl");
+  if (hasFog(effects))
+    appendBlock(source, "fog.glsl");
+  appendBlock(source, "sample.glsl");
+}
+
 } // namespace
 
 const std::string& embeddedShader(const std::string& name) {
@@ -56,30 +77,29 @@ ShaderSource vertexSource() {
   return source;
 }
 
+ShaderSource sliceVertexSource() {
+  ShaderSource source;
+  source.append("prelude", version);
+  appendBlock(source, "slice.vert.glsl");
+  return source;
+}
+
 ShaderSource fragmentSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
   appendBlock(source, "ray.glsl");
-  if (!effects.has(Effect::sampleCounts)) {
-    for (const char* block : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
-      appendBlock(source, block);
-    if (effects.has(Effect::emptySpaceSkipping))
-      appendBlock(source, "empty_space.glsl");
-    if (effects.has(Effect::gradient))
-      appendBlock(source, "gradient.glsl");
-    if (readsRatio(effects))
-      appendBlock(source, "gradient_ratio.glsl");
-    if (effects.has(Effect::gradientOpacity))
-      appendBlock(source, "gradient_opacity.glsl");
-    if (effects.has(Effect::cutFaces))
-      appendBlock(source, "cut_faces.glsl");
-    if (effects.has(Effect::lighting))
-      appendBlock(source, "lighting.glsl");
-    if (hasFog(effects))
-      appendBlock(source, "fog.glsl");
-    appendBlock(source, "sample.glsl");
-  }
+  if (!effects.has(Effect::sampleCounts))
+    appendSampleBlocks(source, effects);
   appendBlock(source, "composite.glsl");
+  return source;
+}
+
+ShaderSource sliceSource(EffectSet effects) {
+  ShaderSource source;
+  source.append("prelude", prelude(effects));
+  appendBlock(source, "ray.glsl");
+  appendSampleBlocks(source, effects);
+  appendBlock(source, "slice.glsl");
   return source;
 }
 
