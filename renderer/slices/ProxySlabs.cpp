@@ -10,6 +10,8 @@
 namespace limn {
 namespace {
 
+constexpr double beyondBoxMm = 1e30;
+
 struct Depths {
   double nearest = 0.0;
   double farthest = 0.0;
@@ -108,7 +110,8 @@ std::vector<ProxySlab> proxySlabs(const Scene& scene, const glm::ivec2& size) {
   const double thickness = (box.farthest - box.nearest) / count;
   const auto plane = [&](int i) { return i == count ? box.farthest : box.nearest + i * thickness; };
   for (int i = 0; i < count; ++i) {
-    ProxySlab slab{plane(i), plane(i + 1), coverOf(view, plane(i), plane(i + 1))};
+    ProxySlab slab{i == 0 ? -beyondBoxMm : plane(i), i + 1 == count ? beyondBoxMm : plane(i + 1),
+                   coverOf(view, plane(i), plane(i + 1))};
     if (!slab.polygon.empty())
       slabs.push_back(std::move(slab));
   }

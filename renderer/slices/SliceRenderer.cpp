@@ -23,19 +23,15 @@ namespace {
 // Slabs go to the driver in pieces that no watchdog takes for a hang.
 constexpr std::size_t fragmentsPerDraw = std::size_t(1) << 25;
 
-// The box's faces, not the outermost planes, end what is drawn: rounding a plane to float must lose nothing.
-constexpr float beyondBox = 1e30f;
-
 // The triangles of all slabs in the order of blending, and where each slab's begin.
 struct Triangles {
   std::vector<glm::vec4> corners; // place in the viewport, near and far plane in mm
   std::vector<int> starts{0};
 };
 
-void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, const glm::vec2& planes,
-                Triangles& triangles) {
+void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, Triangles& triangles) {
   const auto corner = [&](std::size_t i) {
-    return glm::vec4(glm::vec2(slab.polygon[i] / halfSize), planes.x, planes.y);
+    return glm::vec4(glm::vec2(slab.polygon[i] / halfSize), slab.nearMm, slab.farMm);
   };
   for (std::size_t i = 2; i < slab.polygon.size(); ++i)
     for (const std::size_t k : {std::size_t(0), i - 1, i})
@@ -45,12 +41,9 @@ void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, const glm::ve
 
 Triangles trianglesOf(const std::vector<ProxySlab>& slabs, const glm::ivec2& size, BlendOrder order) {
   Triangles triangles;
-  for (std::size_t i = 0; i < slabs.size(); ++i) {
-    const std::size_t k = order == BlendOrder::frontToBack ? i : slabs.size() - 1 - i;
-    const glm::vec2 planes(k == 0 ? -beyondBox : static_cast<float>(slabs[k].nearMm),
-                           k + 1 == slabs.size() ? beyondBox : static_cast<float>(slabs[k].farMm));
-    appendSlab(slabs[k], glm::dvec2(size) / 2.0, planes, triangles);
-  }
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+    appendSlab(slabs[order == BlendOrder::frontToBack ? i : slabs.size() - 1 - i], glm::dvec2(size) / 2.0,
+               triangles);
   return triangles;
 }
 
