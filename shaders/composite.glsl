@@ -1,63 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The integral of RENDERING 7 by its standard discretisation: equal steps, one sample at each midpoint.
-
-uniform float u_lastTransmittance;
+// The integral along a ray, alone or up to a surface.
 
 out vec4 fragColor;
-
-#ifndef EFFECT_SAMPLE_COUNTS
-bool isFinished(Gathered ray) {
-#ifdef EFFECT_EARLY_TERMINATION
-  return ray.transmittance * (1.0 - ray.loss) <= u_lastTransmittance;
-#else
-  return false;
-#endif
-}
-
-March marchThrough(Ray ray, vec2 span, int count) {
-  March march;
-  march.stepMm = (span.y - span.x) / float(count);
-  march.entry = ray.anchor + span.x * ray.direction;
-  march.stride = march.stepMm * ray.direction;
-  march.first = toTexture(march.entry);
-  march.advance = march.stride * u_textureScale;
-  march.fromEye = span.x - ray.eye;
-  march.units = march.stepMm * u_perUnitDistance;
-#ifdef EFFECT_LIGHTING
-  march.light = lightAlong(ray.direction * u_spacing);
-#endif
-  return march;
-}
-
-Gathered gather(March march, int count) {
-  Gathered gathered = Gathered(vec3(0.0), 1.0, 0.0);
-  for (int i = 0; i < count && !isFinished(gathered); ++i) {
-    vec3 position = positionOf(march, float(i));
-    float scalar = scalarAt(position);
-#ifdef EFFECT_LONG_RAYS
-    // One loop: drivers limit the iterations of all loops of a fragment together.
-    if (mayBeSeen(scalar))
-      addSample(gathered, march, position, scalar, float(i));
-#else
-    // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
-    while (!mayBeSeen(scalar)) {
-#ifdef EFFECT_EMPTY_SPACE_SKIPPING
-      i += max(1, emptySamples(position, march.advance));
-#else
-      ++i;
-#endif
-      if (i >= count)
-        break;
-      position = positionOf(march, float(i));
-      scalar = scalarAt(position);
-    }
-    if (i < count)
-      addSample(gathered, march, position, scalar, float(i));
-#endif
-  }
-  return gathered;
-}
-#endif
 
 void main() {
   fragColor = vec4(0.0);
@@ -66,11 +10,23 @@ void main() {
   if (!(span.y > span.x))
     return;
   int count = sampleCount(span.y - span.x);
-#ifdef EFFECT_SAMPLE_COUNTS
-  fragColor = vec4(float(count));
+  March march = marchThrough(ray, span, count);
+#ifdef EFFECT_HYBRID
+  // Gather what lies before the surface in steps of its own, then put it over the surface.
+  vec3 surface = vec3(0.0);
+  float hit = firstHit(march, count);
+  bool isHit = hit < noHit;
+  if (isHit) {
+    surface = surfaceColor(march, hit);
+    span.y = span.x + (hit + march.offset) * march.stepMm;
+    count = span.y > span.x ? sampleCount(span.y - span.x) : 0;
+    if (count > 0)
+      march = marchThrough(ray, span, count);
+  }
+  fragColor = pixelOf(gather(march, count));
+  if (isHit)
+    fragColor = vec4(fragColor.rgb + (1.0 - fragColor.a) * surface, 1.0);
 #else
-  Gathered gathered = gather(marchThrough(ray, span, count), count);
-  float transmittance = gathered.transmittance;
-  fragColor = vec4(gathered.color, (1.0 - transmittance) + transmittance * gathered.loss);
+  fragColor = pixelOf(gather(march, count));
 #endif
 }

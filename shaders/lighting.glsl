@@ -79,9 +79,12 @@ vec3 lit(vec3 material, Light light, vec3 normal, float r) {
   sum += material * (u_specular * highlight(light, normal, r));
 #endif
 #endif
-#ifdef EFFECT_KNEE
-  return knee(sum, u_knee);
+#ifdef EFFECT_UNLIMITED
+  return sum;
 #else
+#ifdef EFFECT_KNEE
+  sum = knee(sum, u_knee);
+#endif
   return clamp(sum, 0.0, 1.0);
 #endif
 }

@@ -7,7 +7,7 @@ const int segmentsPerRow = 256;
 
 vec4 segmentTexel(sampler2D segments, float index, int part) {
   int i = int(index);
-  return texelFetch(segments, ivec2(3 * (i % segmentsPerRow) + part, i / segmentsPerRow), 0);
+  return texelFetch(segments, ivec2(4 * (i % segmentsPerRow) + part, i / segmentsPerRow), 0);
 }
 
 int binOf(vec3 domain, float x) {

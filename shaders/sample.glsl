@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One visible sample: its opacity, its colour, and how they add to the ray.
+// One visible piece of a ray: its extinction, its colour, and how they add to what the ray has gathered.
 
 uniform vec2 u_opacity; // O at r = 0 and r = 1
-
-// What all samples of a ray share.
-struct March {
-  vec3 first;    // texture coordinates of the entry
-  vec3 advance;  // per sample
-  vec3 entry;    // centred index of the entry
-  vec3 stride;   // per sample
-  float fromEye; // mm, of the entry
-  float stepMm;
-  float units;   // step in unit distances
-#ifdef EFFECT_LIGHTING
-  Light light;
-#endif
-};
+uniform float u_lastTransmittance;
 
 // The light gathered by a ray. Its transmittance is transmittance * (1 - loss): losses add up from 0 and are
 // taken from the transmittance when they are large enough to change it in float, however small the steps are.
@@ -27,8 +14,20 @@ struct Gathered {
 
 const float smallLoss = 1.0 / 64.0;
 
-vec3 positionOf(March march, float i) {
-  return clamp(march.first + (i + 0.5) * march.advance, u_textureLower, u_textureUpper);
+Gathered nothingGathered() {
+  return Gathered(vec3(0.0), 1.0, 0.0);
+}
+
+bool isFinished(Gathered ray) {
+#ifdef EFFECT_EARLY_TERMINATION
+  return ray.transmittance * (1.0 - ray.loss) <= u_lastTransmittance;
+#else
+  return false;
+#endif
+}
+
+vec4 pixelOf(Gathered ray) {
+  return vec4(ray.color, (1.0 - ray.transmittance) + ray.transmittance * ray.loss);
 }
 
 // The opacity over the unit distance, changed by the gradient before it becomes an extinction, so that the
@@ -46,7 +45,7 @@ float changedOpacity(float opacity, float modulus, float r) {
   return opacity;
 }
 
-// The colour of a sample of a material, lit and fogged.
+// The colour of a material `i` steps behind sample 0, lit and fogged.
 vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
 #ifdef EFFECT_LIGHTING
   vec3 normal = vec3(0.0);
@@ -54,34 +53,42 @@ vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
   normal = gradient.w > u_flatModulus ? -gradient.xyz : vec3(0.0);
 #endif
 #ifdef EFFECT_CUT_FACES
-  normal = normalNearCut(march.entry + (i + 0.5) * march.stride, normal);
+  normal = normalNearCut(march.firstIndex + i * march.stride, normal);
 #endif
   color = lit(color, march.light, normal, r);
 #endif
 #ifdef EFFECT_FOG
-  color = fogged(color, march.fromEye + (i + 0.5) * march.stepMm);
+  color = fogged(color, march.fromEye + i * march.stepMm);
 #endif
   return color;
 }
 
-void addSample(inout Gathered ray, March march, vec3 position, float scalar, float i) {
-  float segment, start;
-  float opacity = opacityOf(scalar, segment, start);
-  vec4 gradient = vec4(0.0); // unit vector and modulus
-  float r = 0.0;
+// The unit gradient and its modulus, and r, where an effect reads them.
+vec4 gradientOf(vec3 position, out float r) {
+  vec4 gradient = vec4(0.0);
+  r = 0.0;
 #ifdef EFFECT_GRADIENT
   gradient = safeNormal(gradientAt(position));
 #endif
 #ifdef EFFECT_GRADIENT_RATIO
   r = gradientRatio(gradient.w);
 #endif
-  opacity = changedOpacity(opacity, gradient.w, r);
-  float alpha = oneMinusExpNeg(minusLog1mOpacity(opacity) * march.units);
-  vec3 color = shaded(colorOf(scalar, segment, start), march, gradient, r, i);
+  return gradient;
+}
+
+void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
+  float r;
+  vec4 gradient = gradientOf(position, r);
+#ifdef EFFECT_CHANGED_OPACITY
+  float extinction = minusLog1mOpacity(changedOpacity(material.opacity, gradient.w, r));
+#else
+  float extinction = material.extinction;
+#endif
+  float alpha = oneMinusExpNeg(extinction * march.units);
 
   // Composite front to back.
   float share = (1.0 - ray.loss) * alpha;
-  ray.color += ray.transmittance * share * color;
+  ray.color += ray.transmittance * share * shaded(material.color, march, gradient, r, i);
   ray.loss += share;
   if (ray.loss > smallLoss) {
     ray.transmittance -= ray.transmittance * ray.loss;

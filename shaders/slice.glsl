@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One slice of the integral of RENDERING 7: the piece of the ray between two planes, one sample at its middle,
-// to be blended with over.
+// One slice of the integral of RENDERING 7: the piece of the ray between two planes as one step, to be blended
+// with over.
 
 flat in vec2 v_planes; // mm along the view from the anchor plane
 
@@ -15,19 +15,20 @@ vec2 pieceOf(Ray ray) {
   return vec2(max(span.x, v_planes.x * mmPerDepth), min(span.y, v_planes.y * mmPerDepth));
 }
 
-March marchOver(Ray ray, vec2 piece) {
-  March march;
-  march.stepMm = piece.y - piece.x;
-  march.entry = ray.anchor + piece.x * ray.direction;
-  march.stride = march.stepMm * ray.direction;
-  march.first = toTexture(march.entry);
-  march.advance = march.stride * u_textureScale;
-  march.fromEye = piece.x - ray.eye;
-  march.units = march.stepMm * u_perUnitDistance;
-#ifdef EFFECT_LIGHTING
-  march.light = lightAlong(ray.direction * u_spacing);
+// What the piece holds. Where that cannot be seen the fragment ends here: drivers skip what follows.
+Material materialIn(March march) {
+#ifdef EFFECT_PREINTEGRATION
+  float before = scalarAt(positionOf(march, -0.5));
+  float behind = scalarAt(positionOf(march, 0.5));
+  if (!mayBeSeenBetween(before, behind))
+    discard;
+  return meanMaterial(before, behind);
+#else
+  float scalar = scalarAt(positionOf(march, 0.0));
+  if (!mayBeSeen(scalar))
+    discard;
+  return materialOf(scalar);
 #endif
-  return march;
 }
 
 void main() {
@@ -35,13 +36,8 @@ void main() {
   vec2 piece = pieceOf(ray);
   if (!(piece.y > piece.x))
     discard;
-  March march = marchOver(ray, piece);
-  vec3 position = positionOf(march, 0.0);
-  float scalar = scalarAt(position);
-  if (!mayBeSeen(scalar))
-    discard;
-  Gathered gathered = Gathered(vec3(0.0), 1.0, 0.0);
-  addSample(gathered, march, position, scalar, 0.0);
-  float transmittance = gathered.transmittance;
-  fragColor = vec4(gathered.color, (1.0 - transmittance) + transmittance * gathered.loss);
+  March march = marchThrough(ray, piece, 1);
+  Gathered gathered = nothingGathered();
+  addMaterial(gathered, march, positionOf(march, 0.0), materialIn(march), 0.0);
+  fragColor = pixelOf(gathered);
 }

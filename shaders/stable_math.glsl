@@ -24,6 +24,22 @@ float minusLog1mOpacity(float a) {
   return a > 0.5 ? -log(1.0 - a) : logOfRatio(a / (2.0 - a));
 }
 
+// -integral of log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
+float meanMinusLog1m(float x) {
+  if (x < 0.25)
+    return x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 12.0 + x * (1.0 / 20.0 + x * (1.0 / 30.0 + x * (1.0 / 42.0 +
+           x * (1.0 / 56.0 + x * (1.0 / 72.0 + x * (1.0 / 90.0 + x * (1.0 / 110.0))))))))));
+  return 1.0 - (1.0 - x) * minusLog1mOpacity(x) / x;
+}
+
+// -integral of s log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
+float momentMinusLog1m(float x) {
+  if (x < 0.25)
+    return x * (1.0 / 3.0 + x * (1.0 / 8.0 + x * (1.0 / 15.0 + x * (1.0 / 24.0 + x * (1.0 / 35.0 + x * (1.0 / 48.0 +
+           x * (1.0 / 63.0 + x * (1.0 / 80.0 + x * (1.0 / 99.0 + x * (1.0 / 120.0))))))))));
+  return (0.5 + 0.25 * x - (1.0 - x) * (1.0 + x) * minusLog1mOpacity(x) / (2.0 * x)) / x;
+}
+
 vec4 safeNormal(vec3 v) {
   float m = max(max(abs(v.x), abs(v.y)), abs(v.z));
   if (!(m > 1e-37) || !(m < 3e38))

@@ -37,10 +37,13 @@ std::string programLog(GLuint program) {
   return log.c_str();
 }
 
-void compile(const Shader& shader, const ShaderSource& source) {
+void startCompiling(const Shader& shader, const ShaderSource& source) {
   const char* text = source.text.c_str();
   glShaderSource(shader.name, 1, &text, nullptr);
   glCompileShader(shader.name);
+}
+
+void requireCompiled(const Shader& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
@@ -80,25 +83,56 @@ std::string withFileLines(const std::string& log, const ShaderSource& source) {
   return translated;
 }
 
-ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment) {
-  const Shader vertexShader(GL_VERTEX_SHADER);
-  const Shader fragmentShader(GL_FRAGMENT_SHADER);
-  compile(vertexShader, vertex);
-  compile(fragmentShader, fragment);
-  glAttachShader(m_program.name(), vertexShader.name);
-  glAttachShader(m_program.name(), fragmentShader.name);
+struct ShaderProgram::Pending {
+  ShaderSource vertexSource;
+  ShaderSource fragmentSource;
+  Shader vertex{GL_VERTEX_SHADER};
+  Shader fragment{GL_FRAGMENT_SHADER};
+};
+
+ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment, Linking linking)
+    : m_pending(new Pending{vertex, fragment}) {
+  // No question before `finish`: each would make the driver wait for its own threads.
+  startCompiling(m_pending->vertex, vertex);
+  startCompiling(m_pending->fragment, fragment);
+  glAttachShader(m_program.name(), m_pending->vertex.name);
+  glAttachShader(m_program.name(), m_pending->fragment.name);
   glBindAttribLocation(m_program.name(), 0, "a_corner");
   glBindFragDataLocation(m_program.name(), 0, "fragColor");
   glLinkProgram(m_program.name());
+  if (linking == Linking::finished)
+    finish();
+}
+
+ShaderProgram::~ShaderProgram() = default;
+ShaderProgram::ShaderProgram(ShaderProgram&&) noexcept = default;
+ShaderProgram& ShaderProgram::operator=(ShaderProgram&&) noexcept = default;
+
+bool ShaderProgram::isReady() const {
+  const bool canTell = epoxy_has_gl_extension("GL_KHR_parallel_shader_compile") ||
+                       epoxy_has_gl_extension("GL_ARB_parallel_shader_compile");
+  if (!m_pending || !canTell)
+    return true;
+  GLint isComplete = GL_FALSE;
+  glGetProgramiv(m_program.name(), GL_COMPLETION_STATUS_ARB, &isComplete);
+  return isComplete == GL_TRUE;
+}
+
+void ShaderProgram::finish() {
+  if (!m_pending)
+    return;
+  requireCompiled(m_pending->vertex, m_pending->vertexSource);
+  requireCompiled(m_pending->fragment, m_pending->fragmentSource);
   GLint isLinked = GL_FALSE;
   glGetProgramiv(m_program.name(), GL_LINK_STATUS, &isLinked);
-  glDetachShader(m_program.name(), vertexShader.name);
-  glDetachShader(m_program.name(), fragmentShader.name);
+  glDetachShader(m_program.name(), m_pending->vertex.name);
+  glDetachShader(m_program.name(), m_pending->fragment.name);
   if (isLinked != GL_TRUE)
     throw Error(Error::Kind::openGl,
                 "The graphics driver could not link a shader program; please report this with the driver's "
                 "name and this message: " +
                     programLog(m_program.name()));
+  m_pending.reset();
 }
 
 void ShaderProgram::use() const {

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -32,8 +33,25 @@ std::string withFileLines(const std::string& log, const ShaderSource& source);
 /// A linked GLSL 1.30 program whose only attribute is `a_corner` at 0 and whose output is `fragColor`.
 class ShaderProgram {
 public:
-  /// Compiles and links; throws Error (openGl) with the driver's message by file and line.
-  ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment);
+  enum class Linking { finished, started };
+
+  /// Compiles and links, or leaves it to the driver to do so in the background, if it can, until `finish`.
+  /// Throws Error (openGl) with the driver's message by file and line.
+  ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment,
+                Linking linking = Linking::finished);
+
+  /// Whether `finish` has been passed.
+  bool isLinked() const { return !m_pending; }
+
+  /// Whether `finish` would return at once. True where the driver cannot say.
+  bool isReady() const;
+
+  /// Waits for the driver; throws what the constructor would have thrown.
+  void finish();
+
+  ~ShaderProgram();
+  ShaderProgram(ShaderProgram&&) noexcept;
+  ShaderProgram& operator=(ShaderProgram&&) noexcept;
 
   void use() const;
 
@@ -44,9 +62,13 @@ public:
   void set(const char* uniform, const glm::vec3& value) const;
 
 private:
+  // What is needed until the driver's verdict is known.
+  struct Pending;
+
   int location(const char* uniform) const;
 
   GlProgram m_program;
+  std::unique_ptr<Pending> m_pending;
   mutable std::unordered_map<std::string, int> m_locations;
 };
 

@@ -9,6 +9,9 @@ namespace {
 
 constexpr int farthest = 255;
 
+// By this much of the volume's range may a filtered texel leave the range of its neighbours.
+constexpr float filterRounding = 1e-5f;
+
 // The range of the texels from `from` up to but not including `to`.
 glm::vec2 rangeOf(const TextureVoxels& voxels, const glm::ivec3& from, const glm::ivec3& to) {
   glm::vec2 range(3e38f, -3e38f);
@@ -24,8 +27,8 @@ glm::vec2 rangeOf(const TextureVoxels& voxels, const glm::ivec3& from, const glm
 // How many bins up to each one hold an opacity.
 std::vector<int> visibleBinsBefore(const PiecewiseTable& function) {
   std::vector<int> before{0};
-  for (const float opacity : function.occupancy)
-    before.push_back(before.back() + (opacity > 0.0f ? 1 : 0));
+  for (const glm::vec2& occupancy : function.occupancy)
+    before.push_back(before.back() + (occupancy.x > 0.0f ? 1 : 0));
   return before;
 }
 
@@ -66,16 +69,23 @@ BlockRanges blockRanges(const TextureVoxels& voxels) {
   return result;
 }
 
-std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const PiecewiseTable& function) {
-  const std::vector<int> before = visibleBinsBefore(function);
+std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility) {
+  std::vector<int> before;
+  if (visibility.function)
+    before = visibleBinsBefore(*visibility.function);
   std::vector<std::uint8_t> distances;
   distances.reserve(ranges.ranges.size());
   for (const glm::vec2& range : ranges.ranges) {
-    // A filter rounds: the neighbouring bin may be the one that a sample falls into.
-    const int first = binOf(function, range.x, -0.01f);
-    const int last = binOf(function, range.y, 0.01f);
-    const bool isEmpty =
-        before[static_cast<std::size_t>(last) + 1] == before[static_cast<std::size_t>(first)];
+    bool isEmpty = true;
+    if (visibility.function) {
+      // A filter rounds: the neighbouring bin may be the one that a sample falls into.
+      const int first = binOf(*visibility.function, range.x, -0.01f);
+      const int last = binOf(*visibility.function, range.y, 0.01f);
+      isEmpty = before[static_cast<std::size_t>(last) + 1] == before[static_cast<std::size_t>(first)];
+    }
+    if (visibility.isovalue)
+      isEmpty = isEmpty && (*visibility.isovalue < range.x - filterRounding ||
+                            *visibility.isovalue > range.y + filterRounding);
     distances.push_back(isEmpty ? farthest : 0);
   }
   // Two passes in opposite order spread the distances: chessboard metric, exact.

@@ -5,6 +5,7 @@
 #include "raycaster/TextureVoxels.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace limn {
 
@@ -21,8 +22,15 @@ struct BlockRanges {
 
 BlockRanges blockRanges(const TextureVoxels& voxels);
 
-/// For each block the Chebyshev distance, in blocks, to the nearest in which a sample may be seen: 0 there,
-/// at most 255. All blocks nearer than it are empty.
-std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const PiecewiseTable& function);
+/// What may show in a picture: scalars that the transfer function makes opaque, and the surface of one scalar
+/// (normalised as the texels are). Either may be absent.
+struct Visibility {
+  const PiecewiseTable* function = nullptr;
+  std::optional<float> isovalue;
+};
+
+/// For each block the Chebyshev distance, in blocks, to the nearest in which something may show: 0 there, at
+/// most 255. All blocks nearer than it are empty.
+std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility);
 
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/PiecewiseTable.h"
 
+#include "scene/MeanMaterial.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ namespace {
 
 constexpr int binCount = 1024;
 constexpr int segmentsPerRow = 256;
-constexpr int texelsPerSegment = 3;
+constexpr int texelsPerSegment = 4;
 constexpr float beyondAll = 3e38f;
 
 // A sample's bin is computed in float; a knot this near to an edge, in bins, belongs to both sides.
@@ -23,6 +25,7 @@ struct FloatKnot {
 
 struct Segment {
   glm::vec4 line, color, colorSlope;
+  glm::vec4 before{0.0f}; // integrals up to the start
 };
 
 Segment segmentBetween(const FloatKnot& left, const FloatKnot& right) {
@@ -31,11 +34,15 @@ Segment segmentBetween(const FloatKnot& left, const FloatKnot& right) {
       width > 0.0 ? (glm::dvec4(right.value) - glm::dvec4(left.value)) / width : glm::dvec4(0.0);
   return {{left.x, left.value.a, static_cast<float>(slope.a), right.x},
           {left.value.r, left.value.g, left.value.b, 0.0f},
-          {static_cast<float>(slope.r), static_cast<float>(slope.g), static_cast<float>(slope.b), 0.0f}};
+          {static_cast<float>(slope.r), static_cast<float>(slope.g), static_cast<float>(slope.b), 0.0f},
+          glm::vec4(0.0f)};
 }
 
 Segment constantSegment(const FloatKnot& knot, float end) {
-  return {{knot.x, knot.value.a, 0.0f, end}, {knot.value.r, knot.value.g, knot.value.b, 0.0f}, glm::vec4(0)};
+  return {{knot.x, knot.value.a, 0.0f, end},
+          {knot.value.r, knot.value.g, knot.value.b, 0.0f},
+          glm::vec4(0.0f),
+          glm::vec4(0.0f)};
 }
 
 std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
@@ -44,6 +51,15 @@ std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
   for (std::size_t k = 1; k < knots.size(); ++k)
     segments.push_back(segmentBetween(knots[k - 1], knots[k]));
   segments.push_back(constantSegment(knots.back(), beyondAll));
+  // Sum in double from knot to knot.
+  glm::dvec4 integral(0.0);
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    const glm::dvec4 from(knots[k - 1].value);
+    const glm::dvec4 to(knots[k].value);
+    integral += (static_cast<double>(knots[k].x) - knots[k - 1].x) *
+                meanOfPiece({glm::dvec3(from), from.a}, {glm::dvec3(to), to.a});
+    segments[k + 1].before = glm::vec4(integral);
+  }
   return segments;
 }
 
@@ -55,6 +71,7 @@ void storeSegments(const std::vector<Segment>& segments, PiecewiseTable& table) 
     table.segments[texelsPerSegment * i] = segments[i].line;
     table.segments[texelsPerSegment * i + 1] = segments[i].color;
     table.segments[texelsPerSegment * i + 2] = segments[i].colorSlope;
+    table.segments[texelsPerSegment * i + 3] = segments[i].before;
   }
 }
 
@@ -98,6 +115,7 @@ float largestOpacityIn(const std::vector<Segment>& segments, const std::vector<F
 void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
                const std::vector<double>& places, PiecewiseTable& table) {
   table.occupancy.resize(table.bins.size());
+  int visible = 0;
   for (std::size_t bin = 0; bin < table.bins.size(); ++bin) {
     const auto low = static_cast<double>(bin);
     const auto before = std::lower_bound(places.begin(), places.end(), low - edgeMargin) - places.begin();
@@ -107,9 +125,11 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot
     table.bins[bin] = segments[static_cast<std::size_t>(before)].line;
     table.bins[bin].w = after > before ? -1.0f - index : index;
     const double perUnit = table.domain.y > 0.0f ? table.domain.y : 1.0;
-    table.occupancy[bin] = largestOpacityIn(
+    const float largest = largestOpacityIn(
         segments, knots, static_cast<std::size_t>(before), static_cast<std::size_t>(after),
         table.domain.x + (low - edgeMargin) / perUnit, table.domain.x + (low + 1.0 + edgeMargin) / perUnit);
+    table.occupancy[bin] = {largest, static_cast<float>(visible)};
+    visible += largest > 0.0f ? 1 : 0;
     // The shader steps over two knots before it loops.
     table.loopSteps = std::max(table.loopSteps, static_cast<int>(after - before) - 2);
   }
@@ -140,6 +160,9 @@ PiecewiseTable tableOf(const TransferFunction& function, const ValueRange& range
 
 PiecewiseTable tableOf(const GradientOpacity& curve, double unit) {
   std::vector<Knot> knots;
+  // A scene without a curve has the neutral one.
+  if (curve.points.empty())
+    knots.push_back({0.0, glm::dvec4(0.0, 0.0, 0.0, 1.0)});
   for (const GradientOpacityPoint& point : curve.points)
     knots.push_back({point.gradient / (unit > 0.0 ? unit : 1.0), glm::dvec4(0.0, 0.0, 0.0, point.opacity)});
   // No difference of normalised voxels is longer than √3 in these units.

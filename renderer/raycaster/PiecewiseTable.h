@@ -19,12 +19,14 @@ struct Knot {
 /// table, so steps stay sharp and spikes survive.
 ///
 /// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one
-/// after. It takes three texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour,
-/// 0). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 - (the
-/// segment before the first of them) in its last channel.
+/// after. It takes four texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour, 0),
+/// and the integrals up to its start of colour times extinction (rgb) and of extinction per unit distance
+/// (a). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 -
+/// (the segment before the first of them) in its last channel.
 struct PiecewiseTable {
   std::vector<glm::vec4> bins;
-  std::vector<float> occupancy;    ///< the largest opacity in each bin, margins included
+  std::vector<glm::vec2>
+      occupancy;                   ///< the largest opacity in each bin, margins included; visible bins before
   std::vector<glm::vec4> segments; ///< rows of 256 segments
   glm::ivec2 segmentsSize{0};      ///< in texels
   glm::vec3 domain{0.0f};          ///< first x, bins per unit of x, index of the last bin

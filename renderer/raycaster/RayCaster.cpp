@@ -4,16 +4,13 @@
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
-#include "gl/ShaderProgram.h"
+#include "raycaster/ProgramCache.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
-#include "scene/EffectSet.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
-
-#include <map>
 
 namespace limn {
 namespace {
@@ -23,19 +20,25 @@ constexpr int tileSize = 256;
 
 } // namespace
 
+// What is drawn of a scene.
+enum class Content { picture, unlimitedPicture, sampleCounts };
+
 struct RayCaster::Parts {
   SceneTextures textures;
-  std::map<EffectSet, ShaderProgram> programs;
+  ProgramCache programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
   std::string stepLimitation;
   bool skipsEmptySpace = true;
+  bool compilesAllEffects = false;
+  std::optional<Effect> leftOut;
 
   Parts();
-  const ShaderProgram& program(EffectSet effects);
-  EffectSet prepare(const Scene& scene, bool countsSamples);
-  void draw(const Scene& scene, bool countsSamples, const glm::ivec2& size, const PixelRect& tile);
-  Image render(const Scene& scene, bool countsSamples, const glm::ivec2& size);
+  EffectPlan plan(const Scene& scene);
+  EffectSet programFor(EffectSet needed, Content content) const;
+  void draw(const Scene& scene, Content content, const glm::ivec2& size, const PixelRect& tile);
+  void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
+  Image render(const Scene& scene, Content content, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
 };
 
@@ -49,86 +52,137 @@ RayCaster::Parts::Parts() {
   glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-const ShaderProgram& RayCaster::Parts::program(EffectSet effects) {
-  const auto known = programs.find(effects);
-  if (known != programs.end())
-    return known->second;
-  return programs.emplace(effects, ShaderProgram(vertexSource(), fragmentSource(effects))).first->second;
-}
-
 void RayCaster::Parts::noteStepLimit(const Scene& scene) {
-  const int most = sampleLimit(textures);
+  const int most = sampleLimit(scene, textures);
   stepLimitation.clear();
   if (longestRaySamples(scene) > most)
     stepLimitation = "The step is so small that long rays would need more than " + std::to_string(most) +
                      " samples; they are drawn with that number.";
 }
 
-EffectSet RayCaster::Parts::prepare(const Scene& scene, bool countsSamples) {
+EffectPlan RayCaster::Parts::plan(const Scene& scene) {
+  requireDrawable(scene);
   textures.update(scene);
   noteStepLimit(scene);
-  if (countsSamples)
-    return EffectSet().with(Effect::sampleCounts);
   SceneFacts facts = textures.facts(scene);
   facts.canSkipEmptySpace = skipsEmptySpace;
-  const EffectSet effects = requiredEffects(scene, facts).effects;
-  textures.measure(scene, effects);
-  return effects;
+  return requiredEffects(scene, facts);
 }
 
-void RayCaster::Parts::draw(const Scene& scene, bool countsSamples, const glm::ivec2& size,
+EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const {
+  if (content == Content::sampleCounts)
+    return {Effect::sampleCounts};
+  if (content == Content::unlimitedPicture)
+    needed = canonical(needed.with(Effect::unlimited));
+  if (leftOut)
+    needed = leavingOut(needed, *leftOut);
+  return compilesAllEffects ? withAllNeutral(needed) : needed;
+}
+
+void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec2& size,
                             const PixelRect& tile) {
-  requireDrawable(scene);
   const SavedState saved;
-  const ShaderProgram& shader = program(prepare(scene, countsSamples));
-  shader.use();
-  setUniforms(shader, scene, size, textures);
-  bindTextures(textures);
+  const EffectPlan needed = plan(scene);
   // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);
   glScissor(tile.topLeft.x, size.y - tile.topLeft.y - tile.size.y, tile.size.x, tile.size.y);
+  if (!needed.isVisible && content != Content::sampleCounts) {
+    const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    return;
+  }
+  textures.measure(scene, needed.effects);
+  const EffectSet effects = programFor(needed.effects, content);
+  const bool isMeasured = leftOut || compilesAllEffects;
+  drawWith(isMeasured ? programs.exactly(effects) : programs.programFor(effects), scene, size);
+}
+
+void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size) {
+  shader.use();
+  setUniforms(shader, scene, size, textures);
+  bindTextures(textures);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image RayCaster::Parts::render(const Scene& scene, bool countsSamples, const glm::ivec2& size) {
+Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::ivec2& size) {
   const FloatTarget target(size);
   for (int y = 0; y < size.y; y += tileSize)
     for (int x = 0; x < size.x; x += tileSize) {
-      draw(scene, countsSamples, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
+      draw(scene, content, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
       glFlush();
     }
   return readBack(size);
 }
 
-RayCaster::RayCaster(EmptySpace emptySpace) {
+RayCaster::RayCaster(EmptySpace emptySpace, Programs programs) {
   requireOpenGl3();
   m_parts = std::make_unique<Parts>();
   m_parts->skipsEmptySpace = emptySpace == EmptySpace::skipped;
+  m_parts->compilesAllEffects = programs == Programs::allEffects;
 }
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
 void RayCaster::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile) {
-  m_parts->draw(scene, false, size, tile);
+  m_parts->draw(scene, Content::picture, size, tile);
 }
 
 Image RayCaster::render(const Scene& scene, const glm::ivec2& size) {
-  return m_parts->render(scene, false, size);
+  return m_parts->render(scene, Content::picture, size);
+}
+
+Image RayCaster::renderUnlimited(const Scene& scene, const glm::ivec2& size) {
+  return m_parts->render(scene, Content::unlimitedPicture, size);
 }
 
 std::vector<int> RayCaster::sampleCounts(const Scene& scene, const glm::ivec2& size) {
-  const Image image = m_parts->render(scene, true, size);
+  const Image image = m_parts->render(scene, Content::sampleCounts, size);
   std::vector<int> counts;
   for (const glm::vec4& pixel : image.pixels)
     counts.push_back(static_cast<int>(pixel.r));
   return counts;
 }
 
+EffectPlan RayCaster::plan(const Scene& scene) {
+  const SavedState saved;
+  return m_parts->plan(scene);
+}
+
+void RayCaster::leaveOut(std::optional<Effect> effect) {
+  m_parts->leftOut = effect;
+}
+
+std::string RayCaster::fragmentShader(const Scene& scene) {
+  const EffectPlan needed = plan(scene);
+  if (!needed.isVisible)
+    return {};
+  return fragmentSource(m_parts->programFor(needed.effects, Content::picture)).text;
+}
+
+bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
+  const EffectPlan needed = plan(scene);
+  if (!needed.isVisible)
+    return false;
+  for (const EffectSet& effects : {needed.effects, withAllNeutral(needed.effects)}) {
+    if (m_parts->programs.has(effects))
+      continue;
+    // Some drivers compile only when something is drawn: one pixel is enough.
+    const SavedState saved;
+    glViewport(0, 0, size.x, size.y);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(size.x / 2, size.y / 2, 1, 1);
+    m_parts->textures.measure(scene, needed.effects);
+    m_parts->drawWith(m_parts->programs.exactly(effects), scene, size);
+    return true;
+  }
+  return false;
+}
+
 int RayCaster::compiledPrograms() const {
-  return static_cast<int>(m_parts->programs.size());
+  return m_parts->programs.compiled();
 }
 
 const GradientScale& RayCaster::gradientScale() const {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,15 +21,20 @@ struct PixelRect {
 };
 
 /// Draws scenes with GLSL on the current OpenGL context (3.0 or newer). Owns textures and programs and keeps
-/// them while scenes share them: a new control point uploads a small table, a new camera nothing.
+/// them while scenes share them: a new control point uploads a small table, a new camera nothing. A program
+/// that draws the same picture is used until there is time to compile one that holds no more than needed.
 /// All calls, construction and destruction included, need the same context to be current.
 class RayCaster {
 public:
   /// Stepping over empty space changes no bit of a picture; tests and benchmarks switch it off to show that.
   enum class EmptySpace { skipped, sampled };
 
+  /// A program holds what the scene calls for, or beyond it every effect that has a neutral value: the same
+  /// picture bit for bit, slower. Tests and benchmarks compare the two.
+  enum class Programs { specialised, allEffects };
+
   /// Throws Error (openGl) where the driver lacks what drawing needs, naming it.
-  explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped);
+  explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped, Programs programs = Programs::specialised);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
@@ -40,9 +47,29 @@ public:
   /// Draws a whole picture off screen in 32-bit floats and reads it back.
   Image render(const Scene& scene, const glm::ivec2& size);
 
+  /// The picture whose light terms are neither clamped nor compressed (RENDERING section 4), which shows by
+  /// how much they overflow. Not limited to 0..1.
+  Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
+
   /// The number of samples of each pixel's ray, row by row from the top, 0 where it misses the volume: what
   /// tests and error figures need beside the picture.
   std::vector<int> sampleCounts(const Scene& scene, const glm::ivec2& size);
+
+  /// What the scene calls for and why. Uploads the scene if it is not the one drawn last.
+  EffectPlan plan(const Scene& scene);
+
+  /// Compiles one of the programs that the scene may soon want and has not yet: its own, then the one with
+  /// every effect that has a neutral value, which can stand in when a slider leaves that value. Draws one
+  /// pixel in the middle of a picture of `size` into the bound framebuffer. For when there is time, over a
+  /// picture of no account; false when nothing is left to do.
+  bool warmUp(const Scene& scene, const glm::ivec2& size);
+
+  /// Leaves an effect, and what cannot be had without it, out of the pictures drawn from here on, to measure
+  /// what it costs; absent: draws whole pictures again.
+  void leaveOut(std::optional<Effect> effect);
+
+  /// The assembled fragment shader with which the scene is drawn; empty where nothing is visible.
+  std::string fragmentShader(const Scene& scene);
 
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;

@@ -5,13 +5,15 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
-void uploadTable(unsigned texture, const glm::ivec2& size, bool isScalar, const void* texels) {
+void uploadTable(unsigned texture, const glm::ivec2& size, bool isPair, const void* texels) {
   glBindTexture(GL_TEXTURE_2D, texture);
-  glTexImage2D(GL_TEXTURE_2D, 0, isScalar ? GL_R32F : GL_RGBA32F, size.x, size.y, 0,
-               isScalar ? GL_RED : GL_RGBA, GL_FLOAT, texels);
+  glTexImage2D(GL_TEXTURE_2D, 0, isPair ? GL_RG32F : GL_RGBA32F, size.x, size.y, 0, isPair ? GL_RG : GL_RGBA,
+               GL_FLOAT, texels);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
 }
@@ -49,7 +51,9 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_volumeTexture.reset();
   m_volume.reset();
   m_functionShown.reset();
+  m_emptySpaceShown.reset();
   m_gradientOpacityShown.reset();
+  m_steepness.reset();
   m_largestGradient.reset();
   m_percentiles.clear();
   m_volumeTexture.emplace(*scene.volume);
@@ -66,9 +70,7 @@ void SceneTextures::measure(const Scene& scene, EffectSet effects) {
   if (const auto* fixed = std::get_if<FixedReference>(&reference))
     m_gradientScale.reference = fixed->valuePerMm;
   if (const auto* percentile = std::get_if<PercentileReference>(&reference)) {
-    const bool isRead = effects.has(Effect::exponentMap) || effects.has(Effect::opacityMap) ||
-                        effects.has(Effect::significance);
-    if (!isRead)
+    if (!usesRatio(effects))
       return;
     auto known = m_percentiles.find(percentile->percent);
     if (known == m_percentiles.end())
@@ -78,15 +80,41 @@ void SceneTextures::measure(const Scene& scene, EffectSet effects) {
   }
 }
 
+void SceneTextures::updateEmptySpace(const Scene& scene) {
+  // Projections that classify once look at every sample.
+  if (scene.projection == Projection::mip || scene.projection == Projection::minip ||
+      scene.projection == Projection::average)
+    return;
+  const bool hasSurface =
+      scene.projection == Projection::isosurface || scene.projection == Projection::compositeIsosurface;
+  EmptySpaceKey key{scene.transferFunction, scene.projection != Projection::isosurface, std::nullopt};
+  if (hasSurface)
+    key.isovalue = scene.isovalue;
+  if (!key.showsFunction)
+    key.function = {};
+  if (m_emptySpaceShown == key)
+    return;
+  Visibility visibility;
+  if (key.showsFunction)
+    visibility.function = &m_functionTable;
+  if (hasSurface)
+    visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
+  const BlockRanges& ranges = m_volumeTexture->ranges();
+  const std::vector<std::uint8_t> distances = emptyDistances(ranges, visibility);
+  m_emptySpace.upload(ranges.blocks, distances);
+  const auto occupied = std::count(distances.begin(), distances.end(), std::uint8_t{0});
+  m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(distances.size());
+  m_emptySpaceShown = key;
+}
+
 void SceneTextures::update(const Scene& scene) {
   updateVolume(scene);
   if (m_functionShown != scene.transferFunction) {
-    const PiecewiseTable table = tableOf(scene.transferFunction, m_volume->range());
-    m_function.upload(table);
-    const BlockRanges& ranges = m_volumeTexture->ranges();
-    m_emptySpace.upload(ranges.blocks, emptyDistances(ranges, table));
+    m_functionTable = tableOf(scene.transferFunction, m_volume->range());
+    m_function.upload(m_functionTable);
     m_functionShown = scene.transferFunction;
   }
+  updateEmptySpace(scene);
   const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
   if (m_gradientOpacityShown != curve) {
     m_gradientCurve.upload(tableOf(curve, gradientUnit()));
@@ -94,10 +122,15 @@ void SceneTextures::update(const Scene& scene) {
   }
 }
 
-SceneFacts SceneTextures::facts(const Scene& scene) const {
+SceneFacts SceneTextures::facts(const Scene& scene) {
   SceneFacts facts;
-  facts.longestRaySamples = longestRaySamples(scene);
+  facts.emptyShare = m_emptyShare;
   facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
+  if (readsSteepness(scene)) {
+    if (!m_steepness)
+      m_steepness = steepness(*m_volume);
+    facts.steepestPerMm = *m_steepness;
+  }
   return facts;
 }
 

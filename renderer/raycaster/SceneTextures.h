@@ -4,7 +4,7 @@
 #include "raycaster/EmptySpace.h"
 #include "raycaster/PiecewiseTable.h"
 #include "raycaster/VolumeTexture.h"
-#include "scene/EffectSet.h"
+#include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
 
 #include <map>
@@ -53,8 +53,8 @@ public:
   /// Measures the gradients of the volume of the last update, where an effect reads them.
   void measure(const Scene& scene, EffectSet effects);
 
-  /// Facts on which the effects of the scene of the last update depend.
-  SceneFacts facts(const Scene& scene) const;
+  /// Facts on which the effects of the scene of the last update depend. Measures what they need.
+  SceneFacts facts(const Scene& scene);
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
@@ -71,16 +71,29 @@ public:
   double gradientUnit() const;
 
 private:
+  // What decides where nothing can be seen.
+  struct EmptySpaceKey {
+    TransferFunction function;
+    bool showsFunction = true;
+    std::optional<double> isovalue;
+    bool operator==(const EmptySpaceKey&) const = default;
+  };
+
   void updateVolume(const Scene& scene);
+  void updateEmptySpace(const Scene& scene);
 
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   std::optional<TransferFunction> m_functionShown;
+  PiecewiseTable m_functionTable;
   FunctionTexture m_function;
+  std::optional<EmptySpaceKey> m_emptySpaceShown;
   EmptySpaceTexture m_emptySpace;
+  double m_emptyShare = 0.0;
   std::optional<GradientOpacity> m_gradientOpacityShown;
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;
+  std::optional<double> m_steepness;
   std::optional<double> m_largestGradient;
   std::map<double, double> m_percentiles;
 };

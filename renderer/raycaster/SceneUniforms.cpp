@@ -12,6 +12,9 @@
 namespace limn {
 namespace {
 
+// No colour and no distance reaches it.
+constexpr double beyondAll = 1e30;
+
 // Sets uniforms from doubles.
 struct Setter {
   const ShaderProgram& program;
@@ -69,11 +72,12 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_exponent", glm::dvec2(terms.exponent.atFlat, terms.exponent.atBoundary));
   set("u_opacity", glm::dvec2(terms.opacity.atFlat, terms.opacity.atBoundary));
   set("u_curve", terms.curve.parameter);
-  set("u_knee", terms.knee.value_or(1.0));
-  const Significance significance = terms.significance.value_or(Significance{});
+  // What the scene does not use gets its neutral value, for programs that have more than it needs.
+  set("u_knee", terms.knee.value_or(beyondAll));
+  const Significance significance = terms.significance.value_or(Significance{0.0, 0.0});
   set("u_significance", glm::dvec2(significance.low, significance.high));
-  if (terms.lightDirection)
-    set("u_lightDirection", towardsLightAlongAxes(*terms.lightDirection, scene.volume->grid()));
+  const glm::dvec3 light = terms.lightDirection.value_or(glm::dvec3(0.0, 0.0, -1.0));
+  set("u_lightDirection", towardsLightAlongAxes(light, scene.volume->grid()));
 }
 
 void setCut(const Setter& set, const Scene& scene) {
@@ -84,10 +88,16 @@ void setCut(const Setter& set, const Scene& scene) {
 }
 
 void setFog(const Setter& set, const Fog& fog) {
+  const bool isOn = fog.mode != Fog::Mode::none;
   set("u_fogColor", fog.color);
-  set("u_fogStart", fog.startMm);
-  set("u_fogEnd", fog.endMm);
-  set("u_fogDensity", fog.densityPerMm);
+  set("u_fogStart", isOn ? fog.startMm : beyondAll);
+  set("u_fogEnd", isOn ? fog.endMm : 2.0 * beyondAll);
+  set("u_fogDensity", isOn ? fog.densityPerMm : 0.0);
+}
+
+void setSurface(const Setter& set, const Scene& scene) {
+  set("u_isovalue", normalisedValue(scene.volume->range(), scene.isovalue));
+  set("u_isoColor", classify(scene.transferFunction, scene.isovalue).color);
 }
 
 void setSamplers(const ShaderProgram& program) {
@@ -120,15 +130,20 @@ void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
 }
 
-int sampleLimit(const SceneTextures& textures) {
-  return mostSamples / (1 + textures.function().loopSteps() + textures.gradientCurve().loopSteps());
+int sampleLimit(const Scene& scene, const SceneTextures& textures) {
+  // A hybrid picture marches twice, to find the surface and to gather what lies before it.
+  const int marches = scene.projection == Projection::compositeIsosurface ? 2 : 1;
+  // A pre-integrated step looks up both its ends.
+  const int lookups = scene.quality.preintegrated == Preintegration::never ? 1 : 2;
+  const int steps = lookups * textures.function().loopSteps() + textures.gradientCurve().loopSteps();
+  return mostSamples / (marches + steps);
 }
 
 void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::ivec2& size,
                  const SceneTextures& textures) {
   const Setter set{program};
   setSamplers(program);
-  setRays(set, scene, size, sampleLimit(textures));
+  setRays(set, scene, size, sampleLimit(scene, textures));
   setVolume(set, textures.volume());
   set("u_functionDomain", glm::dvec3(textures.function().domain()));
   set("u_perUnitDistance", 1.0 / scene.transferFunction.unitDistanceMm);
@@ -136,6 +151,8 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setLighting(set, scene);
   setCut(set, scene);
   setFog(set, scene.fog);
+  setSurface(set, scene);
+  set("u_jitter", scene.quality.jitter ? 1.0 : 0.0);
   set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
 }
 

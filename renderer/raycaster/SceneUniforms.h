@@ -22,7 +22,7 @@ void bindTextures(const SceneTextures& textures);
 
 /// The most samples that one ray may take: `mostSamples`, less where each needs many steps through the
 /// transfer function, because drivers limit the iterations of all loops together.
-int sampleLimit(const SceneTextures& textures);
+int sampleLimit(const Scene& scene, const SceneTextures& textures);
 
 /// Sets every uniform of a program in use from the scene; those that the program has not are ignored. What
 /// the shaders compute in float is converted here and nowhere else.

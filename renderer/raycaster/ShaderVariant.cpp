@@ -12,14 +12,8 @@ namespace {
 // GLSL 1.30 is the language of OpenGL 3.0. Desktop drivers ignore precision.
 constexpr const char* version = "#version 130\n";
 
-bool readsRatio(EffectSet effects) {
-  return effects.has(Effect::exponentMap) || effects.has(Effect::opacityMap) ||
-         effects.has(Effect::significance);
-}
-
-bool hasFog(EffectSet effects) {
-  return effects.has(Effect::fogLinear) || effects.has(Effect::fogExp) || effects.has(Effect::fogExp2);
-}
+const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
+const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
 
 std::string prelude(EffectSet effects) {
   std::string text = version;
@@ -28,9 +22,11 @@ std::string prelude(EffectSet effects) {
     if (effects.has(static_cast<Effect>(i)))
       define(describe(static_cast<Effect>(i)).define);
   // Blocks that several effects share.
-  if (readsRatio(effects))
+  if (usesRatio(effects))
     define("EFFECT_GRADIENT_RATIO");
-  if (hasFog(effects))
+  if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
+    define("EFFECT_CHANGED_OPACITY");
+  if (effects.hasAny(fogs))
     define("EFFECT_FOG");
   return text;
 }
@@ -39,25 +35,28 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
-// What one sample needs, in the order of the stage contract.
-void appendSampleBlocks(ShaderSource& source, EffectSet effects) {
-  for (const char* block : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
-    appendBlock(source, block);
-  if (effects.has(Effect::emptySpaceSkipping))
-    appendBlock(source, "empty_space.glsl");
-  if (effects.has(Effect::gradient))
-    appendBlock(source, "gradient.glsl");
-  if (readsRatio(effects))
-    appendBlock(source, "gradient_ratio.glsl");
-  if (effects.has(Effect::gradientOpacity))
-    appendBlock(source, "gradient_opacity.glsl");
-  if (effects.has(Effect::cutFaces))
-    appendBlock(source, "cut_faces.glsl");
-  if (effects.has(Effect::lighting))
-    appendBlock(source, "lighting.glsl");
-  if (hasFog(effects))
-    appendBlock(source, "fog.glsl");
-  appendBlock(source, "sample.glsl");
+// The volume, its classification and light, and the steps of a ray through it.
+void appendFieldBlocks(ShaderSource& source, EffectSet effects) {
+  const auto blockIf = [&](bool isNeeded, const char* name) {
+    if (isNeeded)
+      appendBlock(source, name);
+  };
+  for (const char* name : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
+    appendBlock(source, name);
+  blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
+  blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
+  blockIf(effects.has(Effect::jitter), "jitter.glsl");
+  blockIf(effects.has(Effect::gradient), "gradient.glsl");
+  blockIf(usesRatio(effects), "gradient_ratio.glsl");
+  blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
+  blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");
+  blockIf(effects.has(Effect::lighting), "lighting.glsl");
+  blockIf(effects.hasAny(fogs), "fog.glsl");
+  appendBlock(source, "march.glsl");
+}
+
+const char* sampleBlock(EffectSet effects) {
+  return effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl";
 }
 
 } // namespace
@@ -88,8 +87,23 @@ ShaderSource fragmentSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
   appendBlock(source, "ray.glsl");
-  if (!effects.has(Effect::sampleCounts))
-    appendSampleBlocks(source, effects);
+  if (effects.has(Effect::sampleCounts)) {
+    appendBlock(source, "sample_counts.glsl");
+    return source;
+  }
+  appendFieldBlocks(source, effects);
+  if (effects.hasAny(scalarProjections)) {
+    appendBlock(source, "scalar_projection.glsl");
+    return source;
+  }
+  appendBlock(source, sampleBlock(effects));
+  if (effects.hasAny({Effect::isosurface, Effect::hybrid}))
+    appendBlock(source, "isosurface.glsl");
+  if (effects.has(Effect::isosurface)) {
+    appendBlock(source, "first_hit.glsl");
+    return source;
+  }
+  appendBlock(source, effects.has(Effect::preintegration) ? "gather_segments.glsl" : "gather.glsl");
   appendBlock(source, "composite.glsl");
   return source;
 }
@@ -98,7 +112,8 @@ ShaderSource sliceSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
   appendBlock(source, "ray.glsl");
-  appendSampleBlocks(source, effects);
+  appendFieldBlocks(source, effects);
+  appendBlock(source, sampleBlock(effects));
   appendBlock(source, "slice.glsl");
   return source;
 }

@@ -16,10 +16,15 @@ struct ReferencePicture {
   std::vector<int> samples;       ///< the N of each pixel's ray, 0 where it misses the volume
 };
 
-/// Draws the definition itself (RENDERING section 7, standard discretisation) in double precision, on every
+/// Whether the sum of the light terms is limited (RENDERING section 4) or left as it is, which shows by how
+/// much it overflows.
+enum class Limiting { clampOrKnee, none };
+
+/// Draws the definition itself (RENDERING section 7) in double precision, on every
 /// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled.
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,
-                                 const std::function<bool()>& isCancelled = {});
+                                 const std::function<bool()>& isCancelled = {},
+                                 Limiting limiting = Limiting::clampOrKnee);
 
 /// The picture rounded to floats.
 Image toImage(const ReferencePicture& picture);

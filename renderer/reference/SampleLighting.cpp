@@ -70,7 +70,9 @@ glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const Ray
     const double term = terms.specular * highlight(terms, light, normal, ratio);
     sum += terms.specularColor == SpecularColor::light ? glm::dvec3(term) : material * term;
   }
-  return terms.knee ? knee(sum, *terms.knee) : glm::clamp(sum, 0.0, 1.0);
+  if (terms.isUnlimited)
+    return sum;
+  return glm::clamp(terms.knee ? knee(sum, *terms.knee) : sum, 0.0, 1.0);
 }
 
 double fogFactor(const Fog& fog, double z) {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/EffectSet.h"
 
-#include "scene/Error.h"
-#include "scene/LightingTerms.h"
-#include "scene/RayFrame.h"
-
 #include <array>
 
 namespace limn {
@@ -32,72 +28,65 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"fog_exp", "EFFECT_FOG_EXP", "exponential fog"},
     {"fog_exp2", "EFFECT_FOG_EXP2", "squared exponential fog"},
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
+    {"mip", "EFFECT_MIP", "the largest value of each ray"},
+    {"minip", "EFFECT_MINIP", "the smallest value of each ray"},
+    {"average", "EFFECT_AVERAGE", "the mean value of each ray"},
+    {"xray", "EFFECT_XRAY", "absorption without colour"},
+    {"isosurface", "EFFECT_ISOSURFACE", "the first surface of one value"},
+    {"hybrid", "EFFECT_HYBRID", "the composite up to the first surface of one value"},
+    {"preintegration", "EFFECT_PREINTEGRATION", "the transfer function is integrated within each step"},
+    {"jitter", "EFFECT_JITTER", "samples are shifted from pixel to pixel"},
     {"early_termination", "EFFECT_EARLY_TERMINATION", "rays end where nothing behind can be seen"},
     {"empty_space_skipping", "EFFECT_EMPTY_SPACE_SKIPPING", "rays step over blocks that cannot show"},
     {"long_rays", "EFFECT_LONG_RAYS", "one loop over the samples, for very many of them"},
     {"dense_functions", "EFFECT_DENSE_FUNCTIONS", "a search among control points that lie very close"},
-    {"sample_counts", "EFFECT_SAMPLE_COUNTS", "draws the number of samples instead of the picture"},
+    {"unlimited", "EFFECT_UNLIMITED", "the sum of the light terms before it is limited"},
+    {"sample_counts", "EFFECT_SAMPLE_COUNTS", "the number of samples instead of the picture"},
 }};
 
-// Collects one clause per effect.
-struct Plan {
-  EffectPlan plan;
+// Effects that draw nothing by themselves at the values which scenes without them have. (A curve has none, a
+// power of 1 rounds; two-sided, Phong and the light's own direction or colour are choices.)
+const EffectSet neutralEffects{Effect::lighting,
+                               Effect::gradient,
+                               Effect::diffuse,
+                               Effect::specular,
+                               Effect::exponentMap,
+                               Effect::opacityMap,
+                               Effect::opacityFactor,
+                               Effect::gradientOpacity,
+                               Effect::significance,
+                               Effect::knee,
+                               Effect::fogLinear,
+                               Effect::fogExp,
+                               Effect::fogExp2,
+                               Effect::cutFaces,
+                               Effect::jitter,
+                               Effect::earlyTermination,
+                               Effect::emptySpaceSkipping,
+                               Effect::denseFunctions};
 
-  void clause(Effect effect, bool isNeeded, const char* because, const char* becauseNot) {
-    if (isNeeded)
-      plan.effects = plan.effects.with(effect);
-    plan.reasons.push_back({effect, isNeeded, isNeeded ? because : becauseNot});
+const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
+const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
+const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight, Effect::energyFactor};
+const EffectSet lightChoices{Effect::twoSided, Effect::fixedLight};
+const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
+
+// What a projection cannot use.
+EffectSet withinProjection(EffectSet effects) {
+  const EffectSet marching{Effect::xray,     Effect::preintegration,
+                           Effect::jitter,   Effect::emptySpaceSkipping,
+                           Effect::longRays, Effect::denseFunctions};
+  if (effects.hasAny(scalarProjections)) {
+    const EffectSet kept = scalarProjections.with(EffectSet{Effect::jitter, Effect::denseFunctions});
+    return effects.without(effects.without(kept));
   }
-};
-
-void lightClauses(Plan& plan, const LightingTerms& terms, bool hasGradientOpacity) {
-  const bool readsGradient = hasGradientOpacity || terms.usesNormal() || terms.usesRatio();
-  plan.clause(Effect::lighting, terms.isLit, "the model lights samples", "the model is unlit");
-  plan.clause(Effect::gradient, readsGradient, "lighting or a map of opacity or exponent reads it",
-              "no term reads it");
-  plan.clause(Effect::diffuse, terms.diffuse != 0.0, "the diffuse term is not 0", "the diffuse term is 0");
-  plan.clause(Effect::specular, terms.specular != 0.0, "the specular term is not 0",
-              "the specular term is 0");
-  plan.clause(Effect::phong, terms.reflection == Reflection::phong, "Phong reflection is chosen",
-              "Blinn reflection is chosen, or there are no highlights");
-  plan.clause(Effect::twoSided, terms.twoSided, "two-sided lighting is on", "two-sided lighting is off");
-  plan.clause(Effect::fixedLight, terms.lightDirection.has_value(), "the light has its own direction",
-              "the light is a headlight");
-  plan.clause(Effect::specularOfLight, terms.specularColor == SpecularColor::light,
-              "highlights take the light's colour", "highlights take the material's colour");
-}
-
-void gradientClauses(Plan& plan, const LightingTerms& terms, bool hasGradientOpacity) {
-  plan.clause(Effect::exponentMap, terms.mapsExponent(), "the exponent range is not a single value",
-              "the exponent is constant");
-  plan.clause(Effect::opacityMap, terms.mapsOpacity(), "the opacity range is not a single value",
-              "the opacity coefficient is constant");
-  plan.clause(Effect::opacityFactor, !terms.mapsOpacity() && terms.opacity.atFlat != 1.0,
-              "the constant opacity coefficient is not 1", "the coefficient is 1 or follows the gradient");
-  plan.clause(Effect::gammaCurve, terms.curve.type == GradientCurve::Type::gamma, "the curve is a power",
-              "the curve is not a power, or nothing uses the ratio");
-  plan.clause(Effect::logCurve, terms.curve.type == GradientCurve::Type::log, "the curve is logarithmic",
-              "the curve is not logarithmic, or nothing uses the ratio");
-  plan.clause(Effect::gradientOpacity, hasGradientOpacity, "a gradient-opacity curve is given",
-              "no gradient-opacity curve is given");
-}
-
-void robustClauses(Plan& plan, const LightingTerms& terms) {
-  plan.clause(Effect::energyFactor, terms.energyFactor, "the energy factor is on and the exponent varies",
-              "the energy factor is off or 1");
-  plan.clause(Effect::significance, terms.significance.has_value(), "highlights are weighed by significance",
-              "highlights are not weighed");
-  plan.clause(Effect::knee, terms.knee.has_value(), "the sum of the light terms can pass the knee",
-              "there is no knee, or no sum of terms reaches it");
-}
-
-void fogClauses(Plan& plan, const Fog& fog) {
-  const bool isDense = fog.densityPerMm > 0.0;
-  plan.clause(Effect::fogLinear, fog.mode == Fog::Mode::linear, "linear fog is on", "linear fog is off");
-  plan.clause(Effect::fogExp, fog.mode == Fog::Mode::exp && isDense, "exponential fog is on",
-              "exponential fog is off or has no density");
-  plan.clause(Effect::fogExp2, fog.mode == Fog::Mode::exp2 && isDense, "squared exponential fog is on",
-              "squared exponential fog is off or has no density");
+  if (effects.has(Effect::xray))
+    return effects.without(effects.without(marching));
+  if (effects.has(Effect::isosurface))
+    return effects.without({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity,
+                            Effect::preintegration, Effect::earlyTermination, Effect::longRays,
+                            Effect::denseFunctions});
+  return effects;
 }
 
 } // namespace
@@ -106,88 +95,71 @@ const EffectDescription& describe(Effect effect) {
   return descriptions[static_cast<std::size_t>(effect)];
 }
 
+bool usesRatio(EffectSet effects) {
+  return effects.hasAny({Effect::exponentMap, Effect::opacityMap, Effect::significance});
+}
+
 EffectSet canonical(EffectSet effects) {
-  const auto drop = [&effects](bool condition, std::initializer_list<Effect> useless) {
+  if (effects.has(Effect::sampleCounts))
+    return {Effect::sampleCounts};
+  effects = withinProjection(effects);
+  const auto drop = [&effects](bool condition, EffectSet useless) {
     if (condition)
-      for (const Effect effect : useless)
-        effects = effects.without(effect);
+      effects = effects.without(useless);
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
-  if (has(Effect::sampleCounts))
-    return EffectSet().with(Effect::sampleCounts);
   drop(has(Effect::longRays), {Effect::emptySpaceSkipping});
-  drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee});
-  drop(!has(Effect::specular), {Effect::phong, Effect::specularOfLight, Effect::exponentMap,
-                                Effect::energyFactor, Effect::significance});
+  drop(has(Effect::preintegration), {Effect::jitter});
+  drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee, Effect::unlimited});
+  drop(has(Effect::unlimited), {Effect::knee});
+  drop(!has(Effect::specular), highlightChoices.with({Effect::exponentMap, Effect::significance}));
   drop(!has(Effect::exponentMap), {Effect::energyFactor});
-  drop(!has(Effect::diffuse) && !has(Effect::specular),
-       {Effect::twoSided, Effect::fixedLight, Effect::cutFaces});
+  drop(!has(Effect::diffuse) && !has(Effect::specular), lightChoices.with(Effect::cutFaces));
   drop(has(Effect::opacityMap), {Effect::opacityFactor});
-  const bool usesRatio = has(Effect::exponentMap) || has(Effect::opacityMap) || has(Effect::significance);
-  drop(!usesRatio, {Effect::gammaCurve, Effect::logCurve});
+  drop(!usesRatio(effects), curves);
   const bool readsGradient =
-      usesRatio || has(Effect::diffuse) || has(Effect::specular) || has(Effect::gradientOpacity);
+      usesRatio(effects) || effects.hasAny({Effect::diffuse, Effect::specular, Effect::gradientOpacity});
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
 
-EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
-  const LightingTerms terms = lightingTerms(scene.shading);
-  const bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
-  Plan plan;
-  lightClauses(plan, terms, hasGradientOpacity);
-  gradientClauses(plan, terms, hasGradientOpacity);
-  robustClauses(plan, terms);
-  fogClauses(plan, scene.fog);
-  plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
-              "the crop box cuts the volume and samples are lit", "nothing is cut, or nothing is lit");
-  plan.clause(Effect::earlyTermination, scene.quality.earlyTermination < 1.0, "rays end at the opacity set",
-              "early termination is set to never");
-  plan.clause(Effect::emptySpaceSkipping, facts.canSkipEmptySpace, "blocks that cannot show are known",
-              "it is switched off, or the rays have too many samples for nested loops");
-  plan.clause(Effect::longRays, 2.0 * facts.longestRaySamples > mostSamples,
-              "the longest ray has too many samples for nested loops", "every ray is short enough");
-  plan.clause(Effect::denseFunctions, facts.hasDenseFunctions, "control points lie very close together",
-              "control points lie far enough apart");
-  plan.clause(Effect::sampleCounts, false, "", "only tests draw it");
-  plan.plan.effects = canonical(plan.plan.effects);
-  for (EffectReason& reason : plan.plan.reasons)
-    reason.isNeeded = plan.plan.effects.has(reason.effect);
-  return plan.plan;
+EffectSet leavingOut(EffectSet effects, Effect effect) {
+  effects = effects.without(effect);
+  if (effect == Effect::gradient)
+    effects = effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
+                               Effect::significance, Effect::gradientOpacity});
+  return canonical(effects);
 }
 
-void requireDrawable(const Scene& scene) {
-  const auto refuse = [](const char* what) {
-    throw Error(Error::Kind::usage,
-                std::string(what) + " cannot be drawn yet; choose another setting for it.");
-  };
-  if (!scene.volume)
-    throw Error(Error::Kind::usage, "There is no volume to draw; open one first.");
-  switch (scene.projection) {
-  case Projection::composite:
-    break;
-  case Projection::mip:
-    refuse("The projection \"mip\"");
-    break;
-  case Projection::minip:
-    refuse("The projection \"minip\"");
-    break;
-  case Projection::average:
-    refuse("The projection \"average\"");
-    break;
-  case Projection::xray:
-    refuse("The projection \"xray\"");
-    break;
-  case Projection::isosurface:
-    refuse("The projection \"isosurface\"");
-    break;
-  case Projection::compositeIsosurface:
-    refuse("The projection \"composite_isosurface\"");
-    break;
-  }
-  if (scene.quality.preintegrated == Preintegration::always)
-    refuse("A pre-integrated picture");
-  if (scene.quality.jitter)
-    refuse("A jittered picture");
+bool canStandIn(EffectSet effects, EffectSet needed) {
+  EffectSet missing = needed.without(effects);
+  if (effects.has(Effect::opacityMap))
+    missing = missing.without(Effect::opacityFactor);
+  // Stepping over empty space changes no bit, present or absent.
+  missing = missing.without(Effect::emptySpaceSkipping);
+  if (!missing.isEmpty())
+    return false;
+  // A choice is free where what it concerns is not needed.
+  EffectSet free = neutralEffects;
+  if (!needed.has(Effect::specular))
+    free = free.with(highlightChoices);
+  if (!needed.has(Effect::exponentMap))
+    free = free.with(Effect::energyFactor);
+  if (!needed.hasAny({Effect::diffuse, Effect::specular}))
+    free = free.with(lightChoices);
+  if (!usesRatio(needed))
+    free = free.with(curves);
+  if (needed.hasAny(fogs))
+    free = free.without(fogs);
+  return effects.without(needed).without(free).isEmpty();
+}
+
+EffectSet withAllNeutral(EffectSet needed) {
+  EffectSet all = needed.with(neutralEffects);
+  // Two fogs exclude each other.
+  all = all.without(fogs.without(needed.hasAny(fogs) ? needed : EffectSet{Effect::fogExp}));
+  if (!needed.has(Effect::exponentMap))
+    all = all.with(Effect::energyFactor);
+  return canonical(all);
 }
 
 } // namespace limn

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Scene.h"
-
+#include <bit>
+#include <compare>
 #include <cstdint>
-#include <string>
-#include <vector>
+#include <initializer_list>
 
 namespace limn {
 
@@ -33,16 +32,25 @@ enum class Effect : std::uint8_t {
   fogExp,
   fogExp2,
   cutFaces,
+  mip,
+  minip,
+  average,
+  xray,
+  isosurface,
+  hybrid,
+  preintegration,
+  jitter,
   earlyTermination,
   emptySpaceSkipping,
   longRays,
   denseFunctions,
+  unlimited,
   sampleCounts
 };
 inline constexpr int effectCount = static_cast<int>(Effect::sampleCounts) + 1;
 
 struct EffectDescription {
-  const char* name;   ///< as `limn effects` prints it
+  const char* name;   ///< one word, for lists and tests
   const char* define; ///< as the shaders test it
   const char* meaning;
 };
@@ -52,49 +60,48 @@ const EffectDescription& describe(Effect effect);
 /// A set of effects: the key of a shader program.
 class EffectSet {
 public:
-  bool has(Effect effect) const { return (m_bits >> static_cast<int>(effect) & 1u) != 0; }
-  EffectSet with(Effect effect) const { return EffectSet(m_bits | 1u << static_cast<int>(effect)); }
-  EffectSet without(Effect effect) const { return EffectSet(m_bits & ~(1u << static_cast<int>(effect))); }
-  std::uint32_t bits() const { return m_bits; }
-  static EffectSet fromBits(std::uint32_t bits) { return EffectSet(bits); }
   EffectSet() = default;
+  EffectSet(std::initializer_list<Effect> effects) {
+    for (const Effect effect : effects)
+      m_bits |= bit(effect);
+  }
+  bool has(Effect effect) const { return (m_bits & bit(effect)) != 0; }
+  bool hasAny(EffectSet others) const { return (m_bits & others.m_bits) != 0; }
+  bool isEmpty() const { return m_bits == 0; }
+  int count() const { return std::popcount(m_bits); }
+  EffectSet with(EffectSet others) const { return EffectSet(m_bits | others.m_bits); }
+  EffectSet with(Effect effect) const { return EffectSet(m_bits | bit(effect)); }
+  EffectSet without(EffectSet others) const { return EffectSet(m_bits & ~others.m_bits); }
+  EffectSet without(Effect effect) const { return EffectSet(m_bits & ~bit(effect)); }
   auto operator<=>(const EffectSet&) const = default;
 
 private:
-  explicit EffectSet(std::uint32_t bits) : m_bits(bits) {}
-  std::uint32_t m_bits = 0;
+  explicit EffectSet(std::uint64_t bits) : m_bits(bits) {}
+  static std::uint64_t bit(Effect effect) { return std::uint64_t{1} << static_cast<int>(effect); }
+  std::uint64_t m_bits = 0;
 };
+
+/// The effects that choose between projections; none is the composite.
+inline const EffectSet projectionEffects{Effect::mip,  Effect::minip,      Effect::average,
+                                         Effect::xray, Effect::isosurface, Effect::hybrid};
+
+/// Whether a program of these effects reads the normalised gradient modulus r.
+bool usesRatio(EffectSet effects);
 
 /// The set with every effect dropped that cannot matter without another, and added that another needs: sets
 /// that draw the same picture become the same set.
 EffectSet canonical(EffectSet effects);
 
-/// Facts about data and limits on which effects depend beside the scene's own numbers.
-struct SceneFacts {
-  double longestRaySamples = 0.0; ///< before the limit, see RayFrame
-  bool canSkipEmptySpace = false; ///< the renderer knows where nothing can be seen
-  bool hasDenseFunctions = false; ///< control points so close that a table holds several in one bin
-};
+/// The set without an effect and without all that cannot be had without it: what a picture costs less when an
+/// effect is left out. Canonical.
+EffectSet leavingOut(EffectSet effects, Effect effect);
 
-/// Why an effect is needed or not, a phrase for a reader.
-struct EffectReason {
-  Effect effect;
-  bool isNeeded = false;
-  std::string reason;
-};
+/// Whether a program of `effects` draws the picture that calls for `needed`, bit for bit, with the uniforms
+/// of that picture's scene: it has all that is needed, and what it has beyond has a neutral value (a fog of
+/// density 0, an exponent range of width 0, …).
+bool canStandIn(EffectSet effects, EffectSet needed);
 
-/// The effects that a scene calls for, canonical, with one reason per effect in the order of the enumeration.
-struct EffectPlan {
-  EffectSet effects;
-  std::vector<EffectReason> reasons;
-};
-
-/// Depends on the scene's numbers but on no camera pose and, but for crowded points (`hasDenseFunctions`), on
-/// no control point, so that editing the transfer function or turning the view asks for no other program.
-EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts);
-
-/// Throws Error (usage) naming what no renderer draws yet: projections other than composite, forced
-/// pre-integration, jitter.
-void requireDrawable(const Scene& scene);
+/// The largest program that can stand in for a set: every effect that has a neutral value compiled in.
+EffectSet withAllNeutral(EffectSet needed);
 
 } // namespace limn

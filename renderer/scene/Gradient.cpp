@@ -172,6 +172,27 @@ double gradientPercentile(const Volume& volume, double percent) {
   return std::bit_cast<float>(empty.high << lowBits | low);
 }
 
+double steepness(const Volume& volume) {
+  constexpr int mostPerAxis = 32;
+  const glm::ivec3 dims = volume.grid().dims;
+  const glm::ivec3 stride = (dims + mostPerAxis - 1) / mostPerAxis;
+  std::vector<double> moduli;
+  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+    const Stencil<T> stencil{volume, stored};
+    for (int k = stride.z / 2; k < dims.z; k += stride.z)
+      for (int j = stride.y / 2; j < dims.y; j += stride.y)
+        for (int i = stride.x / 2; i < dims.x; i += stride.x)
+          if (stencil.isEligible(i, j, k))
+            moduli.push_back(glm::length(stencil.alongAxes(i, j, k)));
+  });
+  if (moduli.empty())
+    return 0.0;
+  const auto rank =
+      moduli.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(moduli.size() - 1));
+  std::nth_element(moduli.begin(), rank, moduli.end());
+  return *rank;
+}
+
 GradientReference resolvedReference(const Shading& shading) {
   if (!std::holds_alternative<AutomaticReference>(shading.gradientReference))
     return shading.gradientReference;

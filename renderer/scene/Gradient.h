@@ -22,6 +22,10 @@ double largestGradient(const Volume& volume);
 /// rounded to float.
 double gradientPercentile(const Volume& volume, double percent);
 
+/// What the field commonly changes by at most, value/mm: the 99th percentile of the gradient modulus over a
+/// lattice of at most 32 voxels along each axis. A quick look, for choosing between methods.
+double steepness(const Volume& volume);
+
 /// The moduli that lighting needs: the largest, and the one that maps to r = 1.
 struct GradientScale {
   double largest = 0.0;

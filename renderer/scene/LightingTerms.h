@@ -17,7 +17,8 @@ struct LightingTerms {
   GradientCurve curve;                 ///< linear where nothing uses r
   bool energyFactor = false;           ///< false where SPmin = SPmax: the factor is 1
   std::optional<Significance> significance;
-  std::optional<double> knee; ///< absent: clamp to [0,1]
+  std::optional<double> knee; ///< absent: clamp to [0,1] only
+  bool isUnlimited = false;   ///< the sum is not limited: to measure how far it overflows
   SpecularColor specularColor = SpecularColor::material;
   Reflection reflection = Reflection::blinn;
   bool twoSided = false;

@@ -102,6 +102,16 @@ int sampleCount(double lengthMm, double step, int most) {
   return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most)));
 }
 
+double jitteredOffset(int x, int yDown, int height) {
+  const int px = x & 7;
+  const int py = (height - 1 - yDown) & 7;
+  const int q = px ^ py;
+  // Interleave the bits of q and py, the lowest first: neighbours differ as much as possible.
+  const int rank =
+      (q & 1) << 5 | (py & 1) << 4 | (q & 2) << 2 | (py & 2) << 1 | (q & 4) >> 1 | (py & 4) >> 2;
+  return (rank + 0.5) / 64.0;
+}
+
 double stepMm(const Scene& scene) {
   return scene.quality.stepVoxels * smallestSpacingMm(scene.volume->grid());
 }

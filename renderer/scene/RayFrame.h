@@ -72,6 +72,10 @@ inline constexpr double stepCountGuard = 1e-6;
 /// N = max(1, ceil(length/step · (1 - stepCountGuard))), limited to `most`.
 int sampleCount(double lengthMm, double stepMm, int most = mostSamples);
 
+/// Where in its step a jittered pixel takes its samples, 0..1: an ordered pattern of 8 by 8 whose mean is
+/// the middle. Counted from the picture's lower left corner, as OpenGL does.
+double jitteredOffset(int x, int yDown, int height);
+
 /// The transmittance at which a ray ends. A hair above 1 - e, so that a ray of exactly that opacity ends in
 /// float as in double; early termination costs far more than this 1e-4 of the light that is left.
 inline double lastTransmittance(double earlyTermination) {

@@ -26,6 +26,31 @@ inline double minusLog1mOpacity(double a) {
   return -std::log1p(-std::clamp(a, 0.0, largestOpacity));
 }
 
+/// -∫ log(1 - x s) ds over s in 0..1, for 0 ≤ x ≤ largestOpacity: the mean extinction over the unit distance
+/// where the opacity rises linearly from 0 to x.
+inline double meanMinusLog1m(double x) {
+  if (x < 0.02) // the series' next term is below 1e-17 of the sum
+    return x * (1.0 / 2.0 +
+                x * (1.0 / 6.0 +
+                     x * (1.0 / 12.0 +
+                          x * (1.0 / 20.0 +
+                               x * (1.0 / 30.0 +
+                                    x * (1.0 / 42.0 + x * (1.0 / 56.0 + x * (1.0 / 72.0 + x / 90.0))))))));
+  return 1.0 - (1.0 - x) * minusLog1mOpacity(x) / x;
+}
+
+/// -∫ s log(1 - x s) ds over s in 0..1, for 0 ≤ x ≤ largestOpacity: the same, weighted by the place in 0..1.
+inline double momentMinusLog1m(double x) {
+  if (x < 0.02)
+    return x * (1.0 / 3.0 +
+                x * (1.0 / 8.0 +
+                     x * (1.0 / 15.0 +
+                          x * (1.0 / 24.0 +
+                               x * (1.0 / 35.0 +
+                                    x * (1.0 / 48.0 + x * (1.0 / 63.0 + x * (1.0 / 80.0 + x / 99.0))))))));
+  return (0.5 + 0.25 * x - (1.0 - x) * (1.0 + x) * minusLog1mOpacity(x) / (2.0 * x)) / x;
+}
+
 /// Unit vector (xyz) and length (w); zero for a vector that is zero or not finite.
 inline glm::dvec4 safeNormal(const glm::dvec3& v) {
   const double m = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

@@ -37,6 +37,14 @@ Classified classify(const TransferFunction& function, double value) {
   return {glm::mix(left->color, right->color, w), glm::mix(left->opacity, right->opacity, w)};
 }
 
+double largestOpacityWithin(const TransferFunction& function, double low, double high) {
+  double largest = std::max(classify(function, low).opacity, classify(function, high).opacity);
+  for (const ControlPoint& point : function.points)
+    if (point.value >= low && point.value <= high)
+      largest = std::max(largest, point.opacity);
+  return largest;
+}
+
 double extinctionPerMm(double opacity, double unitDistanceMm) {
   const double largest = 1.0 - std::ldexp(1.0, -24);
   return -std::log1p(-std::clamp(opacity, 0.0, largest)) / unitDistanceMm;

@@ -36,6 +36,9 @@ struct Classified {
 /// Classifies a scalar exactly. At the value of a step the last of its points holds.
 Classified classify(const TransferFunction& function, double value);
 
+/// The largest opacity of values from `low` to `high`, ends included; 0 without points.
+double largestOpacityWithin(const TransferFunction& function, double low, double high);
+
 /// The extinction per millimetre of an opacity over the unit distance: `-log1p(-a)/u`, with `a` limited to
 /// [0, 1 - 2⁻²⁴].
 double extinctionPerMm(double opacity, double unitDistanceMm);

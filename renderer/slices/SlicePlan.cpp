@@ -43,11 +43,11 @@ const char* nameOf(Projection projection) {
 } // namespace
 
 void requireSliceable(const Scene& scene) {
-  if (scene.projection != Projection::composite)
+  requireDrawable(scene);
+  if (scene.projection != Projection::composite && scene.projection != Projection::xray)
     throw Error(Error::Kind::usage, std::string("Slices cannot draw the projection \"") +
                                         nameOf(scene.projection) +
-                                        "\", only composite pictures; use --engine gl or reference for it.");
-  requireDrawable(scene);
+                                        "\", only composite and xray; use --engine gl or reference for it.");
 }
 
 EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/EffectSet.h"
+#include "scene/EffectPlan.h"
 
 namespace limn {
 
-/// Throws Error (usage) naming what slices cannot draw: every projection but composite, because blending
-/// knows one operation and no slice knows the ones before it.
+/// Throws Error (usage) naming what slices cannot draw: every projection but composite and X-ray, which is
+/// white blended alike. Blending knows one operation, and no slice knows those before it.
 void requireSliceable(const Scene& scene);
 
 /// The effects of a scene that a slice draws: what the scene calls for, less what belongs to the march along

@@ -80,7 +80,6 @@ struct SliceRenderer::Parts {
 
   explicit Parts(BlendOrder blendOrder);
   const ShaderProgram& program(EffectSet effects);
-  EffectSet prepare(const Scene& scene);
   void noteStepLimit(const Scene& scene, const glm::ivec2& size);
   void draw(const Scene& scene, const glm::ivec2& size);
 };
@@ -100,13 +99,6 @@ const ShaderProgram& SliceRenderer::Parts::program(EffectSet effects) {
   return programs.emplace(effects, ShaderProgram(sliceVertexSource(), sliceSource(effects))).first->second;
 }
 
-EffectSet SliceRenderer::Parts::prepare(const Scene& scene) {
-  textures.update(scene);
-  const EffectSet effects = sliceEffects(scene, textures.facts(scene)).effects;
-  textures.measure(scene, effects);
-  return effects;
-}
-
 void SliceRenderer::Parts::noteStepLimit(const Scene& scene, const glm::ivec2& size) {
   stepLimitation.clear();
   if (slabsWanted(scene, size) > mostSamples)
@@ -116,13 +108,18 @@ void SliceRenderer::Parts::noteStepLimit(const Scene& scene, const glm::ivec2& s
 
 void SliceRenderer::Parts::draw(const Scene& scene, const glm::ivec2& size) {
   const SavedState saved;
-  const ShaderProgram& shader = program(prepare(scene));
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  textures.update(scene);
+  const EffectPlan plan = sliceEffects(scene, textures.facts(scene));
+  if (!plan.isVisible)
+    return;
+  textures.measure(scene, plan.effects);
+  const ShaderProgram& shader = program(plan.effects);
   shader.use();
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
   glViewport(0, 0, size.x, size.y);
-  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
-  glClearBufferfv(GL_COLOR, 0, nothing);
   const Triangles triangles = trianglesOf(proxySlabs(scene, size), size, order);
   glBindVertexArray(vertexArray.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners.name());

@@ -45,6 +45,7 @@ void measure(const std::function<void()>& work, Times& times) {
 
 void compare(const char* what, Scene scene) {
   scene.quality.earlyTermination = Quality{}.earlyTermination;
+  scene.quality.preintegrated = Preintegration::never;
   Scene whole = scene;
   whole.quality.earlyTermination = 1.0;
   RayCaster caster;

@@ -30,7 +30,8 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
   const auto volume = sparseVolume({41, 30, 23}, 3);
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
   EXPECT_EQ(ranges.blocks, glm::ivec3(11, 8, 6));
-  const std::vector<std::uint8_t> distances = emptyDistances(ranges, tableOf(above(50.0), volume->range()));
+  const PiecewiseTable table = tableOf(above(50.0), volume->range());
+  const std::vector<std::uint8_t> distances = emptyDistances(ranges, {&table, {}});
   const auto blockAt = [&ranges](std::size_t i) {
     const int n = static_cast<int>(i);
     return glm::ivec3(n % ranges.blocks.x, n / ranges.blocks.x % ranges.blocks.y,
@@ -55,7 +56,8 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
 TEST(EmptySpaceDistances, anInvisibleFunctionLeavesNothing) {
   const auto volume = sparseVolume({9, 9, 9}, 3);
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
-  for (const std::uint8_t distance : emptyDistances(ranges, tableOf(TransferFunction{}, volume->range())))
+  const PiecewiseTable table = tableOf(TransferFunction{}, volume->range());
+  for (const std::uint8_t distance : emptyDistances(ranges, {&table, {}}))
     EXPECT_EQ(int(distance), 255);
 }
 

@@ -259,19 +259,6 @@ TEST_F(PictureRules, aFarCameraWithATinyFieldOfViewSeesTheOrthographicPicture) {
   EXPECT_LE(largest * 255.0, 1.0);
 }
 
-TEST_F(PictureRules, whatCannotBeDrawnYetIsRefusedByName) {
-  RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::classic);
-  scene.projection = Projection::mip;
-  EXPECT_THROW(caster.render(scene, pictureSize), Error);
-  scene = phantomScene(ShadingModel::classic);
-  scene.quality.jitter = true;
-  EXPECT_THROW(caster.render(scene, pictureSize), Error);
-  scene = phantomScene(ShadingModel::classic);
-  scene.quality.preintegrated = Preintegration::always;
-  EXPECT_THROW(caster.render(scene, pictureSize), Error);
-}
-
 TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
   RayCaster caster;
   Scene scene = phantomScene(ShadingModel::none);

@@ -55,6 +55,7 @@ protected:
   void compare(const std::shared_ptr<const Volume>& volume, const Row& row) {
     Scene scene = test::headScene(volume, ShadingModel::enhanced);
     row.apply(scene);
+    scene.quality.preintegrated = Preintegration::never; // one method for all steps
     scene.quality.stepVoxels = 1.0 / 128.0;
     const ReferencePicture reference = renderReference(scene, pictureSize);
     SliceRenderer renderer;

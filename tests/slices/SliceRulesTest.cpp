@@ -60,23 +60,46 @@ TEST_F(SliceRules, backToFrontAndFrontToBackAreThePictureButForRounding) {
     }
 }
 
+struct Row {
+  const char* what;
+  void (*apply)(Scene&);
+};
+
+const Row alongAxes[] = {
+    {"enhanced, fog",
+     [](Scene& s) {
+       s.fog = {Fog::Mode::exp, glm::dvec3(0.4, 0.5, 0.6), 0.002, 300.0, 0.0};
+     }},
+    {"cropped",
+     [](Scene& s) {
+       s.crop = {{0.1, 0.3, 0.1}, {0.6, 1.0, 0.8}};
+     }},
+    {"pre-integrated", [](Scene& s) { s.quality.preintegrated = Preintegration::always; }},
+    {"jittered", [](Scene& s) { s.quality.jitter = true; }},
+    {"X-ray", [](Scene& s) { s.projection = Projection::xray; }},
+};
+
 TEST_F(SliceRules, slicesTakeTheRayCastersSamplesWhereChordsAreTheBoxsDepth) {
   // Along an axis every chord is as deep as the box, so both renderers cut it into the same steps.
   SliceRenderer slices;
   RayCaster caster;
-  for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::inferior}) {
-    Scene scene = phantomScene(ShadingModel::enhanced);
-    scene.camera = standardView(scene.camera, scene.volume->grid(), view);
-    scene.camera.projection = Camera::Projection::orthographic;
-    scene.camera.heightMm = 290.0;
-    scene.fog = {Fog::Mode::exp, glm::dvec3(0.4, 0.5, 0.6), 0.002, 300.0, 0.0};
-    const test::Levels levels = test::levelsBetween(test::toDouble(slices.render(scene, pictureSize)),
-                                                    test::toDouble(caster.render(scene, pictureSize)));
-    std::printf("largest %.4f levels, mean %.6f\n", levels.largest, levels.mean);
-    // The bounds of the ray caster against the reference under the same samples (AgainstReferenceTest).
-    EXPECT_LE(levels.largest, 0.5);
-    EXPECT_LE(levels.mean, 0.01);
-  }
+  for (const Row& row : alongAxes)
+    for (const StandardView view : {StandardView::anterior, StandardView::left, StandardView::inferior}) {
+      Scene scene = phantomScene(ShadingModel::enhanced);
+      scene.camera = standardView(scene.camera, scene.volume->grid(), view);
+      scene.camera.projection = Camera::Projection::orthographic;
+      scene.camera.heightMm = 290.0;
+      scene.quality.preintegrated = Preintegration::never;
+      row.apply(scene);
+      const Image image = slices.render(scene, pictureSize);
+      const test::Levels levels =
+          test::levelsBetween(test::toDouble(image), test::toDouble(caster.render(scene, pictureSize)));
+      std::printf("%s: largest %.4f levels, mean %.6f\n", row.what, levels.largest, levels.mean);
+      // The bounds of the ray caster against the reference under the same samples (AgainstReferenceTest).
+      EXPECT_LE(levels.largest, 0.5) << row.what;
+      EXPECT_LE(levels.mean, 0.01) << row.what;
+      EXPECT_NE(image, Image(pictureSize));
+    }
 }
 
 // The largest error of alpha in a picture of a homogeneous box with `opacity` over the unit
@@ -247,6 +270,7 @@ TEST_F(SliceRules, aStepTooSmallIsLimitedAndReported) {
 TEST(SlicePlan, whatBelongsToTheMarchIsDroppedWithAReason) {
   Scene scene;
   scene.volume = test::boxOf(glm::dvec3(1.0));
+  scene.transferFunction = test::constantFunction(0.9999, glm::dvec3(1.0));
   scene.quality.earlyTermination = 0.98;
   const EffectPlan march = requiredEffects(scene, {.canSkipEmptySpace = true});
   const EffectPlan plan = sliceEffects(scene, {.canSkipEmptySpace = true});
@@ -268,14 +292,16 @@ TEST(SlicePlan, whatBelongsToTheMarchIsDroppedWithAReason) {
   }
 }
 
-TEST(SlicePlan, everyProjectionButCompositeIsRefusedByName) {
+TEST(SlicePlan, everyProjectionButCompositeAndXrayIsRefusedByName) {
   Scene scene;
   scene.volume = test::boxOf(glm::dvec3(1.0));
-  EXPECT_NO_THROW(requireSliceable(scene));
+  for (const Projection projection : {Projection::composite, Projection::xray}) {
+    scene.projection = projection;
+    EXPECT_NO_THROW(requireSliceable(scene));
+  }
   for (const auto& [projection, name] : {std::pair{Projection::mip, "\"mip\""},
                                          {Projection::minip, "\"minip\""},
                                          {Projection::average, "\"average\""},
-                                         {Projection::xray, "\"xray\""},
                                          {Projection::isosurface, "\"isosurface\""},
                                          {Projection::compositeIsosurface, "\"composite_isosurface\""}}) {
     scene.projection = projection;

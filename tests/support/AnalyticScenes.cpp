@@ -132,6 +132,7 @@ Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& directi
   scene.camera.heightMm = smallestSpacingMm(volume->grid());
   scene.shading.model = ShadingModel::none;
   scene.quality.earlyTermination = 1.0;
+  scene.quality.preintegrated = Preintegration::never;
   scene.volume = std::move(volume);
   return scene;
 }

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "reference/FieldSampler.h"
+#include "reference/SampleLighting.h"
+#include "scene/EffectPlan.h"
+#include "scene/MeanMaterial.h"
+#include "scene/StableMath.h"
+
+namespace limn {
+
+/// What every ray of a picture shares.
+struct PictureTerms {
+  const Scene& scene;
+  EffectSet effects; ///< that the scene calls for; decides on pre-integration only
+  LightingTerms terms = lightingTerms(scene.shading);
+  const Grid& grid = scene.volume->grid();
+  IndexBox box = croppedBox(grid, scene.crop);
+  CutPlanes cut = cutPlanes(grid, scene.crop);
+  bool isCut = scene.crop != CropBox{};
+  double step = stepMm(scene);
+  double smallestMm = smallestSpacingMm(grid);
+  glm::dvec3 centre = centreIndex(grid);
+  std::optional<glm::dvec3> towardsLight =
+      terms.lightDirection ? std::optional(towardsLightAlongAxes(*terms.lightDirection, grid)) : std::nullopt;
+  bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
+  bool changesOpacity = hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
+  bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
+  GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
+};
+
+/// One ray of a picture in equal steps, a sample `offset` steps behind the start of each (RENDERING section
+/// 7). Places along it are in steps from the entry.
+template <class T>
+class RayMarcher {
+public:
+  RayMarcher(const PictureTerms& terms, const FieldSampler<T>& field, const FramedRay& ray,
+             const RaySpan& span, double offset)
+      : m_terms(terms), m_field(field), m_ray(ray), m_span(span), m_offset(offset),
+        m_light(lightAlong(ray.direction * terms.grid.spacingMm, terms.towardsLight)) {
+    divide();
+  }
+
+  int samples() const { return m_count; }
+
+  /// Premultiplied colour and alpha of the scene's projection.
+  glm::dvec4 pixel() {
+    switch (m_terms.scene.projection) {
+    case Projection::composite:
+      return composite();
+    case Projection::compositeIsosurface:
+      return compositeOverSurface();
+    case Projection::isosurface:
+      return surface();
+    case Projection::xray:
+      return xray();
+    case Projection::mip:
+    case Projection::minip:
+    case Projection::average:
+      return classifiedOnce();
+    }
+    return glm::dvec4(0.0);
+  }
+
+private:
+  // What one step absorbs: its opacity and extinction over the unit distance, and its colour.
+  struct Material {
+    double opacity = 0.0;
+    double extinction = 0.0;
+    glm::dvec3 color{0.0};
+  };
+
+  void divide() {
+    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step);
+    m_dt = (m_span.end - m_span.begin) / m_count;
+  }
+
+  double tAt(double place) const { return m_span.begin + place * m_dt; }
+  glm::dvec3 centredAt(double place) const { return m_ray.anchor + tAt(place) * m_ray.direction; }
+  Cell cellAt(double place) const { return m_field.cellAt(centredAt(place) + m_terms.centre); }
+  double scalarAt(double place) const { return m_field.scalarAt(cellAt(place)); }
+
+  Material materialAt(int i) const {
+    if (m_terms.effects.has(Effect::preintegration)) {
+      const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(i), scalarAt(i + 1.0));
+      return {oneMinusExpNeg(mean.extinction), mean.extinction, mean.color};
+    }
+    const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(i + m_offset));
+    return {classified.opacity, minusLog1mOpacity(classified.opacity), classified.color};
+  }
+
+  // The colour of a material at a place, lit and fogged.
+  glm::dvec3 shaded(const glm::dvec3& material, double place, const glm::dvec4& gradient,
+                    double ratio) const {
+    const LightingTerms& terms = m_terms.terms;
+    const double flat = std::ldexp(m_terms.scale.largest, -20);
+    glm::dvec3 normal = gradient.w > flat ? -glm::dvec3(gradient) : glm::dvec3(0.0);
+    if (m_terms.isCut && terms.usesNormal())
+      normal =
+          normalNearCut(m_terms.cut, m_terms.grid.spacingMm, m_terms.smallestMm, centredAt(place), normal);
+    const glm::dvec3 color = lit(terms, material, m_light, normal, ratio);
+    const double f = fogFactor(m_terms.scene.fog, tAt(place) - m_ray.eye);
+    return f * color + (1.0 - f) * m_terms.scene.fog.color;
+  }
+
+  // The unit gradient with its modulus, and r, where anything reads them.
+  glm::dvec4 gradientAt(double place, double& ratio) const {
+    ratio = 0.0;
+    if (!m_terms.readsGradient)
+      return glm::dvec4(0.0);
+    const glm::dvec4 gradient = safeNormal(m_field.gradientAt(cellAt(place)));
+    ratio = gradientRatio(m_terms.terms, m_terms.scale, gradient.w);
+    return gradient;
+  }
+
+  // Adds a visible step to the colour (rgb) and takes its share from the transmittance (a).
+  void addStep(int i, const Material& material, glm::dvec4& sum) const {
+    const double place = i + m_offset;
+    double ratio = 0.0;
+    const glm::dvec4 gradient = gradientAt(place, ratio);
+
+    // Change the opacity before it becomes an extinction, so that the picture does not depend on the step.
+    double extinction = material.extinction;
+    if (m_terms.changesOpacity) {
+      const CoefficientRange& o = m_terms.terms.opacity;
+      double opacity = material.opacity * mapped(ratio, o.atFlat, o.atBoundary);
+      if (m_terms.hasGradientOpacity)
+        opacity *= gradientOpacityAt(*m_terms.scene.gradientOpacity, gradient.w);
+      extinction = minusLog1mOpacity(opacity);
+    }
+    const double alpha = oneMinusExpNeg(extinction * m_dt / m_terms.scene.transferFunction.unitDistanceMm);
+
+    // Composite front to back.
+    const double weight = sum.a * alpha;
+    sum =
+        glm::dvec4(glm::dvec3(sum) + weight * shaded(material.color, place, gradient, ratio), sum.a - weight);
+  }
+
+  glm::dvec4 composite() const {
+    const bool endsEarly = m_terms.scene.quality.earlyTermination < 1.0;
+    const double last = lastTransmittance(m_terms.scene.quality.earlyTermination);
+    glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
+    for (int i = 0; i < m_count; ++i) {
+      const Material material = materialAt(i);
+      if (!(material.opacity > 0.0))
+        continue;
+      addStep(i, material, sum);
+      if (endsEarly && sum.a <= last)
+        break;
+    }
+    return {glm::dvec3(sum), 1.0 - sum.a};
+  }
+
+  // Where the field first reaches the isovalue; absent where it stays below.
+  std::optional<double> firstHit() const {
+    const double isovalue = m_terms.scene.isovalue;
+    const double exit = m_count;
+    double below = 0.0;
+    if (scalarAt(below) >= isovalue)
+      return below;
+
+    // Find the first sample at or above the isovalue; the exit counts as the last one.
+    std::optional<double> above;
+    for (int i = 0; i <= m_count && !above; ++i) {
+      const double place = std::min(i + m_offset, exit);
+      (scalarAt(place) >= isovalue ? above.emplace() : below) = place;
+    }
+    if (!above)
+      return std::nullopt;
+
+    // Halve the bracket.
+    for (int k = 0; k < halvings; ++k) {
+      const double middle = 0.5 * (below + *above);
+      (scalarAt(middle) >= isovalue ? *above : below) = middle;
+    }
+    return above;
+  }
+
+  glm::dvec3 surfaceColor(double place) const {
+    double ratio = 0.0;
+    const glm::dvec4 gradient = gradientAt(place, ratio);
+    const Classified classified = classify(m_terms.scene.transferFunction, m_terms.scene.isovalue);
+    return shaded(classified.color, place, gradient, ratio);
+  }
+
+  glm::dvec4 surface() const {
+    const std::optional<double> hit = firstHit();
+    return hit ? glm::dvec4(surfaceColor(*hit), 1.0) : glm::dvec4(0.0);
+  }
+
+  glm::dvec4 compositeOverSurface() {
+    const std::optional<double> hit = firstHit();
+    if (!hit)
+      return composite();
+    // Gather what lies before the surface in steps of its own, then put it over the surface.
+    const glm::dvec3 behind = surfaceColor(*hit);
+    m_span.end = tAt(*hit);
+    if (!(m_span.end > m_span.begin))
+      return {behind, 1.0};
+    divide();
+    const glm::dvec4 before = composite();
+    return {glm::dvec3(before) + (1.0 - before.a) * behind, 1.0};
+  }
+
+  glm::dvec4 xray() const {
+    double depth = 0.0;
+    for (int i = 0; i < m_count; ++i)
+      depth += materialAt(i).extinction;
+    return glm::dvec4(oneMinusExpNeg(depth * m_dt / m_terms.scene.transferFunction.unitDistanceMm));
+  }
+
+  // The largest, smallest or mean scalar, classified once.
+  glm::dvec4 classifiedOnce() const {
+    double scalar = scalarAt(m_offset);
+    const Projection projection = m_terms.scene.projection;
+    for (int i = 1; i < m_count; ++i) {
+      const double next = scalarAt(i + m_offset);
+      scalar = projection == Projection::mip     ? std::max(scalar, next)
+               : projection == Projection::minip ? std::min(scalar, next)
+                                                 : scalar + next;
+    }
+    if (projection == Projection::average)
+      scalar /= m_count;
+    const Classified classified = classify(m_terms.scene.transferFunction, scalar);
+    return {classified.opacity * classified.color, classified.opacity};
+  }
+
+  static constexpr int halvings = 14; // to less than 1e-4 of a step
+
+  const PictureTerms& m_terms;
+  const FieldSampler<T>& m_field;
+  FramedRay m_ray;
+  RaySpan m_span;
+  double m_offset;
+  RayLight m_light;
+  int m_count = 1;
+  double m_dt = 0.0;
+};
+
+} // namespace limn

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/EffectSet.h"
+#include "scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// Facts about data and renderer on which effects depend beside the scene's own numbers.
+struct SceneFacts {
+  bool canSkipEmptySpace = false; ///< the renderer knows where nothing can be seen
+  double emptyShare = 1.0;        ///< of the blocks that the renderer can step over, 0..1
+  bool hasDenseFunctions = false; ///< control points so close that a table holds several in one bin
+  double steepestPerMm = 0.0;     ///< what the field commonly changes by at most, value/mm (steepness)
+};
+
+/// Why an effect is needed or not, a phrase for a reader.
+struct EffectReason {
+  Effect effect;
+  bool isNeeded = false;
+  std::string reason;
+};
+
+/// The effects that a scene calls for, canonical, with one reason per effect in the order of the enumeration.
+/// Where nothing can be seen there are none.
+struct EffectPlan {
+  EffectSet effects;
+  bool isVisible = true; ///< false: the picture is empty without drawing
+  std::vector<EffectReason> reasons;
+};
+
+/// A pure function of the scene and of facts about its data (NUMERICS section 4.2). A control point or the
+/// camera can change the plan where they decide whether an effect shows at all: whether anything is opaque,
+/// whether rays can end early, whether the step resolves the function, whether fog begins before the volume's
+/// end. `canStandIn` lets a program go on drawing across such a change.
+EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts);
+
+/// Whether the step resolves the transfer function: no change of opacity or of a visible colour lies within
+/// less than a quarter of the change of value over a step. Pre-integration pays where it does not.
+bool stepResolvesFunction(const Scene& scene, double steepestPerMm);
+
+/// Whether the plan depends on `steepestPerMm`: only then need it be measured.
+bool readsSteepness(const Scene& scene);
+
+/// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
+/// isovalue of a picture with a surface is reached.
+bool isAnythingVisible(const Scene& scene);
+
+/// Throws Error (usage) where there is no volume to draw.
+void requireDrawable(const Scene& scene);
+
+} // namespace limn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The samples of a ray (RENDERING 7): equal steps, one sample in the middle of each.
+
+// What all samples of a ray share. Sample 0 lies half a step behind the entry.
+struct March {
+  vec3 first;      // texture coordinates of sample 0
+  vec3 advance;    // per sample
+  vec3 firstIndex; // centred index of sample 0
+  vec3 stride;     // per sample
+  float fromEye;   // mm, of sample 0
+  float stepMm;
+  float units;     // step in unit distances
+  float offset;    // of sample 0 behind the entry, in steps
+#ifdef EFFECT_LIGHTING
+  Light light;
+#endif
+};
+
+March marchThrough(Ray ray, vec2 span, int count) {
+  March march;
+#ifdef EFFECT_JITTER
+  march.offset = jitteredOffset(gl_FragCoord.xy);
+#else
+  march.offset = 0.5;
+#endif
+  march.stepMm = (span.y - span.x) / float(count);
+  march.stride = march.stepMm * ray.direction;
+  march.firstIndex = ray.anchor + span.x * ray.direction + march.offset * march.stride;
+  march.advance = march.stride * u_textureScale;
+  march.first = toTexture(ray.anchor + span.x * ray.direction) + march.offset * march.advance;
+  march.fromEye = span.x - ray.eye + march.offset * march.stepMm;
+  march.units = march.stepMm * u_perUnitDistance;
+#ifdef EFFECT_LIGHTING
+  march.light = lightAlong(ray.direction * u_spacing);
+#endif
+  return march;
+}
+
+// Texture coordinates `i` steps behind sample 0; clamped, because the field ends at the outermost centres.
+vec3 positionOf(March march, float i) {
+  return clamp(march.first + i * march.advance, u_textureLower, u_textureUpper);
+}
