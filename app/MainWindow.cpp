@@ -2,11 +2,14 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -26,6 +29,8 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   makeActions();
   connectView();
   connectPanels();
+  connectSceneSections();
+  connectGradientCurve();
   connectLoader();
   refreshPresets();
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
@@ -39,6 +44,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
 MainWindow::~MainWindow() {
   // The view's last words must not reach a window half gone.
   m_view->disconnect(this);
+  qApp->disconnect(this);
 }
 
 void MainWindow::layOut() {
@@ -52,7 +58,8 @@ void MainWindow::layOut() {
   column->addWidget(m_view, 1);
   setCentralWidget(centre);
 
-  m_editor = new TransferFunctionEditor(this);
+  m_curves = new CurvePanel(this);
+  m_editor = m_curves->valueEditor();
   m_shading = new ShadingPanel(this);
   m_presets = new PresetBrowser(this);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -61,7 +68,7 @@ void MainWindow::layOut() {
   m_shadingDock =
       addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
   m_curveDock =
-      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_editor, Qt::BottomDockWidgetArea);
+      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
   resizeDocks({m_curveDock}, {280}, Qt::Vertical);
 
@@ -113,10 +120,12 @@ void MainWindow::connectPanels() {
 void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
-  m_shading->setShading(scene.shading);
-  m_shading->setQuality(scene.quality);
-  const bool showsPreset = scene.volume && scene.transferFunction == m_presetFunction;
-  m_presets->setCurrent(showsPreset ? m_presetName : QString());
+  m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
+  m_curves->setGradientUsed(scene.gradientOpacity.has_value());
+  m_shading->setScene(scene);
+  const bool showsPreset = scene.volume && scene.transferFunction == m_preset.transferFunction &&
+                           scene.gradientOpacity == m_preset.gradientOpacity;
+  m_presets->setCurrent(showsPreset ? QString::fromStdString(m_preset.name) : QString());
   showModels();
   m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   for (QAction* action : m_sceneActions)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/GradientMeasurer.h"
 #include "app/PresetStore.h"
 #include "app/Session.h"
 #include "app/Settings.h"
@@ -16,6 +17,7 @@ class QMenu;
 
 namespace limn {
 
+class CurvePanel;
 class MessageBar;
 class PresetBrowser;
 class ShadingPanel;
@@ -38,6 +40,7 @@ public:
   Session& session() { return m_session; }
   CompareView& view() { return *m_view; }
   TransferFunctionEditor& editor() { return *m_editor; }
+  CurvePanel& curves() { return *m_curves; }
   const VolumeLoader& loader() const { return m_loader; }
 
   void setCompareLayout(CompareLayout layout);
@@ -103,17 +106,29 @@ private:
   void savePreset();
   void deletePreset(const QString& name);
 
+  // MainWindowScene.cpp
+  void connectSceneSections();
+  void connectGradientCurve();
+  void measureGradients();
+  QAction* makeCropBoxAction();
+  void showCropBox();
+  void followFocus(QWidget* now);
+  void setProjection(Projection projection, const Gesture& gesture);
+  template <class Change>
+  void editScene(const Gesture& gesture, Change&& change);
+
   void showError(const QString& sentence);
 
   Settings m_settings;
   PresetStore m_presetStore;
   Session m_session;
   VolumeLoader m_loader;
+  GradientMeasurer m_gradients;
   Histogram m_histogram;
-  QString m_presetName; ///< the preset last used, marked in the list while its function is on screen
-  TransferFunction m_presetFunction;
+  Preset m_preset; ///< the one last used, marked in the list while its curves are on screen
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
+  bool m_cropIsEdited = false; ///< in its section, or in the view since
   /// A source as it was asked for, to read it again with other options.
   struct Request {
     QString source;
@@ -124,7 +139,8 @@ private:
 
   CompareView* m_view = nullptr;
   MessageBar* m_messages = nullptr;
-  TransferFunctionEditor* m_editor = nullptr;
+  CurvePanel* m_curves = nullptr;
+  TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
   ShadingPanel* m_shading = nullptr;
   PresetBrowser* m_presets = nullptr;
   QDockWidget* m_presetDock = nullptr;
@@ -140,6 +156,7 @@ private:
   QActionGroup* m_layoutActions = nullptr;
   QActionGroup* m_modelActions = nullptr;
   QAction* m_orthographicAction = nullptr;
+  QAction* m_cropBoxAction = nullptr;
   QAction* m_patientAction = nullptr;
   QAction* m_focusAction = nullptr;
   QList<QAction*> m_sceneActions; ///< enabled while a volume is open

@@ -10,6 +10,7 @@
 #include "scene/Error.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/shading/ShadingPanel.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -80,6 +81,7 @@ void MainWindow::closeVolume() {
   m_messages->hide();
   m_session.open({});
   m_editor->setHistogram({});
+  measureGradients();
   m_volumeLabel->clear();
   updateTitle();
 }
@@ -93,12 +95,16 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_editor->setUnit(QString::fromStdString(info.unit));
   m_editor->setHistogram(histogram);
   m_editor->setPinnedValue(std::nullopt);
-  m_presetName = QString::fromStdString(loaded.preset);
-  m_presetFunction = loaded.scene.transferFunction;
+  m_preset = {};
+  m_preset.name = loaded.preset;
+  m_preset.transferFunction = loaded.scene.transferFunction;
+  m_preset.gradientOpacity = loaded.scene.gradientOpacity;
   LoadedScene shown = loaded;
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
+  m_shading->foldUnused();
+  measureGradients();
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
                              .arg(grid.dims.x)

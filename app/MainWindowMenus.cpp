@@ -113,6 +113,7 @@ void MainWindow::makeViewMenu() {
   m_orthographicAction->setToolTip(tr("Parallel rays: sizes can be compared everywhere in the picture."));
   connect(m_orthographicAction, &QAction::triggered, this, &MainWindow::setOrthographic);
   m_sceneActions << m_orthographicAction;
+  menu->addAction(withIcon(makeCropBoxAction(), "crop-box"));
   menu->addSeparator();
   for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_curveDock})
     menu->addAction(dock->toggleViewAction());
@@ -192,6 +193,7 @@ void MainWindow::makeToolBar() {
   bar->addSeparator();
   bar->addActions(m_layoutActions->actions());
   bar->addSeparator();
+  bar->addAction(m_cropBoxAction);
   auto* views = new QToolButton(bar);
   views->setText(tr("Views"));
   views->setProperty(iconProperty, QStringLiteral("compass"));
@@ -273,6 +275,7 @@ void MainWindow::showShortcuts() {
       "<tr><td>A P L S I, End PgDn Home (Shift: opposite)</td><td>standard views</td></tr>"
       "<tr><td>R</td><td>reset the camera</td></tr><tr><td>Space</td><td>swap the two sides while "
       "held</td></tr>"
+      "<tr><td>B, drag a handle</td><td>crop box; double click a handle: that face uncut</td></tr>"
       "<tr><td>0, 1 … 9</td><td>full range, presets</td></tr><tr><td>F11, double click</td><td>picture and "
       "curve only</td></tr></table>"
       "<h3>Curve</h3><table cellspacing=6>"

@@ -5,6 +5,7 @@
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/scene/ProjectionSection.h"
 
 #include <QInputDialog>
 
@@ -28,8 +29,7 @@ void MainWindow::applyPreset(const QString& name) {
   const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
   // Own presets were shaped on data like this; built-in ones fit themselves to it.
   const Preset preset = isBuiltIn ? fittedTo(*found, m_histogram) : *found;
-  m_presetName = name;
-  m_presetFunction = preset.transferFunction;
+  m_preset = preset;
   m_session.edit(withPreset(m_session.scene(), preset, true),
                  {nextGestureId(), tr("use preset %1").arg(name)});
   // A preset that changes nothing is in use as well.
@@ -74,11 +74,12 @@ void MainWindow::savePreset() {
     preset.gradientOpacity = scene.gradientOpacity;
     preset.shading = scene.shading;
     preset.projection = scene.projection;
+    if (usesIsovalue(scene.projection))
+      preset.isovalue = scene.isovalue;
     try {
       m_presetStore.save(preset);
       refreshPresets();
-      m_presetName = name;
-      m_presetFunction = preset.transferFunction;
+      m_preset = preset;
       m_presets->setCurrent(name);
     } catch (const Error& error) {
       showError(QString::fromStdString(error.what()));

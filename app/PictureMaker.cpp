@@ -44,7 +44,36 @@ std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, con
   return pictures;
 }
 
+// Draws a scene whole, or without limits to its light.
+using Draw = std::function<Image(const Scene& scene, Limiting limiting)>;
+
+PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
+  const TissueScenes tissue = tissueScenes(scene);
+  PictureFigures figures;
+  figures.contrast = contrastOf(draw(scene, Limiting::clampOrKnee));
+  figures.overflow = overflowOf(draw(scene, Limiting::none));
+  figures.visibleShare =
+      visibleShare(draw(tissue.weights, Limiting::clampOrKnee), draw(tissue.surface, Limiting::clampOrKnee));
+  return figures;
+}
+
 } // namespace
+
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
+  if (engine == Engine::reference)
+    return figuresBy(
+        [&](const Scene& drawn, Limiting limiting) {
+          return toImage(renderReference(drawn, size, threads, {}, limiting));
+        },
+        scene);
+  const HeadlessContext context;
+  RayCaster caster;
+  return figuresBy(
+      [&](const Scene& drawn, Limiting limiting) {
+        return limiting == Limiting::none ? caster.renderUnlimited(drawn, size) : caster.render(drawn, size);
+      },
+      scene);
+}
 
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
                                       int threads) {

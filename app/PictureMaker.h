@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Image.h"
+#include "scene/PictureFigures.h"
 #include "scene/Scene.h"
 
 #include <functional>
@@ -25,6 +26,17 @@ struct MadePicture {
 /// Throws Error.
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
                                       int threads);
+
+/// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
+/// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
+struct PictureFigures {
+  double contrast = 0.0;
+  Overflow overflow;
+  double visibleShare = 0.0; ///< 0..1
+};
+
+/// Draws what the figures need (scene/PictureFigures.h). Throws Error.
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
 
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);

@@ -5,6 +5,7 @@ uniform float u_ambient;
 uniform float u_diffuse;
 uniform float u_specular;
 uniform vec2 u_exponent; // at r = 0 and r = 1
+uniform float u_energyWeight; // 1; 0 makes the energy factor 1
 uniform vec2 u_significance;
 uniform float u_knee;
 uniform vec3 u_lightDirection; // towards the light
@@ -54,7 +55,7 @@ float highlight(Light light, vec3 normal, float r) {
   float term = blinnTerm(alignment, exponent);
 #endif
 #ifdef EFFECT_ENERGY_FACTOR
-  term *= energyFactor(exponent, u_exponent.y);
+  term *= energyFactor(u_energyWeight * exponent, u_energyWeight * u_exponent.y);
 #endif
 #ifdef EFFECT_SIGNIFICANCE
   term *= significanceWeight(u_significance.x, u_significance.y, r);

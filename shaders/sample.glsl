@@ -30,19 +30,20 @@ vec4 pixelOf(Gathered ray) {
   return vec4(ray.color, (1.0 - ray.transmittance) + ray.transmittance * ray.loss);
 }
 
-// The opacity over the unit distance, changed by the gradient before it becomes an extinction, so that the
-// picture does not depend on the step.
-float changedOpacity(float opacity, float modulus, float r) {
+// The factor by which the gradient changes the opacity over the unit distance, before that becomes an
+// extinction: so the picture does not depend on the step.
+float opacityFactor(float modulus, float r) {
+  float factor = 1.0;
 #ifdef EFFECT_OPACITY_MAP
-  opacity *= mapped(r, u_opacity.x, u_opacity.y);
+  factor *= mapped(r, u_opacity.x, u_opacity.y);
 #endif
 #ifdef EFFECT_OPACITY_FACTOR
-  opacity *= u_opacity.x;
+  factor *= u_opacity.x;
 #endif
 #ifdef EFFECT_GRADIENT_OPACITY
-  opacity *= gradientOpacity(modulus);
+  factor *= gradientOpacity(modulus);
 #endif
-  return opacity;
+  return factor;
 }
 
 // The colour of a material `i` steps behind sample 0, lit and fogged.
@@ -79,10 +80,11 @@ vec4 gradientOf(vec3 position, out float r) {
 void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
-#ifdef EFFECT_CHANGED_OPACITY
-  float extinction = minusLog1mOpacity(changedOpacity(material.opacity, gradient.w, r));
-#else
   float extinction = material.extinction;
+#ifdef EFFECT_CHANGED_OPACITY
+  float factor = opacityFactor(gradient.w, r);
+  if (factor != 1.0)
+    extinction = minusLog1mOpacity(factor * material.opacity);
 #endif
   float alpha = oneMinusExpNeg(extinction * march.units);
 

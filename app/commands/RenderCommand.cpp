@@ -26,6 +26,7 @@ struct RenderArguments {
   std::string view;
   double stepVoxels = 0.0; ///< 0: not given
   int threads = 0;
+  bool printsFigures = false;
 };
 
 const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
@@ -93,12 +94,25 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
   return std::move(pair.front());
 }
 
+void printFigures(const Scene& scene, const RenderArguments& arguments) {
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  const PictureFigures figures =
+      measureFigures(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
+  std::printf(
+      "contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of what "
+      "lies at or above %g can be seen\n",
+      figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
+      100.0 * figures.visibleShare, scene.isovalue);
+}
+
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
     throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   const bool isComparison = arguments.model == "compare";
   LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
                                  terminalProgress(arguments.source.quiet));
+  if (isComparison && arguments.printsFigures)
+    throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
   Scene scene = adjusted(std::move(loaded.scene), arguments);
   // Half a picture is narrow: the volume is fitted into it unless the scene says from where to look.
   if (isComparison && !loaded.hasOwnCamera)
@@ -110,6 +124,8 @@ void runRender(const RenderArguments& arguments) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   // The picture may travel: it names its volume without folders.
   const std::string volume = std::filesystem::path(loaded.volumePath).filename().string();
+  if (arguments.printsFigures)
+    printFigures(scene, arguments);
   writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(scene, volume));
   if (arguments.source.quiet)
     return;
@@ -149,6 +165,10 @@ void addRenderCommand(CLI::App& root) {
       ->check(CLI::Range(1e-4, 1e4));
   command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
+  command->add_flag(
+      "--figures", arguments->printsFigures,
+      "print contrast, overflow of highlights, and how much can be seen of what lies at or above the "
+      "scene's isovalue (300 if not set)");
   command->footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command->callback([arguments] { runRender(*arguments); });
 }

@@ -4,6 +4,7 @@
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
+#include "raycaster/CoveredPixels.h"
 #include "raycaster/ProgramCache.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
@@ -17,6 +18,11 @@ namespace {
 
 // Pictures drawn off screen go to the driver in pieces that no watchdog takes for a hang.
 constexpr int tileSize = 256;
+
+// OpenGL's rows go upwards.
+void scissor(const PixelRect& rect, const glm::ivec2& size) {
+  glScissor(rect.topLeft.x, size.y - rect.topLeft.y - rect.size.y, rect.size.x, rect.size.y);
+}
 
 } // namespace
 
@@ -86,12 +92,12 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   // Rays follow gl_FragCoord in the whole picture, so any tile gives the same pixels.
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(tile.topLeft.x, size.y - tile.topLeft.y - tile.size.y, tile.size.x, tile.size.y);
-  if (!needed.isVisible && content != Content::sampleCounts) {
-    const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
-    glClearBufferfv(GL_COLOR, 0, nothing);
+  scissor(tile, size);
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  if (!needed.isVisible && content != Content::sampleCounts)
     return;
-  }
+  scissor(intersection(tile, coveredPixels(scene, size)), size);
   textures.measure(scene, needed.effects);
   const EffectSet effects = programFor(needed.effects, content);
   const bool isMeasured = leftOut || compilesAllEffects;

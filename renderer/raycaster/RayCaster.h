@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/PixelRect.h"
 #include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
 #include "scene/Image.h"
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace limn {
-
-/// A rectangle of pixels, y down from the top of the picture.
-struct PixelRect {
-  glm::ivec2 topLeft{0};
-  glm::ivec2 size{0};
-  bool operator==(const PixelRect&) const = default;
-};
 
 /// Draws scenes with GLSL on the current OpenGL context (3.0 or newer). Owns textures and programs and keeps
 /// them while scenes share them: a new control point uploads a small table, a new camera nothing. A program

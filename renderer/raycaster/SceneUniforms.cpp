@@ -72,6 +72,7 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_exponent", glm::dvec2(terms.exponent.atFlat, terms.exponent.atBoundary));
   set("u_opacity", glm::dvec2(terms.opacity.atFlat, terms.opacity.atBoundary));
   set("u_curve", terms.curve.parameter);
+  set("u_energyWeight", terms.energyFactor ? 1.0 : 0.0);
   // What the scene does not use gets its neutral value, for programs that have more than it needs.
   set("u_knee", terms.knee.value_or(beyondAll));
   const Significance significance = terms.significance.value_or(Significance{0.0, 0.0});

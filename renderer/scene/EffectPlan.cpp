@@ -2,13 +2,13 @@
 #include "scene/EffectPlan.h"
 
 #include "scene/Error.h"
+#include "scene/FunctionDetail.h"
 #include "scene/LightingTerms.h"
 #include "scene/RayFrame.h"
 #include "scene/StableMath.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace limn {
 namespace {
@@ -171,22 +171,6 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
               "control points lie far enough apart");
 }
 
-// The width of the narrowest interval within the volume's range over which opacity or a visible colour
-// changes.
-double narrowestChange(const Scene& scene) {
-  const ValueRange& range = scene.volume->range();
-  const auto& points = scene.transferFunction.points;
-  double narrowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const ControlPoint& a = points[i - 1];
-    const ControlPoint& b = points[i];
-    const bool changes = a.opacity != b.opacity || (a.opacity > 0.0 && a.color != b.color);
-    if (changes && b.value >= range.lowest && a.value <= range.highest)
-      narrowest = std::min(narrowest, b.value - a.value);
-  }
-  return narrowest;
-}
-
 // What is left out because of the projection says so.
 void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
@@ -205,14 +189,22 @@ void explainDropped(EffectPlan& plan, Projection projection) {
 } // namespace
 
 bool stepResolvesFunction(const Scene& scene, double steepestPerMm) {
-  return narrowestChange(scene) >= 0.25 * steepestPerMm * stepMm(scene);
+  // Measured on the CT head against 1/64 voxel, mean error of pre-integrated steps to that of samples: bands
+  // of 20 to 200 HU 0.09 to 0.33; ramps of 60 % opacity over 50 HU 0.36 (lit 0.63) at half a voxel, where the
+  // value commonly changes by up to 340 HU a step, over 100 HU 0.59 (0.79), over 200 HU 1.8 (1.06). It
+  // takes 1.4 times as long, which a smaller step would turn into half the error.
+  const double perStep = steepestPerMm * stepMm(scene);
+  const ValueRange& range = scene.volume->range();
+  return largestChangeOver(scene.transferFunction, perStep / 16.0, range) < 0.2 &&
+         narrowestBand(scene.transferFunction, 0.1, range) >= perStep / 3.0;
 }
 
 bool readsSteepness(const Scene& scene) {
-  // Along no axis can a voxel's step change more than the whole range: √3 for all three.
+  // Along no axis can the value change by more than the whole range from voxel to voxel: √3 for all three.
   const ValueRange& range = scene.volume->range();
-  const double most = std::sqrt(3.0) * (range.highest - range.lowest) * scene.quality.stepVoxels;
-  return scene.quality.preintegrated == Preintegration::automatic && narrowestChange(scene) < 0.25 * most;
+  const double most =
+      std::sqrt(3.0) * (range.highest - range.lowest) / smallestSpacingMm(scene.volume->grid());
+  return scene.quality.preintegrated == Preintegration::automatic && !stepResolvesFunction(scene, most);
 }
 
 bool isAnythingVisible(const Scene& scene) {

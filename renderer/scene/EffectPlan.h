@@ -38,8 +38,9 @@ struct EffectPlan {
 /// end. `canStandIn` lets a program go on drawing across such a change.
 EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts);
 
-/// Whether the step resolves the transfer function: no change of opacity or of a visible colour lies within
-/// less than a quarter of the change of value over a step. Pre-integration pays where it does not.
+/// Whether the step resolves the transfer function: over a sixteenth of the change of value in a step neither
+/// opacity nor a visible colour changes by a fifth, and no band of opacity is narrower than a third of it.
+/// Pre-integration pays where it does not.
 bool stepResolvesFunction(const Scene& scene, double steepestPerMm);
 
 /// Whether the plan depends on `steepestPerMm`: only then need it be measured.

@@ -54,6 +54,7 @@ const EffectSet neutralEffects{Effect::lighting,
                                Effect::opacityMap,
                                Effect::opacityFactor,
                                Effect::gradientOpacity,
+                               Effect::energyFactor,
                                Effect::significance,
                                Effect::knee,
                                Effect::fogLinear,
@@ -67,7 +68,7 @@ const EffectSet neutralEffects{Effect::lighting,
 
 const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
 const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
-const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight, Effect::energyFactor};
+const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight};
 const EffectSet lightChoices{Effect::twoSided, Effect::fixedLight};
 const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
@@ -142,8 +143,6 @@ bool canStandIn(EffectSet effects, EffectSet needed) {
   EffectSet free = neutralEffects;
   if (!needed.has(Effect::specular))
     free = free.with(highlightChoices);
-  if (!needed.has(Effect::exponentMap))
-    free = free.with(Effect::energyFactor);
   if (!needed.hasAny({Effect::diffuse, Effect::specular}))
     free = free.with(lightChoices);
   if (!usesRatio(needed))
@@ -157,8 +156,6 @@ EffectSet withAllNeutral(EffectSet needed) {
   EffectSet all = needed.with(neutralEffects);
   // Two fogs exclude each other.
   all = all.without(fogs.without(needed.hasAny(fogs) ? needed : EffectSet{Effect::fogExp}));
-  if (!needed.has(Effect::exponentMap))
-    all = all.with(Effect::energyFactor);
   return canonical(all);
 }
 

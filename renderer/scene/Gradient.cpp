@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/Gradient.h"
 
+#include "scene/GradientHistogram.h"
+
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -108,6 +111,14 @@ struct LowBitsCollector {
   }
 };
 
+struct BinCollector {
+  double binsPerModulus = 0.0;
+  std::vector<std::uint64_t> counts;
+  void add(double modulus) {
+    ++counts[std::min(static_cast<std::size_t>(modulus * binsPerModulus), counts.size() - 1)];
+  }
+};
+
 template <class Collector>
 std::vector<std::uint64_t> countsOf(const std::vector<Collector>& collectors) {
   std::vector<std::uint64_t> sum(collectors.front().counts.size(), 0);
@@ -170,6 +181,17 @@ double gradientPercentile(const Volume& volume, double percent) {
   empty.high = binOfRank(highCounts, rank);
   const std::uint32_t low = binOfRank(countsOf(collected(volume, empty)), rank);
   return std::bit_cast<float>(empty.high << lowBits | low);
+}
+
+Histogram gradientHistogram(const Volume& volume, int bins) {
+  assert(bins > 0);
+  const double largest = largestGradient(volume);
+  BinCollector empty;
+  const double binsPerModulus = bins / largest;
+  const bool isFlat = !std::isfinite(binsPerModulus);
+  empty.binsPerModulus = isFlat ? 0.0 : binsPerModulus;
+  empty.counts.assign(isFlat ? 1 : static_cast<std::size_t>(bins), 0);
+  return {{0.0, largest}, countsOf(collected(volume, empty))};
 }
 
 double steepness(const Volume& volume) {

@@ -13,6 +13,8 @@ Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel) {
     shown.shading.model = scene.shading.model;
   if (preset.projection)
     shown.projection = *preset.projection;
+  if (preset.isovalue)
+    shown.isovalue = *preset.isovalue;
   return shown;
 }
 

@@ -17,6 +17,7 @@ struct Preset {
   std::optional<GradientOpacity> gradientOpacity;
   std::optional<Shading> shading;
   std::optional<Projection> projection;
+  std::optional<double> isovalue; ///< of a projection that shows a surface
 
   bool operator==(const Preset&) const = default;
 };

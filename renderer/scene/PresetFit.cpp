@@ -15,37 +15,6 @@ double valueOfBin(const Histogram& histogram, std::size_t bin) {
   return histogram.range.lowest + (static_cast<double>(bin) + 0.5) * binWidth(histogram);
 }
 
-// The threshold that makes the variance between the two classes largest; the middle where several do.
-double otsuThreshold(const Histogram& histogram) {
-  double total = 0.0;
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    total += static_cast<double>(histogram.counts[bin]);
-    sum += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
-  }
-  double below = 0.0;
-  double sumBelow = 0.0;
-  double best = -1.0;
-  std::size_t first = 0;
-  std::size_t last = 0;
-  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    below += static_cast<double>(histogram.counts[bin]);
-    sumBelow += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
-    const double above = total - below;
-    if (below == 0.0 || above == 0.0)
-      continue;
-    const double difference = sumBelow / below - (sum - sumBelow) / above;
-    const double variance = below * above * difference * difference;
-    if (variance > best) {
-      best = variance;
-      first = bin;
-    }
-    if (variance == best)
-      last = bin;
-  }
-  return (valueOfBin(histogram, first) + valueOfBin(histogram, last)) / 2.0;
-}
-
 const Preset* named(const std::vector<Preset>& presets, const std::string& name) {
   const auto found =
       std::find_if(presets.begin(), presets.end(), [&](const Preset& p) { return p.name == name; });
@@ -75,11 +44,42 @@ double quantile(const Histogram& histogram, double fraction) {
   return histogram.range.highest;
 }
 
+double objectThreshold(const Histogram& histogram) {
+  // Make the variance between the two classes largest; take the middle where several do.
+  double total = 0.0;
+  double sum = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    total += static_cast<double>(histogram.counts[bin]);
+    sum += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
+  }
+  double below = 0.0;
+  double sumBelow = 0.0;
+  double best = -1.0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    below += static_cast<double>(histogram.counts[bin]);
+    sumBelow += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
+    const double above = total - below;
+    if (below == 0.0 || above == 0.0)
+      continue;
+    const double difference = sumBelow / below - (sum - sumBelow) / above;
+    const double variance = below * above * difference * difference;
+    if (variance > best) {
+      best = variance;
+      first = bin;
+    }
+    if (variance == best)
+      last = bin;
+  }
+  return (valueOfBin(histogram, first) + valueOfBin(histogram, last)) / 2.0;
+}
+
 TransferFunction automaticRamp(const Histogram& histogram) {
   const double low = histogram.range.lowest;
   const double high = std::max(quantile(histogram, 0.995), low + binWidth(histogram));
   // Skin is darker than what it covers: the ramp begins below the threshold.
-  const double threshold = std::clamp(low + 0.6 * (otsuThreshold(histogram) - low), low, high);
+  const double threshold = std::clamp(low + 0.6 * (objectThreshold(histogram) - low), low, high);
   const double knee = threshold + 0.35 * (high - threshold);
   return {1.0,
           {{threshold, {0.74, 0.52, 0.42}, 0.0},

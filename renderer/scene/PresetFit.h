@@ -16,8 +16,12 @@ bool looksLikeHounsfield(const Volume& volume);
 /// The value below which `fraction` (0..1) of the counted voxels lie, to within one bin.
 double quantile(const Histogram& histogram, double fraction);
 
-/// A function for data without a known scale: transparent up to 0.6 of the threshold that best separates
-/// background from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), then a ramp up to the 99.5 % quantile.
+/// The threshold that best separates background from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), scalar
+/// units.
+double objectThreshold(const Histogram& histogram);
+
+/// A function for data without a known scale: transparent up to 0.6 of the object threshold, then a ramp
+/// up to the 99.5 % quantile.
 TransferFunction automaticRamp(const Histogram& histogram);
 
 /// A preset moved onto data without an absolute scale (MR): its first and last point go to the 0.5 % and

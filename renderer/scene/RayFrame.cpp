@@ -107,8 +107,7 @@ double jitteredOffset(int x, int yDown, int height) {
   const int py = (height - 1 - yDown) & 7;
   const int q = px ^ py;
   // Interleave the bits of q and py, the lowest first: neighbours differ as much as possible.
-  const int rank =
-      (q & 1) << 5 | (py & 1) << 4 | (q & 2) << 2 | (py & 2) << 1 | (q & 4) >> 1 | (py & 4) >> 2;
+  const int rank = (q & 1) << 5 | (py & 1) << 4 | (q & 2) << 2 | (py & 2) << 1 | (q & 4) >> 1 | (py & 4) >> 2;
   return (rank + 0.5) / 64.0;
 }
 

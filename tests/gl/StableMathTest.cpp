@@ -2,66 +2,13 @@
 // The helpers of shaders/stable_math.glsl against their twins in double, each over its whole range: a
 // fragment program draws one value per pixel into a target of floats.
 #include "scene/StableMath.h"
-#include "gl/ShaderProgram.h"
-#include "raycaster/EmbeddedShaders.h"
-#include "raycaster/ShaderVariant.h"
-#include "support/AnalyticCases.h"
 #include "support/GlTest.h"
-
-#include <epoxy/gl.h>
+#include "support/GlslEvaluator.h"
 
 #include <functional>
-#include <numbers>
 
 namespace limn {
 namespace {
-
-// Evaluates a GLSL expression of `v`, four floats per pixel.
-class Evaluator {
-public:
-  std::vector<glm::vec4> operator()(const std::string& expression, const std::vector<glm::vec4>& arguments) {
-    const auto count = static_cast<GLsizei>(arguments.size());
-    ShaderSource source;
-    source.append("prelude", "#version 130\n");
-    source.append("stable_math.glsl", embeddedShader("stable_math.glsl"));
-    source.append("main",
-                  "uniform sampler2D u_arguments;\nout vec4 fragColor;\nvoid main() {\n"
-                  "  vec4 v = texelFetch(u_arguments, ivec2(gl_FragCoord.xy), 0);\n  fragColor = vec4(" +
-                      expression + ");\n}\n");
-    const ShaderProgram program(vertexSource(), source);
-    const GlTexture input = texture(count, arguments.data());
-    const GlTexture output = texture(count, nullptr);
-    const GlFramebuffer framebuffer;
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, output.name(), 0);
-    glBindTexture(GL_TEXTURE_2D, input.name());
-    program.use();
-    program.set("u_arguments", 0);
-    const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
-    const GlVertexArray vertexArray;
-    const GlBuffer corners;
-    glBindVertexArray(vertexArray.name());
-    glBindBuffer(GL_ARRAY_BUFFER, corners.name());
-    glBufferData(GL_ARRAY_BUFFER, sizeof(triangle), triangle, GL_STATIC_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glViewport(0, 0, count, 1);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    std::vector<glm::vec4> values(arguments.size());
-    glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT, values.data());
-    return values;
-  }
-
-private:
-  static GlTexture texture(GLsizei count, const glm::vec4* texels) {
-    GlTexture made;
-    glBindTexture(GL_TEXTURE_2D, made.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, count, 1, 0, GL_RGBA, GL_FLOAT, texels);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return made;
-  }
-};
 
 // Arguments from `low` to `high` in equal ratios.
 std::vector<glm::vec4> geometric(double low, double high, const glm::vec3& rest = glm::vec3(0.0f)) {
@@ -97,7 +44,7 @@ protected:
   }
 
 private:
-  Evaluator m_evaluate;
+  test::GlslEvaluator m_evaluate{{"stable_math.glsl"}};
 };
 
 TEST_F(StableMath, oneMinusExpNegKeepsItsDigitsFromTinyToLarge) {
@@ -217,47 +164,6 @@ TEST_F(StableMath, fogFactorsMatch) {
   compare(
       "fogExp2(v.x, v.y, v.z)", linear(-1.0, 30.0, {1.0f, 0.35f, 0.0f}),
       [](const glm::dvec4& v) { return fogExp2(v.x, v.y, v.z); }, 2e-6, 1e-7);
-}
-
-// The `helper` cases of the shared file whose functions both sides have.
-TEST_F(StableMath, everySharedHelperCaseHoldsOnBothSides) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
-  int count = 0;
-  const auto check = [&](const nlohmann::json& one, const char* key, double cpu, double gpu) {
-    const nlohmann::json& entry = one["expected"][key];
-    const double expected = entry.is_object() ? entry["value"].get<double>() : entry.get<double>();
-    EXPECT_NEAR(cpu, expected, one["tolerance"]["cpu_double"].get<double>()) << one["id"] << " " << key;
-    // Coordinates and exponents are rounded to float on the way in.
-    EXPECT_NEAR(gpu, expected, one["tolerance"]["gpu_float_target"].get<double>() * std::max(1.0, expected))
-        << one["id"] << " " << key;
-    ++count;
-  };
-  for (const nlohmann::json& one : test::analyticCases()) {
-    const std::string id = one["id"];
-    const nlohmann::json& p = one["parameters"];
-    if (id.rfind("F1_", 0) == 0) {
-      const glm::dvec4 sp(p["g_over_gmax"], p["SPmin"], p["SPmax"], 0.0);
-      const glm::dvec4 o(p["g_over_gmax"], p["Omin"], p["Omax"], 0.0);
-      check(one, "SP", mapped(sp.x, sp.y, sp.z), value("mapped(v.x, v.y, v.z)", sp));
-      check(one, "O", mapped(o.x, o.y, o.z), value("mapped(v.x, v.y, v.z)", o));
-    } else if (id.rfind("F3_", 0) == 0) {
-      const double cosine = std::cos(p["angle_NH_deg"].get<double>() * std::numbers::pi / 180.0);
-      // cos 90° is 6e-17 in double: the case means 0.
-      const glm::dvec4 v(p["angle_NH_deg"] == 90 ? 0.0 : cosine, p["SP"], 0.0, 0.0);
-      check(one, "spec", blinnTerm(v.x, v.y), value("blinnTerm(v.x, v.y)", v));
-    } else if (id.rfind("F7_", 0) == 0) {
-      const glm::dvec4 v(p["n"], p["SPmax"], 0.0, 0.0);
-      check(one, "E", energyFactor(v.x, v.y), value("energyFactor(v.x, v.y)", v));
-    } else if (id.rfind("F8_", 0) == 0) {
-      const glm::dvec4 v(p["m"], 0.1, 0.1, p["k"]);
-      check(one, "m_out", knee(glm::dvec3(v), v.w).x, value("knee(v.xyz, v.w).x", v));
-    } else if (id.rfind("F9_", 0) == 0) {
-      const glm::dvec4 v(p["r"], p["beta"], 0.5, 0.0);
-      check(one, "log", logCurve(v.x, v.y), value("logCurve(v.x, v.y)", v));
-      check(one, "gamma_half", gammaCurve(v.x, v.z), value("gammaCurve(v.x, v.z)", v));
-    }
-  }
-  EXPECT_EQ(count, 52);
 }
 
 } // namespace

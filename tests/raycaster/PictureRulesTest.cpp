@@ -104,34 +104,6 @@ TEST_F(PictureRules, editingAControlPointCompilesNoProgram) {
   EXPECT_EQ(caster.compiledPrograms(), programs);
 }
 
-TEST_F(PictureRules, everyParameterShowsInAUsedCasterAsInAFreshOne) {
-  const Scene base = phantomScene(ShadingModel::robust);
-  std::vector<Scene> scenes(14, base);
-  scenes[0].transferFunction = test::boneOnly();
-  scenes[1].transferFunction.unitDistanceMm = 2.0;
-  scenes[2].shading.exponentRange.atBoundary = 100.0;
-  scenes[3].shading.opacityRange.atFlat = 0.5;
-  scenes[4].shading.gradientReference = PercentileReference{90.0};
-  scenes[5].shading.gradientReference = FixedReference{300.0};
-  scenes[6].shading.gradientCurve = {GradientCurve::Type::log, 20.0};
-  scenes[7].gradientOpacity = GradientOpacity{{{0.0, 0.1}, {200.0, 1.0}}};
-  scenes[8].fog = {Fog::Mode::exp, glm::dvec3(0.5), 0.001, 0.0, 0.0};
-  scenes[9].crop.upper.x = 0.5;
-  scenes[10].quality.stepVoxels = 0.7;
-  scenes[11].shading.lightDirection = glm::dvec3(1.0, 1.0, -1.0);
-  scenes[12].volume = phantomVolume({.spacingMm = 6.0});
-  scenes[13].camera = orbited(base.camera, 0.5, 0.0);
-  RayCaster used;
-  const Image before = used.render(base, pictureSize);
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const Image shown = used.render(scenes[i], pictureSize);
-    EXPECT_NE(shown, before) << "scene " << i << " does not show";
-    RayCaster fresh;
-    EXPECT_EQ(shown, fresh.render(scenes[i], pictureSize)) << "scene " << i;
-    EXPECT_EQ(used.render(base, pictureSize), before) << "after scene " << i;
-  }
-}
-
 TEST_F(PictureRules, allPicturesAreFiniteAndOutsideTheBoxIsExactlyNothing) {
   RayCaster caster;
   for (const ShadingModel model :

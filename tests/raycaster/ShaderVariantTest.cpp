@@ -49,6 +49,22 @@ const Groups others{
     {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
     {Effect::emptySpaceSkipping, Effect::gradientOpacity, Effect::knee},
     {Effect::emptySpaceSkipping, Effect::longRays, Effect::denseFunctions},
+    {Effect::emptySpaceSkipping, Effect::preintegration},
+    {Effect::emptySpaceSkipping, Effect::preintegration, Effect::gradientOpacity, Effect::earlyTermination},
+    {Effect::preintegration, Effect::longRays, Effect::denseFunctions},
+    {Effect::emptySpaceSkipping, Effect::jitter, Effect::knee},
+    {Effect::emptySpaceSkipping, Effect::unlimited},
+    {Effect::emptySpaceSkipping, Effect::isosurface, Effect::cutFaces},
+    {Effect::emptySpaceSkipping, Effect::isosurface, Effect::jitter, Effect::fogExp, Effect::knee},
+    {Effect::emptySpaceSkipping, Effect::hybrid, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::hybrid, Effect::preintegration, Effect::cutFaces},
+    {Effect::hybrid, Effect::longRays, Effect::fogLinear},
+    {Effect::emptySpaceSkipping, Effect::xray},
+    {Effect::emptySpaceSkipping, Effect::xray, Effect::preintegration},
+    {Effect::xray, Effect::jitter, Effect::longRays},
+    {Effect::mip},
+    {Effect::minip, Effect::jitter},
+    {Effect::average, Effect::denseFunctions},
     {Effect::sampleCounts},
 };
 
@@ -101,16 +117,6 @@ TEST(ShaderVariantText, everyBlockIsAscii) {
   for (const EmbeddedShader& shader : embeddedShaders())
     for (const char character : shader.text)
       EXPECT_TRUE(character == '\n' || (character >= ' ' && character <= '~')) << shader.name;
-}
-
-TEST(ShaderVariantText, fetchesOfTheVolumeAreAsFewAsTheEffectsAllow) {
-  const auto gradientFetches = [](EffectSet effects) {
-    return fragmentSource(canonical(effects)).text.find("gradientAt(vec3") != std::string::npos;
-  };
-  EXPECT_FALSE(gradientFetches(EffectSet()));
-  EXPECT_FALSE(gradientFetches(EffectSet().with(Effect::lighting)));
-  EXPECT_TRUE(gradientFetches(EffectSet().with(Effect::lighting).with(Effect::diffuse)));
-  EXPECT_TRUE(gradientFetches(EffectSet().with(Effect::opacityMap)));
 }
 
 TEST_F(ShaderVariants, anErrorNamesTheFileAndLineOfItsBlock) {

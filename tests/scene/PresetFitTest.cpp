@@ -25,7 +25,8 @@ Preset spanning(double first, double last, const std::string& modality) {
           .transferFunction = {1.0, {{first, glm::dvec3(1), 0.0}, {last, glm::dvec3(1), 1.0}}},
           .gradientOpacity = std::nullopt,
           .shading = std::nullopt,
-          .projection = std::nullopt};
+          .projection = std::nullopt,
+          .isovalue = std::nullopt};
 }
 
 TEST(PresetFit, quantileIsTheValueWithThatShareBelow) {

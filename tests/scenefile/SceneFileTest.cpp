@@ -95,9 +95,10 @@ TEST(PresetFile, whatIsWrittenIsReadBack) {
                       .modality = "CT",
                       .note = "Bone in warm colours",
                       .transferFunction = unusualScene().transferFunction,
-                      .gradientOpacity = std::nullopt,
+                      .gradientOpacity = GradientOpacity{{{0.5, 0.25}, {80.0, 1.0 / 3.0}}},
                       .shading = unusualScene().shading,
-                      .projection = Projection::mip};
+                      .projection = Projection::compositeIsosurface,
+                      .isovalue = 123.456789};
   EXPECT_EQ(parsePreset(presetToJson(preset), "p"), preset);
 }
 

@@ -17,4 +17,9 @@ inline nlohmann::json analyticCases() {
   return nlohmann::json::parse(stream)["cases"];
 }
 
+/// Whether a case is a `render`, a `helper` or a `fact`.
+inline bool isOfKind(const nlohmann::json& one, const char* kind) {
+  return one["kind"].get_ref<const std::string&>() == kind;
+}
+
 } // namespace limn::test

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/AnalyticScenes.h"
 
+#include "support/AnalyticCases.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +43,27 @@ AnalyticRay obliqueSlab(const json& one, double tau, double thickness, double de
   AnalyticRay ray = rayOf(one, key + std::string(" at ") + std::to_string(degrees), scene);
   ray.alpha = expectedOf(one, key);
   return ray;
+}
+
+// A7: every pixel of a perspective picture has its own path. The third pixel of a row of three lies two half
+// heights from the axis.
+std::vector<AnalyticRay> perspectiveSlab(const json& one) {
+  const double thickness = one["parameters"]["D_over_dref"];
+  const double angle = one["parameters"]["theta_deg"].get<double>() * std::numbers::pi / 180.0;
+  Scene scene = rayThrough(boxOf({100.0 * thickness, thickness, 100.0 * thickness}));
+  scene.camera.projection = Camera::Projection::perspective;
+  scene.camera.position = {0.0, -2.0 * thickness, 0.0};
+  scene.camera.fovYDeg = 2.0 * std::atan(std::tan(angle) / 2.0) * 180.0 / std::numbers::pi;
+  scene.transferFunction = constantFunction(one["parameters"]["a0"], glm::dvec3(1.0));
+  scene.quality.stepVoxels = 0.1;
+  std::vector<AnalyticRay> rays(3, rayOf(one, "in perspective, pixel ", scene));
+  for (std::size_t pixel = 0; pixel < rays.size(); ++pixel) {
+    rays[pixel].what += std::to_string(pixel);
+    rays[pixel].size = {3, 1};
+    rays[pixel].pixel = pixel;
+    rays[pixel].alpha = expectedOf(one, pixel == 1 ? "alpha_axis" : "alpha_35deg");
+  }
+  return rays;
 }
 
 AnalyticRay anisotropicBox(const json& one) {
@@ -145,6 +168,10 @@ TransferFunction constantFunction(double opacity, const glm::dvec3& color, doubl
   return {unitDistanceMm, {{0.0, color, opacity}}};
 }
 
+ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color) {
+  return {scalar, color, -std::expm1(-extinction * smallUnitMm)};
+}
+
 AnalyticRay rayOf(const json& one, std::string what, Scene scene) {
   const json& tolerance = one["tolerance"];
   AnalyticRay ray;
@@ -176,8 +203,10 @@ std::vector<AnalyticRay> homogeneousRays(const json& one) {
     return corrected(one, 1e-4, p["n_ref"], {0.1}, "alpha");
   if (startsWith(id, "A7_")) {
     const double tau = -std::log1p(-p["a0"].get<double>());
-    return {obliqueSlab(one, tau, p["D_over_dref"], 0.0, "alpha_axis"),
-            obliqueSlab(one, tau, p["D_over_dref"], p["theta_deg"], "alpha_35deg")};
+    std::vector<AnalyticRay> rays = perspectiveSlab(one);
+    rays.push_back(obliqueSlab(one, tau, p["D_over_dref"], 0.0, "alpha_axis"));
+    rays.push_back(obliqueSlab(one, tau, p["D_over_dref"], p["theta_deg"], "alpha_35deg"));
+    return rays;
   }
   if (startsWith(id, "A8_"))
     return {missedBox(one)};
@@ -189,9 +218,10 @@ std::vector<AnalyticRay> homogeneousRays(const json& one) {
 std::vector<AnalyticRay> analyticRays(const json& cases) {
   std::vector<AnalyticRay> rays;
   for (const json& one : cases) {
-    if (one["kind"] != "render")
+    if (!isOfKind(one, "render"))
       continue;
-    for (const auto& group : {homogeneousRays, rampRays, layerRays, shadingRays})
+    for (const auto& group :
+         {homogeneousRays, rampRays, layerRays, shadingRays, projectionRays, preintegratedRays})
       for (AnalyticRay& ray : group(one))
         rays.push_back(std::move(ray));
   }

@@ -5,17 +5,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace limn::test {
 
-/// One ray of a scene with a closed form: a picture of one pixel whose ray runs through the box's centre.
+/// One ray of a scene with a closed form: mostly a picture of one pixel whose ray runs through the box's
+/// centre.
 struct AnalyticRay {
   std::string id;   ///< of the case
   std::string what; ///< which of its settings
   Scene scene;
+  glm::ivec2 size{1}; ///< of the picture
+  std::size_t pixel = 0;
   std::optional<double> alpha; ///< expected; what is absent is not stated by the case
   std::optional<glm::dvec3> color;
   double tolerance = 0.0;   ///< of the double-precision reference
@@ -24,9 +28,30 @@ struct AnalyticRay {
   double glStepVoxels = 0.0;
 };
 
-/// The cases of kind `render` of analytic_cases.json that name a homogeneous, opacity-correction, ramp,
-/// layer, fog, gradient-enhanced, early-termination or transfer-function scene that midpoint compositing
-/// draws.
+/// One ray through voxels that only approximate a field: its error falls with their size.
+struct RefinedRay {
+  std::string id;
+  std::string what;
+  /// The ray through voxels of an edge length in mm, whose lattice is shifted by a part (0..1) of a voxel.
+  std::function<Scene(double voxelMm, const glm::dvec3& shift)> scene;
+  int channel = 3;       ///< of the pixel, which shows the figure: alpha
+  double expected = 0.0; ///< of the field
+  double coarsestMm = 0.0;
+  static constexpr int halvings = 2; ///< "two consecutive halvings" (NUMERICS 1.4)
+  int lattices = 0;                  ///< to average over
+  double lowestOrder = 0.0; ///< the band in which log2 of the ratio of mean errors must lie at every halving
+  double highestOrder = 0.0;
+  std::optional<double> finestError; ///< the mean error at the finest, where it is known, to 5 %
+  std::optional<double> finestLimit; ///< which the mean error at the finest must not exceed
+};
+
+/// The cases of balls, shells and blobs (C1 to C4), which no grid holds exactly.
+std::vector<RefinedRay> refinedRays(const nlohmann::json& one);
+
+/// The sphere of isosurfaces (J5), which no grid holds exactly.
+std::vector<RefinedRay> refinedSurfaces(const nlohmann::json& one);
+
+/// The cases of kind `render` of analytic_cases.json that a grid holds exactly.
 std::vector<AnalyticRay> analyticRays(const nlohmann::json& cases);
 
 /// Parts of the above, by group.
@@ -34,6 +59,8 @@ std::vector<AnalyticRay> homogeneousRays(const nlohmann::json& one);
 std::vector<AnalyticRay> rampRays(const nlohmann::json& one);
 std::vector<AnalyticRay> layerRays(const nlohmann::json& one);
 std::vector<AnalyticRay> shadingRays(const nlohmann::json& one);
+std::vector<AnalyticRay> projectionRays(const nlohmann::json& one);
+std::vector<AnalyticRay> preintegratedRays(const nlohmann::json& one);
 
 /// A volume from values along y, one voxel wide, centred on the origin.
 std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm);
@@ -44,11 +71,21 @@ std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0
 /// An unlit scene of one pixel seen orthographically along `direction`, without early termination.
 Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
 
+/// The largest of samples of 1 - 4(t - top)² at the centres of as many voxels over 1 mm.
+Scene parabolaUnderMip(double top, int samples);
+
 /// The step in voxels that gives `samples` samples over `lengthMm`.
 double stepFor(const Scene& scene, double lengthMm, double samples);
 
 /// A function of one point: the same colour and opacity everywhere.
 TransferFunction constantFunction(double opacity, const glm::dvec3& color, double unitDistanceMm = 1.0);
+
+/// The unit distance of the scenes whose extinction is linear between control points: over it an opacity
+/// a = κ·u is an extinction κ up to a relative κ·u/2.
+inline constexpr double smallUnitMm = 1e-9;
+
+/// A control point of an extinction per mm, for functions over smallUnitMm.
+ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color);
 
 /// A ray with the id and the tolerances of its case.
 AnalyticRay rayOf(const nlohmann::json& one, std::string what, Scene scene);

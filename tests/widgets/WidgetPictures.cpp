@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grabs the editing widgets in both looks: limn_widget_pictures FOLDER
+#include "scene/Phantom.h"
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/controls/SpringSlider.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/PointPopup.h"
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/scene/FogFit.h"
 #include "widgets/shading/ShadingPanel.h"
 #include "widgets/shading/ShadingSection.h"
 
@@ -55,11 +59,64 @@ void saveEditor(const QString& prefix) {
   wide.points.back().value = 9000.0; // beyond the values of the histogram
   editor.setTransferFunction(wide);
   save(editor, {1200, 260}, prefix + "editor_wide.png");
-  auto* popup = new PointPopup(sampleFunction(), 2, QStringLiteral("HU"), 1, &editor); // deletes itself
+  auto* popup = new PointPopup(CurveSubject::value, sampleFunction(), 2, QStringLiteral("HU"), 1,
+                               &editor); // deletes itself
   save(*popup, popup->sizeHint(), prefix + "popup.png");
   popup->close();
   TransferFunctionEditor empty;
   save(empty, {1200, 220}, prefix + "editor_empty.png");
+}
+
+void saveGradientEditor(const QString& prefix) {
+  CurvePanel panel;
+  panel.showGradient(true);
+  GradientOpacityEditor& editor = *panel.gradientEditor();
+  editor.setUnit(QStringLiteral("HU"));
+  editor.setMeasuring(true);
+  save(panel, {1200, 260}, prefix + "gradient_measuring.png");
+  Histogram gradients = sampleHistogram();
+  gradients.range = {0.0, 1800.0};
+  editor.setHistogram(gradients);
+  save(panel, {1200, 260}, prefix + "gradient_off.png");
+  editor.setGradientOpacity(GradientOpacity{{{40.0, 0.1}, {300.0, 0.7}, {700.0, 1.0}}});
+  panel.setGradientUsed(true);
+  editor.editor()->canvas()->selectPoints({1});
+  save(panel, {1200, 260}, prefix + "gradient.png");
+  save(panel, {780, 220}, prefix + "gradient_narrow.png");
+  auto* popup =
+      new PointPopup(CurveSubject::gradient, sampleFunction(), 2, QStringLiteral("HU/mm"), 1, &panel);
+  save(*popup, popup->sizeHint(), prefix + "gradient_popup.png");
+  popup->close();
+}
+
+// The sections of what a scene may use, with a scene that does and one that does not.
+void saveSections(const QString& prefix) {
+  QWidget both;
+  auto* layout = new QHBoxLayout(&both);
+  Scene scene;
+  scene.volume = phantomVolume({8.0, 0.0, 1});
+  scene.camera = defaultCamera(scene.volume->grid());
+  scene.projection = Projection::compositeIsosurface;
+  scene.crop = {{0.123, 0.0, 0.25}, {1.0, 0.8, 1.0}};
+  const auto panelOf = [&](const Scene& shown) {
+    auto* panel = new ShadingPanel;
+    for (auto* section : panel->sections())
+      section->setFolded(true);
+    panel->setScene(shown);
+    panel->foldUnused();
+    layout->addWidget(panel);
+    return panel;
+  };
+  scene.fog = withFogMode(scene, Fog::Mode::exp);
+  panelOf(scene);
+  scene.fog = withFogMode(scene, Fog::Mode::linear);
+  scene.projection = Projection::mip;
+  panelOf(scene);
+  Scene plain;
+  plain.volume = scene.volume;
+  plain.camera = scene.camera;
+  panelOf(plain);
+  save(both, {1020, 1100}, prefix + "sections.png");
 }
 
 void savePanels(const QString& prefix) {
@@ -143,6 +200,8 @@ int main(int argc, char** argv) {
     applyTheme(application, dark ? ThemeChoice::dark : ThemeChoice::light);
     const QString prefix = folder + (dark ? QStringLiteral("dark_") : QStringLiteral("light_"));
     saveEditor(prefix);
+    saveGradientEditor(prefix);
+    saveSections(prefix);
     savePanels(prefix);
     saveWindow(prefix);
   }

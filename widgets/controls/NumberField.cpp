@@ -21,6 +21,13 @@ NumberField::NumberField(double lowest, double highest, int decimals, QWidget* p
   connect(this, &QAbstractSpinBox::editingFinished, this, &NumberField::reportIfChanged);
 }
 
+void NumberField::setLimits(double lowest, double highest, int decimals) {
+  const double number = m_number; // the spin box would limit and round what it shows
+  setDecimals(decimals);
+  setRange(lowest, highest);
+  setNumber(number);
+}
+
 void NumberField::setNumber(double number) {
   m_number = number;
   setValue(number);

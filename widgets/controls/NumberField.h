@@ -14,6 +14,9 @@ public:
   /// Numbers are limited to lowest..highest when typed; `decimals` limits what can be shown.
   NumberField(double lowest, double highest, int decimals, QWidget* parent = nullptr);
 
+  /// Other limits; the number stays.
+  void setLimits(double lowest, double highest, int decimals);
+
   void setNumber(double number);
   double number() const { return m_number; }
 

@@ -18,6 +18,8 @@ struct NumberSpec {
   double defaultValue = 0.0; ///< of a single number, or of a range's first
   double defaultUpper = 0.0; ///< of a range's second
   int decimals = 2;
+  QString lowerName = {}; ///< of a range's first number, for those who cannot see the control; empty: "from"
+  QString upperName = {}; ///< of its second; empty: "to"
 };
 
 /// The tool tip of a row: the help, then range and default (`isRange`: both defaults), then how to reset.

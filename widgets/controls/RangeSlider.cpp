@@ -28,14 +28,9 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_slider, 1, 0, 1, 4);
   layout->setColumnStretch(0, 1);
 
-  m_slider->setDecimals(spec.decimals);
-  m_lower->setFixedWidth(58);
-  m_upper->setFixedWidth(58);
-  m_lower->setAccessibleName(tr("%1, on flat tissue").arg(spec.label));
-  m_upper->setAccessibleName(tr("%1, at boundaries").arg(spec.label));
-  m_slider->setAccessibleName(tr("%1, slider with two handles").arg(spec.label));
-  setUnavailable({});
   setRange(spec.defaultValue, spec.defaultUpper);
+  setSpec(spec);
+  setUnavailable({});
 
   connect(m_slider, &TrackSlider::valuesEdited, this,
           [this](const std::vector<double>& values, std::uint64_t id) { edit(values[0], values[1], id); });
@@ -45,6 +40,25 @@ RangeSlider::RangeSlider(const NumberSpec& spec, QWidget* parent)
           [this](double v) { edit(m_lower->number(), std::max(v, m_lower->number()), nextGestureId()); });
   connect(m_label, &ResetLabel::resetRequested, this,
           [this] { edit(m_spec.defaultValue, m_spec.defaultUpper, nextGestureId()); });
+}
+
+void RangeSlider::setSpec(const NumberSpec& spec) {
+  m_spec = spec;
+  m_label->setText(spec.label);
+  m_slider->setScale(spec.scale);
+  m_slider->setDecimals(spec.decimals);
+  for (NumberField* field : {m_lower, m_upper}) {
+    field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
+    field->setFixedWidth(spec.unit.isEmpty() ? 58 : 72);
+    field->setLimits(spec.lowest, spec.highest, spec.decimals);
+  }
+  m_lower->setAccessibleName(
+      tr("%1, %2").arg(spec.label, spec.lowerName.isEmpty() ? tr("from") : spec.lowerName));
+  m_upper->setAccessibleName(
+      tr("%1, %2").arg(spec.label, spec.upperName.isEmpty() ? tr("to") : spec.upperName));
+  m_slider->setAccessibleName(tr("%1, slider with two handles").arg(spec.label));
+  if (isEnabled())
+    setToolTip(toolTipOf(spec, true));
 }
 
 void RangeSlider::setRange(double lower, double upper) {

@@ -20,6 +20,9 @@ class RangeSlider : public QWidget {
 public:
   explicit RangeSlider(const NumberSpec& spec, QWidget* parent = nullptr);
 
+  /// Other words and limits; the numbers stay.
+  void setSpec(const NumberSpec& spec);
+
   void setRange(double lower, double upper);
 
   /// Disables the control and says why in its tool tip; an empty reason enables it.

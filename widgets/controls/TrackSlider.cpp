@@ -49,6 +49,13 @@ TrackSlider::TrackSlider(const SliderScale& scale, int handles, QWidget* parent)
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
+void TrackSlider::setScale(const SliderScale& scale) {
+  if (m_origin == m_scale.lowest)
+    m_origin = scale.lowest;
+  m_scale = scale;
+  update();
+}
+
 void TrackSlider::setValues(const std::vector<double>& values) {
   if (values == m_values)
     return;

@@ -19,6 +19,9 @@ class TrackSlider : public QWidget {
 public:
   TrackSlider(const SliderScale& scale, int handles, QWidget* parent = nullptr);
 
+  /// Another track; the numbers stay.
+  void setScale(const SliderScale& scale);
+
   /// Ascending, one number per handle; numbers outside the scale sit at its ends.
   void setValues(const std::vector<double>& values);
   const std::vector<double>& values() const { return m_values; }

@@ -8,6 +8,18 @@
 #include <QGridLayout>
 
 namespace limn {
+namespace {
+
+// Equal widths in a column, unless a unit and its digits need more.
+int fieldWidth(const NumberSpec& spec) {
+  if (spec.unit.size() <= 1)
+    return 72;
+  if (spec.unit.size() == 2)
+    return 84;
+  return spec.decimals > 3 ? 120 : 92;
+}
+
+} // namespace
 
 ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
     : QWidget(parent), m_spec(spec), m_label(new ResetLabel(spec.label)),
@@ -22,20 +34,29 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_slider, 1, 0, 1, 2);
   layout->setColumnStretch(0, 1);
 
-  m_field->setFixedWidth(spec.unit.size() > 2 ? 92 : 72);
-  if (!spec.unit.isEmpty())
-    m_field->setSuffix(QChar(0x00a0) + spec.unit);
-  m_slider->setDecimals(spec.decimals);
   m_label->setBuddy(m_field);
-  m_field->setAccessibleName(spec.label);
-  m_slider->setAccessibleName(tr("%1, slider").arg(spec.label));
-  setUnavailable({});
   setValue(spec.defaultValue);
+  setSpec(spec);
+  setUnavailable({});
 
   connect(m_slider, &TrackSlider::valuesEdited, this,
           [this](const std::vector<double>& values, std::uint64_t id) { edit(values[0], id); });
   connect(m_field, &NumberField::numberEdited, this, [this](double v) { edit(v, nextGestureId()); });
   connect(m_label, &ResetLabel::resetRequested, this, [this] { edit(m_spec.defaultValue, nextGestureId()); });
+}
+
+void ValueSlider::setSpec(const NumberSpec& spec) {
+  m_spec = spec;
+  m_label->setText(spec.label);
+  m_field->setFixedWidth(fieldWidth(spec));
+  m_field->setSuffix(spec.unit.isEmpty() ? QString() : QChar(0x00a0) + spec.unit);
+  m_field->setLimits(spec.lowest, spec.highest, spec.decimals);
+  m_slider->setScale(spec.scale);
+  m_slider->setDecimals(spec.decimals);
+  m_field->setAccessibleName(spec.label);
+  m_slider->setAccessibleName(tr("%1, slider").arg(spec.label));
+  if (isEnabled())
+    setToolTip(toolTipOf(spec, false));
 }
 
 void ValueSlider::setValue(double value) {

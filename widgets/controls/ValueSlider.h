@@ -19,6 +19,9 @@ class ValueSlider : public QWidget {
 public:
   explicit ValueSlider(const NumberSpec& spec, QWidget* parent = nullptr);
 
+  /// Other words and limits; the number stays.
+  void setSpec(const NumberSpec& spec);
+
   void setValue(double value);
 
   /// Disables the control and says why in its tool tip; an empty reason enables it.

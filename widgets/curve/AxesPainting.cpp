@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr double stripHeight = 10.0;
-constexpr double stripGap = 5.0;
+constexpr double stripGap = stripBelow - stripHeight;
 constexpr double pixelsPerTick = 90.0;
 constexpr double pixelsPerOpacityTick = 24.0;
 
@@ -51,11 +51,18 @@ void paintOpacityAxis(QPainter& painter, const CanvasPicture& picture) {
   painter.restore();
 }
 
+QString axisText(const CanvasPicture& picture) {
+  if (picture.subject == CurveSubject::value)
+    return picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
+  return picture.unit.isEmpty()
+             ? QCoreApplication::translate("AxesPainting", "gradient")
+             : QCoreApplication::translate("AxesPainting", "gradient, %1").arg(picture.unit);
+}
+
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
   const QRectF& plot = picture.transform.plot;
-  const double textTop = plot.bottom() + stripGap + stripHeight + 3.0;
-  const QString unit =
-      picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
+  const double textTop = plot.bottom() + (hasColors(picture.subject) ? stripBelow : 0.0) + 3.0;
+  const QString unit = axisText(picture);
   const double unitWidth = painter.fontMetrics().horizontalAdvance(unit) + 12.0;
   painter.setPen(picture.colors.secondaryText);
   painter.drawText(QRectF(plot.right() - unitWidth, textTop, unitWidth, 20.0),
@@ -108,7 +115,8 @@ void paintAxes(QPainter& painter, const CanvasPicture& picture) {
   painter.fillRect(picture.transform.plot, picture.colors.base);
   paintValueAxis(painter, picture);
   paintOpacityAxis(painter, picture);
-  paintColorStrip(painter, picture);
+  if (hasColors(picture.subject))
+    paintColorStrip(painter, picture);
 }
 
 } // namespace limn

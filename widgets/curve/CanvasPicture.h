@@ -3,6 +3,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/curve/CurveGeometry.h"
+#include "widgets/curve/CurveSubject.h"
 
 #include <QPixmap>
 #include <QString>
@@ -16,12 +17,14 @@ namespace limn {
 
 /// Everything the plot shows, as one value for the painting functions.
 struct CanvasPicture {
+  CurveSubject subject = CurveSubject::value;
   TransferFunction function;
   PlotTransform transform;
   ThemeColors colors;
   QString unit;
   int decimals = 0;  ///< of shown values
   QPixmap histogram; ///< null without a volume
+  QString hint;      ///< in the middle of the plot, empty for none
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;
@@ -33,12 +36,13 @@ struct CanvasPicture {
   bool focused = false;
 };
 
-/// Margins around the plot, pixels: room for the bar above, opacity labels left, colour strip and ticks
-/// below.
+/// Margins around the plot, pixels: room for the bar above, opacity labels left, the colour strip (where the
+/// curve has colours) and ticks below.
 inline constexpr double plotLeft = 52.0;
 inline constexpr double plotTop = 20.0;
 inline constexpr double plotRight = 12.0;
-inline constexpr double plotBottom = 40.0;
+inline constexpr double ticksBelow = 25.0;
+inline constexpr double stripBelow = 15.0;
 
 /// Grid, axes, tick labels and the colour strip.
 void paintAxes(QPainter& painter, const CanvasPicture& picture);

@@ -209,10 +209,20 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   paintBox(painter, picture, text, box);
 }
 
-void paintEmptyState(QPainter& painter, const CanvasPicture& picture) {
-  painter.setPen(picture.colors.secondaryText);
-  painter.drawText(picture.transform.plot, Qt::AlignCenter,
-                   translated(QT_TRANSLATE_NOOP("CurvePainting", "Open a volume to see its histogram")));
+// On a plate where a histogram would disturb the reading.
+void paintHint(QPainter& painter, const CanvasPicture& picture) {
+  if (picture.hint.isEmpty())
+    return;
+  const QRectF room = picture.transform.plot.adjusted(24.0, 4.0, -24.0, -4.0);
+  const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+  const QRectF text = painter.boundingRect(room, flags, picture.hint);
+  if (!picture.histogram.isNull()) {
+    painter.setPen(QPen(picture.colors.border, 1.0));
+    painter.setBrush(picture.colors.raised);
+    painter.drawRoundedRect(text.adjusted(-12.0, -6.0, 12.0, 6.0), 4.0, 4.0);
+  }
+  painter.setPen(picture.colors.text);
+  painter.drawText(room, flags, picture.hint);
 }
 
 } // namespace
@@ -224,12 +234,11 @@ void paintCurve(QPainter& painter, const CanvasPicture& picture) {
   painter.setClipRect(plot.adjusted(-1.0, -1.0, 1.0, 1.0));
   if (!picture.histogram.isNull())
     painter.drawPixmap(plot.topLeft(), picture.histogram);
-  else
-    paintEmptyState(painter, picture);
   paintTissueBand(painter, picture);
   paintCurveLine(painter, picture);
   paintHoverLine(painter, picture);
   paintMarkedValues(painter, picture);
+  paintHint(painter, picture);
   painter.restore();
 
   paintBar(painter, picture);

@@ -28,8 +28,9 @@ TransferFunction withColorAt(const TransferFunction& function, const PointIndice
   return edited;
 }
 
-PointFields::PointFields(QWidget* parent)
-    : QWidget(parent), m_which(new QLabel), m_value(new NumberField(-1e9, 1e9, 1)),
+PointFields::PointFields(CurveSubject subject, QWidget* parent)
+    : QWidget(parent), m_subject(subject), m_which(new QLabel),
+      m_value(new NumberField(std::max(-1e9, lowestPlace(subject)), 1e9, 1)),
       m_opacity(new NumberField(0.0, 1.0, 4)), m_color(new ColorButton(tr("change colour of point"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -45,12 +46,7 @@ PointFields::PointFields(QWidget* parent)
   m_opacity->setFixedWidth(64);
   m_opacity->setShownAs(opacityText);
   m_opacity->setSingleStep(0.01);
-  m_value->setAccessibleName(tr("Value of the selected point"));
-  m_opacity->setAccessibleName(tr("Opacity of the selected point"));
-  m_color->setAccessibleName(tr("Colour of the selected point"));
-  m_opacity->setToolTip(
-      tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)"));
-  m_color->setToolTip(tr("The colour in which tissue of this value is drawn"));
+  nameFields();
 
   connect(m_value, &NumberField::numberEdited, this, [this](double value) {
     const std::size_t i = m_selected.front();
@@ -70,18 +66,31 @@ PointFields::PointFields(QWidget* parent)
   setPoints({}, {}, {}, 1);
 }
 
+void PointFields::nameFields() {
+  const bool ofValue = m_subject == CurveSubject::value;
+  m_value->setAccessibleName(ofValue ? tr("Value of the selected point")
+                                     : tr("Gradient of the selected point"));
+  m_opacity->setAccessibleName(tr("Opacity of the selected point"));
+  m_color->setAccessibleName(tr("Colour of the selected point"));
+  m_opacity->setToolTip(
+      ofValue ? tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)")
+              : tr("How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all)"));
+  m_color->setToolTip(tr("The colour in which tissue of this value is drawn"));
+}
+
 void PointFields::setPoints(const TransferFunction& function, const PointIndices& selected,
                             const QString& unit, int decimals) {
   m_function = function;
   m_selected = selected;
   m_unit = unit;
   m_which->setText(describedSelection());
-  for (QWidget* field : std::initializer_list<QWidget*>{m_value, m_opacity, m_color})
-    field->setVisible(!selected.empty());
+  m_value->setVisible(!selected.empty());
+  m_opacity->setVisible(!selected.empty());
+  m_color->setVisible(!selected.empty() && hasColors(m_subject));
   m_value->setEnabled(selected.size() == 1);
   m_value->setToolTip(selected.size() > 1
                           ? tr("Several points are selected: move them together in the plot")
-                          : tr("Where the point stands on the value axis; it stops at its neighbours"));
+                          : tr("Where the point stands on the axis; it stops at its neighbours"));
   m_value->setSuffix(unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
   m_value->setDecimals(decimals);
   if (selected.empty())

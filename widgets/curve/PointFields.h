@@ -4,6 +4,7 @@
 #include "scene/TransferFunction.h"
 #include "widgets/Gesture.h"
 #include "widgets/curve/CurveEdits.h"
+#include "widgets/curve/CurveSubject.h"
 
 #include <QWidget>
 
@@ -20,7 +21,7 @@ class PointFields : public QWidget {
   Q_OBJECT
 
 public:
-  explicit PointFields(QWidget* parent = nullptr);
+  explicit PointFields(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
 
   /// `decimals` is what a value is shown with.
   void setPoints(const TransferFunction& function, const PointIndices& selected, const QString& unit,
@@ -37,8 +38,10 @@ signals:
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
 
 private:
+  void nameFields();
   QString describedSelection() const;
 
+  CurveSubject m_subject;
   TransferFunction m_function;
   PointIndices m_selected;
   QString m_unit;

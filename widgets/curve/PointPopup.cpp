@@ -10,10 +10,10 @@
 
 namespace limn {
 
-PointPopup::PointPopup(const TransferFunction& function, std::size_t index, const QString& unit, int decimals,
-                       QWidget* parent)
+PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, std::size_t index,
+                       const QString& unit, int decimals, QWidget* parent)
     : QFrame(parent, Qt::Popup), m_function(function), m_index(index), m_unit(unit), m_decimals(decimals),
-      m_fields(new PointFields), m_picker(new ColorPicker) {
+      m_fields(new PointFields(subject)), m_picker(new ColorPicker) {
   setAttribute(Qt::WA_DeleteOnClose);
   setFrameShape(QFrame::StyledPanel);
   auto* layout = new QVBoxLayout(this);
@@ -21,6 +21,7 @@ PointPopup::PointPopup(const TransferFunction& function, std::size_t index, cons
   layout->setSpacing(12);
   layout->addWidget(m_fields);
   layout->addWidget(m_picker, 0, Qt::AlignHCenter);
+  m_picker->setVisible(hasColors(subject));
   m_fields->setPoints(function, {index}, unit, decimals);
   m_picker->setColor(function.points[index].color);
 

@@ -9,15 +9,17 @@
 namespace limn {
 
 class ColorPicker;
+enum class CurveSubject;
 class PointFields;
 
-/// Colour and numbers of one control point beside it; closes on a click elsewhere, Enter or Esc.
+/// Numbers and, where its curve has colours, colour of one control point beside it; closes on a click
+/// elsewhere, Enter or Esc.
 class PointPopup : public QFrame {
   Q_OBJECT
 
 public:
-  PointPopup(const TransferFunction& function, std::size_t index, const QString& unit, int decimals,
-             QWidget* parent);
+  PointPopup(CurveSubject subject, const TransferFunction& function, std::size_t index, const QString& unit,
+             int decimals, QWidget* parent);
 
   PointFields* fields() const { return m_fields; }
   ColorPicker* picker() const { return m_picker; }

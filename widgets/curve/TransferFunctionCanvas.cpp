@@ -12,10 +12,12 @@
 
 namespace limn {
 
-TransferFunctionCanvas::TransferFunctionCanvas(QWidget* parent) : QWidget(parent) {
+TransferFunctionCanvas::TransferFunctionCanvas(CurveSubject subject, QWidget* parent)
+    : QWidget(parent), m_subject(subject) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Transfer function curve"));
+  setAccessibleName(subject == CurveSubject::value ? tr("Transfer function curve")
+                                                   : tr("Curve of opacity over the gradient"));
   setAccessibleDescription(
       tr("Tab walks the points, arrows move them, Enter edits numbers, Delete removes, Ctrl+A selects all."));
 }
@@ -64,7 +66,13 @@ void TransferFunctionCanvas::setFineLowOpacities(bool fine) {
   update();
 }
 
+void TransferFunctionCanvas::setHint(const QString& hint) {
+  m_hint = hint;
+  update();
+}
+
 PlotTransform TransferFunctionCanvas::transform() const {
+  const double plotBottom = ticksBelow + (hasColors(m_subject) ? stripBelow : 0.0);
   const QRectF plot(plotLeft, plotTop, std::max(20.0, width() - plotLeft - plotRight),
                     std::max(20.0, height() - plotTop - plotBottom));
   return {plot, m_visible, m_fineLowOpacities};
@@ -140,7 +148,8 @@ void TransferFunctionCanvas::deleteSelected() {
   selectPoints({next});
 }
 
-void TransferFunctionCanvas::edit(const TransferFunction& function, const Gesture& gesture) {
+void TransferFunctionCanvas::edit(const TransferFunction& wanted, const Gesture& gesture) {
+  const TransferFunction function = limitedTo(m_subject, wanted);
   if (function == m_function)
     return;
   const bool sameCount = function.points.size() == m_function.points.size();
@@ -162,12 +171,15 @@ CanvasPicture TransferFunctionCanvas::picture() {
     m_histogramPicture = histogramPicture(m_histogram, plot, colors.histogram, devicePixelRatioF());
   }
   CanvasPicture picture;
+  picture.subject = m_subject;
   picture.function = m_function;
   picture.transform = plot;
   picture.colors = colors;
   picture.unit = m_unit;
   picture.decimals = shownDecimals();
-  picture.histogram = m_histogramPicture;
+  picture.histogram = m_histogram.counts.empty() ? QPixmap() : m_histogramPicture;
+  picture.hint =
+      m_hint.isEmpty() && m_histogram.counts.empty() ? tr("Open a volume to see its histogram") : m_hint;
   picture.selected = m_selected;
   picture.hoveredValue = m_hoveredValue;
   picture.markedValue = m_markedValue;

@@ -5,6 +5,7 @@
 #include "widgets/Gesture.h"
 #include "widgets/curve/CanvasPicture.h"
 #include "widgets/curve/CurveDrag.h"
+#include "widgets/curve/CurveSubject.h"
 
 #include <QWidget>
 
@@ -22,7 +23,7 @@ class TransferFunctionCanvas : public QWidget {
   Q_OBJECT
 
 public:
-  explicit TransferFunctionCanvas(QWidget* parent = nullptr);
+  explicit TransferFunctionCanvas(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
 
   void setTransferFunction(const TransferFunction& function);
   /// Shows every value of another range; a histogram without counts stands for no volume.
@@ -31,7 +32,10 @@ public:
   void setMarkedValue(std::optional<double> value);
   void setPinnedValue(std::optional<double> value);
   void setFineLowOpacities(bool fine);
+  /// A sentence in the middle of the plot; empty for none. Without a histogram the plot has its own.
+  void setHint(const QString& hint);
 
+  CurveSubject subject() const { return m_subject; }
   const TransferFunction& transferFunction() const { return m_function; }
   const PointIndices& selected() const { return m_selected; }
   PlotTransform transform() const;
@@ -103,9 +107,11 @@ private:
   bool selectionKey(const QKeyEvent& event);
   bool nudgeKey(const QKeyEvent& event);
 
+  CurveSubject m_subject;
   TransferFunction m_function;
   Histogram m_histogram;
   QString m_unit;
+  QString m_hint;
   ValueRange m_visible{0.0, 1.0};
   std::optional<double> m_markedValue;
   std::optional<double> m_pinnedValue;

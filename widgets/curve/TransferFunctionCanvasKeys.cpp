@@ -129,8 +129,8 @@ bool TransferFunctionCanvas::nudgeKey(const QKeyEvent& event) {
   // A key held down is one gesture.
   if (!event.isAutoRepeat())
     m_keyGestureId = nextGestureId();
-  const TransferFunction moved =
-      withPointsMoved(m_function, m_selected, arrow.x() * valueUnit(), arrow.y() * opacityStep);
+  const TransferFunction moved = limitedTo(
+      m_subject, withPointsMoved(m_function, m_selected, arrow.x() * valueUnit(), arrow.y() * opacityStep));
   const QString text = m_selected.size() > 1
                            ? tr("move %1 points").arg(m_selected.size())
                            : tr("move point to %1").arg(textOf(moved.points[m_selected.front()].value));

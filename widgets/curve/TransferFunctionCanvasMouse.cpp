@@ -84,7 +84,7 @@ void TransferFunctionCanvas::pressPoint(std::size_t index, const QMouseEvent& ev
 
 void TransferFunctionCanvas::pressCurve(const QPointF& position) {
   const PlotTransform plot = transform();
-  const double value = valueAtX(plot, position.x());
+  const double value = std::max(valueAtX(plot, position.x()), lowestPlace(m_subject));
   std::size_t index = 0;
   const TransferFunction before = m_function;
   const TransferFunction added =
@@ -136,7 +136,8 @@ void TransferFunctionCanvas::continueDrag(const QMouseEvent& event) {
     selectPoints(inside);
     return update();
   }
-  const TransferFunction now = draggedFunction(m_drag, plot, event.modifiers() & Qt::ShiftModifier);
+  const TransferFunction now =
+      limitedTo(m_subject, draggedFunction(m_drag, plot, event.modifiers() & Qt::ShiftModifier));
   edit(now, {m_drag.gestureId, dragText(m_drag, now, m_unit, shownDecimals())});
 }
 
@@ -188,7 +189,7 @@ void TransferFunctionCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void TransferFunctionCanvas::addPoint(const QPointF& position) {
   const PlotTransform plot = transform();
-  const double value = valueAtX(plot, position.x());
+  const double value = std::max(valueAtX(plot, position.x()), lowestPlace(m_subject));
   std::size_t index = 0;
   const TransferFunction added = withPointAdded(m_function, value, opacityAtY(plot, position.y()), &index);
   edit(added, {nextGestureId(), tr("add point at %1").arg(textOf(value))});
@@ -251,7 +252,8 @@ void TransferFunctionCanvas::addPointActions(QMenu& menu, std::size_t index) {
   const QString text = m_selected.size() > 1 ? tr("Delete %1 points").arg(m_selected.size()) : tr("Delete");
   QAction* deletion = menu.addAction(text, this, &TransferFunctionCanvas::deleteSelected);
   deletion->setEnabled(m_function.points.size() > 1);
-  menu.addAction(tr("Colour and numbers…"), this, [this, index] { emit pointDetailsRequested(index); });
+  menu.addAction(hasColors(m_subject) ? tr("Colour and numbers…") : tr("Numbers…"), this,
+                 [this, index] { emit pointDetailsRequested(index); });
 }
 
 void TransferFunctionCanvas::contextMenuEvent(QContextMenuEvent* event) {

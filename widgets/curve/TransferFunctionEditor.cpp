@@ -27,8 +27,8 @@ QString factorText(double factor) {
 
 } // namespace
 
-TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
-    : QWidget(parent), m_canvas(new TransferFunctionCanvas), m_fields(new PointFields),
+TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* parent)
+    : QWidget(parent), m_canvas(new TransferFunctionCanvas(subject)), m_fields(new PointFields(subject)),
       m_opacity(new SpringSlider(
           tr("Overall opacity"),
           tr("<p>Makes everything visible more solid or more transparent; what is invisible stays so.</p>"
@@ -70,6 +70,7 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(16);
+  m_row = layout;
   layout->addWidget(m_fields);
   layout->addStretch(1);
   layout->addWidget(m_opacity);
@@ -79,6 +80,19 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   // The row never makes the window wider: resizeEvent hides what has another way.
   row->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return row;
+}
+
+void TransferFunctionEditor::addLeading(QWidget* control, int place) {
+  m_row->insertWidget(place < 0 ? m_leading : place, control);
+  ++m_leading;
+  hideWhatHasNoRoom();
+}
+
+void TransferFunctionEditor::setEditable(bool editable) {
+  m_canvas->setEnabled(editable);
+  for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll})
+    control->setEnabled(editable);
+  m_fields->setVisible(editable);
 }
 
 void TransferFunctionEditor::connectCanvas() {
@@ -157,7 +171,7 @@ void TransferFunctionEditor::showSelection() {
 
 void TransferFunctionEditor::openDetails(std::size_t index) {
   const TransferFunction& function = m_canvas->transferFunction();
-  auto* popup = new PointPopup(function, index, m_canvas->unit(), typedDecimals(), this);
+  auto* popup = new PointPopup(m_canvas->subject(), function, index, m_canvas->unit(), typedDecimals(), this);
   connect(popup, &PointPopup::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
   const QPoint centre = positionOf(m_canvas->transform(), function.points[index]).toPoint();
   showPopupAt(*popup, QRect(m_canvas->mapToGlobal(centre) - QPoint(10, 10), QSize(20, 20)));
@@ -171,10 +185,17 @@ void TransferFunctionEditor::changeEvent(QEvent* event) {
 }
 
 void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
-  m_shift->setVisible(width() >= 900);   // the bar above the plot shifts too
-  m_opacity->setVisible(width() >= 640); // dragging all points does nearly the same
-  m_fine->setVisible(width() >= 480);
+  hideWhatHasNoRoom();
   QWidget::resizeEvent(event);
+}
+
+void TransferFunctionEditor::hideWhatHasNoRoom() {
+  int room = width();
+  for (int i = 0; i < m_leading; ++i)
+    room -= m_row->itemAt(i)->widget()->sizeHint().width() + m_row->spacing();
+  m_shift->setVisible(room >= 900);   // the bar above the plot shifts too
+  m_opacity->setVisible(room >= 640); // dragging all points does nearly the same
+  m_fine->setVisible(room >= 480);
 }
 
 void TransferFunctionEditor::showIcons() {

@@ -4,12 +4,14 @@
 #include "scene/Histogram.h"
 #include "scene/TransferFunction.h"
 #include "widgets/Gesture.h"
+#include "widgets/curve/CurveSubject.h"
 
 #include <QWidget>
 
 #include <optional>
 
 class QAbstractButton;
+class QBoxLayout;
 
 namespace limn {
 
@@ -25,7 +27,13 @@ class TransferFunctionEditor : public QWidget {
   Q_OBJECT
 
 public:
-  explicit TransferFunctionEditor(QWidget* parent = nullptr);
+  explicit TransferFunctionEditor(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
+
+  /// Puts a control before the numbers of the selected point, after the others there or at a place of theirs.
+  void addLeading(QWidget* control, int place = -1);
+
+  /// Whether the curve can be edited; it can unless said otherwise. The histogram shows in any case.
+  void setEditable(bool editable);
 
   void setTransferFunction(const TransferFunction& function);
 
@@ -65,6 +73,7 @@ private:
   const TransferFunction& pullBase(std::uint64_t gestureId);
   double shiftOf(double position) const;
   int typedDecimals() const;
+  void hideWhatHasNoRoom();
   void showIcons();
 
   ValueRange m_range{0.0, 1.0}; // before the sliders, whose first read-out needs it
@@ -72,6 +81,8 @@ private:
   PointFields* m_fields;
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
+  QBoxLayout* m_row = nullptr;
+  int m_leading = 0; ///< controls before the numbers
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
   TransferFunction m_pullBase;

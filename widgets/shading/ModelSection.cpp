@@ -32,7 +32,9 @@ NumberSpec exponentRangeSpec() {
           .highest = 1024.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
-          .decimals = 1};
+          .decimals = 1,
+          .lowerName = ModelSection::tr("on flat tissue"),
+          .upperName = ModelSection::tr("at boundaries")};
 }
 
 NumberSpec opacityRangeSpec() {
@@ -47,7 +49,9 @@ NumberSpec opacityRangeSpec() {
           .highest = 8.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
-          .decimals = 2};
+          .decimals = 2,
+          .lowerName = ModelSection::tr("on flat tissue"),
+          .upperName = ModelSection::tr("at boundaries")};
 }
 
 } // namespace

@@ -5,11 +5,14 @@
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
 
+class QCheckBox;
+
 namespace limn {
 
+class ChoiceRow;
 class ValueSlider;
 
-/// Closer to exact or faster: the sampling step and where a ray may stop.
+/// Closer to exact or faster: the sampling step, where a ray may stop, and two ways to hide the steps.
 class QualitySection : public FoldingSection {
   Q_OBJECT
 
@@ -23,10 +26,14 @@ signals:
 
 private:
   ValueSlider* addNumber(ValueSlider* slider, double Quality::*member);
+  void addPreintegration();
+  void addJitter();
 
   Quality m_quality;
   ValueSlider* m_step;
   ValueSlider* m_termination;
+  ChoiceRow* m_preintegration = nullptr;
+  QCheckBox* m_jitter = nullptr;
 };
 
 } // namespace limn

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ShadingPanel.h"
 
+#include "widgets/scene/CropSection.h"
+#include "widgets/scene/FogSection.h"
+#include "widgets/scene/ProjectionSection.h"
 #include "widgets/shading/GradientSection.h"
 #include "widgets/shading/LightSection.h"
 #include "widgets/shading/ModelSection.h"
@@ -12,31 +15,77 @@
 namespace limn {
 
 ShadingPanel::ShadingPanel(QWidget* parent)
-    : QScrollArea(parent), m_sections{new ModelSection, new GradientSection, new LightSection},
-      m_quality(new QualitySection) {
+    : QScrollArea(parent),
+      m_projection(new ProjectionSection), m_sections{new ModelSection, new GradientSection,
+                                                      new LightSection},
+      m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
+  layOut();
+  connectSections();
+}
+
+void ShadingPanel::layOut() {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  for (ShadingSection* section : m_sections) {
+  layout->addWidget(m_projection);
+  for (ShadingSection* section : m_sections)
     layout->addWidget(section);
-    connect(section, &ShadingSection::shadingEdited, this,
-            [this](const Shading& shading, const Gesture& gesture) {
-              setShading(shading);
-              emit shadingEdited(shading, gesture);
-            });
-  }
-  layout->addWidget(m_quality);
+  for (QWidget* section : std::initializer_list<QWidget*>{m_crop, m_fog, m_quality})
+    layout->addWidget(section);
   layout->addStretch(1);
-  // What is needed most stands open; the rest waits folded.
-  m_sections[1]->setFolded(true);
-  connect(m_quality, &QualitySection::qualityEdited, this, &ShadingPanel::qualityEdited);
   setWidget(content);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // Nothing may hide under the scroll bar.
   setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  // What is needed most stands open; the rest waits folded.
+  m_sections[1]->setFolded(true);
+  foldUnused();
+}
+
+void ShadingPanel::connectSections() {
+  for (ShadingSection* section : m_sections)
+    connect(section, &ShadingSection::shadingEdited, this,
+            [this](const Shading& shading, const Gesture& gesture) {
+              setShading(shading);
+              emit shadingEdited(shading, gesture);
+            });
+  connect(m_quality, &QualitySection::qualityEdited, this, &ShadingPanel::qualityEdited);
+  connect(m_projection, &ProjectionSection::projectionEdited, this, &ShadingPanel::projectionEdited);
+  connect(m_projection, &ProjectionSection::isovalueEdited, this, &ShadingPanel::isovalueEdited);
+  connect(m_crop, &CropSection::cropEdited, this, &ShadingPanel::cropEdited);
+  connect(m_fog, &FogSection::fogEdited, this, &ShadingPanel::fogEdited);
+}
+
+void ShadingPanel::setScene(const Scene& scene) {
+  const bool otherProjection = scene.projection != m_scene.projection;
+  const bool otherLight = usesLight(scene.projection) != usesLight(m_scene.projection);
+  m_scene = scene;
+  setShading(scene.shading);
+  setQuality(scene.quality);
+  m_projection->setScene(scene);
+  m_crop->setScene(scene);
+  m_fog->setScene(scene);
+  if (otherProjection)
+    showModels();
+  if (otherLight)
+    foldLight();
+}
+
+// Without light its sections step back; with it those come back that were open.
+void ShadingPanel::foldLight() {
+  for (ShadingSection* section : m_foldedForNow)
+    section->setFolded(false);
+  m_foldedForNow.clear();
+  if (usesLight(m_scene.projection))
+    return;
+  for (ShadingSection* section : m_sections)
+    if (!section->isFolded()) {
+      section->setFolded(true);
+      m_foldedForNow.push_back(section);
+    }
 }
 
 void ShadingPanel::setShading(const Shading& shading) {
@@ -49,8 +98,21 @@ void ShadingPanel::setQuality(const Quality& quality) {
 }
 
 void ShadingPanel::setModelsShown(const std::vector<ShadingModel>& models) {
-  for (ShadingSection* section : m_sections)
-    section->setModelsShown(models);
+  m_models = models;
+  showModels();
+}
+
+void ShadingPanel::showModels() {
+  const bool lit = usesLight(m_scene.projection);
+  for (ShadingSection* section : m_sections) {
+    section->setModelsShown(lit ? m_models : std::vector(m_models.size(), ShadingModel::none));
+    section->setSummary(lit ? QString() : tr("unused: this projection is unlit"));
+  }
+}
+
+void ShadingPanel::foldUnused() {
+  m_crop->setFolded(m_scene.crop == CropBox{});
+  m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
 }
 
 } // namespace limn

@@ -8,24 +8,35 @@
 
 namespace limn {
 
+class CropSection;
+class FogSection;
+class ProjectionSection;
 class QualitySection;
 class ShadingSection;
 
-/// The numbers of light and quality in folding sections. Controls that change nothing in the pictures shown
-/// are disabled and say why in their tool tips.
+/// What a scene says beside its curves, in folding sections: projection, light, crop, fog, quality. Controls
+/// that change nothing in the pictures shown are disabled and say why in their tool tips; a section that the
+/// scene does not use says so in its header.
 class ShadingPanel : public QScrollArea {
   Q_OBJECT
 
 public:
   explicit ShadingPanel(QWidget* parent = nullptr);
 
+  void setScene(const Scene& scene);
   void setShading(const Shading& shading);
   void setQuality(const Quality& quality);
+
+  /// Folds what the scene does not use and opens what it does: for a scene freshly opened.
+  void foldUnused();
 
   /// The models in the pictures on screen: one, or the two that are compared.
   void setModelsShown(const std::vector<ShadingModel>& models);
 
   const std::vector<ShadingSection*>& sections() const { return m_sections; }
+  ProjectionSection* projectionSection() const { return m_projection; }
+  CropSection* cropSection() const { return m_crop; }
+  FogSection* fogSection() const { return m_fog; }
   QualitySection* qualitySection() const { return m_quality; }
 
   QSize sizeHint() const override { return {320, 600}; }
@@ -33,9 +44,24 @@ public:
 signals:
   void shadingEdited(const limn::Shading& shading, const limn::Gesture& gesture);
   void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
+  void projectionEdited(limn::Projection projection, const limn::Gesture& gesture);
+  void isovalueEdited(double isovalue, const limn::Gesture& gesture);
+  void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
+  void fogEdited(const limn::Fog& fog, const limn::Gesture& gesture);
 
 private:
+  void layOut();
+  void connectSections();
+  void showModels();
+  void foldLight();
+
+  Scene m_scene;
+  std::vector<ShadingModel> m_models{ShadingModel::classic};
+  std::vector<ShadingSection*> m_foldedForNow; ///< by a projection without light
+  ProjectionSection* m_projection;
   std::vector<ShadingSection*> m_sections;
+  CropSection* m_crop;
+  FogSection* m_fog;
   QualitySection* m_quality;
 };
 

@@ -80,8 +80,10 @@ void CompareView::setScene(const Scene& scene) {
   asShown.camera = m_scene.camera;
   if (asShown != m_scene) // more than the camera: what failed may work now
     m_error.clear();
-  if (otherVolume)
+  if (otherVolume) {
     m_probe.reset();
+    m_drag.reset();
+  }
   if (otherKind)
     m_quality.forget();
   if (scene.shading != m_scene.shading)

@@ -5,6 +5,7 @@
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
 #include "widgets/view/CompareLayout.h"
+#include "widgets/view/CropBoxGeometry.h"
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
 #include "widgets/view/Probe.h"
@@ -61,6 +62,14 @@ public:
   /// Whether labels, letters, scale and notes stand above the pictures; they do by default.
   void setOverlayVisible(bool visible);
 
+  /// Whether the crop box stands over the pictures with a handle on each face; it does not by default.
+  void setCropBoxVisible(bool visible);
+  bool cropBoxIsVisible() const { return m_cropBoxVisible; }
+
+  /// Where the handle of a face stands in the picture at `position` (0 left, 1 right), logical pixels; absent
+  /// where it cannot be taken hold of.
+  std::optional<QPointF> cropHandle(CropFace face, int position = 0) const;
+
   /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
@@ -92,6 +101,7 @@ public slots:
 signals:
   void cameraEdited(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+  void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
   void probed(const std::optional<limn::Probe>& probe);
   void pinRequested(double value);
@@ -134,8 +144,11 @@ private:
     bool mayPin = false; ///< a Shift+click that has not moved yet
     QPointF first, last;
     QRectF side;
-    Camera camera;             ///< before
-    TransferFunction function; ///< before
+    Camera camera;                ///< before
+    TransferFunction function;    ///< before
+    CropBox crop;                 ///< before
+    std::optional<CropFace> face; ///< of the crop box
+    QPointF grip;                 ///< from the handle's centre to the pointer
     Gesture gesture;
   };
 
@@ -190,6 +203,16 @@ private:
   void setSwapped(bool swapped);
   bool obey(const ViewCommand& command);
 
+  // The crop box over the pictures (CompareViewCrop.cpp)
+  int pictureUnder(const QPointF& point) const;
+  CropBoxShape cropShape(int position) const;
+  std::optional<CropHandle> cropHandleAt(const QPointF& point) const;
+  bool beginCropDrag(const QMouseEvent& event);
+  void dragCrop(const QPointF& to);
+  void resetFace(CropFace face);
+  void paintCropBoxes(QPainter& painter) const;
+  Note cropNote(const CropHandle& handle) const;
+
   Scene m_scene;
   CompareLayout m_layout = CompareLayout::single;
   std::array<ShadingModel, 2> m_models{ShadingModel::classic, ShadingModel::enhanced};
@@ -197,6 +220,7 @@ private:
   ViewTool m_tool = ViewTool::rotate;
   bool m_swapped = false;
   bool m_overlayVisible = true;
+  bool m_cropBoxVisible = false;
 
   std::unique_ptr<ViewPictures> m_pictures; ///< lives with the OpenGL context
   InteractionQuality m_quality;
@@ -212,6 +236,7 @@ private:
   QPointF m_probePoint;
   int m_hoveredLabel = -1;
   bool m_wipeHovered = false;
+  std::optional<CropFace> m_hoveredFace;
   QVariantAnimation m_labelFade;
   QTimer m_labelTimer;
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/CompareView.h"
+
+#include "widgets/scene/ProjectionSection.h"
+#include "widgets/view/CropBoxPainting.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/WindowLevelGesture.h"
 
@@ -49,6 +52,8 @@ bool CompareView::onWipeBorder(const QPointF& point) const {
 }
 
 int CompareView::labelAt(const QPointF& point) const {
+  if (!usesLight(m_scene.projection))
+    return -1; // there is no model to choose
   for (int position = 0; position < pictureCount(m_layout); ++position)
     if (labelRect(position).contains(point))
       return position;
@@ -62,6 +67,8 @@ void CompareView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier) {
     if (const int position = labelAt(point); position >= 0)
       return popUpModels(position);
+    if (beginCropDrag(*event))
+      return;
   }
   beginDrag(event);
 }
@@ -70,7 +77,7 @@ void CompareView::beginDrag(QMouseEvent* event) {
   Drag drag;
   drag.button = event->button();
   drag.first = drag.last = event->position();
-  drag.side = logicalRect(m_layout == CompareLayout::sideBySide ? positionAt(drag.first) : 0);
+  drag.side = logicalRect(pictureUnder(drag.first));
   drag.wipe = event->button() == Qt::LeftButton && onWipeBorder(drag.first);
   drag.kind = drag.wipe ? DragKind::none : dragKind(event->button(), event->modifiers(), m_tool);
   drag.mayPin = event->button() == Qt::LeftButton && event->modifiers() == Qt::ShiftModifier;
@@ -97,6 +104,8 @@ void CompareView::continueDrag(QMouseEvent* event) {
     emit wipeMoved(m_wipe);
     return;
   }
+  if (drag.face)
+    return dragCrop(point);
   if (drag.mayPin && lengthOf(point - drag.first) <= clickSlack)
     return;
   drag.mayPin = false;
@@ -122,7 +131,10 @@ void CompareView::mouseReleaseEvent(QMouseEvent* event) {
   if (!m_drag || event->button() != m_drag->button)
     return;
   const bool pin = m_drag->mayPin;
+  const bool crop = m_drag->face.has_value();
   m_drag.reset();
+  if (crop)
+    hover(event); // its handle may have left the pointer
   if (!pin)
     return;
   if (const std::optional<Probe> probe = probeAt(event->position()))
@@ -141,6 +153,10 @@ void CompareView::cancelDrag() {
   } else if (drag.kind == DragKind::windowLevel || drag.kind == DragKind::opacity) {
     if (drag.function != m_scene.transferFunction)
       emit windowLevelEdited(drag.function, drag.gesture);
+  } else if (drag.face) {
+    if (drag.crop != m_scene.crop)
+      emit cropEdited(drag.crop, drag.gesture);
+    update();
   } else if (drag.camera != m_scene.camera) {
     emit cameraEdited(drag.camera);
   }
@@ -149,7 +165,9 @@ void CompareView::cancelDrag() {
 void CompareView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !m_scene.volume || labelAt(event->position()) >= 0)
     return;
-  if (onWipeBorder(event->position())) {
+  if (const std::optional<CropHandle> handle = cropHandleAt(event->position())) {
+    resetFace(handle->face);
+  } else if (onWipeBorder(event->position())) {
     setWipePosition(0.5);
     emit wipeMoved(m_wipe);
   } else {
@@ -169,11 +187,17 @@ void CompareView::hover(QMouseEvent* event) {
     return;
   const QPointF point = event->position();
   const int label = labelAt(point);
-  const bool border = label < 0 && onWipeBorder(point);
-  if (label != m_hoveredLabel || border != m_wipeHovered) {
+  const std::optional<CropHandle> handle = label < 0 ? cropHandleAt(point) : std::nullopt;
+  const std::optional<CropFace> face = handle ? std::optional(handle->face) : std::nullopt;
+  const bool border = label < 0 && !handle && onWipeBorder(point);
+  if (label != m_hoveredLabel || border != m_wipeHovered || face != m_hoveredFace) {
     m_hoveredLabel = label;
     m_wipeHovered = border;
-    setCursor(label >= 0 ? Qt::PointingHandCursor : border ? Qt::SplitHCursor : Qt::ArrowCursor);
+    m_hoveredFace = face;
+    setCursor(label >= 0 ? Qt::PointingHandCursor
+              : handle   ? cursorFor(*handle)
+              : border   ? Qt::SplitHCursor
+                         : Qt::ArrowCursor);
     update();
   }
   // Only over the title: a tool tip anywhere else would cover the picture.
@@ -242,6 +266,7 @@ void CompareView::leaveEvent(QEvent* event) {
   showProbe(std::nullopt, {});
   m_hoveredLabel = -1;
   m_wipeHovered = false;
+  m_hoveredFace.reset();
   update();
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/CompareView.h"
+
+#include "widgets/scene/ProjectionSection.h"
 #include "widgets/view/OverlayRows.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/ViewOverlay.h"
@@ -44,7 +46,8 @@ SideLabel CompareView::labelOf(int position) const {
   if (side < static_cast<int>(m_state.sides.size()))
     ms = m_state.sides[side].completeMs;
   SideLabel label;
-  label.title = modelName(scene.shading.model);
+  label.title = sideTitle(scene);
+  label.leadsToMenu = usesLight(scene.projection);
   label.details = sideDetails(scene, ms);
   label.hovered = position == m_hoveredLabel;
   label.detailsOpacity = label.hovered ? 1.0 : m_labelFade.currentValue().toDouble();
@@ -74,7 +77,7 @@ QRectF CompareView::steadyLabelRect(int position) const {
 SideLabel CompareView::differenceTitle() const {
   SideLabel title;
   title.title = tr("Difference of %1 and %2 ×%3")
-                    .arg(modelName(sceneOfSide(0).shading.model), modelName(sceneOfSide(1).shading.model))
+                    .arg(sideTitle(sceneOfSide(0)), sideTitle(sceneOfSide(1)))
                     .arg(differenceGain);
   title.leadsToMenu = false;
   return title;
@@ -110,6 +113,7 @@ void CompareView::paintOverlay() {
     const QRectF right = logicalRect(1);
     painter.fillRect(QRectF(left.topRight(), right.bottomLeft()), QColor(70, 76, 88));
   }
+  paintCropBoxes(painter);
   if (m_layout == CompareLayout::wipe)
     paintWipeBorder(painter, m_wipe * width(), rect(), m_wipeHovered || (m_drag && m_drag->wipe));
   std::vector<QRectF> plates = paintTitles(painter);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/SideText.h"
 
+#include "widgets/scene/ProjectionSection.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -17,25 +19,6 @@ QString number(double value) {
 
 QString rangeText(const CoefficientRange& range) {
   return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
-}
-
-// Empty for the projections that are lit.
-QString unlitProjectionName(Projection projection) {
-  switch (projection) {
-  case Projection::mip:
-    return translated("Maximum intensity");
-  case Projection::minip:
-    return translated("Minimum intensity");
-  case Projection::average:
-    return translated("Average");
-  case Projection::xray:
-    return translated("X-ray");
-  case Projection::composite:
-  case Projection::isosurface:
-  case Projection::compositeIsosurface:
-    break;
-  }
-  return {};
 }
 
 QString lightingText(const Shading& shading) {
@@ -67,10 +50,14 @@ QString modelName(ShadingModel model) {
   return {};
 }
 
+QString sideTitle(const Scene& scene) {
+  return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
+}
+
 QString sideDetails(const Scene& scene, std::optional<double> completeMs) {
   QStringList parts;
-  const QString projection = unlitProjectionName(scene.projection);
-  const QString lighting = projection.isEmpty() ? lightingText(scene.shading) : projection;
+  const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
+                                                       : translated("unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
   if (completeMs)

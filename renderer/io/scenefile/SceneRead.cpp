@@ -248,6 +248,15 @@ ImageSettings readImageSettings(JsonFields fields) {
   return image;
 }
 
+bool readIsovalue(JsonFields& fields, double& isovalue) {
+  if (!fields.has("isosurface"))
+    return false;
+  JsonFields isosurface = fields.object("isosurface");
+  const bool isGiven = isosurface.number("value", isovalue);
+  isosurface.finish();
+  return isGiven;
+}
+
 void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
   int version = 0;
   if (!fields.integer(key, version, 1, 1000000))
@@ -282,11 +291,7 @@ SceneDocument parseScene(std::string_view text, const std::string& name) {
   if (fields.has("crop"))
     scene.crop = readCrop(fields.object("crop"));
   readProjection(fields, scene.projection);
-  if (fields.has("isosurface")) {
-    JsonFields isosurface = fields.object("isosurface");
-    isosurface.number("value", scene.isovalue);
-    isosurface.finish();
-  }
+  readIsovalue(fields, scene.isovalue);
   if (fields.has("quality"))
     scene.quality = readQuality(fields.object("quality"));
   if (fields.has("image"))
@@ -321,6 +326,9 @@ Preset parsePreset(std::string_view text, const std::string& name) {
   Projection projection = Projection::composite;
   if (readProjection(fields, projection))
     preset.projection = projection;
+  double isovalue = 0.0;
+  if (readIsovalue(fields, isovalue))
+    preset.isovalue = isovalue;
   fields.finish();
   return preset;
 }

@@ -152,6 +152,8 @@ std::string presetToJson(const Preset& preset) {
     json["shading"] = toJson(*preset.shading);
   if (preset.projection)
     json["projection"] = nameOf(*preset.projection);
+  if (preset.isovalue)
+    json["isosurface"] = {{"value", *preset.isovalue}};
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 

@@ -83,8 +83,10 @@ TEST(SideText, namesTheFewNumbersThatMatter) {
   EXPECT_EQ(sideDetails(scene, std::nullopt), QString::fromUtf8("SP 32"));
   scene.shading.model = ShadingModel::enhanced;
   EXPECT_EQ(sideDetails(scene, 23.4), QString::fromUtf8("SP 1–64 · O 0–3 · 23 ms"));
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
   scene.projection = Projection::mip;
-  EXPECT_EQ(sideDetails(scene, 4.16), QString::fromUtf8("Maximum intensity · 4.2 ms"));
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));
+  EXPECT_EQ(sideDetails(scene, 4.16), QString::fromUtf8("unlit, the same with every model · 4.2 ms"));
 }
 
 } // namespace

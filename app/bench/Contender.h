@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/bench/Timing.h"
+#include "scene/Scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace limn {
+
+/// One renderer in a benchmark. Pictures have the size that the scene's image settings name.
+class Contender {
+public:
+  virtual ~Contender() = default;
+
+  /// The name in the table: "limn-gl", "vtk-gpu", …
+  virtual std::string program() const = 0;
+
+  /// What the pictures are drawn on, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  virtual std::string renderer() const = 0;
+
+  /// Lets go of everything made so far, then draws a first picture: upload, preparation, shader and frame.
+  /// Throws Error (usage) naming what this renderer cannot draw.
+  virtual FrameCost drawFirst(const Scene& scene) = 0;
+
+  /// Draws a scene that differs from the one before in camera and transfer function at most.
+  virtual FrameCost draw(const Scene& scene) = 0;
+
+  /// The most memory resident since before `drawFirst`, above what was resident then, MB.
+  virtual double peakMb() = 0;
+
+  /// Writes the picture drawn last, over the scene's background.
+  virtual void save(const std::filesystem::path& path) = 0;
+};
+
+/// Limn's GLSL ray caster, on a context of its own; a frame ends with glFinish.
+std::unique_ptr<Contender> glContender();
+
+/// Limn's reference in double precision, slow; `threads` 0 uses every core.
+std::unique_ptr<Contender> referenceContender(int threads);
+
+} // namespace limn

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/BenchCommand.h"
+
+#include "app/PresetStore.h"
+#include "app/bench/BenchReport.h"
+#include "app/bench/RivalContender.h"
+#include "app/commands/Arguments.h"
+#include "scene/Error.h"
+#include "scene/PresetFit.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct BenchArguments {
+  SourceArguments source; ///< its `source` is unused: there may be several
+  std::vector<std::string> sources;
+  std::vector<std::string> presets;
+  std::vector<double> steps;
+  std::vector<std::string> engines{"gl"};
+  std::string size;
+  std::string pictures;
+  int frames = 9;
+  int threads = 0;
+  bool json = false;
+  bool rivals = false;
+};
+
+// One scene to measure.
+struct BenchScene {
+  std::string name;
+  Scene scene;
+  std::string volumePath;
+};
+
+std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
+                                 const Progress& progress) {
+  const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
+  const std::string stem = std::filesystem::path(source).stem().string();
+  std::vector<BenchScene> scenes;
+  for (const std::string& name : arguments.presets) {
+    const Preset preset =
+        fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), name), histogramOf(*loaded.scene.volume));
+    scenes.push_back({stem + ", " + preset.name, withPreset(loaded.scene, preset, true), loaded.volumePath});
+  }
+  if (scenes.empty())
+    scenes.push_back(
+        {loaded.preset.empty() ? stem : stem + ", " + loaded.preset, loaded.scene, loaded.volumePath});
+  if (!arguments.size.empty())
+    for (BenchScene& scene : scenes) {
+      const glm::ivec2 size = parsedSize(arguments.size);
+      scene.scene.image.width = size.x;
+      scene.scene.image.height = size.y;
+    }
+  return scenes;
+}
+
+// Every scene at every step asked for, by default its own.
+std::vector<BenchScene> allScenes(const BenchArguments& arguments, const Progress& progress) {
+  std::vector<BenchScene> all;
+  for (const std::string& source : arguments.sources)
+    for (const BenchScene& scene : scenesOf(source, arguments, progress)) {
+      if (arguments.steps.empty())
+        all.push_back(scene);
+      for (const double step : arguments.steps) {
+        all.push_back(scene);
+        all.back().scene.quality.stepVoxels = step;
+      }
+    }
+  return all;
+}
+
+// The program that draws with VTK lies beside this one.
+std::filesystem::path rivalProgram() {
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "limn_bench_vtk";
+  if (!std::filesystem::exists(program))
+    throw Error(Error::Kind::usage, "The program that draws with VTK is not built; build it beside limn "
+                                    "(cmake --build build/release --target limn_bench_vtk).");
+  return program;
+}
+
+std::vector<std::unique_ptr<Contender>> contendersFor(const BenchScene& scene,
+                                                      const BenchArguments& arguments) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  for (const std::string& engine : arguments.engines)
+    contenders.push_back(engine == "gl" ? glContender() : referenceContender(arguments.threads));
+  if (!arguments.rivals)
+    return contenders;
+  for (const char* mapper : {"gpu", "fixedpoint"}) {
+    RivalCommand command{rivalProgram(), {mapper}};
+    if (!arguments.source.spacing.empty())
+      command.arguments.insert(command.arguments.end(), {"--spacing", arguments.source.spacing});
+    if (arguments.source.series > 0)
+      command.arguments.insert(command.arguments.end(),
+                               {"--series", std::to_string(arguments.source.series)});
+    contenders.push_back(rivalContender(std::string("vtk-") + mapper, command, scene.volumePath));
+  }
+  return contenders;
+}
+
+// Times of different drivers must not be compared.
+void requireOneDriver(const std::vector<std::unique_ptr<Contender>>& contenders) {
+  std::string driver;
+  for (const auto& contender : contenders) {
+    if (contender->program() == "limn-reference")
+      continue;
+    if (!driver.empty() && contender->renderer() != driver)
+      throw Error(Error::Kind::openGl, contender->program() + " would draw on " + contender->renderer() +
+                                           " and the others on " + driver +
+                                           "; times of two drivers must not be compared.");
+    driver = contender->renderer();
+  }
+}
+
+void savePictures(const std::vector<std::unique_ptr<Contender>>& contenders, const BenchScene& scene,
+                  const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  char step[32];
+  std::snprintf(step, sizeof step, "%g", scene.scene.quality.stepVoxels);
+  for (const auto& contender : contenders) {
+    contender->draw(scene.scene);
+    contender->save(std::filesystem::path(folder) /
+                    (scene.name + ", step " + step + ", " + contender->program() + ".png"));
+  }
+}
+
+void runBench(const BenchArguments& arguments) {
+  // A shader that an earlier run left on disk would make the first frame look fast.
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  const Progress progress = terminalProgress(arguments.source.quiet);
+  const std::vector<BenchScene> scenes = allScenes(arguments, progress);
+  std::vector<BenchRow> rows;
+  std::string driver;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto contenders = contendersFor(scenes[i], arguments);
+    requireOneDriver(contenders);
+    driver = contenders.front()->renderer();
+    int drawn = 0;
+    const int pictures = picturesPerRow(arguments.frames) * static_cast<int>(contenders.size());
+    const auto advance = [&] {
+      if (progress.report)
+        progress.report((static_cast<double>(i) + static_cast<double>(++drawn) / pictures) /
+                            static_cast<double>(scenes.size()),
+                        "Measuring " + scenes[i].name);
+    };
+    const auto more = benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, advance);
+    rows.insert(rows.end(), more.begin(), more.end());
+    if (!arguments.pictures.empty())
+      savePictures(contenders, scenes[i], arguments.pictures);
+  }
+  const std::string machine = machineName() + ", " + driver;
+  std::cout << (arguments.json ? benchJson(machine, rows) : benchTable(machine, rows));
+}
+
+} // namespace
+
+void addBenchCommand(CLI::App& root) {
+  auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command = root.add_subcommand("bench", "milliseconds per frame by renderer, scene and step");
+  command->add_option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`")->required();
+  addSourceOptions(*command, arguments->source);
+  command->add_flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
+  command->add_flag("--json", arguments->json, "one JSON object on stdout");
+  command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command->add_option("--step", arguments->steps, "sampling steps in voxels, such as 1,0.5")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-4, 1e4));
+  command->add_option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--preset", arguments->presets, "name of a preset; may be given several times");
+  command->add_option("--engine", arguments->engines, "gl (default), reference, or both: gl,reference")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"gl", "reference"}));
+  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag(
+      "--rivals", arguments->rivals,
+      "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
+  command->add_option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
+  command->footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
+                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");
+  command->callback([arguments] { runBench(*arguments); });
+}
+
+} // namespace limn

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/FunctionDetail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double changeBetween(const Classified& a, const Classified& b) {
+  const glm::dvec3 color = glm::abs(b.color - a.color) * std::min(a.opacity, b.opacity);
+  return std::max({std::abs(b.opacity - a.opacity), color.r, color.g, color.b});
+}
+
+// Opacities, or their negatives for valleys, over values.
+struct Profile {
+  std::vector<double> values;
+  std::vector<double> heights;
+};
+
+// What lies on one side of a point that rises above it: how far it falls before it rises higher again.
+double fallBeside(const Profile& profile, std::size_t peak, int side) {
+  double lowest = profile.heights[peak];
+  for (auto i = static_cast<std::ptrdiff_t>(peak) + side;
+       i >= 0 && i < static_cast<std::ptrdiff_t>(profile.heights.size()); i += side) {
+    const double height = profile.heights[static_cast<std::size_t>(i)];
+    if (height > profile.heights[peak])
+      break;
+    lowest = std::min(lowest, height);
+  }
+  return profile.heights[peak] - lowest;
+}
+
+// How far from a point the profile first falls to a level.
+double distanceTo(const Profile& profile, std::size_t peak, double level, int side) {
+  for (auto i = static_cast<std::ptrdiff_t>(peak) + side;
+       i >= 0 && i < static_cast<std::ptrdiff_t>(profile.heights.size()); i += side) {
+    const auto here = static_cast<std::size_t>(i);
+    const auto before = static_cast<std::size_t>(i - side);
+    if (profile.heights[here] > level)
+      continue;
+    const double w = (profile.heights[before] - level) / (profile.heights[before] - profile.heights[here]);
+    const double at = profile.values[before] + w * (profile.values[here] - profile.values[before]);
+    return std::abs(at - profile.values[peak]);
+  }
+  return infinite;
+}
+
+double narrowestPeak(const Profile& profile, double height, const ValueRange& range) {
+  double narrowest = infinite;
+  for (std::size_t i = 0; i < profile.values.size(); ++i) {
+    if (profile.values[i] < range.lowest || profile.values[i] > range.highest)
+      continue;
+    const double fall = std::min(fallBeside(profile, i, -1), fallBeside(profile, i, 1));
+    if (fall < height)
+      continue;
+    const double level = profile.heights[i] - 0.5 * fall;
+    narrowest = std::min(narrowest, distanceTo(profile, i, level, -1) + distanceTo(profile, i, level, 1));
+  }
+  return narrowest;
+}
+
+} // namespace
+
+double largestChangeOver(const TransferFunction& function, double width, const ValueRange& range) {
+  // A difference of piecewise linear functions is largest where one of the two has a knot.
+  double largest = 0.0;
+  for (const ControlPoint& point : function.points)
+    for (const double from : {point.value - width, point.value}) {
+      if (from + width < range.lowest || from > range.highest)
+        continue;
+      largest = std::max(largest, changeBetween(classify(function, from), classify(function, from + width)));
+    }
+  return largest;
+}
+
+double narrowestBand(const TransferFunction& function, double height, const ValueRange& range) {
+  Profile profile;
+  for (const ControlPoint& point : function.points) {
+    profile.values.push_back(point.value);
+    profile.heights.push_back(point.opacity);
+  }
+  const double peak = narrowestPeak(profile, height, range);
+  for (double& h : profile.heights)
+    h = -h;
+  return std::min(peak, narrowestPeak(profile, height, range));
+}
+
+} // namespace limn

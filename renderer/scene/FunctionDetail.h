@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/TransferFunction.h"
+#include "scene/Volume.h"
+
+namespace limn {
+
+/// The largest change of a transfer function over a distance `width` along the value axis within `range`: of
+/// opacity, or of a colour channel weighted by the opacity there; 0..1.
+double largestChangeOver(const TransferFunction& function, double width, const ValueRange& range);
+
+/// The width, at half its height, of the narrowest peak or valley of the opacity within `range` that is at
+/// least `height` deep on both sides; infinite without any.
+double narrowestBand(const TransferFunction& function, double height, const ValueRange& range);
+
+} // namespace limn

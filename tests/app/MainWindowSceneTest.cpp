@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/RangeSlider.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/scene/CropSection.h"
+#include "widgets/shading/ShadingPanel.h"
+
+#include <QCheckBox>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QTreeView>
+
+// Crop, projection and the curve over the gradient in the program's window.
+
+namespace limn {
+namespace {
+
+class MainWindowScene : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+    window->setCompareLayout(CompareLayout::single);
+    window->session().setCamera(orbited(scene().camera, 0.5, 0.4));
+  }
+
+  ShadingPanel& properties() { return *window->findChild<ShadingPanel*>(); }
+  GradientOpacityEditor& gradientEditor() { return *window->curves().gradientEditor(); }
+
+  QPoint handle(CropFace face) { return view().mapTo(window.get(), view().cropHandle(face)->toPoint()); }
+  void press(const QPoint& at) { QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, at); }
+  void move(const QPoint& to) {
+    QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {}, to);
+    QCoreApplication::processEvents();
+  }
+  void release(const QPoint& at) { QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, at); }
+
+  [[nodiscard]] bool gradientsCounted() {
+    return QTest::qWaitFor([this] { return gradientEditor().useBox()->isEnabled(); }, 30000);
+  }
+
+  void saveAsPreset(const QString& name) {
+    emit window->findChild<PresetBrowser*>()->saveRequested();
+    auto* dialog = window->findChild<QInputDialog*>();
+    dialog->setTextValue(name);
+    dialog->accept();
+  }
+};
+
+TEST_F(MainWindowScene, draggingAHandleOfTheCropBoxIsOneUndoStep) {
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_B);
+  ASSERT_TRUE(view().cropBoxIsVisible());
+  const QPoint from = handle({2, true});
+  press(from);
+  for (int step = 1; step <= 4; ++step)
+    move(from + QPoint(0, 10 * step));
+  release(from + QPoint(0, 40));
+  const CropBox cut = scene().crop;
+  EXPECT_LT(cut.upper.z, 0.95);
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("move crop face: Head"));
+  ASSERT_TRUE(rest());
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().crop, CropBox{});
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(scene().crop, cut);
+}
+
+TEST_F(MainWindowScene, escapeLeavesNoUndoStepOfACropDrag) {
+  action(QStringLiteral("&Crop box"))->trigger();
+  const QPoint from = handle({0, true});
+  press(from);
+  move(from - QPoint(20, 0));
+  move(from - QPoint(40, 0));
+  ASSERT_NE(scene().crop, CropBox{});
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  release(from - QPoint(40, 0));
+  EXPECT_EQ(scene().crop, CropBox{});
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(MainWindowScene, theCropBoxShowsWhileItsSectionIsUsedAndOnIntoTheView) {
+  CropSection* section = properties().cropSection();
+  section->setFolded(false);
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  section->range(0)->lowerField()->setFocus();
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  view().setFocus();
+  EXPECT_TRUE(view().cropBoxIsVisible());
+  window->findChild<PresetBrowser*>()->searchField()->setFocus();
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  view().setFocus();
+  EXPECT_FALSE(view().cropBoxIsVisible());
+}
+
+TEST_F(MainWindowScene, theLetterOfTheCropBoxCanBeTypedElsewhere) {
+  QLineEdit* search = window->findChild<PresetBrowser*>()->searchField();
+  search->setFocus();
+  QTest::keyClick(search, Qt::Key_B);
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  EXPECT_EQ(search->text(), QStringLiteral("b"));
+}
+
+TEST_F(MainWindowScene, gradientsAreCountedOnlyOnceTheirCurveIsLookedAt) {
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(gradientEditor().useBox()->isEnabled());
+  window->curves().showGradient(true);
+  ASSERT_TRUE(gradientsCounted());
+  window->curves().showGradient(false);
+  window->curves().showGradient(true);
+  EXPECT_TRUE(gradientEditor().useBox()->isEnabled()); // and not again
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));      // another volume, whose curve is in view
+  EXPECT_TRUE(gradientsCounted());
+}
+
+TEST_F(MainWindowScene, theCurveOverTheGradientIsSwitchedOnDraggedAndUndone) {
+  window->curves().showGradient(true);
+  ASSERT_TRUE(gradientsCounted());
+  QCheckBox* use = gradientEditor().useBox();
+  QTest::mouseClick(use, Qt::LeftButton, {}, {8, use->height() / 2});
+  ASSERT_TRUE(scene().gradientOpacity);
+  const GradientOpacity ramp = *scene().gradientOpacity;
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use opacity over gradient"));
+  EXPECT_TRUE(rest());
+
+  TransferFunctionCanvas& canvas = *gradientEditor().editor()->canvas();
+  const QPoint from = canvas.mapTo(
+      window.get(), positionOf(canvas.transform(), canvas.transferFunction().points[1]).toPoint());
+  press(from);
+  move(from + QPoint(5, 10));
+  move(from + QPoint(10, 20));
+  release(from + QPoint(10, 20));
+  EXPECT_EQ(undo().count(), 2);
+  EXPECT_GT(scene().gradientOpacity->points[1].gradient, ramp.points[1].gradient);
+  EXPECT_LT(scene().gradientOpacity->points[1].opacity, 1.0);
+
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(scene().gradientOpacity, ramp);
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(scene().gradientOpacity);
+  EXPECT_FALSE(use->isChecked());
+}
+
+TEST_F(MainWindowScene, aSurfaceBeginsAtAValueThatTheVolumeHas) {
+  Scene far = scene();
+  far.isovalue = 1e6;
+  window->session().edit(far, {nextGestureId(), QStringLiteral("far")});
+  emit properties().projectionEdited(Projection::isosurface, {nextGestureId(), QStringLiteral("surface")});
+  EXPECT_EQ(scene().projection, Projection::isosurface);
+  EXPECT_GT(scene().isovalue, scene().volume->range().lowest);
+  EXPECT_LT(scene().isovalue, scene().volume->range().highest);
+  EXPECT_TRUE(rest());
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+}
+
+TEST_F(MainWindowScene, aPresetKeepsCurveOverTheGradientAndSurface) {
+  Scene shaped = scene();
+  shaped.gradientOpacity = GradientOpacity{{{5.0, 0.25}, {80.0, 0.75}}};
+  shaped.projection = Projection::compositeIsosurface;
+  shaped.isovalue = 123.5;
+  window->session().edit(shaped, {nextGestureId(), QStringLiteral("shape")});
+  saveAsPreset(QStringLiteral("Mine"));
+  Scene plain = shaped;
+  plain.gradientOpacity.reset();
+  plain.projection = Projection::composite;
+  plain.isovalue = 300.0;
+  window->session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
+  auto& browser = *window->findChild<PresetBrowser*>();
+  EXPECT_NE(browser.list()->currentIndex().data().toString(), QStringLiteral("Mine"));
+  emit browser.presetChosen(QStringLiteral("Mine"));
+  EXPECT_EQ(scene().gradientOpacity, shaped.gradientOpacity);
+  EXPECT_EQ(scene().projection, shaped.projection);
+  EXPECT_EQ(scene().isovalue, shaped.isovalue);
+  EXPECT_TRUE(gradientEditor().useBox()->isChecked());
+}
+
+} // namespace
+} // namespace limn

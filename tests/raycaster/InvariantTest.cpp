@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must hold for every picture of every renderer, without knowing what it shows (NUMERICS 2). One row per
+// renderer: the tolerance is its rounding, for positions that are computed from another side or in other
+// units.
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{40, 32};
+
+using Pixels = std::vector<glm::dvec4>;
+
+struct Renderer {
+  const char* name;
+  std::function<Pixels(const Scene&)> render;
+  double tolerance; ///< of equalities
+  double rounding;  ///< of inequalities, whose two sides sample the same places
+};
+
+std::vector<Renderer> renderers() {
+  const auto caster = std::make_shared<RayCaster>();
+  const auto drawn = [caster](const Scene& scene) {
+    const Image image = caster->render(scene, pictureSize);
+    return Pixels(image.pixels.begin(), image.pixels.end());
+  };
+  const auto exact = [](const Scene& scene) { return renderReference(scene, pictureSize).pixels; };
+  // GLSL: NUMERICS 3.3 for the whole picture, 2 for the order of colour and alpha.
+  return {{"reference", exact, 1e-10, 1e-14}, {"GLSL", drawn, 2e-4, 1e-6}};
+}
+
+// The voxels of a volume on another grid of the same size.
+std::shared_ptr<const Volume> onGrid(const Volume& volume, const Grid& grid) {
+  return std::make_shared<const Volume>(grid, volume.stored(), volume.rescale(), std::nullopt, VolumeInfo{});
+}
+
+// A noisy phantom on a grid of unequal spacings that is turned against the axes of the world.
+std::shared_ptr<const Volume> turnedPhantom() {
+  const std::shared_ptr<const Volume> phantom = phantomVolume({.spacingMm = 5.0, .noiseHu = 15.0});
+  Grid grid = phantom->grid();
+  grid.spacingMm = {4.0, 5.0, 5.5};
+  const glm::dvec3 x = glm::normalize(glm::dvec3(0.9, 0.3, -0.2));
+  const glm::dvec3 z = glm::normalize(glm::cross(x, glm::dvec3(-0.1, 1.0, 0.2)));
+  grid.direction = {x, glm::cross(z, x), z};
+  grid.originMm += glm::dvec3(20.0, -30.0, 10.0);
+  return onGrid(*phantom, grid);
+}
+
+Scene phantomScene(ShadingModel model) {
+  static const std::shared_ptr<const Volume> volume = turnedPhantom();
+  Scene scene = test::headScene(volume, model);
+  scene.camera.projection = Camera::Projection::orthographic;
+  scene.camera.heightMm = 260.0;
+  scene.quality.stepVoxels = 0.5;
+  scene.camera = orbited(scene.camera, 0.4, 0.3);
+  return scene;
+}
+
+const ShadingModel allModels[] = {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced,
+                                  ShadingModel::robust};
+
+// The pixel beside the picture's vertical middle line.
+std::size_t mirroredPixel(std::size_t pixel) {
+  const std::size_t width = pictureSize.x;
+  return pixel - pixel % width + (width - 1 - pixel % width);
+}
+
+void expectSame(const Pixels& pixels, const Pixels& expected, double tolerance, const std::string& what,
+                bool isMirrored = false, int firstChannel = 0) {
+  double largest = 0.0;
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const glm::dvec4 other = expected[isMirrored ? mirroredPixel(i) : i];
+    covered += other.a > 0.1;
+    for (int channel = firstChannel; channel < 4; ++channel)
+      largest = std::max(largest, std::abs(pixels[i][channel] - other[channel]));
+  }
+  std::cout << what << ": largest difference " << largest << "\n";
+  EXPECT_LE(largest, tolerance) << what;
+  EXPECT_GT(covered, pixels.size() / 10) << what << " shows almost nothing";
+}
+
+using Invariants = test::GlTest;
+
+TEST_F(Invariants, alphaIsTheSameFromOppositeSides) {
+  for (const Renderer& renderer : renderers())
+    for (const ShadingModel model : allModels) {
+      Scene scene = phantomScene(model);
+      const Pixels front = renderer.render(scene);
+      scene.camera.position = 2.0 * scene.camera.target - scene.camera.position;
+      expectSame(renderer.render(scene), front, renderer.tolerance,
+                 renderer.name + std::string(", alpha from behind"), true, 3);
+    }
+}
+
+TEST_F(Invariants, projectionsOfTheWholeRayAreTheSameFromOppositeSides) {
+  for (const Renderer& renderer : renderers())
+    for (const Projection projection :
+         {Projection::mip, Projection::minip, Projection::average, Projection::xray}) {
+      Scene scene = phantomScene(ShadingModel::none);
+      scene.projection = projection;
+      // Air, which is the smallest of most rays, shows too.
+      scene.transferFunction = {50.0, {{-1100.0, glm::dvec3(1.0), 0.9}, {1500.0, glm::dvec3(0.3), 0.2}}};
+      const Pixels front = renderer.render(scene);
+      scene.camera.position = 2.0 * scene.camera.target - scene.camera.position;
+      expectSame(renderer.render(scene), front, renderer.tolerance,
+                 renderer.name + std::string(", projection ") + std::to_string(int(projection)), true);
+    }
+}
+
+// Everything that has a length, a thousand times as long.
+Scene scaled(const Scene& scene, double factor) {
+  Scene result = scene;
+  Grid grid = scene.volume->grid();
+  grid.spacingMm *= factor;
+  grid.originMm *= factor;
+  result.volume = onGrid(*scene.volume, grid);
+  result.camera.position *= factor;
+  result.camera.target *= factor;
+  result.camera.heightMm *= factor;
+  result.transferFunction.unitDistanceMm *= factor;
+  result.fog.densityPerMm /= factor;
+  result.fog.startMm *= factor;
+  if (result.gradientOpacity)
+    for (GradientOpacityPoint& point : result.gradientOpacity->points)
+      point.gradient /= factor;
+  return result;
+}
+
+TEST_F(Invariants, aSceneAThousandTimesAsLargeIsTheSamePicture) {
+  // The gradient reference of robust is an element rounded to float, by up to 6e-8 of itself.
+  constexpr double referenceRounding = 1e-7;
+  for (const Renderer& renderer : renderers())
+    for (const Camera::Projection projection :
+         {Camera::Projection::orthographic, Camera::Projection::perspective})
+      for (const ShadingModel model : allModels) {
+        Scene scene = phantomScene(model);
+        scene.camera.projection = projection;
+        scene.fog = {Fog::Mode::exp, glm::dvec3(0.2, 0.4, 0.6), 0.001, 300.0, 0.0};
+        scene.gradientOpacity = GradientOpacity{{{0.0, 0.2}, {100.0, 1.0}}};
+        const Pixels expected = renderer.render(scene);
+        for (const double factor : {1000.0, 0.001})
+          expectSame(renderer.render(scaled(scene, factor)), expected,
+                     std::max(renderer.tolerance, referenceRounding),
+                     renderer.name + std::string(", scaled by ") + std::to_string(factor));
+      }
+}
+
+glm::dvec3 mirrored(const glm::dvec3& v) {
+  return {-v.x, v.y, v.z};
+}
+
+// The world seen in a mirror at x = 0: the grid becomes left-handed.
+Scene mirrored(const Scene& scene) {
+  Scene result = scene;
+  Grid grid = scene.volume->grid();
+  grid.originMm = mirrored(grid.originMm);
+  for (int axis = 0; axis < 3; ++axis)
+    grid.direction[axis] = mirrored(grid.direction[axis]);
+  result.volume = onGrid(*scene.volume, grid);
+  result.camera.position = mirrored(scene.camera.position);
+  result.camera.target = mirrored(scene.camera.target);
+  result.camera.up = mirrored(scene.camera.up);
+  if (scene.shading.lightDirection)
+    result.shading.lightDirection = mirrored(*scene.shading.lightDirection);
+  return result;
+}
+
+// The same field with its voxels stored the other way round along the first axis.
+std::shared_ptr<const Volume> reversedAlongX(const Volume& volume) {
+  Grid grid = volume.grid();
+  const int last = grid.dims.x - 1;
+  grid.originMm = indexToWorld(grid, {last, 0, 0});
+  grid.direction[0] = -grid.direction[0];
+  auto voxels = std::get<std::vector<std::int16_t>>(volume.stored());
+  for (auto row = voxels.begin(); row != voxels.end(); row += grid.dims.x)
+    std::reverse(row, row + grid.dims.x);
+  return std::make_shared<const Volume>(grid, voxels, volume.rescale(), std::nullopt, VolumeInfo{});
+}
+
+TEST_F(Invariants, aMirroredSceneIsTheMirroredPicture) {
+  for (const Renderer& renderer : renderers())
+    for (const ShadingModel model : allModels) {
+      Scene scene = phantomScene(model);
+      scene.camera.projection = Camera::Projection::perspective;
+      scene.shading.lightDirection = glm::dvec3(1.0, 0.5, -0.4);
+      const Pixels expected = renderer.render(scene);
+      Scene inMirror = mirrored(scene);
+      expectSame(renderer.render(inMirror), expected, renderer.tolerance,
+                 renderer.name + std::string(", in a left-handed grid"), true);
+      inMirror.volume = reversedAlongX(*inMirror.volume);
+      expectSame(renderer.render(inMirror), expected, renderer.tolerance,
+                 renderer.name + std::string(", in a reversed grid"), true);
+    }
+}
+
+TEST_F(Invariants, noUnlitColourExceedsAlpha) {
+  for (const Renderer& renderer : renderers()) {
+    Scene scene = phantomScene(ShadingModel::none);
+    for (ControlPoint& point : scene.transferFunction.points)
+      point.color.r = 1.0;
+    for (const glm::dvec4& pixel : renderer.render(scene)) {
+      EXPECT_LE(std::max({pixel.r, pixel.g, pixel.b}), pixel.a + renderer.rounding) << renderer.name;
+      EXPECT_NEAR(pixel.r, pixel.a, renderer.rounding) << renderer.name << ": a colour of 1 is alpha itself";
+    }
+  }
+}
+
+TEST_F(Invariants, addingAbsorbingMaterialNeverRaisesTheTransmittance) {
+  for (const Renderer& renderer : renderers())
+    for (const ShadingModel model : allModels) {
+      const Scene scene = phantomScene(model);
+      const Pixels before = renderer.render(scene);
+      for (std::size_t i = 0; i < scene.transferFunction.points.size(); ++i) {
+        Scene denser = scene;
+        denser.transferFunction.points[i].opacity += 0.1;
+        const Pixels after = renderer.render(denser);
+        double added = 0.0;
+        for (std::size_t pixel = 0; pixel < before.size(); ++pixel) {
+          EXPECT_GE(after[pixel].a, before[pixel].a - renderer.rounding) << renderer.name << ", point " << i;
+          added += after[pixel].a - before[pixel].a;
+        }
+        EXPECT_GT(added, 0.0) << renderer.name << ", point " << i << " changes nothing";
+      }
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Simulating only what a scene calls for loses nothing (NUMERICS 4.3).
+#include "raycaster/RayCaster.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+#include "support/SceneVariations.h"
+
+#include <iostream>
+#include <set>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{48, 48};
+
+Scene baseScene() {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 6.0});
+  Scene scene = test::headScene(volume, ShadingModel::robust);
+  scene.quality.stepVoxels = 0.5;
+  scene.quality.earlyTermination = 0.95;
+  scene.quality.preintegrated = Preintegration::never;
+  return scene;
+}
+
+double largestDifference(const Image& a, const Image& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i)
+    for (int channel = 0; channel < 4; ++channel)
+      largest = std::max<double>(largest, std::abs(a.pixels[i][channel] - b.pixels[i][channel]));
+  return largest;
+}
+
+using Specialisation = test::GlTest;
+
+TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
+  RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
+  const auto& switches = test::switches();
+  int compared = 0;
+  std::set<std::string> shaders;
+  // Each switch alone and with two others, so that each meets neighbours of every kind.
+  for (std::size_t i = 0; i < switches.size(); ++i)
+    for (const std::size_t distance : {std::size_t{0}, std::size_t{5}, std::size_t{12}}) {
+      const test::Variation& second = switches[(i + distance) % switches.size()];
+      Scene scene = baseScene();
+      switches[i].apply(scene);
+      second.apply(scene);
+      // A caster of its own, or a program compiled before might stand in.
+      RayCaster specialised;
+      EXPECT_EQ(specialised.render(scene, pictureSize), all.render(scene, pictureSize))
+          << switches[i].what << ", " << second.what;
+      shaders.insert(specialised.fragmentShader(scene));
+      ++compared;
+    }
+  std::cout << compared << " scenes, " << shaders.size() << " specialised programs against "
+            << all.compiledPrograms() << " with all effects\n";
+  EXPECT_GT(shaders.size(), 40u);
+}
+
+TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
+  for (const test::Neutral& neutral : test::neutralValues()) {
+    SCOPED_TRACE(neutral.what);
+    Scene on = baseScene();
+    Scene off = baseScene();
+    neutral.setJustOff(on);
+    neutral.setNeutral(off);
+    // The program that was compiled for the effect goes on drawing without it.
+    RayCaster caster;
+    caster.render(on, pictureSize);
+    const Image standIn = caster.render(off, pictureSize);
+    EXPECT_EQ(caster.compiledPrograms(), 1) << "no stand-in was used";
+    RayCaster fresh;
+    EXPECT_EQ(standIn, fresh.render(off, pictureSize));
+    EXPECT_NE(caster.fragmentShader(on), fresh.fragmentShader(off))
+        << "the plan does not leave the effect out";
+  }
+}
+
+TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
+  RayCaster caster;
+  for (const test::Neutral& neutral : test::neutralValues()) {
+    SCOPED_TRACE(neutral.what);
+    Scene on = baseScene();
+    Scene off = baseScene();
+    neutral.setJustOff(on);
+    neutral.setNeutral(off);
+    EXPECT_NE(caster.plan(on).effects, caster.plan(off).effects);
+    EXPECT_GT(largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
+  }
+}
+
+TEST_F(Specialisation, warmingUpLeavesNothingToCompileWhenASliderLeavesItsNeutralValue) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  scene.shading.model = ShadingModel::classic;
+  caster.render(scene, pictureSize);
+  int rounds = 0;
+  while (caster.warmUp(scene, pictureSize))
+    ASSERT_LT(++rounds, 5);
+  const int programs = caster.compiledPrograms();
+  for (const double density : {0.0, 0.001, 0.002, 0.0})
+    for (const double sharpest : {32.0, 60.0}) {
+      scene.shading.model = ShadingModel::enhanced;
+      scene.shading.exponentRange = {32.0, sharpest};
+      scene.shading.opacityRange = {1.0, 1.0};
+      scene.fog = {Fog::Mode::exp, glm::dvec3(0.5), density, 0.0, 0.0};
+      const Image image = caster.render(scene, pictureSize);
+      RayCaster fresh;
+      EXPECT_EQ(image, fresh.render(scene, pictureSize)) << density << ", " << sharpest;
+    }
+  EXPECT_EQ(caster.compiledPrograms(), programs);
+}
+
+TEST_F(Specialisation, everyParameterShowsInAUsedCasterAsInAFreshOne) {
+  const Scene base = baseScene();
+  RayCaster used;
+  const Image before = used.render(base, pictureSize);
+  for (const test::Variation& variation : test::everyParameter()) {
+    SCOPED_TRACE(variation.what);
+    Scene scene = base;
+    variation.apply(scene);
+    const Image shown = used.render(scene, pictureSize);
+    EXPECT_NE(shown, before) << "does not show";
+    RayCaster fresh;
+    EXPECT_EQ(shown, fresh.render(scene, pictureSize));
+    EXPECT_EQ(used.render(base, pictureSize), before) << "something of it stays behind";
+  }
+}
+
+TEST_F(Specialisation, whatCannotBeSeenIsNotDrawnAndNothingIsMeasuredForIt) {
+  RayCaster caster;
+  Scene scene = baseScene();
+  const double beyond = scene.volume->range().highest + 1.0;
+  scene.transferFunction.points = {{beyond, glm::dvec3(1.0), 0.0}, {beyond + 1.0, glm::dvec3(1.0), 1.0}};
+  EXPECT_EQ(caster.render(scene, pictureSize), Image(pictureSize));
+  EXPECT_EQ(caster.compiledPrograms(), 0);
+  EXPECT_EQ(caster.gradientScale(), GradientScale{});
+  scene = baseScene();
+  scene.shading.model = ShadingModel::none;
+  EXPECT_NE(caster.render(scene, pictureSize), Image(pictureSize));
+  EXPECT_EQ(caster.gradientScale(), GradientScale{}) << "an unlit picture needs no gradients";
+}
+
+} // namespace
+} // namespace limn

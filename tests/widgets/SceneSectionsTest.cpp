@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/Phantom.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/controls/ValueSlider.h"
+#include "widgets/scene/CropSection.h"
+#include "widgets/scene/FogSection.h"
+#include "widgets/scene/ProjectionSection.h"
+#include "widgets/shading/QualitySection.h"
+#include "widgets/shading/ShadingPanel.h"
+#include "widgets/shading/ShadingSection.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+// The panel with the phantom (HU, orientation known), answered as the session answers.
+class SceneSections : public testing::Test {
+protected:
+  SceneSections() {
+    m_scene.volume = phantomVolume({8.0, 0.0, 1});
+    m_scene.camera = defaultCamera(m_scene.volume->grid());
+    m_panel.resize(320, 1600);
+    m_panel.show();
+    m_panel.setScene(m_scene);
+    const auto answer = [this](const Gesture& gesture) {
+      m_gestures.push_back(gesture);
+      m_panel.setScene(m_scene);
+    };
+    QObject::connect(&m_panel, &ShadingPanel::projectionEdited, &m_panel,
+                     [=, this](Projection p, const Gesture& g) {
+                       m_scene.projection = p;
+                       answer(g);
+                     });
+    QObject::connect(&m_panel, &ShadingPanel::isovalueEdited, &m_panel,
+                     [=, this](double v, const Gesture& g) {
+                       m_scene.isovalue = v;
+                       answer(g);
+                     });
+    QObject::connect(&m_panel, &ShadingPanel::cropEdited, &m_panel,
+                     [=, this](const CropBox& c, const Gesture& g) {
+                       m_scene.crop = c;
+                       answer(g);
+                     });
+    QObject::connect(&m_panel, &ShadingPanel::fogEdited, &m_panel, [=, this](const Fog& f, const Gesture& g) {
+      m_scene.fog = f;
+      answer(g);
+    });
+    QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel,
+                     [=, this](const Quality& q, const Gesture& g) {
+                       m_scene.quality = q;
+                       answer(g);
+                     });
+  }
+
+  void type(NumberField* field, const QString& number) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, number);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+
+  static void choose(ChoiceRow* row, int index) {
+    row->box()->setCurrentIndex(index);
+    emit row->box()->activated(index);
+  }
+
+  bool headerSays(const FoldingSection* section, const QString& text) const {
+    for (const QLabel* label : section->findChildren<QLabel*>())
+      if (label->text() == text && label->isVisible())
+        return true;
+    return false;
+  }
+
+  Scene m_scene;
+  ShadingPanel m_panel;
+  std::vector<Gesture> m_gestures;
+};
+
+TEST_F(SceneSections, settingEmitsNothing) {
+  m_scene.projection = Projection::isosurface;
+  m_scene.crop.lower.x = 0.123456;
+  m_scene.fog = {Fog::Mode::exp2, {0.1, 0.2, 0.3}, 0.012345678, 1.5, 20.0};
+  m_scene.quality.preintegrated = Preintegration::always;
+  m_scene.quality.jitter = true;
+  m_panel.setScene(m_scene);
+  m_panel.foldUnused();
+  m_panel.setScene({});
+  EXPECT_TRUE(m_gestures.empty());
+}
+
+TEST_F(SceneSections, theIsovalueShowsWhereASurfaceIsShown) {
+  ProjectionSection* section = m_panel.projectionSection();
+  EXPECT_FALSE(section->isovalueSlider()->isVisible());
+  choose(section->projectionRow(), static_cast<int>(Projection::compositeIsosurface));
+  EXPECT_EQ(m_scene.projection, Projection::compositeIsosurface);
+  ASSERT_TRUE(section->isovalueSlider()->isVisible());
+  EXPECT_EQ(section->isovalueSlider()->field()->suffix(), QString(QChar(0x00a0)) + QStringLiteral("HU"));
+  type(section->isovalueSlider()->field(), QStringLiteral("-250"));
+  EXPECT_EQ(m_scene.isovalue, -250.0);
+  EXPECT_EQ(m_gestures.back().text, QStringLiteral("change surface at"));
+  choose(section->projectionRow(), static_cast<int>(Projection::mip));
+  EXPECT_FALSE(section->isovalueSlider()->isVisible());
+}
+
+TEST_F(SceneSections, theTrackOfTheIsovalueIsTheVolumesRange) {
+  m_scene.projection = Projection::isosurface;
+  m_panel.setScene(m_scene);
+  TrackSlider* track = m_panel.projectionSection()->isovalueSlider()->slider();
+  track->setFocus();
+  QTest::keyClick(track, Qt::Key_Home);
+  EXPECT_EQ(m_scene.isovalue, m_scene.volume->range().lowest);
+  QTest::keyClick(track, Qt::Key_End);
+  EXPECT_EQ(m_scene.isovalue, m_scene.volume->range().highest);
+}
+
+TEST_F(SceneSections, anUnlitProjectionDisablesLightAndSaysSo) {
+  m_panel.setModelsShown({ShadingModel::enhanced});
+  m_scene.projection = Projection::mip;
+  m_panel.setScene(m_scene);
+  ShadingSection* light = m_panel.sections()[2];
+  EXPECT_TRUE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
+  EXPECT_TRUE(light->isFolded());
+  m_scene.projection = Projection::composite;
+  m_panel.setScene(m_scene);
+  EXPECT_FALSE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
+  EXPECT_FALSE(light->isFolded());
+  EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
+}
+
+TEST_F(SceneSections, theHeaderOfACropThatCutsNothingSaysOff) {
+  CropSection* crop = m_panel.cropSection();
+  EXPECT_TRUE(crop->isFolded());
+  EXPECT_TRUE(headerSays(crop, QStringLiteral("off")));
+  m_scene.crop.upper.z = 0.5;
+  m_panel.setScene(m_scene);
+  EXPECT_TRUE(headerSays(crop, QLocale().toString(50) + QStringLiteral(" % left")));
+  EXPECT_TRUE(crop->isFolded()); // what somebody folded stays so
+  m_panel.foldUnused();
+  EXPECT_FALSE(crop->isFolded());
+}
+
+TEST_F(SceneSections, aTypedPercentCutsOneSideAndLeavesTheOthersExact) {
+  m_scene.crop.lower = {0.0123456789, 0.25, 0.0};
+  m_panel.setScene(m_scene);
+  m_panel.cropSection()->setFolded(false);
+  RangeSlider* range = m_panel.cropSection()->range(0);
+  EXPECT_EQ(range->label()->text(), QStringLiteral("Right–Left"));
+  type(range->upperField(), QStringLiteral("60"));
+  EXPECT_EQ(m_scene.crop, (CropBox{{0.0123456789, 0.25, 0.0}, {0.6, 1.0, 1.0}}));
+  EXPECT_EQ(m_gestures.back().text, QStringLiteral("crop right–left"));
+  QTest::mouseClick(m_panel.cropSection()->resetButton(), Qt::LeftButton);
+  EXPECT_EQ(m_scene.crop, CropBox{});
+  EXPECT_EQ(m_gestures.back().text, QStringLiteral("reset crop"));
+  EXPECT_FALSE(m_panel.cropSection()->resetButton()->isEnabled());
+}
+
+TEST_F(SceneSections, aRangeStopsOneVoxelBeforeItsOtherEnd) {
+  m_panel.cropSection()->setFolded(false);
+  RangeSlider* range = m_panel.cropSection()->range(2);
+  type(range->upperField(), QStringLiteral("0"));
+  EXPECT_DOUBLE_EQ(m_scene.crop.upper.z, 1.0 / m_scene.volume->grid().dims.z);
+  EXPECT_EQ(m_scene.crop.lower.z, 0.0);
+  EXPECT_NEAR(range->upperField()->number(), 100.0 * m_scene.crop.upper.z, 1e-12);
+}
+
+TEST_F(SceneSections, fogBeginsVisiblyAndShowsOnlyItsNumbers) {
+  FogSection* fog = m_panel.fogSection();
+  EXPECT_TRUE(fog->isFolded());
+  EXPECT_TRUE(headerSays(fog, QStringLiteral("off")));
+  fog->setFolded(false);
+  EXPECT_FALSE(fog->startSlider()->isVisible());
+  choose(fog->modeRow(), static_cast<int>(Fog::Mode::exp));
+  EXPECT_EQ(m_scene.fog.mode, Fog::Mode::exp);
+  EXPECT_GT(m_scene.fog.densityPerMm, 0.0);
+  EXPECT_TRUE(fog->densitySlider()->isVisible());
+  EXPECT_FALSE(fog->endSlider()->isVisible());
+  EXPECT_FALSE(headerSays(fog, QStringLiteral("off")));
+  choose(fog->modeRow(), static_cast<int>(Fog::Mode::linear));
+  EXPECT_FALSE(fog->densitySlider()->isVisible());
+  type(fog->endSlider()->field(), QStringLiteral("1234"));
+  EXPECT_EQ(m_scene.fog.endMm, 1234.0);
+}
+
+TEST_F(SceneSections, fogSaysWhyItDoesNothing) {
+  FogSection* fog = m_panel.fogSection();
+  m_scene.fog = {Fog::Mode::exp, {}, 0.0, 0.0, 1000.0};
+  m_panel.setScene(m_scene);
+  EXPECT_TRUE(headerSays(fog, QStringLiteral("off: its density is 0")));
+  m_scene.fog.densityPerMm = 0.01;
+  m_scene.projection = Projection::average;
+  m_panel.setScene(m_scene);
+  EXPECT_TRUE(headerSays(fog, QStringLiteral("unused: this projection has no depth")));
+}
+
+TEST_F(SceneSections, preintegrationAndJitterAreEditedOnTheirOwn) {
+  m_scene.quality.stepVoxels = 0.123456789;
+  m_panel.setScene(m_scene);
+  auto* row = m_panel.qualitySection()->findChild<ChoiceRow*>();
+  auto* jitter = m_panel.qualitySection()->findChild<QCheckBox*>();
+  Quality expected = m_scene.quality;
+  EXPECT_FALSE(jitter->isChecked());
+  choose(row, static_cast<int>(Preintegration::never));
+  expected.preintegrated = Preintegration::never;
+  EXPECT_EQ(m_scene.quality, expected);
+  QTest::mouseClick(jitter, Qt::LeftButton, {}, {8, jitter->height() / 2});
+  expected.jitter = true;
+  EXPECT_EQ(m_scene.quality, expected);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/CurvePanel.h"
+
+#include "widgets/curve/GradientOpacityEditor.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace limn {
+namespace {
+
+QToolButton* makeButton(const QString& text, const QString& name, const QString& help) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setAccessibleName(name);
+  button->setToolTip(help);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+} // namespace
+
+CurvePanel::CurvePanel(QWidget* parent)
+    : QStackedWidget(parent), m_value(new TransferFunctionEditor), m_gradient(new GradientOpacityEditor) {
+  addWidget(m_value);
+  addWidget(m_gradient);
+  m_value->addLeading(makeSwitch(m_switches[0]));
+  m_gradient->editor()->addLeading(makeSwitch(m_switches[1]), 0);
+  setGradientUsed(false);
+  showGradient(false);
+}
+
+QWidget* CurvePanel::makeSwitch(Switch& made) {
+  auto* row = new QWidget;
+  row->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  made.name = new QLabel(tr("Opacity over"));
+  made.name->setForegroundRole(QPalette::PlaceholderText);
+  made.value = makeButton(tr("Value"), tr("Opacity over value"),
+                          tr("<p>How opaque tissue is by its value: the transfer function.</p>"));
+  made.gradient = makeButton(
+      tr("Gradient"), tr("Opacity over gradient"),
+      tr("<p>How much of the opacity is left by how fast the value changes, so that boundaries stay.</p>"));
+  layout->addWidget(made.name);
+  layout->addSpacing(4);
+  layout->addWidget(made.value);
+  layout->addWidget(made.gradient);
+  connect(made.value, &QAbstractButton::clicked, this, [this] { showGradient(false); });
+  connect(made.gradient, &QAbstractButton::clicked, this, [this] { showGradient(true); });
+  return row;
+}
+
+void CurvePanel::showGradient(bool shown) {
+  const bool changes = shown != gradientIsShown();
+  const bool hadFocus = currentWidget()->isAncestorOf(focusWidget());
+  setCurrentIndex(shown ? 1 : 0);
+  for (const Switch& pair : m_switches) {
+    pair.value->setChecked(!shown);
+    pair.gradient->setChecked(shown);
+  }
+  if (!changes)
+    return;
+  if (hadFocus) // the keyboard stays on the switch
+    (shown ? m_switches[1].gradient : m_switches[0].value)->setFocus();
+  emit gradientShown(shown);
+}
+
+void CurvePanel::resizeEvent(QResizeEvent* event) {
+  for (const Switch& pair : m_switches)
+    pair.name->setVisible(width() >= 840);
+  QStackedWidget::resizeEvent(event);
+}
+
+void CurvePanel::setGradientUsed(bool used) {
+  for (const Switch& pair : m_switches)
+    pair.gradient->setText(used ? tr("Gradient: on") : tr("Gradient: off"));
+}
+
+} // namespace limn

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStackedWidget>
+
+#include <array>
+
+class QLabel;
+class QToolButton;
+
+namespace limn {
+
+class GradientOpacityEditor;
+class TransferFunctionEditor;
+
+/// The two curves of opacity, over the value and over the gradient, one at a time; a switch beside their
+/// numbers chooses.
+class CurvePanel : public QStackedWidget {
+  Q_OBJECT
+
+public:
+  explicit CurvePanel(QWidget* parent = nullptr);
+
+  TransferFunctionEditor* valueEditor() const { return m_value; }
+  GradientOpacityEditor* gradientEditor() const { return m_gradient; }
+
+  void showGradient(bool shown);
+  bool gradientIsShown() const { return currentIndex() == 1; }
+
+  /// Whether the scene uses the curve over the gradient, told by the switch.
+  void setGradientUsed(bool used);
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+signals:
+  /// The curve over the gradient came into view or left it.
+  void gradientShown(bool shown);
+
+private:
+  /// The two buttons, one pair on each page.
+  struct Switch {
+    QLabel* name;
+    QToolButton* value;
+    QToolButton* gradient;
+  };
+  QWidget* makeSwitch(Switch& made);
+
+  TransferFunctionEditor* m_value;
+  GradientOpacityEditor* m_gradient;
+  std::array<Switch, 2> m_switches;
+};
+
+} // namespace limn

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+#include <array>
+
+namespace limn {
+
+/// One of the six faces of the crop box.
+struct CropFace {
+  int axis = 0; ///< of the grid
+  bool isUpper = false;
+  bool operator==(const CropFace&) const = default;
+};
+
+inline constexpr std::array<CropFace, 6> cropFaces{
+    {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}}};
+
+/// Where a face lies, as a fraction along its axis.
+double placeOf(const CropBox& crop, CropFace face);
+
+/// The box with one face moved. It stays inside the volume and stops one voxel before the opposite face, so
+/// that something is always left.
+CropBox withFaceAt(const CropBox& crop, const Grid& grid, CropFace face, double fraction);
+
+/// The share of the volume that the box leaves, 0..1.
+double shareLeft(const CropBox& crop);
+
+/// The voxels along one axis whose centres lie inside the box, counted from 1.
+struct VoxelSpan {
+  int first = 1;
+  int last = 1; ///< less than `first` where the box lies between two centres
+  bool operator==(const VoxelSpan&) const = default;
+};
+
+VoxelSpan voxelsInside(const CropBox& crop, const Grid& grid, int axis);
+
+} // namespace limn

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+#include "widgets/Gesture.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/scene/AxisNames.h"
+
+#include <array>
+
+class QLabel;
+class QPushButton;
+
+namespace limn {
+
+class RangeSlider;
+
+/// What is cut away: a range along each axis of the volume, named by the patient's directions where they are
+/// known.
+class CropSection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  explicit CropSection(QWidget* parent = nullptr);
+
+  void setScene(const Scene& scene);
+
+  /// The range along a grid axis, percent of the volume.
+  RangeSlider* range(int axis) const { return m_rows[static_cast<std::size_t>(axis)].range; }
+  QPushButton* resetButton() const { return m_reset; }
+
+signals:
+  void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
+
+private:
+  struct Row {
+    RangeSlider* range = nullptr;
+    QLabel* extent = nullptr; ///< the same in slices and millimetres
+  };
+
+  AxisName axisName(int axis) const;
+  void edit(int axis, double lowerPercent, double upperPercent, const Gesture& gesture);
+  void showCrop();
+
+  std::shared_ptr<const Volume> m_volume;
+  CropBox m_crop;
+  std::array<Row, 3> m_rows;
+  QPushButton* m_reset;
+};
+
+} // namespace limn

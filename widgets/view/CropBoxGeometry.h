@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/scene/CropFaces.h"
+#include "widgets/view/ViewProjection.h"
+
+#include <QLineF>
+
+#include <vector>
+
+namespace limn {
+
+inline constexpr double cropHandleRadius = 6.0;     ///< logical pixels
+inline constexpr double cropHandleHitRadius = 12.0; ///< so the hit area is 24 wide
+
+/// An edge of the crop box as seen.
+struct CropEdge {
+  QLineF line;
+  bool isHidden = false; ///< behind the box
+};
+
+/// The handle in the middle of a face as seen.
+struct CropHandle {
+  CropFace face;
+  QPointF centre;
+  QPointF outward;       ///< unit length: the way the face moves in the picture as the box grows
+  bool isHidden = false; ///< on a face turned away from the eye
+  bool canMove = true;   ///< false where the face moves along the line of sight
+};
+
+/// The crop box over a picture, logical pixels. What lies behind the eye is left out.
+struct CropBoxShape {
+  std::vector<CropEdge> edges;
+  std::vector<CropHandle> handles;
+};
+
+CropBoxShape cropBoxShape(const CropBox& crop, const Grid& grid, const ViewProjection& projection);
+
+/// The handle that a press takes hold of: the nearest within reach, one on a visible face before one behind.
+std::optional<CropHandle> handleAt(const CropBoxShape& shape, const QPointF& pixel);
+
+/// The middle of a face, world mm.
+glm::dvec3 faceCentre(const CropBox& crop, const Grid& grid, CropFace face);
+
+/// Where along its axis a face must lie, as a fraction of the volume, for its handle to be under the pointer,
+/// or as near to it as its axis passes in the picture. Not limited to the volume; ±infinity beyond the point
+/// where the axis vanishes. `crop` holds the place of the face before the drag.
+double placeUnder(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection,
+                  const QPointF& pixel);
+
+} // namespace limn
