@@ -4,9 +4,11 @@
 #include "app/bench/Timing.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
+#include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -45,7 +47,14 @@ public:
 std::unique_ptr<Contender> glContender(std::shared_ptr<HeadlessContext> context,
                                        RayCaster::Programs programs);
 
-/// Limn's reference in double precision, slow; `threads` 0 uses every core.
-std::unique_ptr<Contender> referenceContender(int threads);
+/// Draws a whole picture and returns it.
+using DrawPicture = std::function<Image(const Scene&)>;
+
+/// Makes a renderer afresh.
+using StartDrawing = std::function<DrawPicture()>;
+
+/// Any other renderer of Limn; a frame ends when its picture is there.
+std::unique_ptr<Contender> pictureContender(const std::string& program, const std::string& renderer,
+                                            StartDrawing start);
 
 } // namespace limn
