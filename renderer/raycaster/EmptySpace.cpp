@@ -127,4 +127,16 @@ std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibi
   return distances;
 }
 
+BlockBox visibleBlocks(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
+  BlockBox box{blocks, glm::ivec3(0)};
+  for (int k = 0; k < blocks.z; ++k)
+    for (int j = 0; j < blocks.y; ++j)
+      for (int i = 0; i < blocks.x; ++i)
+        if (distances[voxelOffset(blocks, i, j, k)] == 0) {
+          box.lower = glm::min(box.lower, glm::ivec3(i, j, k));
+          box.upper = glm::max(box.upper, glm::ivec3(i, j, k) + 1);
+        }
+  return glm::any(glm::lessThanEqual(box.upper, box.lower)) ? BlockBox{} : box;
+}
+
 } // namespace limn
