@@ -53,6 +53,16 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
   EXPECT_GT(visible, 2);
 }
 
+TEST(EmptySpaceDistances, theVisibleBlocksLieInTheirBoxAndTouchItsFaces) {
+  const glm::ivec3 blocks(5, 4, 3);
+  std::vector<std::uint8_t> distances(60, 1);
+  EXPECT_EQ(visibleBlocks(blocks, distances).upper, glm::ivec3(0));
+  distances[voxelOffset(blocks, 1, 3, 0)] = 0;
+  distances[voxelOffset(blocks, 3, 2, 1)] = 0;
+  EXPECT_EQ(visibleBlocks(blocks, distances).lower, glm::ivec3(1, 2, 0));
+  EXPECT_EQ(visibleBlocks(blocks, distances).upper, glm::ivec3(4, 4, 2));
+}
+
 TEST(EmptySpaceDistances, anInvisibleFunctionLeavesNothing) {
   const auto volume = sparseVolume({9, 9, 9}, 3);
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
