@@ -233,5 +233,31 @@ TEST_F(Invariants, addingAbsorbingMaterialNeverRaisesTheTransmittance) {
     }
 }
 
+// A slab thinner than a step takes one sample, in its middle, as near to the one cut face as to the other:
+// the picture shows the face towards the viewer, from either side, and not what rounding chose.
+TEST_F(Invariants, aSlabThinnerThanAStepShowsTheFaceTowardsTheViewer) {
+  for (const Renderer& renderer : renderers())
+    for (const double side : {-1.0, 1.0}) {
+      Scene scene;
+      scene.volume = turnedPhantom();
+      const Grid& grid = scene.volume->grid();
+      scene.crop.lower.y = 0.5;
+      scene.crop.upper.y = 0.5 + 0.1 / grid.dims.y;
+      scene.camera = defaultCamera(grid);
+      scene.camera.position = boxCentreMm(grid) + side * 2.0 * boxDiagonalMm(grid) * grid.direction[1];
+      scene.camera.up = grid.direction[2];
+      scene.transferFunction = {0.1, {{0.0, glm::dvec3(1.0), 1.0}}};
+      scene.shading.ambient = scene.shading.specular = 0.0;
+      scene.shading.diffuse = scene.shading.lightIntensity = 1.0;
+      int covered = 0;
+      for (const glm::dvec4& pixel : renderer.render(scene)) {
+        // The cosine at the picture's corners, 15° and more off the axis, is above 0.9.
+        EXPECT_GE(pixel.r, 0.9 * pixel.a) << renderer.name << " from side " << side;
+        covered += pixel.a > 0.1;
+      }
+      EXPECT_GT(covered, 100) << renderer.name;
+    }
+}
+
 } // namespace
 } // namespace limn
