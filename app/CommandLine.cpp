@@ -4,6 +4,7 @@
 #include "app/WindowProgram.h"
 #include "app/commands/Arguments.h"
 #include "app/commands/BenchCommand.h"
+#include "app/commands/EffectsCommand.h"
 #include "app/commands/InfoCommand.h"
 #include "app/commands/PresetsCommand.h"
 #include "app/commands/RenderCommand.h"
@@ -85,6 +86,7 @@ int runCommandLine(int argc, char** argv) {
   program.footer("Example: limn head.nii.gz");
   addInfoCommand(program);
   addRenderCommand(program);
+  addEffectsCommand(program);
   addPresetsCommand(program);
   addBenchCommand(program);
   return parseAndRun(program, argc, argv, arguments);

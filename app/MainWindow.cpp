@@ -3,7 +3,6 @@
 
 #include "app/MessageBar.h"
 #include "widgets/curve/CurvePanel.h"
-#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -29,6 +28,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   makeActions();
   connectView();
   connectPanels();
+  connectEffects();
   connectSceneSections();
   connectGradientCurve();
   connectLoader();
@@ -67,6 +67,7 @@ void MainWindow::layOut() {
   m_presetDock = addDock(tr("Presets"), QStringLiteral("presetDock"), m_presets, Qt::LeftDockWidgetArea);
   m_shadingDock =
       addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
+  makeEffectsDock();
   m_curveDock =
       addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
@@ -120,8 +121,7 @@ void MainWindow::connectPanels() {
 void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
-  m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
-  m_curves->setGradientUsed(scene.gradientOpacity.has_value());
+  showGradientCurve(scene);
   m_shading->setScene(scene);
   const bool showsPreset = scene.volume && scene.transferFunction == m_preset.transferFunction &&
                            scene.gradientOpacity == m_preset.gradientOpacity;

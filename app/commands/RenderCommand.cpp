@@ -2,12 +2,10 @@
 #include "app/commands/RenderCommand.h"
 
 #include "app/PictureMaker.h"
-#include "app/PresetStore.h"
-#include "app/commands/Arguments.h"
+#include "app/commands/SceneArguments.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
-#include "scene/PresetFit.h"
 
 #include <chrono>
 #include <map>
@@ -17,14 +15,9 @@ namespace limn {
 namespace {
 
 struct RenderArguments {
-  SourceArguments source;
+  SceneArguments scene;
   std::string out;
-  std::string size;
   std::string engine = "auto";
-  std::string model;
-  std::string preset;
-  std::string view;
-  double stepVoxels = 0.0; ///< 0: not given
   int threads = 0;
   bool printsFigures = false;
 };
@@ -35,45 +28,6 @@ const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
                                             {"slices-back-to-front", Engine::slicesBackToFront},
                                             {"reference", Engine::reference}};
 
-const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
-                                                 {"classic", ShadingModel::classic},
-                                                 {"enhanced", ShadingModel::enhanced},
-                                                 {"robust", ShadingModel::robust}};
-
-const std::map<std::string, StandardView> views{
-    {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
-    {"left", StandardView::left},         {"right", StandardView::right},
-    {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
-
-template <class Value>
-Value chosen(const std::map<std::string, Value>& choices, const std::string& word,
-             const std::string& option) {
-  if (const auto found = choices.find(word); found != choices.end())
-    return found->second;
-  std::string known;
-  for (const auto& [name, value] : choices)
-    known += (known.empty() ? "" : ", ") + name;
-  throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
-}
-
-Scene adjusted(Scene scene, const RenderArguments& arguments) {
-  if (!arguments.preset.empty())
-    scene = withPreset(scene,
-                       fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
-                                histogramOf(*scene.volume)),
-                       true);
-  if (!arguments.view.empty())
-    scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
-  if (arguments.stepVoxels > 0.0)
-    scene.quality.stepVoxels = arguments.stepVoxels;
-  if (!arguments.size.empty()) {
-    const glm::ivec2 size = parsedSize(arguments.size);
-    scene.image.width = size.x;
-    scene.image.height = size.y;
-  }
-  return scene;
-}
-
 Scene withModel(Scene scene, ShadingModel model) {
   scene.shading.model = model;
   return scene;
@@ -82,7 +36,7 @@ Scene withModel(Scene scene, ShadingModel model) {
 MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
   const Engine engine = chosen(engines, arguments.engine, "--engine");
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  if (arguments.model != "compare")
+  if (arguments.scene.model != "compare")
     return makePictures({scene}, size, engine, arguments.threads).front();
   const glm::ivec2 half(size.x / 2, size.y);
   if (half.x < 1)
@@ -108,17 +62,17 @@ void printFigures(const Scene& scene, const RenderArguments& arguments) {
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
     throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
-  const bool isComparison = arguments.model == "compare";
-  LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
-                                 terminalProgress(arguments.source.quiet));
+  const bool isComparison = arguments.scene.model == "compare";
+  LoadedScene loaded = loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source),
+                                 terminalProgress(arguments.scene.source.quiet));
   if (isComparison && arguments.printsFigures)
     throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
-  Scene scene = adjusted(std::move(loaded.scene), arguments);
+  Scene scene = adjusted(std::move(loaded.scene), arguments.scene);
   // Half a picture is narrow: the volume is fitted into it unless the scene says from where to look.
   if (isComparison && !loaded.hasOwnCamera)
     scene.camera = framed(scene.camera, scene.volume->grid(), 0.5 * scene.image.width / scene.image.height);
-  if (!arguments.model.empty() && !isComparison)
-    scene.shading.model = chosen(models, arguments.model, "--model (beside compare)");
+  if (!arguments.scene.model.empty() && !isComparison)
+    scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   const auto start = std::chrono::steady_clock::now();
   const MadePicture picture = pictureOf(scene, arguments);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
@@ -127,9 +81,9 @@ void runRender(const RenderArguments& arguments) {
   if (arguments.printsFigures)
     printFigures(scene, arguments);
   writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(scene, volume));
-  if (arguments.source.quiet)
+  if (arguments.scene.source.quiet)
     return;
-  if (arguments.preset.empty() && !loaded.preset.empty())
+  if (arguments.scene.preset.empty() && !loaded.preset.empty())
     note("Shown with the preset \"" + loaded.preset + "\".");
   for (const std::string& remark : loaded.notes)
     note(remark);
@@ -148,21 +102,12 @@ void runRender(const RenderArguments& arguments) {
 void addRenderCommand(CLI::App& root) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = root.add_subcommand("render", "a picture of a scene or volume");
-  addSourceArguments(*command, arguments->source,
-                     "scene file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+  addSceneArguments(*command, arguments->scene,
+                    "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
   command->add_option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr")->required();
-  command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command->add_option("--engine", arguments->engine,
                       "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
                       "slices-back-to-front, or reference (double precision, slow)");
-  command->add_option("--model", arguments->model,
-                      "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
-  command->add_option(
-      "--preset", arguments->preset,
-      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
-  command->add_option("--view", arguments->view, "anterior, posterior, left, right, superior or inferior");
-  command->add_option("--step", arguments->stepVoxels, "sampling step in units of the smallest voxel spacing")
-      ->check(CLI::Range(1e-4, 1e4));
   command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
   command->add_flag(

@@ -48,4 +48,13 @@ void ProgramKind::destroy(unsigned name) {
   glDeleteProgram(name);
 }
 
+unsigned QueryKind::create() {
+  GLuint name = 0;
+  glGenQueries(1, &name);
+  return name;
+}
+void QueryKind::destroy(unsigned name) {
+  glDeleteQueries(1, &name);
+}
+
 } // namespace limn

@@ -47,11 +47,16 @@ struct ProgramKind {
   static unsigned create();
   static void destroy(unsigned name);
 };
+struct QueryKind {
+  static unsigned create();
+  static void destroy(unsigned name);
+};
 
 using GlTexture = GlObject<TextureKind>;
 using GlBuffer = GlObject<BufferKind>;
 using GlVertexArray = GlObject<VertexArrayKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 using GlProgram = GlObject<ProgramKind>;
+using GlQuery = GlObject<QueryKind>;
 
 } // namespace limn

@@ -22,6 +22,9 @@ public:
 
   bool has(EffectSet effects) const { return m_programs.contains(effects); }
 
+  /// Whether `programFor` would compile nothing.
+  bool canDraw(EffectSet effects) const { return has(effects) || standInFor(effects) != nullptr; }
+
   /// Lets the driver compile a program in the background, where it can.
   void start(EffectSet effects);
 

@@ -9,6 +9,7 @@
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
+#include "scene/Neighbours.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
@@ -37,7 +38,7 @@ struct RayCaster::Parts {
   std::string stepLimitation;
   bool skipsEmptySpace = true;
   bool compilesAllEffects = false;
-  std::optional<Effect> leftOut;
+  std::optional<EffectSet> leftOut;
 
   Parts();
   EffectPlan plan(const Scene& scene);
@@ -46,6 +47,7 @@ struct RayCaster::Parts {
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
   Image render(const Scene& scene, Content content, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
+  void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
 RayCaster::Parts::Parts() {
@@ -122,6 +124,15 @@ Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::i
   return readBack(size);
 }
 
+// Some drivers compile only when something is drawn: one pixel is enough.
+void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size) {
+  glViewport(0, 0, size.x, size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(size.x / 2, size.y / 2, 1, 1);
+  textures.measure(scene, effects);
+  drawWith(programs.exactly(effects), scene, size);
+}
+
 RayCaster::RayCaster(EmptySpace emptySpace, Programs programs) {
   requireOpenGl3();
   m_parts = std::make_unique<Parts>();
@@ -157,8 +168,8 @@ EffectPlan RayCaster::plan(const Scene& scene) {
   return m_parts->plan(scene);
 }
 
-void RayCaster::leaveOut(std::optional<Effect> effect) {
-  m_parts->leftOut = effect;
+void RayCaster::leaveOut(std::optional<EffectSet> effects) {
+  m_parts->leftOut = effects;
 }
 
 std::string RayCaster::fragmentShader(const Scene& scene) {
@@ -169,19 +180,19 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
-  const EffectPlan needed = plan(scene);
+  const SavedState saved;
+  const EffectPlan needed = m_parts->plan(scene);
   if (!needed.isVisible)
     return false;
-  for (const EffectSet& effects : {needed.effects, withAllNeutral(needed.effects)}) {
-    if (m_parts->programs.has(effects))
+  if (!m_parts->programs.has(needed.effects)) {
+    m_parts->tryOut(needed.effects, scene, size);
+    return true;
+  }
+  for (const Scene& neighbour : neighbours(scene)) {
+    const EffectSet wanted = m_parts->plan(neighbour).effects;
+    if (m_parts->programs.canDraw(wanted))
       continue;
-    // Some drivers compile only when something is drawn: one pixel is enough.
-    const SavedState saved;
-    glViewport(0, 0, size.x, size.y);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(size.x / 2, size.y / 2, 1, 1);
-    m_parts->textures.measure(scene, needed.effects);
-    m_parts->drawWith(m_parts->programs.exactly(effects), scene, size);
+    m_parts->tryOut(withAllNeutral(wanted), neighbour, size);
     return true;
   }
   return false;

@@ -52,15 +52,17 @@ public:
   /// What the scene calls for and why. Uploads the scene if it is not the one drawn last.
   EffectPlan plan(const Scene& scene);
 
-  /// Compiles one of the programs that the scene may soon want and has not yet: its own, then the one with
-  /// every effect that has a neutral value, which can stand in when a slider leaves that value. Draws one
-  /// pixel in the middle of a picture of `size` into the bound framebuffer. For when there is time, over a
-  /// picture of no account; false when nothing is left to do.
+  /// Compiles one of the programs that the scene may soon want and has not yet: its own, then for each of the
+  /// `neighbours` of the scene one with every effect that has a neutral value, which can stand in when a
+  /// slider leaves or crosses that value. Measures of the volume what those need. Draws one pixel in the
+  /// middle of a picture of `size` into the bound framebuffer. For when there is time, over a picture of no
+  /// account; false when nothing is left to do.
   bool warmUp(const Scene& scene, const glm::ivec2& size);
 
-  /// Leaves an effect, and what cannot be had without it, out of the pictures drawn from here on, to measure
-  /// what it costs; absent: draws whole pictures again.
-  void leaveOut(std::optional<Effect> effect);
+  /// Leaves effects, and what cannot be had without them, out of the pictures drawn from here on, to measure
+  /// what they cost: with exactly the program of the rest, even where none is left out (the empty set).
+  /// Absent: draws whole pictures again, with whatever program can.
+  void leaveOut(std::optional<EffectSet> effects);
 
   /// The assembled fragment shader with which the scene is drawn; empty where nothing is visible.
   std::string fragmentShader(const Scene& scene);

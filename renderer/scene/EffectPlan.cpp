@@ -45,51 +45,64 @@ LightingTerms termsFor(const Scene& scene) {
 
 void lightClauses(Plan& plan, const Scene& scene, const LightingTerms& terms, bool hasGradientOpacity) {
   const bool readsGradient = hasGradientOpacity || terms.usesNormal() || terms.usesRatio();
-  const char* flat = isConstant(*scene.volume) ? "the volume is constant and has no gradient" : nullptr;
-  plan.clause(Effect::lighting, terms.isLit, "the model lights samples", "the model is unlit");
-  plan.clause(Effect::gradient, readsGradient, "light or a map of opacity or highlights reads it",
-              flat ? flat : "nothing reads it");
-  plan.clause(Effect::diffuse, terms.diffuse != 0.0, "the diffuse term is not 0",
-              flat ? flat : "the diffuse term is 0");
-  plan.clause(Effect::specular, terms.specular != 0.0, "the specular term is not 0",
-              !terms.isLit ? "the model is unlit"
+  const char* flat =
+      isConstant(*scene.volume) ? "every voxel has the same value, so there are no boundaries" : nullptr;
+  plan.clause(Effect::lighting, terms.isLit, "the chosen model lights the volume",
+              "the chosen model shows plain colours without light");
+  plan.clause(Effect::gradient, readsGradient, "light or boundary settings need to know where boundaries lie",
+              flat ? flat : "nothing in this picture depends on boundaries");
+  plan.clause(Effect::diffuse, terms.diffuse != 0.0, "surfaces are brighter where they face the light",
+              flat ? flat : "the diffuse light is set to 0");
+  plan.clause(Effect::specular, terms.specular != 0.0, "surfaces shine where they mirror the light",
+              !terms.isLit ? "the chosen model shows plain colours without light"
               : flat       ? flat
-                           : "the specular term is 0");
-  plan.clause(Effect::phong, terms.reflection == Reflection::phong, "Phong reflection is chosen",
-              "Blinn reflection is chosen, or there are no highlights");
-  plan.clause(Effect::twoSided, terms.twoSided, "surfaces are lit from both sides",
-              "surfaces are lit from outside only, or no light falls on them");
-  plan.clause(Effect::fixedLight, terms.lightDirection.has_value(), "the light has its own direction",
-              "the light is a headlight");
+                           : "the strength of the highlights is set to 0");
+  plan.clause(Effect::phong, terms.reflection == Reflection::phong, "their shape is Phong's",
+              "their shape is Blinn's, or there are none");
+  plan.clause(Effect::twoSided, terms.twoSided, "the inner sides of surfaces are lit as well",
+              terms.usesNormal() ? "surfaces are lit on their outer side only"
+                                 : "no light falls on surfaces");
+  plan.clause(Effect::fixedLight, terms.lightDirection.has_value(),
+              "the light comes from a direction of its own", "the light comes from the viewer");
   plan.clause(Effect::specularOfLight, terms.specularColor == SpecularColor::light,
-              "highlights take the light's colour", "highlights take the material's colour");
+              "they take the light's colour", "they take the tissue's colour");
 }
 
 void gradientClauses(Plan& plan, const LightingTerms& terms, bool hasGradientOpacity) {
-  plan.clause(Effect::exponentMap, terms.mapsExponent(), "the highlight sharpness follows the gradient",
-              terms.specular == 0.0 ? "there are no highlights" : "the highlight sharpness is constant");
-  plan.clause(Effect::opacityMap, terms.mapsOpacity(), "the opacity coefficient follows the gradient",
-              "the opacity coefficient is constant");
+  plan.clause(Effect::exponentMap, terms.mapsExponent(),
+              "strong boundaries shine more sharply than weak ones",
+              terms.specular == 0.0 ? "there are no highlights" : "highlights are equally sharp everywhere");
+  plan.clause(Effect::opacityMap, terms.mapsOpacity(),
+              "strong boundaries are made more opaque than weak ones",
+              "boundaries are as opaque as the curve says");
   plan.clause(Effect::opacityFactor, !terms.mapsOpacity() && terms.opacity.atFlat != 1.0,
-              "the constant opacity coefficient is not 1", "the coefficient is 1 or follows the gradient");
-  const char* noCurve = terms.usesRatio() ? "the curve is linear" : "nothing uses the gradient ratio";
-  plan.clause(Effect::gammaCurve, terms.curve.type == GradientCurve::Type::gamma, "the curve is a power",
-              noCurve);
-  plan.clause(Effect::logCurve, terms.curve.type == GradientCurve::Type::log, "the curve is logarithmic",
-              noCurve);
-  plan.clause(Effect::gradientOpacity, hasGradientOpacity, "a curve of opacity over the gradient is set",
-              "no curve of opacity over the gradient is set");
+              "every opacity is multiplied by the same factor",
+              "opacities are not changed by a constant factor");
+  const char* noCurve = terms.usesRatio() ? "the strength of boundaries counts as measured (linear)"
+                                          : "nothing depends on the strength of boundaries";
+  plan.clause(Effect::gammaCurve, terms.curve.type == GradientCurve::Type::gamma,
+              "weak and strong boundaries are weighed by a power (gamma)", noCurve);
+  plan.clause(Effect::logCurve, terms.curve.type == GradientCurve::Type::log,
+              "weak and strong boundaries are weighed by a logarithm", noCurve);
+  plan.clause(Effect::gradientOpacity, hasGradientOpacity,
+              "a curve says how opaque boundaries are by their strength",
+              "no curve of opacity over the strength of boundaries is set");
 }
 
 void robustClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
   const bool isRobust = scene.shading.model == ShadingModel::robust;
   plan.clause(Effect::energyFactor, terms.energyFactor,
-              "broad highlights are held to the energy of narrow ones",
-              isRobust ? "the energy factor is off or 1" : "the model is not robust");
-  plan.clause(Effect::significance, terms.significance.has_value(), "highlights are weighed by significance",
-              isRobust ? "highlights are not weighed, or there are none" : "the model is not robust");
-  plan.clause(Effect::knee, terms.knee.has_value(), "the sum of the light terms can pass the knee",
-              isRobust ? "no sum of the light terms reaches the knee" : "the model is not robust");
+              "broad highlights carry no more light than sharp ones",
+              isRobust ? "highlights are equally sharp, or their light is not evened out"
+                       : "the robust model is not chosen");
+  plan.clause(Effect::significance, terms.significance.has_value(),
+              "highlights are faded out where boundaries are insignificant",
+              isRobust ? "fading out insignificant highlights is off, or there are none"
+                       : "the robust model is not chosen");
+  plan.clause(Effect::knee, terms.knee.has_value(),
+              "light could add up to more than full brightness and would be cut off",
+              isRobust ? "the light never adds up to that much, or the limit is off"
+                       : "the robust model is not chosen");
 }
 
 // The eye's distance to the farthest corner of what the crop leaves, mm, or the camera plane's.
@@ -117,7 +130,7 @@ void fogClauses(Plan& plan, const Scene& scene) {
   const bool isBehind = fog.startMm >= farthestDepthMm(scene) * (1.0 + 1e-5);
   const bool shows = fog.mode != Fog::Mode::none && !isThin && !isBehind;
   const char* why = fog.mode == Fog::Mode::none ? "fog is off"
-                    : isThin                    ? "the fog's density is 0"
+                    : isThin                    ? "the density of the fog is 0"
                     : isBehind                  ? "the fog begins behind the volume"
                                                 : "another fog is chosen";
   plan.clause(Effect::fogLinear, shows && fog.mode == Fog::Mode::linear, "linear fog is on", why);
@@ -127,14 +140,16 @@ void fogClauses(Plan& plan, const Scene& scene) {
 
 void projectionClauses(Plan& plan, const Scene& scene) {
   const auto choice = [&](Effect effect, Projection projection, const char* because) {
-    plan.clause(effect, scene.projection == projection, because, "another projection is chosen");
+    plan.clause(effect, scene.projection == projection, because, "another kind of picture is chosen");
   };
   choice(Effect::mip, Projection::mip, "each ray shows its largest value");
   choice(Effect::minip, Projection::minip, "each ray shows its smallest value");
   choice(Effect::average, Projection::average, "each ray shows its mean value");
   choice(Effect::xray, Projection::xray, "each ray shows how much it absorbs");
-  choice(Effect::isosurface, Projection::isosurface, "each ray shows the first surface");
-  choice(Effect::hybrid, Projection::compositeIsosurface, "a surface stands behind what lies before it");
+  choice(Effect::isosurface, Projection::isosurface,
+         "the picture shows the first surface of the chosen value");
+  choice(Effect::hybrid, Projection::compositeIsosurface,
+         "the surface of the chosen value stands behind what lies before it");
 }
 
 // The largest depth that a ray can gather in the volume.
@@ -151,19 +166,23 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
   const bool isResolved = chosen != Preintegration::automatic || isConstant(*scene.volume) ||
                           stepResolvesFunction(scene, facts.steepestPerMm);
   plan.clause(Effect::preintegration, chosen == Preintegration::always || !isResolved,
-              chosen == Preintegration::always ? "it is set to always"
-                                               : "the transfer function changes within less than a step",
-              chosen == Preintegration::never ? "it is set to never"
-                                              : "the step resolves the transfer function");
-  plan.clause(Effect::jitter, scene.quality.jitter, "jitter is on", "jitter is off");
+              chosen == Preintegration::always ? "it is set to \"always\""
+                                               : "the curve changes faster than one step can follow",
+              chosen == Preintegration::never ? "it is set to \"never\""
+                                              : "the steps are fine enough for this curve");
+  plan.clause(Effect::jitter, scene.quality.jitter,
+              "it is switched on: neighbouring pixels sample at other depths", "it is switched off");
   const double e = scene.quality.earlyTermination;
   // A hundredth of margin for the rounding of the shaders' sums.
   const bool canEnd = e < 1.0 && oneMinusExpNeg(1.01 * largestDepth(scene, terms)) >= e;
-  plan.clause(Effect::earlyTermination, canEnd, "rays end at the opacity set",
-              e < 1.0 ? "no ray can reach the opacity at which it would end" : "it is set to never");
+  plan.clause(Effect::earlyTermination, canEnd,
+              "what lies behind opaque tissue cannot be seen and is not drawn",
+              e < 1.0 ? "nothing in this picture is opaque enough to hide what lies behind"
+                      : "rays are set to run to their end");
   const bool skips = facts.canSkipEmptySpace && facts.emptyShare >= leastEmptyShare;
-  plan.clause(Effect::emptySpaceSkipping, skips, "parts of the volume cannot show",
-              facts.canSkipEmptySpace ? "hardly any part of the volume is empty" : "it is switched off");
+  plan.clause(Effect::emptySpaceSkipping, skips, "transparent parts of the volume are stepped over",
+              facts.canSkipEmptySpace ? "hardly any part of the volume is transparent"
+                                      : "it is switched off");
   const double loops = scene.projection == Projection::compositeIsosurface ? 3.0 : 2.0;
   plan.clause(Effect::longRays, loops * longestRaySamples(scene) > mostSamples,
               "the longest ray has too many samples for nested loops", "every ray is short enough");
@@ -176,12 +195,14 @@ void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
     const bool isKept = plan.effects.has(reason.effect);
     if (reason.isNeeded && !isKept)
-      reason.reason = !plan.isVisible                   ? "nothing of the volume can be seen"
-                      : reason.effect == Effect::jitter ? "a pre-integrated step has no sample to shift"
+      reason.reason = !plan.isVisible ? "nothing of the volume can be seen"
+                      : reason.effect == Effect::jitter
+                          ? "exact steps (pre-integration) leave no sample to shift"
                       : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
-                          ? "the rays have too many samples for nested loops"
-                      : projection == Projection::composite ? "nothing that shows depends on it"
-                                                            : "this projection does not use it";
+                          ? "the steps are so small that rays take too many of them"
+                      : projection == Projection::composite ? "nothing that can be seen depends on it"
+                                                            : "this kind of picture has no use for it";
+    reason.isDropped = reason.isNeeded && !isKept;
     reason.isNeeded = isKept;
   }
 }
@@ -230,8 +251,8 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   robustClauses(plan, scene, terms);
   fogClauses(plan, scene);
   plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
-              "the crop box cuts the volume and the cut faces are lit",
-              scene.crop == CropBox{} ? "the crop box cuts nothing" : "the cut faces are not lit");
+              "the cuts of the crop box are lit as surfaces",
+              scene.crop == CropBox{} ? "the crop box keeps the whole volume" : "no light falls on the cuts");
   projectionClauses(plan, scene);
   marchClauses(plan, scene, facts, terms);
   plan.clause(Effect::unlimited, false, "", "only the measure of overflow draws it");

@@ -22,6 +22,8 @@ struct EffectReason {
   Effect effect;
   bool isNeeded = false;
   std::string reason;
+  bool isDropped = false; ///< asked for by the scene, but without use in this picture
+  bool operator==(const EffectReason&) const = default;
 };
 
 /// The effects that a scene calls for, canonical, with one reason per effect in the order of the enumeration.
@@ -30,6 +32,7 @@ struct EffectPlan {
   EffectSet effects;
   bool isVisible = true; ///< false: the picture is empty without drawing
   std::vector<EffectReason> reasons;
+  bool operator==(const EffectPlan&) const = default;
 };
 
 /// A pure function of the scene and of facts about its data (NUMERICS section 4.2). A control point or the

@@ -123,9 +123,9 @@ EffectSet canonical(EffectSet effects) {
   return readsGradient ? effects.with(Effect::gradient) : effects.without(Effect::gradient);
 }
 
-EffectSet leavingOut(EffectSet effects, Effect effect) {
-  effects = effects.without(effect);
-  if (effect == Effect::gradient)
+EffectSet leavingOut(EffectSet effects, EffectSet leftOut) {
+  effects = effects.without(leftOut);
+  if (leftOut.has(Effect::gradient))
     effects = effects.without({Effect::diffuse, Effect::specular, Effect::exponentMap, Effect::opacityMap,
                                Effect::significance, Effect::gradientOpacity});
   return canonical(effects);

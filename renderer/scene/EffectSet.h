@@ -92,9 +92,9 @@ bool usesRatio(EffectSet effects);
 /// that draw the same picture become the same set.
 EffectSet canonical(EffectSet effects);
 
-/// The set without an effect and without all that cannot be had without it: what a picture costs less when an
-/// effect is left out. Canonical.
-EffectSet leavingOut(EffectSet effects, Effect effect);
+/// The set without some effects and without all that cannot be had without them: what is left to draw when
+/// they are left out to measure what they cost. Canonical.
+EffectSet leavingOut(EffectSet effects, EffectSet leftOut);
 
 /// Whether a program of `effects` draws the picture that calls for `needed`, bit for bit, with the uniforms
 /// of that picture's scene: it has all that is needed, and what it has beyond has a neutral value (a fog of

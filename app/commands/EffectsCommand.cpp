@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/EffectsCommand.h"
+
+#include "app/commands/SceneArguments.h"
+#include "gl/FloatTarget.h"
+#include "gl/HeadlessContext.h"
+#include "raycaster/EffectCosts.h"
+#include "raycaster/RayCaster.h"
+#include "scene/PictureFigures.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct EffectsArguments {
+  SceneArguments scene;
+  int frames = 5;
+  bool json = false;
+  bool shader = false;
+};
+
+// What is told of a scene's effects.
+struct Report {
+  std::string renderer;
+  std::vector<EffectRow> rows;
+  std::vector<std::optional<EffectCost>> costs; ///< one per row
+  double wholeMs = 0.0;
+  std::string method;
+  Overflow overflow;
+};
+
+Report measuredReport(RayCaster& caster, const Scene& scene, int frames, const Progress& progress) {
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  const FloatTarget target(size);
+  Report report{rendererName(), effectRows(scene, caster.plan(scene)), {}, 0.0, {}, {}};
+  EffectCosts costs(scene, size, report.rows, frames);
+  while (costs.step(caster))
+    if (progress.report)
+      progress.report(costs.fraction(), "Measuring the effects");
+  if (progress.report)
+    progress.report(1.0, "Measuring the effects");
+  report.costs = costs.costs();
+  report.wholeMs = costs.wholeMs();
+  report.method = costs.method();
+  report.overflow = overflowOf(caster.renderUnlimited(scene, size));
+  return report;
+}
+
+void printJson(const Report& report) {
+  nlohmann::ordered_json effects = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < report.rows.size(); ++i) {
+    const EffectRow& row = report.rows[i];
+    effects.push_back({{"name", row.name},
+                       {"on", row.isOn},
+                       {"reason", row.reason},
+                       {"cost_ms", report.costs[i] ? report.costs[i]->ms : 0.0}});
+  }
+  const nlohmann::ordered_json json = {{"renderer", report.renderer}, {"effects", effects}};
+  std::cout << json.dump(2) << '\n';
+}
+
+std::string methodLine(const Report& report, const Scene& scene, int frames) {
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "%d x %d pixels take %.1f ms on %s; each cost is the median of %d pictures less the median "
+                "of %d without the effect, drawn in turn; %s",
+                scene.image.width, scene.image.height, report.wholeMs, report.renderer.c_str(), frames,
+                frames, report.method.c_str());
+  return text;
+}
+
+void printTable(const Report& report, const Scene& scene, int frames) {
+  std::printf("%-21s %-4s %18s %8s  %s\n", "effect", "", "ms", "+-", "why");
+  for (std::size_t i = 0; i < report.rows.size(); ++i) {
+    const EffectRow& row = report.rows[i];
+    std::printf("%-21s %-4s ", row.name.c_str(), row.isOn ? "on" : "off");
+    if (const auto& cost = report.costs[i])
+      std::printf("%18s %8.1f", costText(*cost).c_str(), cost->spreadMs);
+    else
+      std::printf("%18s %8s", "", "");
+    std::printf("  %s\n", row.reason.c_str());
+  }
+  std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());
+  std::printf("Before it is limited, light overflows in %.2f %% of the pixels, by %.3f on average.\n",
+              100.0 * report.overflow.share, report.overflow.meanOvershoot);
+}
+
+void printShader(RayCaster& caster, const Scene& scene) {
+  const std::string text = caster.fragmentShader(scene);
+  if (text.empty())
+    throw Error(Error::Kind::usage, "Nothing of the volume can be seen, so there is no shader; give the "
+                                    "transfer function some opacity within the volume's values.");
+  std::cout << text;
+}
+
+void runEffects(const EffectsArguments& arguments) {
+  const SourceArguments& source = arguments.scene.source;
+  const Progress progress = terminalProgress(source.quiet);
+  const LoadedScene loaded = loadScene(source.source, sourceOptions(source), progress);
+  Scene scene = adjusted(loaded.scene, arguments.scene);
+  if (!arguments.scene.model.empty())
+    scene.shading.model = modelNamed(arguments.scene.model, "--model");
+  const HeadlessContext context;
+  RayCaster caster;
+  if (arguments.shader)
+    return printShader(caster, scene);
+  const Report report = measuredReport(caster, scene, arguments.frames, progress);
+  if (arguments.json) {
+    printJson(report);
+    if (!source.quiet)
+      note(methodLine(report, scene, arguments.frames) + ".");
+  } else {
+    printTable(report, scene, arguments.frames);
+  }
+  if (!source.quiet && arguments.scene.preset.empty() && !loaded.preset.empty())
+    note("Measured with the preset \"" + loaded.preset + "\".");
+}
+
+} // namespace
+
+void addEffectsCommand(CLI::App& root) {
+  auto arguments = std::make_shared<EffectsArguments>();
+  CLI::App* command =
+      root.add_subcommand("effects", "which effects a picture simulates, why, and what each costs");
+  addSceneArguments(*command, arguments->scene, "none, classic, enhanced or robust");
+  command->add_option("--frames", arguments->frames, "pictures per effect of which the median counts")
+      ->check(CLI::Range(5, 1000));
+  command->add_flag("--json", arguments->json, "one JSON object on stdout");
+  command->add_flag("--shader", arguments->shader, "print the assembled GLSL instead");
+  command->footer("Example: limn effects head.nii.gz --model enhanced --size 800x600");
+  command->callback([arguments] { runEffects(*arguments); });
+}
+
+} // namespace limn

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/SceneArguments.h"
+
+#include "app/PresetStore.h"
+#include "scene/PresetFit.h"
+
+namespace limn {
+namespace {
+
+const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
+                                                 {"classic", ShadingModel::classic},
+                                                 {"enhanced", ShadingModel::enhanced},
+                                                 {"robust", ShadingModel::robust}};
+
+const std::map<std::string, StandardView> views{
+    {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
+    {"left", StandardView::left},         {"right", StandardView::right},
+    {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
+
+} // namespace
+
+ShadingModel modelNamed(const std::string& word, const std::string& option) {
+  return chosen(models, word, option);
+}
+
+Scene adjusted(Scene scene, const SceneArguments& arguments) {
+  if (!arguments.preset.empty())
+    scene = withPreset(scene,
+                       fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
+                                histogramOf(*scene.volume)),
+                       true);
+  if (!arguments.view.empty())
+    scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
+  if (arguments.stepVoxels > 0.0)
+    scene.quality.stepVoxels = arguments.stepVoxels;
+  if (!arguments.size.empty()) {
+    const glm::ivec2 size = parsedSize(arguments.size);
+    scene.image.width = size.x;
+    scene.image.height = size.y;
+  }
+  return scene;
+}
+
+void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::string& models) {
+  addSourceArguments(command, arguments.source,
+                     "scene file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+  command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command.add_option("--model", arguments.model, models);
+  command.add_option(
+      "--preset", arguments.preset,
+      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
+  command.add_option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command.add_option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
+      ->check(CLI::Range(1e-4, 1e4));
+}
+
+} // namespace limn

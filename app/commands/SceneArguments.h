@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/commands/Arguments.h"
+#include "scene/Error.h"
+
+#include <map>
+
+namespace limn {
+
+/// The options that commands share which draw one scene.
+struct SceneArguments {
+  SourceArguments source;
+  std::string size;
+  std::string model;
+  std::string preset;
+  std::string view;
+  double stepVoxels = 0.0; ///< 0: not given
+};
+
+/// Adds SOURCE and the options; `models` says which models `--model` takes.
+void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::string& models);
+
+/// The scene with everything that was given but the model. Throws Error (usage).
+Scene adjusted(Scene scene, const SceneArguments& arguments);
+
+/// The shading model of that name; `option` is named where there is none. Throws Error (usage).
+ShadingModel modelNamed(const std::string& word, const std::string& option);
+
+/// The value chosen by a word. Throws Error (usage) with the words that there are.
+template <class Value>
+Value chosen(const std::map<std::string, Value>& choices, const std::string& word,
+             const std::string& option) {
+  if (const auto found = choices.find(word); found != choices.end())
+    return found->second;
+  std::string known;
+  for (const auto& [name, value] : choices)
+    known += (known.empty() ? "" : ", ") + name;
+  throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
+}
+
+} // namespace limn
