@@ -88,8 +88,7 @@ TEST_F(PictureRules, editingAControlPointCompilesNoProgram) {
   RayCaster caster;
   Scene scene = phantomScene(ShadingModel::enhanced);
   Image before = caster.render(scene, pictureSize);
-  // An edit may make the function too steep for the step; pre-integration is ready since the program was
-  // idle.
+  // Points that close up on each other ask for pre-integrated steps: a resting view has that program at hand.
   while (caster.warmUp(scene, pictureSize)) {
   }
   const int programs = caster.compiledPrograms();
