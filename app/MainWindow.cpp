@@ -3,7 +3,6 @@
 
 #include "app/MessageBar.h"
 #include "widgets/curve/CurvePanel.h"
-#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -122,8 +121,7 @@ void MainWindow::connectPanels() {
 void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
-  m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
-  m_curves->setGradientUsed(scene.gradientOpacity.has_value());
+  showGradientCurve(scene);
   m_shading->setScene(scene);
   const bool showsPreset = scene.volume && scene.transferFunction == m_preset.transferFunction &&
                            scene.gradientOpacity == m_preset.gradientOpacity;

@@ -114,6 +114,7 @@ private:
   // MainWindowScene.cpp
   void connectSceneSections();
   void connectGradientCurve();
+  void showGradientCurve(const Scene& scene);
   void measureGradients();
   QAction* makeCropBoxAction();
   void showCropBox();

@@ -50,6 +50,13 @@ void MainWindow::connectGradientCurve() {
   connect(&m_gradients, &GradientMeasurer::failed, this, &MainWindow::showError);
 }
 
+void MainWindow::showGradientCurve(const Scene& scene) {
+  m_curves->gradientEditor()->setGradientOpacity(scene.gradientOpacity);
+  m_curves->setGradientState(!scene.gradientOpacity                  ? CurvePanel::GradientState::off
+                             : usesGradientOpacity(scene.projection) ? CurvePanel::GradientState::on
+                                                                     : CurvePanel::GradientState::unused);
+}
+
 // Counting gradients takes a while and most scenes need none of it: it waits until somebody looks.
 void MainWindow::measureGradients() {
   const std::shared_ptr<const Volume>& volume = m_session.scene().volume;

@@ -148,6 +148,20 @@ TEST_F(CommandLine, referenceAndGlWriteThePicturesOfOneScene) {
   EXPECT_GT(std::filesystem::file_size(file("ref.png")), 1000u);
 }
 
+TEST_F(CommandLine, slicesWriteThePictureInBothOrdersAndRefuseOtherProjections) {
+  for (const char* engine : {"slices", "slices-back-to-front"}) {
+    const std::string picture = file(std::string(engine) + ".png").string();
+    const Outcome outcome =
+        run("render phantom:6 --size 48x48 --engine " + std::string(engine) + " -o " + picture);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(picture), 1000u);
+  }
+  std::ofstream(file("mip.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "projection": "mip"})";
+  const Outcome refused = run("render " + file("mip.json").string() + " --engine slices -o x.png");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("Slices cannot draw the projection \"mip\""), std::string::npos) << refused.err;
+}
+
 TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
   const struct {
     const char* arguments;
@@ -207,7 +221,7 @@ TEST_F(CommandLine, withoutADisplayTheWindowSaysWhatToDo) {
 TEST_F(CommandLine, presetsAreListedAndShown) {
   const Outcome list = run("presets list");
   EXPECT_EQ(list.status, 0);
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 6);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 10);
   const Outcome show = run("presets show 'CT bone'");
   EXPECT_EQ(nlohmann::json::parse(show.out)["name"], "CT bone");
   EXPECT_EQ(run("presets show 'ct BONE'").out, show.out);

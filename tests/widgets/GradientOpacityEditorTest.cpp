@@ -156,7 +156,9 @@ TEST_F(GradientEditor, theSwitchChoosesTheCurveAndTellsWhetherItIsUsed) {
   EXPECT_TRUE(m_panel.valueEditor()->isVisible());
   ASSERT_EQ(shown.count(), 1);
   EXPECT_FALSE(shown[0][0].toBool());
-  m_panel.setGradientUsed(true);
+  m_panel.setGradientState(CurvePanel::GradientState::unused);
+  EXPECT_NE(visibleButton(QStringLiteral("Gradient: unused")), nullptr);
+  m_panel.setGradientState(CurvePanel::GradientState::on);
   ASSERT_NE(visibleButton(QStringLiteral("Gradient: on")), nullptr);
   QTest::mouseClick(visibleButton(QStringLiteral("Gradient: on")), Qt::LeftButton);
   EXPECT_TRUE(m_panel.gradientIsShown());

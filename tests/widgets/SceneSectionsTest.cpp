@@ -185,7 +185,7 @@ TEST_F(SceneSections, fogBeginsVisiblyAndShowsOnlyItsNumbers) {
   EXPECT_GT(m_scene.fog.densityPerMm, 0.0);
   EXPECT_TRUE(fog->densitySlider()->isVisible());
   EXPECT_FALSE(fog->endSlider()->isVisible());
-  EXPECT_FALSE(headerSays(fog, QStringLiteral("off")));
+  EXPECT_TRUE(headerSays(fog, QStringLiteral("on")));
   choose(fog->modeRow(), static_cast<int>(Fog::Mode::linear));
   EXPECT_FALSE(fog->densitySlider()->isVisible());
   type(fog->endSlider()->field(), QStringLiteral("1234"));

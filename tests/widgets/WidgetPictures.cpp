@@ -79,7 +79,7 @@ void saveGradientEditor(const QString& prefix) {
   editor.setHistogram(gradients);
   save(panel, {1200, 260}, prefix + "gradient_off.png");
   editor.setGradientOpacity(GradientOpacity{{{40.0, 0.1}, {300.0, 0.7}, {700.0, 1.0}}});
-  panel.setGradientUsed(true);
+  panel.setGradientState(CurvePanel::GradientState::on);
   editor.editor()->canvas()->selectPoints({1});
   save(panel, {1200, 260}, prefix + "gradient.png");
   save(panel, {780, 220}, prefix + "gradient_narrow.png");

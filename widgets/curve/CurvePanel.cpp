@@ -29,7 +29,7 @@ CurvePanel::CurvePanel(QWidget* parent)
   addWidget(m_gradient);
   m_value->addLeading(makeSwitch(m_switches[0]));
   m_gradient->editor()->addLeading(makeSwitch(m_switches[1]), 0);
-  setGradientUsed(false);
+  setGradientState(GradientState::off);
   showGradient(false);
 }
 
@@ -43,9 +43,7 @@ QWidget* CurvePanel::makeSwitch(Switch& made) {
   made.name->setForegroundRole(QPalette::PlaceholderText);
   made.value = makeButton(tr("Value"), tr("Opacity over value"),
                           tr("<p>How opaque tissue is by its value: the transfer function.</p>"));
-  made.gradient = makeButton(
-      tr("Gradient"), tr("Opacity over gradient"),
-      tr("<p>How much of the opacity is left by how fast the value changes, so that boundaries stay.</p>"));
+  made.gradient = makeButton(tr("Gradient"), tr("Opacity over gradient"), {});
   layout->addWidget(made.name);
   layout->addSpacing(4);
   layout->addWidget(made.value);
@@ -76,9 +74,16 @@ void CurvePanel::resizeEvent(QResizeEvent* event) {
   QStackedWidget::resizeEvent(event);
 }
 
-void CurvePanel::setGradientUsed(bool used) {
-  for (const Switch& pair : m_switches)
-    pair.gradient->setText(used ? tr("Gradient: on") : tr("Gradient: off"));
+void CurvePanel::setGradientState(GradientState state) {
+  const QString help =
+      tr("<p>How much of the opacity is left by how fast the value changes, so that boundaries stay.</p>");
+  const QString unused = tr("<p>This projection does not add up opacities along its rays; tissue does.</p>");
+  for (const Switch& pair : m_switches) {
+    pair.gradient->setText(state == GradientState::off  ? tr("Gradient: off")
+                           : state == GradientState::on ? tr("Gradient: on")
+                                                        : tr("Gradient: unused"));
+    pair.gradient->setToolTip(state == GradientState::unused ? help + unused : help);
+  }
 }
 
 } // namespace limn

@@ -27,8 +27,13 @@ public:
   void showGradient(bool shown);
   bool gradientIsShown() const { return currentIndex() == 1; }
 
-  /// Whether the scene uses the curve over the gradient, told by the switch.
-  void setGradientUsed(bool used);
+  /// What the switch says of the curve over the gradient.
+  enum class GradientState {
+    off,
+    on,
+    unused ///< set, but of no account in this picture
+  };
+  void setGradientState(GradientState state);
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -138,7 +138,7 @@ void FogSection::showFog() {
   else if (exponential && fog.densityPerMm == 0.0)
     setSummary(tr("off: its density is 0"));
   else
-    setSummary(QString());
+    setSummary(tr("on"));
 }
 
 } // namespace limn

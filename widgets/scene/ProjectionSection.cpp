@@ -76,6 +76,10 @@ bool usesLight(Projection projection) {
   return projection == Projection::composite || usesIsovalue(projection);
 }
 
+bool usesGradientOpacity(Projection projection) {
+  return projection == Projection::composite || projection == Projection::compositeIsosurface;
+}
+
 bool usesFog(Projection projection) {
   return usesLight(projection);
 }

@@ -46,6 +46,9 @@ bool usesIsovalue(Projection projection);
 /// True where the projection is lit by the shading model.
 bool usesLight(Projection projection);
 
+/// True where the opacity along the ray counts, and with it the curve over the gradient.
+bool usesGradientOpacity(Projection projection);
+
 /// True where the projection has a colour that fog can change.
 bool usesFog(Projection projection);
 
