@@ -28,6 +28,7 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   makeActions();
   connectView();
   connectPanels();
+  connectEffects();
   connectSceneSections();
   connectGradientCurve();
   connectLoader();
@@ -66,6 +67,7 @@ void MainWindow::layOut() {
   m_presetDock = addDock(tr("Presets"), QStringLiteral("presetDock"), m_presets, Qt::LeftDockWidgetArea);
   m_shadingDock =
       addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
+  makeEffectsDock();
   m_curveDock =
       addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);

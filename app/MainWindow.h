@@ -18,6 +18,7 @@ class QMenu;
 namespace limn {
 
 class CurvePanel;
+class EffectsPanel;
 class MessageBar;
 class PresetBrowser;
 class ShadingPanel;
@@ -99,6 +100,10 @@ private:
   void saveScene();
   void savePicture();
 
+  // MainWindowEffects.cpp
+  void makeEffectsDock();
+  void connectEffects();
+
   // MainWindowPresets.cpp
   void refreshPresets();
   void applyPreset(const QString& name);
@@ -146,6 +151,8 @@ private:
   PresetBrowser* m_presets = nullptr;
   QDockWidget* m_presetDock = nullptr;
   QDockWidget* m_shadingDock = nullptr;
+  EffectsPanel* m_effects = nullptr;
+  QDockWidget* m_effectsDock = nullptr;
   QDockWidget* m_curveDock = nullptr;
 
   QLabel* m_volumeLabel = nullptr;

@@ -115,7 +115,7 @@ void MainWindow::makeViewMenu() {
   m_sceneActions << m_orthographicAction;
   menu->addAction(withIcon(makeCropBoxAction(), "crop-box"));
   menu->addSeparator();
-  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_curveDock})
+  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_effectsDock, m_curveDock})
     menu->addAction(dock->toggleViewAction());
   m_focusAction = menu->addAction(tr("&Picture and curve only"));
   m_focusAction->setCheckable(true);
@@ -259,6 +259,7 @@ void MainWindow::applyThemeChoice(const QString& choice) {
 
 void MainWindow::setFocusMode(bool on) {
   m_presetDock->setVisible(!on);
+  m_effectsDock->setVisible(!on);
   m_shadingDock->setVisible(!on);
   for (QToolBar* bar : findChildren<QToolBar*>())
     bar->setVisible(!on);

@@ -5,6 +5,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Error.h"
+#include "slices/SliceRenderer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,17 +13,27 @@
 namespace limn {
 namespace {
 
-std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size) {
-  const HeadlessContext context;
-  RayCaster caster;
+template <class Renderer>
+std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
+                                  const glm::ivec2& size) {
   std::vector<MadePicture> pictures;
   for (const Scene& scene : scenes) {
-    MadePicture picture{caster.render(scene, size), rendererName(), {}};
-    if (!caster.limitation().empty())
-      picture.notes.push_back(caster.limitation());
+    MadePicture picture{renderer.render(scene, size), rendererName(), {}};
+    if (!renderer.limitation().empty())
+      picture.notes.push_back(renderer.limitation());
     pictures.push_back(std::move(picture));
   }
   return pictures;
+}
+
+std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine) {
+  const HeadlessContext context;
+  if (engine == Engine::slices || engine == Engine::slicesBackToFront) {
+    SliceRenderer slices(engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
+    return makeWith(slices, scenes, size);
+  }
+  RayCaster caster;
+  return makeWith(caster, scenes, size);
 }
 
 std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
@@ -69,9 +80,9 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
   if (engine == Engine::reference)
     return makeWithReference(scenes, size, threads);
   try {
-    return makeWithGl(scenes, size);
+    return makeWithGl(scenes, size, engine);
   } catch (const Error& error) {
-    if (engine == Engine::gl || error.kind() != Error::Kind::openGl)
+    if (engine != Engine::automatic || error.kind() != Error::Kind::openGl)
       throw;
     std::vector<MadePicture> pictures = makeWithReference(scenes, size, threads);
     pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");

@@ -11,8 +11,9 @@
 
 namespace limn {
 
-/// Which renderer draws a picture. `automatic` is GLSL, or the reference where there is no OpenGL.
-enum class Engine { automatic, gl, reference };
+/// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the reference where there is no
+/// OpenGL; slices are blended front to back unless named otherwise.
+enum class Engine { automatic, gl, slices, slicesBackToFront, reference };
 
 /// A picture and what was noteworthy about making it.
 struct MadePicture {

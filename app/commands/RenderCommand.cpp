@@ -22,8 +22,11 @@ struct RenderArguments {
   bool printsFigures = false;
 };
 
-const std::map<std::string, Engine> engines{
-    {"auto", Engine::automatic}, {"gl", Engine::gl}, {"reference", Engine::reference}};
+const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
+                                            {"gl", Engine::gl},
+                                            {"slices", Engine::slices},
+                                            {"slices-back-to-front", Engine::slicesBackToFront},
+                                            {"reference", Engine::reference}};
 
 Scene withModel(Scene scene, ShadingModel model) {
   scene.shading.model = model;
@@ -58,7 +61,7 @@ void printFigures(const Scene& scene, const RenderArguments& arguments) {
 
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
-    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl or reference.");
+    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   const bool isComparison = arguments.scene.model == "compare";
   LoadedScene loaded = loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source),
                                  terminalProgress(arguments.scene.source.quiet));
@@ -102,7 +105,9 @@ void addRenderCommand(CLI::App& root) {
   addSceneArguments(*command, arguments->scene,
                     "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
   command->add_option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr")->required();
-  command->add_option("--engine", arguments->engine, "auto, gl or reference (double precision, slow)");
+  command->add_option("--engine", arguments->engine,
+                      "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
+                      "slices-back-to-front, or reference (double precision, slow)");
   command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
   command->add_flag(

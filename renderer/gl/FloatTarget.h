@@ -2,16 +2,14 @@
 #pragma once
 
 #include "gl/GlObjects.h"
-
-#include <glm/glm.hpp>
+#include "scene/Image.h"
 
 namespace limn {
 
-/// A framebuffer of premultiplied RGBA in 32-bit floats, bound while it lives; then what was bound before is
-/// bound again.
+/// A framebuffer of 32-bit float RGBA without a window, bound while it lives; its contents begin undefined.
 class FloatTarget {
 public:
-  /// Throws Error (openGl) where the driver cannot draw into one of `size` pixels.
+  /// Throws Error (openGl) where the driver refuses it.
   explicit FloatTarget(const glm::ivec2& size);
   ~FloatTarget();
   FloatTarget(const FloatTarget&) = delete;
@@ -24,6 +22,10 @@ private:
   GlFramebuffer m_framebuffer;
   int m_drawBefore = 0;
   int m_readBefore = 0;
+  int m_textureBefore = 0;
 };
+
+/// Reads a picture from the framebuffer bound; rows from the top.
+Image readBack(const glm::ivec2& size);
 
 } // namespace limn

@@ -24,7 +24,7 @@ bool hasTimerQuery() {
 bool agreesWithClock(double queryMs, double wallMs) {
   constexpr double overheadMs = 2.0;
   const bool isTooLong = queryMs > 1.05 * wallMs + 0.1;
-  const bool isTooShort = queryMs < 0.5 * wallMs && wallMs - queryMs > overheadMs;
+  const bool isTooShort = queryMs < 0.9 * wallMs && wallMs - queryMs > overheadMs;
   return queryMs > 0.0 && !isTooLong && !isTooShort;
 }
 

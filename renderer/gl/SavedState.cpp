@@ -9,6 +9,9 @@ namespace {
 constexpr GLenum capabilityNames[SavedState::capabilities] = {
     GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DITHER, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB};
 
+constexpr GLenum blendFactorNames[] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+                                       GL_BLEND_DST_ALPHA};
+
 void enable(GLenum capability, bool on) {
   if (on)
     glEnable(capability);
@@ -32,6 +35,10 @@ SavedState::SavedState() {
   glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &m_arrayBuffer);
   glGetIntegerv(GL_UNPACK_ALIGNMENT, &m_unpackAlignment);
   glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &m_unpackBuffer);
+  for (std::size_t i = 0; i < m_blendFactors.size(); ++i)
+    glGetIntegerv(blendFactorNames[i], &m_blendFactors[i]);
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &m_blendEquations[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &m_blendEquations[1]);
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &m_activeTexture);
@@ -43,6 +50,9 @@ SavedState::SavedState() {
 }
 
 SavedState::~SavedState() {
+  const auto factor = [this](std::size_t i) { return static_cast<GLenum>(m_blendFactors[i]); };
+  glBlendFuncSeparate(factor(0), factor(1), factor(2), factor(3));
+  glBlendEquationSeparate(static_cast<GLenum>(m_blendEquations[0]), static_cast<GLenum>(m_blendEquations[1]));
   for (int unit = 0; unit < textureUnits; ++unit) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(m_textures2D[unit]));

@@ -31,6 +31,8 @@ private:
   int m_activeTexture = 0;
   int m_unpackAlignment = 4;
   int m_unpackBuffer = 0;
+  std::array<int, 4> m_blendFactors{};
+  std::array<int, 2> m_blendEquations{};
 };
 
 } // namespace limn

@@ -2,13 +2,13 @@
 #include "raycaster/RayCaster.h"
 
 #include "gl/FloatTarget.h"
+#include "gl/GlVersion.h"
 #include "gl/SavedState.h"
 #include "raycaster/CoveredPixels.h"
 #include "raycaster/ProgramCache.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
-#include "scene/Error.h"
 #include "scene/Neighbours.h"
 #include "scene/RayFrame.h"
 
@@ -20,38 +20,9 @@ namespace {
 // Pictures drawn off screen go to the driver in pieces that no watchdog takes for a hang.
 constexpr int tileSize = 256;
 
-void requireOpenGl3() {
-  if (epoxy_gl_version() < 30 || !epoxy_is_desktop_gl())
-    throw Error(Error::Kind::openGl,
-                "The graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
-                    std::to_string(epoxy_gl_version() % 10) +
-                    ", but drawing needs OpenGL 3.0; update the driver or install Mesa's "
-                    "software driver (libgl1-mesa-dri).");
-}
-
-void bind(TextureUnit unit, unsigned target, unsigned texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(target, texture);
-}
-
 // OpenGL's rows go upwards.
 void scissor(const PixelRect& rect, const glm::ivec2& size) {
   glScissor(rect.topLeft.x, size.y - rect.topLeft.y - rect.size.y, rect.size.x, rect.size.y);
-}
-
-// Reads the framebuffer bound; its rows go from the bottom up.
-Image readBack(const glm::ivec2& size) {
-  Image flipped(size);
-  GLint alignment = 4;
-  glGetIntegerv(GL_PACK_ALIGNMENT, &alignment);
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, flipped.pixels.data());
-  glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-  Image image(size);
-  for (int y = 0; y < size.y; ++y)
-    for (int x = 0; x < size.x; ++x)
-      image.at(x, y) = flipped.at(x, size.y - 1 - y);
-  return image;
 }
 
 } // namespace
@@ -74,7 +45,6 @@ struct RayCaster::Parts {
   EffectSet programFor(EffectSet needed, Content content) const;
   void draw(const Scene& scene, Content content, const glm::ivec2& size, const PixelRect& tile);
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
-  void bindTextures() const;
   Image render(const Scene& scene, Content content, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
@@ -117,16 +87,6 @@ EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const 
   return compilesAllEffects ? withAllNeutral(needed) : needed;
 }
 
-void RayCaster::Parts::bindTextures() const {
-  bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
-  bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
-  bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
-  bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
-  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
-  bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
-  bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
-}
-
 void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec2& size,
                             const PixelRect& tile) {
   const SavedState saved;
@@ -149,7 +109,7 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
 void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size) {
   shader.use();
   setUniforms(shader, scene, size, textures);
-  bindTextures();
+  bindTextures(textures);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -5,6 +5,8 @@
 #include "scene/RayFrame.h"
 #include "scene/StableMath.h"
 
+#include <epoxy/gl.h>
+
 #include <cmath>
 
 namespace limn {
@@ -112,7 +114,22 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }
 
+void bind(TextureUnit unit, unsigned target, unsigned texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(target, texture);
+}
+
 } // namespace
+
+void bindTextures(const SceneTextures& textures) {
+  bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
+  bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
+  bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
+  bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
+  bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
+  bind(TextureUnit::gradientBins, GL_TEXTURE_2D, textures.gradientCurve().bins());
+  bind(TextureUnit::gradientSegments, GL_TEXTURE_2D, textures.gradientCurve().segments());
+}
 
 int sampleLimit(const Scene& scene, const SceneTextures& textures) {
   // A hybrid picture marches twice, to find the surface and to gather what lies before it.

@@ -17,6 +17,9 @@ enum class TextureUnit {
   gradientSegments
 };
 
+/// Binds every texture to its unit.
+void bindTextures(const SceneTextures& textures);
+
 /// The most samples that one ray may take: `mostSamples`, less where each needs many steps through the
 /// transfer function, because drivers limit the iterations of all loops together.
 int sampleLimit(const Scene& scene, const SceneTextures& textures);

@@ -35,6 +35,30 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+// The volume, its classification and light, and the steps of a ray through it.
+void appendFieldBlocks(ShaderSource& source, EffectSet effects) {
+  const auto blockIf = [&](bool isNeeded, const char* name) {
+    if (isNeeded)
+      appendBlock(source, name);
+  };
+  for (const char* name : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
+    appendBlock(source, name);
+  blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
+  blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
+  blockIf(effects.has(Effect::jitter), "jitter.glsl");
+  blockIf(effects.has(Effect::gradient), "gradient.glsl");
+  blockIf(usesRatio(effects), "gradient_ratio.glsl");
+  blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
+  blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");
+  blockIf(effects.has(Effect::lighting), "lighting.glsl");
+  blockIf(effects.hasAny(fogs), "fog.glsl");
+  appendBlock(source, "march.glsl");
+}
+
+const char* sampleBlock(EffectSet effects) {
+  return effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl";
+}
+
 } // namespace
 
 const std::string& embeddedShader(const std::string& name) {
@@ -52,43 +76,45 @@ ShaderSource vertexSource() {
   return source;
 }
 
+ShaderSource sliceVertexSource() {
+  ShaderSource source;
+  source.append("prelude", version);
+  appendBlock(source, "slice.vert.glsl");
+  return source;
+}
+
 ShaderSource fragmentSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
-  const auto block = [&source](const char* name) { appendBlock(source, name); };
-  const auto blockIf = [&](bool isNeeded, const char* name) {
-    if (isNeeded)
-      block(name);
-  };
-  block("ray.glsl");
+  appendBlock(source, "ray.glsl");
   if (effects.has(Effect::sampleCounts)) {
-    block("sample_counts.glsl");
+    appendBlock(source, "sample_counts.glsl");
     return source;
   }
-  for (const char* name : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
-    block(name);
-  blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
-  blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
-  blockIf(effects.has(Effect::jitter), "jitter.glsl");
-  blockIf(effects.has(Effect::gradient), "gradient.glsl");
-  blockIf(usesRatio(effects), "gradient_ratio.glsl");
-  blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
-  blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");
-  blockIf(effects.has(Effect::lighting), "lighting.glsl");
-  blockIf(effects.hasAny(fogs), "fog.glsl");
-  block("march.glsl");
+  appendFieldBlocks(source, effects);
   if (effects.hasAny(scalarProjections)) {
-    block("scalar_projection.glsl");
+    appendBlock(source, "scalar_projection.glsl");
     return source;
   }
-  block(effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl");
-  blockIf(effects.hasAny({Effect::isosurface, Effect::hybrid}), "isosurface.glsl");
+  appendBlock(source, sampleBlock(effects));
+  if (effects.hasAny({Effect::isosurface, Effect::hybrid}))
+    appendBlock(source, "isosurface.glsl");
   if (effects.has(Effect::isosurface)) {
-    block("first_hit.glsl");
+    appendBlock(source, "first_hit.glsl");
     return source;
   }
-  block(effects.has(Effect::preintegration) ? "gather_segments.glsl" : "gather.glsl");
-  block("composite.glsl");
+  appendBlock(source, effects.has(Effect::preintegration) ? "gather_segments.glsl" : "gather.glsl");
+  appendBlock(source, "composite.glsl");
+  return source;
+}
+
+ShaderSource sliceSource(EffectSet effects) {
+  ShaderSource source;
+  source.append("prelude", prelude(effects));
+  appendBlock(source, "ray.glsl");
+  appendFieldBlocks(source, effects);
+  appendBlock(source, sampleBlock(effects));
+  appendBlock(source, "slice.glsl");
   return source;
 }
 

@@ -13,4 +13,8 @@ ShaderSource vertexSource();
 /// the set calls for, in the order of the stage contract (shaders/README.md).
 ShaderSource fragmentSource(EffectSet effects);
 
+/// The shaders of the slice renderer: the same blocks around another `main`.
+ShaderSource sliceVertexSource();
+ShaderSource sliceSource(EffectSet effects);
+
 } // namespace limn

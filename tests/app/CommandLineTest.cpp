@@ -48,7 +48,7 @@ protected:
 };
 
 TEST_F(CommandLine, helpOfEveryCommandShowsAnExample) {
-  for (const char* command : {"", "info", "render", "presets", "presets show"}) {
+  for (const char* command : {"", "info", "render", "effects", "presets", "presets show"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example: limn"), std::string::npos) << outcome.out;
@@ -80,6 +80,58 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   EXPECT_EQ(contentOf(first), contentOf(second));
 }
 
+TEST_F(CommandLine, effectsPrintsEveryRowWithItsReasonAndCostAsOneJsonObject) {
+  const Outcome outcome = run("effects phantom:8 --model enhanced --size 48x48 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_FALSE(json["renderer"].get<std::string>().empty());
+  const char* const names[] = {"gradient",
+                               "lighting",
+                               "specular",
+                               "exponent_map",
+                               "opacity_map",
+                               "gradient_curve",
+                               "robust",
+                               "fog",
+                               "crop",
+                               "early_termination",
+                               "preintegration",
+                               "empty_space_skipping",
+                               "gradient_opacity",
+                               "isosurface",
+                               "jitter",
+                               "knee",
+                               "two_sided"};
+  ASSERT_EQ(json["effects"].size(), std::size(names));
+  for (std::size_t i = 0; i < std::size(names); ++i) {
+    const nlohmann::json& effect = json["effects"][i];
+    EXPECT_EQ(effect.size(), 4u);
+    EXPECT_EQ(effect["name"], names[i]);
+    EXPECT_FALSE(effect["reason"].get<std::string>().empty());
+    EXPECT_TRUE(effect["on"].get<bool>() || effect["cost_ms"] == 0.0) << "what is off costs nothing";
+  }
+  EXPECT_EQ(json["effects"][4]["on"], true) << "opacity follows the gradient";
+  EXPECT_EQ(json["effects"][7]["on"], false) << "there is no fog";
+  EXPECT_NE(outcome.err.find("median"), std::string::npos) << "the method is named: " << outcome.err;
+}
+
+TEST_F(CommandLine, effectsPrintsATableAndTheMethod) {
+  const Outcome outcome = run("effects phantom:8 --model none --size 32x32");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* text :
+       {"lighting              off", "without light", "fog is off", "the median of 5 pictures"})
+    EXPECT_NE(outcome.out.find(text), std::string::npos) << text << " in " << outcome.out;
+}
+
+TEST_F(CommandLine, effectsPrintsTheShaderThatDrawsTheScene) {
+  const Outcome unlit = run("effects phantom:8 --model none --shader");
+  ASSERT_EQ(unlit.status, 0) << unlit.err;
+  EXPECT_EQ(unlit.out.rfind("#version 130", 0), 0u);
+  EXPECT_EQ(unlit.out.find("#define EFFECT_LIGHTING"), std::string::npos);
+  const Outcome lit = run("effects phantom:8 --model enhanced --shader");
+  EXPECT_NE(lit.out.find("#define EFFECT_OPACITY_MAP"), std::string::npos);
+}
+
 TEST_F(CommandLine, sceneFileRenders) {
   std::ofstream(file("scene.json"))
       << R"({"limn_scene": 1, "volume": "phantom:8", "image": {"width": 40, "height": 30}})";
@@ -94,6 +146,20 @@ TEST_F(CommandLine, referenceAndGlWriteThePicturesOfOneScene) {
   ASSERT_EQ(run("render phantom:6 --size 48x48 --engine gl -o " + file("gl.png").string()).status, 0);
   ASSERT_EQ(run("render phantom:6 --size 48x48 --engine reference -o " + file("ref.png").string()).status, 0);
   EXPECT_GT(std::filesystem::file_size(file("ref.png")), 1000u);
+}
+
+TEST_F(CommandLine, slicesWriteThePictureInBothOrdersAndRefuseOtherProjections) {
+  for (const char* engine : {"slices", "slices-back-to-front"}) {
+    const std::string picture = file(std::string(engine) + ".png").string();
+    const Outcome outcome =
+        run("render phantom:6 --size 48x48 --engine " + std::string(engine) + " -o " + picture);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(picture), 1000u);
+  }
+  std::ofstream(file("mip.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "projection": "mip"})";
+  const Outcome refused = run("render " + file("mip.json").string() + " --engine slices -o x.png");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("Slices cannot draw the projection \"mip\""), std::string::npos) << refused.err;
 }
 
 TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
@@ -112,6 +178,8 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"render phantom:abc -o x.png", 2, "phantom:abc"},
       {"render nowhere.nii.gz -o x.png", 3, "nowhere.nii.gz"},
       {"info nowhere.nii.gz", 3, "nowhere.nii.gz"},
+      {"effects", 2, "SOURCE"},
+      {"effects phantom:8 --model compare", 2, "compare"},
       {"frobnicate --loudly", 2, "loudly"},
       {"presets show nothing", 2, "nothing"},
       {"phantom:8 --spacing 1,2", 2, "--spacing"},
@@ -153,7 +221,7 @@ TEST_F(CommandLine, withoutADisplayTheWindowSaysWhatToDo) {
 TEST_F(CommandLine, presetsAreListedAndShown) {
   const Outcome list = run("presets list");
   EXPECT_EQ(list.status, 0);
-  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 6);
+  EXPECT_EQ(std::count(list.out.begin(), list.out.end(), '\n'), 10);
   const Outcome show = run("presets show 'CT bone'");
   EXPECT_EQ(nlohmann::json::parse(show.out)["name"], "CT bone");
   EXPECT_EQ(run("presets show 'ct BONE'").out, show.out);

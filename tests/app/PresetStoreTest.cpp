@@ -16,9 +16,9 @@ Preset named(const std::string& name) {
   return preset;
 }
 
-TEST(BuiltInPresets, areTheSixOfTheProgramAndEachCanBeRead) {
+TEST(BuiltInPresets, areTheTenOfTheProgramAndEachCanBeRead) {
   const std::vector<Preset> presets = builtInPresets();
-  ASSERT_EQ(presets.size(), 6u);
+  ASSERT_EQ(presets.size(), 10u);
   for (const Preset& preset : presets) {
     EXPECT_FALSE(preset.note.empty()) << preset.name;
     EXPECT_GE(preset.transferFunction.points.size(), 3u) << preset.name;

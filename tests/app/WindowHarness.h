@@ -50,6 +50,11 @@ protected:
                            30000);
   }
 
+  /// Waits until nothing is left to do at rest either.
+  [[nodiscard]] bool idle() {
+    return QTest::qWaitFor([this] { return !window->loader().isLoading() && view().isIdle(); }, 30000);
+  }
+
   [[nodiscard]] bool open(const QString& source) {
     window->openSource(source);
     return QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000);

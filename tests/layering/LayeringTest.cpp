@@ -62,15 +62,23 @@ TEST(Layering, sceneUsesOnlyTheStandardLibraryAndGlm) {
 }
 
 TEST(Layering, referenceAndGlKnowOnlyTheScene) {
-  expectNoIncludes("renderer/reference", "^(io|gl|raycaster|widgets|app)/",
+  expectNoIncludes("renderer/reference", "^(io|gl|raycaster|slices|widgets|app)/",
                    "the reference checks the others");
-  expectNoIncludes("renderer/gl", "^(io|raycaster|reference|widgets|app)/", "gl knows nothing of volumes");
-  expectNoIncludes("renderer/raycaster", "^(io|reference|widgets|app)/",
+  expectNoIncludes("renderer/gl", "^(io|raycaster|slices|reference|widgets|app)/",
+                   "gl knows nothing of volumes");
+  expectNoIncludes("renderer/raycaster", "^(io|slices|reference|widgets|app)/",
                    "the ray caster draws from the scene alone");
 }
 
+TEST(Layering, slicesShareTheRayCastersTexturesAndBlocksAndKnowNothingElse) {
+  expectNoIncludes("renderer/slices", "^(io|reference|accuracy|widgets|app)/",
+                   "slices draw from the scene alone");
+  expectNoIncludes("renderer/slices", "^raycaster/RayCaster.h", "slices share blocks and textures, not rays");
+}
+
 TEST(Layering, onlyIoTalksToFileLibraries) {
-  for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/reference", "widgets"})
+  for (const char* folder :
+       {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference", "widgets"})
     expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
                      "files are read and written in io");
 }
@@ -80,7 +88,7 @@ TEST(Layering, widgetsIncludeNeitherIoNorApp) {
 }
 
 TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {
-  expectNoIncludes("renderer/io", "^(gl|raycaster|reference|widgets|app)/", "readers make values");
+  expectNoIncludes("renderer/io", "^(gl|raycaster|slices|reference|widgets|app)/", "readers make values");
 }
 
 TEST(Sources, carryTheirLicence) {

@@ -36,6 +36,8 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
   connect(&m_idleTimer, &QTimer::timeout, this, &CompareView::refine);
   m_refineTimer.setSingleShot(true);
   connect(&m_refineTimer, &QTimer::timeout, this, &CompareView::refine);
+  m_restTimer.setSingleShot(true);
+  connect(&m_restTimer, &QTimer::timeout, this, &CompareView::workAtRest);
 
   m_labelFade.setDuration(labelFadeMs);
   m_labelFade.setStartValue(1.0);
@@ -228,6 +230,7 @@ void CompareView::releasePictures() {
   if (!m_pictures)
     return;
   m_refineTimer.stop();
+  m_restTimer.stop();
   makeCurrent();
   m_pictures.reset();
   doneCurrent();
@@ -256,6 +259,8 @@ void CompareView::showEvent(QShowEvent* event) {
   });
   if (!m_state.resting)
     redraw();
+  else
+    m_restTimer.start(0);
 }
 
 void CompareView::updatePanels() {
@@ -279,6 +284,7 @@ void CompareView::redraw() {
   }
   m_refineTimer.stop();
   m_idleTimer.stop();
+  leaveRest();
   updatePanels();
   update();
 }
@@ -324,6 +330,7 @@ void CompareView::drawCoarsely() {
   }
   m_idleTimer.start();
   updateState();
+  showEffects();
 }
 
 // Of a wipe's two pictures each shows one part.
@@ -348,6 +355,8 @@ void CompareView::refine() {
     update();
   if (!complete && m_error.isEmpty())
     m_refineTimer.start(0);
+  else if (m_error.isEmpty())
+    m_restTimer.start(0);
 }
 
 void CompareView::updateState() {
@@ -356,8 +365,8 @@ void CompareView::updateState() {
   state.limitation = m_pictures->limitation();
   for (int i = 0; i < m_pictures->count(); ++i) {
     const SidePicture& side = m_pictures->side(i);
-    state.sides.push_back(
-        {side.scene().shading.model, side.fraction(), side.shownStepVoxels(), side.completeMs()});
+    state.sides.push_back({side.scene().shading.model, side.fraction(), side.shownStepVoxels(),
+                           side.completeMs(), side.contrast(), m_pictures->rest().overflow(i)});
     state.resting = state.resting && side.finished();
   }
   if (state == m_state)

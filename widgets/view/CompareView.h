@@ -4,6 +4,7 @@
 #include "scene/Image.h"
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
+#include "widgets/effects/EffectTimes.h"
 #include "widgets/view/CompareLayout.h"
 #include "widgets/view/CropBoxGeometry.h"
 #include "widgets/view/InteractionQuality.h"
@@ -90,6 +91,9 @@ public:
   /// How many shader programs were compiled so far.
   int compiledPrograms() const;
 
+  /// Whether the pictures rest and all that is done at rest is done.
+  bool isIdle() const { return m_state.resting && !m_restTimer.isActive(); }
+
   QSize sizeHint() const override { return {960, 540}; }
   QSize minimumSizeHint() const override { return {240, 180}; }
 
@@ -97,6 +101,10 @@ public slots:
   /// Asks for a standard view that fills the picture with the volume; reset is the anterior one.
   void lookFrom(limn::StandardView view);
   void resetCamera();
+
+  /// Measures at rest what each effect of the picture costs whose effects are told; the next change of what
+  /// is shown stops it.
+  void measureEffects();
 
 signals:
   void cameraEdited(const limn::Camera& camera);
@@ -112,6 +120,9 @@ signals:
   void shortcutListRequested();
   void maximiseRequested();
   void pictureStateChanged(const limn::PictureState& state);
+  /// What the picture, called `picture`, calls for; of two pictures the right one.
+  void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
+  void effectTimesChanged(const limn::EffectTimes& times);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
   void openFolderRequested();
@@ -173,6 +184,14 @@ private:
   void updatePanels();
   void wakeLabels();
 
+  // While nothing changes (CompareViewRest.cpp)
+  void workAtRest();
+  void leaveRest();
+  void showEffects();
+  void tellEffects(const std::vector<EffectRow>& rows, const QString& picture);
+  void showTimes(const EffectTimes& times);
+  int sideOfEffects() const { return pictureCount(m_layout) - 1; }
+
   // What stands above the pictures (CompareViewOverlay.cpp)
   void paintOverlay();
   std::vector<QRectF> paintTitles(QPainter& painter);
@@ -227,6 +246,10 @@ private:
   bool m_stale = true; ///< the scene changed since it was last drawn
   QTimer m_idleTimer;  ///< from the last coarse picture to the start of refinement
   QTimer m_refineTimer;
+  QTimer m_restTimer;
+  std::vector<EffectRow> m_effects; ///< as told last
+  QString m_effectsPicture;
+  EffectTimes m_times;
   QElapsedTimer m_sinceShown;
   PictureState m_state;
   QString m_error;

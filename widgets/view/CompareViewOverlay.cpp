@@ -42,13 +42,11 @@ QRectF CompareView::logicalRect(int position) const {
 SideLabel CompareView::labelOf(int position) const {
   const int side = sideShownAt(position);
   const Scene scene = sceneOfSide(side);
-  std::optional<double> ms;
-  if (side < static_cast<int>(m_state.sides.size()))
-    ms = m_state.sides[side].completeMs;
+  const bool isDrawn = side < static_cast<int>(m_state.sides.size());
   SideLabel label;
   label.title = sideTitle(scene);
   label.leadsToMenu = usesLight(scene.projection);
-  label.details = sideDetails(scene, ms);
+  label.details = sideDetails(scene, isDrawn ? m_state.sides[side] : SideState{});
   label.hovered = position == m_hoveredLabel;
   label.detailsOpacity = label.hovered ? 1.0 : m_labelFade.currentValue().toDouble();
   return label;

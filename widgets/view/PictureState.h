@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Shading.h"
+#include "scene/PictureFigures.h"
 
 #include <QString>
 
@@ -16,6 +16,8 @@ struct SideState {
   double fraction = 0.0;            ///< of the picture at rest, 0..1
   double stepVoxels = 0.0;          ///< of what is shown, in units of the smallest spacing
   std::optional<double> completeMs; ///< drawing time of the last complete picture at rest
+  std::optional<double> contrast;   ///< of the picture at rest, RMS
+  std::optional<Overflow> overflow; ///< of the light before it is limited; absent where unlit
   bool operator==(const SideState&) const = default;
 };
 

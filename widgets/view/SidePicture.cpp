@@ -3,6 +3,7 @@
 
 #include "widgets/view/SidePicture.h"
 
+#include "scene/PictureFigures.h"
 #include "widgets/view/PictureBytes.h"
 
 #include <algorithm>
@@ -43,6 +44,7 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_schedule = TileSchedule(size);
   m_finished = false;
   m_image.reset();
+  m_contrast.reset();
   m_bytes = QImage();
 }
 
@@ -113,6 +115,7 @@ unsigned SidePicture::finerTexture() const {
 
 void SidePicture::finish() {
   m_image = m_full.read();
+  m_contrast = contrastOf(*m_image);
   m_bytes = overBackground(*m_image, m_scene.image.background);
   const QImage upwards = m_bytes.mirrored();
   m_bytesTexture.upload(m_size, upwards.constBits());

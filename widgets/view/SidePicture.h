@@ -58,6 +58,7 @@ public:
   const GradientScale& gradientScale() const { return m_gradientScale; }
   const std::optional<Image>& image() const { return m_image; } ///< while finished
   const QImage& bytes() const { return m_bytes; }               ///< while finished
+  std::optional<double> contrast() const { return m_contrast; } ///< while finished
 
 private:
   Scene m_scene;
@@ -73,6 +74,7 @@ private:
   ByteTexture m_bytesTexture;
   std::optional<Image> m_image;
   QImage m_bytes;
+  std::optional<double> m_contrast;
 };
 
 } // namespace limn

@@ -54,14 +54,18 @@ QString sideTitle(const Scene& scene) {
   return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
 }
 
-QString sideDetails(const Scene& scene, std::optional<double> completeMs) {
+QString sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
+  if (state.contrast)
+    parts << translated("contrast %1").arg(*state.contrast, 0, 'f', 3);
+  if (state.overflow)
+    parts << translated("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
+  if (state.completeMs)
+    parts << translated("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
   const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
                                                        : translated("unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
-  if (completeMs)
-    parts << translated("%1 ms").arg(*completeMs, 0, 'f', *completeMs < 10.0 ? 1 : 0);
   return parts.join(QStringLiteral(" · "));
 }
 

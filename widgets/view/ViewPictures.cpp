@@ -34,6 +34,18 @@ void ViewPictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size
   m_count = static_cast<int>(scenes.size());
   for (int i = 0; i < m_count; ++i)
     m_sides[i].want(scenes[i], size);
+  m_rest.want(scenes, size);
+}
+
+bool ViewPictures::workAtRest() {
+  resetState();
+  return m_rest.step(m_caster);
+}
+
+std::vector<EffectRow> ViewPictures::effectRowsOf(int side) {
+  resetState();
+  const Scene& scene = m_sides[side].scene();
+  return effectRows(scene, m_caster.plan(scene));
 }
 
 double ViewPictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/view/CompareLayout.h"
+#include "widgets/view/RestWork.h"
 #include "widgets/view/SidePicture.h"
 
 #include <QString>
@@ -29,6 +30,14 @@ public:
   /// True when they are.
   bool refine(double budgetMs);
 
+  /// Does one piece of what is done at rest. False when there was nothing to do.
+  bool workAtRest();
+  RestWork& rest() { return m_rest; }
+  const RestWork& rest() const { return m_rest; }
+
+  /// What the picture of a side calls for at rest.
+  std::vector<EffectRow> effectRowsOf(int side);
+
   /// How the finished and half-finished pictures are put together on the screen.
   struct Arrangement {
     CompareLayout layout = CompareLayout::single;
@@ -53,6 +62,7 @@ private:
   RayCaster m_caster;
   PicturePresenter m_presenter;
   std::array<SidePicture, 2> m_sides;
+  RestWork m_rest;
   int m_count = 0;
 };
 

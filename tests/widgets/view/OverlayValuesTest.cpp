@@ -80,13 +80,21 @@ TEST(CompareLayout, hasNoPictureWhereTheViewIsTooSmall) {
 
 TEST(SideText, namesTheFewNumbersThatMatter) {
   Scene scene;
-  EXPECT_EQ(sideDetails(scene, std::nullopt), QString::fromUtf8("SP 32"));
+  EXPECT_EQ(sideDetails(scene, {}), QString::fromUtf8("SP 32"));
   scene.shading.model = ShadingModel::enhanced;
-  EXPECT_EQ(sideDetails(scene, 23.4), QString::fromUtf8("SP 1–64 · O 0–3 · 23 ms"));
+  SideState state;
+  state.completeMs = 23.4;
+  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("23 ms · SP 1–64 · O 0–3"));
+  state.contrast = 0.2017;
+  state.overflow = Overflow{0.0283, 0.1};
+  EXPECT_EQ(sideDetails(scene, state),
+            QString::fromUtf8("contrast 0.202 · overflow 2.8 % · 23 ms · SP 1–64 · O 0–3"));
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
   scene.projection = Projection::mip;
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));
-  EXPECT_EQ(sideDetails(scene, 4.16), QString::fromUtf8("unlit, the same with every model · 4.2 ms"));
+  state = {};
+  state.completeMs = 4.16;
+  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("4.2 ms · unlit, the same with every model"));
 }
 
 } // namespace

@@ -122,7 +122,7 @@ TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
   host.view.setCompareLayout(CompareLayout::sideBySide);
   host.showPhantom();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(host.rest());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000));
   const int before = host.view.compiledPrograms();
   EXPECT_GE(before, 2);
   const QImage old = host.view.currentPicture(0);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slices/ProxySlabs.h"
+
+#include "scene/RayFrame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr double beyondBoxMm = 1e30;
+
+struct Depths {
+  double nearest = 0.0;
+  double farthest = 0.0;
+};
+
+// The box as the camera sees it.
+struct View {
+  RayFrame frame;
+  glm::dvec3 spacingMm;
+  glm::dvec2 halfSize; // pixels
+  std::array<glm::dvec3, 8> corners{};
+  std::array<double, 8> depths{};
+
+  View(const Scene& scene, const glm::ivec2& size)
+      : frame(rayFrame(scene.camera, scene.volume->grid(), size)), spacingMm(scene.volume->grid().spacingMm),
+        halfSize(glm::dvec2(size) / 2.0) {
+    const IndexBox box = croppedBox(scene.volume->grid(), scene.crop);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      corners[i] = {(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
+                    (i & 4) != 0 ? box.upper.z : box.lower.z};
+      depths[i] = glm::dot((corners[i] - frame.anchor) * spacingMm, frame.direction * spacingMm);
+    }
+  }
+
+  Depths depthsOfBox() const {
+    const auto [nearest, farthest] = std::minmax_element(depths.begin(), depths.end());
+    return {std::max(*nearest, -frame.anchorDistanceMm), *farthest};
+  }
+
+  glm::dvec2 inPicture(const glm::dvec3& point, double depth) const {
+    const glm::dvec3 offset = (point - frame.anchor) * spacingMm;
+    const glm::dvec3 x = (frame.anchorX + depth * frame.directionX) * spacingMm;
+    const glm::dvec3 y = (frame.anchorY + depth * frame.directionY) * spacingMm;
+    return {glm::dot(offset, x) / glm::dot(x, x), glm::dot(offset, y) / glm::dot(y, y)};
+  }
+};
+
+// The corners of the part of the box between two depths, as the picture shows them.
+std::vector<glm::dvec2> cornersBetween(const View& view, double nearMm, double farMm) {
+  std::vector<glm::dvec2> seen;
+  for (std::size_t i = 0; i < 8; ++i)
+    if (view.depths[i] >= nearMm && view.depths[i] <= farMm)
+      seen.push_back(view.inPicture(view.corners[i], view.depths[i]));
+  for (std::size_t i = 0; i < 8; ++i)
+    for (const std::size_t bit : {1u, 2u, 4u}) {
+      if ((i & bit) != 0)
+        continue;
+      // An edge of the box crosses a plane where its ends lie on either side.
+      const double from = view.depths[i];
+      const double to = view.depths[i | bit];
+      for (const double plane : {nearMm, farMm})
+        if ((from < plane) != (to < plane)) {
+          const double share = (plane - from) / (to - from);
+          seen.push_back(view.inPicture(glm::mix(view.corners[i], view.corners[i | bit], share), plane));
+        }
+    }
+  return seen;
+}
+
+// The polygon on the grid that covers a polygon of the picture with a margin of a line of the grid, for what
+// rounding loses here and in the rasteriser.
+ConvexPolygon onGrid(const ConvexPolygon& polygon) {
+  std::vector<glm::dvec2> around;
+  for (const glm::dvec2& corner : polygon)
+    for (const glm::dvec2& shift : {glm::dvec2(-1.5), {1.5, -1.5}, {-1.5, 1.5}, glm::dvec2(1.5)})
+      around.push_back(glm::round(gridPerPixel * corner + shift));
+  ConvexPolygon hull = convexHull(std::move(around));
+  for (glm::dvec2& corner : hull)
+    corner /= gridPerPixel;
+  return hull;
+}
+
+ConvexPolygon coverOf(const View& view, double nearMm, double farMm) {
+  const glm::dvec2 beyond = view.halfSize + 1.0;
+  // At the eye the picture has no bounds.
+  const double fromEye = nearMm + view.frame.anchorDistanceMm;
+  if (view.frame.tangentPerPixel > 0.0 && fromEye < 1e-6 * (farMm - nearMm))
+    return onGrid({-beyond, {beyond.x, -beyond.y}, beyond, {-beyond.x, beyond.y}});
+  return onGrid(clipped(convexHull(cornersBetween(view, nearMm, farMm)), -beyond, beyond));
+}
+
+} // namespace
+
+double slabsWanted(const Scene& scene, const glm::ivec2& size) {
+  const Depths box = View(scene, size).depthsOfBox();
+  return std::max(0.0, (box.farthest - box.nearest) / stepMm(scene));
+}
+
+std::vector<ProxySlab> proxySlabs(const Scene& scene, const glm::ivec2& size) {
+  const View view(scene, size);
+  const Depths box = view.depthsOfBox();
+  std::vector<ProxySlab> slabs;
+  if (!(box.farthest > box.nearest))
+    return slabs;
+  const int count = sampleCount(box.farthest - box.nearest, stepMm(scene));
+  const double thickness = (box.farthest - box.nearest) / count;
+  const auto plane = [&](int i) { return i == count ? box.farthest : box.nearest + i * thickness; };
+  for (int i = 0; i < count; ++i) {
+    ProxySlab slab{i == 0 ? -beyondBoxMm : plane(i), i + 1 == count ? beyondBoxMm : plane(i + 1),
+                   coverOf(view, plane(i), plane(i + 1))};
+    if (!slab.polygon.empty())
+      slabs.push_back(std::move(slab));
+  }
+  return slabs;
+}
+
+} // namespace limn

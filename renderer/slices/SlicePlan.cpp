@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slices/SlicePlan.h"
+
+#include "scene/Error.h"
+
+#include <array>
+
+namespace limn {
+namespace {
+
+struct Dropped {
+  Effect effect;
+  const char* reason;
+};
+
+constexpr std::array droppedBySlices{
+    Dropped{Effect::earlyTermination,
+            "slices are blended one after the other and none knows which pixels are done"},
+    Dropped{Effect::emptySpaceSkipping, "a slice is one sample: there is nothing to step over"},
+    Dropped{Effect::longRays, "slices are no loop in the shader"},
+};
+
+const char* nameOf(Projection projection) {
+  switch (projection) {
+  case Projection::composite:
+    return "composite";
+  case Projection::mip:
+    return "mip";
+  case Projection::minip:
+    return "minip";
+  case Projection::average:
+    return "average";
+  case Projection::xray:
+    return "xray";
+  case Projection::isosurface:
+    return "isosurface";
+  case Projection::compositeIsosurface:
+    return "composite_isosurface";
+  }
+  return "";
+}
+
+} // namespace
+
+void requireSliceable(const Scene& scene) {
+  requireDrawable(scene);
+  if (scene.projection != Projection::composite && scene.projection != Projection::xray)
+    throw Error(Error::Kind::usage, std::string("Slices cannot draw the projection \"") +
+                                        nameOf(scene.projection) +
+                                        "\", only composite and xray; use --engine gl or reference for it.");
+}
+
+EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {
+  EffectPlan plan = requiredEffects(scene, facts);
+  for (const Dropped& dropped : droppedBySlices) {
+    plan.effects = plan.effects.without(dropped.effect);
+    for (EffectReason& reason : plan.reasons)
+      if (reason.effect == dropped.effect)
+        reason = {dropped.effect, false, dropped.reason};
+  }
+  plan.effects = canonical(plan.effects);
+  return plan;
+}
+
+} // namespace limn

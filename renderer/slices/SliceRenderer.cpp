@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slices/SliceRenderer.h"
+
+#include "gl/FloatTarget.h"
+#include "gl/GlVersion.h"
+#include "gl/SavedState.h"
+#include "gl/ShaderProgram.h"
+#include "raycaster/SceneTextures.h"
+#include "raycaster/SceneUniforms.h"
+#include "raycaster/ShaderVariant.h"
+#include "scene/RayFrame.h"
+#include "slices/ProxySlabs.h"
+#include "slices/SlicePlan.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <map>
+
+namespace limn {
+namespace {
+
+// Slabs go to the driver in pieces that no watchdog takes for a hang.
+constexpr std::size_t fragmentsPerDraw = std::size_t(1) << 25;
+
+// The triangles of all slabs in the order of blending, and where each slab's begin.
+struct Triangles {
+  std::vector<glm::vec4> corners; // place in the viewport, near and far plane in mm
+  std::vector<int> starts{0};
+};
+
+void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, Triangles& triangles) {
+  const auto corner = [&](std::size_t i) {
+    return glm::vec4(glm::vec2(slab.polygon[i] / halfSize), slab.nearMm, slab.farMm);
+  };
+  for (std::size_t i = 2; i < slab.polygon.size(); ++i)
+    for (const std::size_t k : {std::size_t(0), i - 1, i})
+      triangles.corners.push_back(corner(k));
+  triangles.starts.push_back(static_cast<int>(triangles.corners.size()));
+}
+
+Triangles trianglesOf(const std::vector<ProxySlab>& slabs, const glm::ivec2& size, BlendOrder order) {
+  Triangles triangles;
+  for (std::size_t i = 0; i < slabs.size(); ++i)
+    appendSlab(slabs[order == BlendOrder::frontToBack ? i : slabs.size() - 1 - i], glm::dvec2(size) / 2.0,
+               triangles);
+  return triangles;
+}
+
+// The lecture's "F over B" for premultiplied colours, whether B comes last or F does.
+void setBlending(BlendOrder order) {
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  if (order == BlendOrder::frontToBack)
+    glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  else
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void drawInPieces(const Triangles& triangles, const glm::ivec2& size) {
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t piece = std::max<std::size_t>(1, fragmentsPerDraw / pixels);
+  const std::size_t slabs = triangles.starts.size() - 1;
+  for (std::size_t first = 0; first < slabs; first += piece) {
+    const int begin = triangles.starts[first];
+    glDrawArrays(GL_TRIANGLES, begin, triangles.starts[std::min(first + piece, slabs)] - begin);
+    glFlush();
+  }
+}
+
+} // namespace
+
+struct SliceRenderer::Parts {
+  BlendOrder order;
+  SceneTextures textures;
+  std::map<EffectSet, ShaderProgram> programs;
+  GlBuffer corners;
+  GlVertexArray vertexArray;
+  std::string stepLimitation;
+
+  explicit Parts(BlendOrder blendOrder);
+  const ShaderProgram& program(EffectSet effects);
+  void noteStepLimit(const Scene& scene, const glm::ivec2& size);
+  void draw(const Scene& scene, const glm::ivec2& size);
+};
+
+SliceRenderer::Parts::Parts(BlendOrder blendOrder) : order(blendOrder) {
+  const SavedState saved;
+  glBindVertexArray(vertexArray.name());
+  glBindBuffer(GL_ARRAY_BUFFER, corners.name());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+const ShaderProgram& SliceRenderer::Parts::program(EffectSet effects) {
+  const auto known = programs.find(effects);
+  if (known != programs.end())
+    return known->second;
+  return programs.emplace(effects, ShaderProgram(sliceVertexSource(), sliceSource(effects))).first->second;
+}
+
+void SliceRenderer::Parts::noteStepLimit(const Scene& scene, const glm::ivec2& size) {
+  stepLimitation.clear();
+  if (slabsWanted(scene, size) > mostSamples)
+    stepLimitation = "The step is so small that the volume would need more than " +
+                     std::to_string(mostSamples) + " slices; it is drawn with that number.";
+}
+
+void SliceRenderer::Parts::draw(const Scene& scene, const glm::ivec2& size) {
+  const SavedState saved;
+  const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  textures.update(scene);
+  const EffectPlan plan = sliceEffects(scene, textures.facts(scene));
+  if (!plan.isVisible)
+    return;
+  textures.measure(scene, plan.effects);
+  const ShaderProgram& shader = program(plan.effects);
+  shader.use();
+  setUniforms(shader, scene, size, textures);
+  bindTextures(textures);
+  glViewport(0, 0, size.x, size.y);
+  const Triangles triangles = trianglesOf(proxySlabs(scene, size), size, order);
+  glBindVertexArray(vertexArray.name());
+  glBindBuffer(GL_ARRAY_BUFFER, corners.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.corners.size() * sizeof(glm::vec4)),
+               triangles.corners.data(), GL_STREAM_DRAW);
+  setBlending(order);
+  drawInPieces(triangles, size);
+}
+
+SliceRenderer::SliceRenderer(BlendOrder order) {
+  requireOpenGl3();
+  m_parts = std::make_unique<Parts>(order);
+}
+SliceRenderer::~SliceRenderer() = default;
+SliceRenderer::SliceRenderer(SliceRenderer&&) noexcept = default;
+SliceRenderer& SliceRenderer::operator=(SliceRenderer&&) noexcept = default;
+
+Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
+  requireSliceable(scene);
+  m_parts->noteStepLimit(scene, size);
+  const FloatTarget target(size);
+  m_parts->draw(scene, size);
+  return readBack(size);
+}
+
+const GradientScale& SliceRenderer::gradientScale() const {
+  return m_parts->textures.gradientScale();
+}
+
+std::string SliceRenderer::limitation() const {
+  return m_parts->textures.limitation() + m_parts->stepLimitation;
+}
+
+} // namespace limn

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/controls/ValueSlider.h"
+#include "widgets/scene/FogSection.h"
+#include "widgets/shading/ShadingPanel.h"
+#include "widgets/shading/ShadingSection.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+
+// Sliders are dragged off and across the value at which an effect vanishes: no frame may wait for a shader.
+// CTest runs these twice, with the driver's cache of shaders and without.
+
+namespace limn {
+namespace {
+
+constexpr int frames = 24;
+constexpr int patienceMs = 20000;
+
+struct DragFigures {
+  int compiled = 0; ///< programs, during the drag
+  double medianMs = 0.0;
+  double longestMs = 0.0;
+};
+
+class NeutralDrag : public test::WindowHarness {
+protected:
+  // Shows the phantom with the scene changed, with nothing left to do.
+  [[nodiscard]] bool show(const std::function<void(Scene&)>& change, CompareLayout layout) {
+    if (!open(QStringLiteral("phantom:4")))
+      return false;
+    window->setCompareLayout(layout);
+    for (FoldingSection* section : window->findChildren<FoldingSection*>())
+      section->setFolded(false);
+    Scene changed = scene();
+    change(changed);
+    window->session().edit(changed, {nextGestureId(), QStringLiteral("start")});
+    return idle();
+  }
+
+  template <class Slider>
+  TrackSlider* track(const QString& label) {
+    for (Slider* one : window->findChildren<Slider*>())
+      if (one->label()->text() == label)
+        return one->slider();
+    return nullptr;
+  }
+
+  // One mouse move until its frame is shown; where other programs had the processor, our own time counts.
+  double frameMs(TrackSlider& slider, const QPoint& to) {
+    bool isShown = false;
+    const auto connection =
+        QObject::connect(&view(), &QOpenGLWidget::frameSwapped, [&isShown] { isShown = true; });
+    QElapsedTimer clock;
+    clock.start();
+    const std::clock_t processor = std::clock();
+    QTest::mouseEvent(QTest::MouseMove, &slider, Qt::NoButton, {}, to);
+    while (!isShown && clock.elapsed() < patienceMs)
+      QCoreApplication::processEvents();
+    QObject::disconnect(connection);
+    EXPECT_TRUE(isShown);
+    const double processorMs = 1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+    return std::min<double>(clock.nsecsElapsed() * 1e-6, processorMs);
+  }
+
+  // Drags a handle by `pixels` and back again.
+  DragFigures drag(TrackSlider& slider, int handle, int pixels) {
+    DragFigures figures;
+    const QPoint from = slider.handleCentre(handle).toPoint();
+    const int programs = view().compiledPrograms();
+    std::vector<double> ms;
+    QTest::mousePress(&slider, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= frames; ++i) {
+      const int half = frames / 2;
+      const int part = i <= half ? i : frames - i;
+      ms.push_back(frameMs(slider, from + QPoint(pixels * part / half, 0)));
+    }
+    figures.compiled = view().compiledPrograms() - programs;
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, from);
+    std::sort(ms.begin(), ms.end());
+    figures.medianMs = ms[ms.size() / 2];
+    figures.longestMs = ms.back();
+    return figures;
+  }
+
+  void expectNoStall(const char* what, const DragFigures& figures) {
+    std::printf("%s: %d programs compiled, median frame %.1f ms, longest %.1f ms\n", what, figures.compiled,
+                figures.medianMs, figures.longestMs);
+    EXPECT_EQ(figures.compiled, 0);
+    // A program takes a driver a quarter of a second and more; a frame aims at 40 ms.
+    EXPECT_LE(figures.longestMs, std::max(250.0, 2.5 * figures.medianMs));
+  }
+};
+
+TEST_F(NeutralDrag, highlightsLeaveZeroWithoutAStall) {
+  ASSERT_TRUE(show([](Scene& s) { s.shading.specular = 0.0; }, CompareLayout::sideBySide));
+  TrackSlider* slider = track<ValueSlider>(QStringLiteral("Highlights (ks)"));
+  ASSERT_NE(slider, nullptr);
+  expectNoStall("specular", drag(*slider, 0, 80));
+  EXPECT_EQ(scene().shading.specular, 0.0) << "the drag ends where it began";
+}
+
+TEST_F(NeutralDrag, boundaryEmphasisOpensWithoutAStall) {
+  ASSERT_TRUE(show(
+      [](Scene& s) {
+        s.shading.model = ShadingModel::enhanced;
+        s.shading.opacityRange = {1.0, 1.0};
+        s.shading.exponentRange = {32.0, 32.0};
+      },
+      CompareLayout::single));
+  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
+  ASSERT_NE(slider, nullptr);
+  expectNoStall("boundary emphasis", drag(*slider, 1, 60));
+}
+
+TEST_F(NeutralDrag, highlightSharpnessOpensWithoutAStall) {
+  ASSERT_TRUE(show(
+      [](Scene& s) {
+        s.shading.model = ShadingModel::robust;
+        s.shading.opacityRange = {1.0, 1.0};
+        s.shading.exponentRange = {32.0, 32.0};
+      },
+      CompareLayout::single));
+  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  ASSERT_NE(slider, nullptr);
+  expectNoStall("highlight sharpness", drag(*slider, 1, 40));
+}
+
+TEST_F(NeutralDrag, fogRisesWithoutAStall) {
+  ASSERT_TRUE(show(
+      [](Scene& s) {
+        s.fog = {Fog::Mode::exp2, glm::dvec3(0.1), 0.0, 0.0, 1000.0};
+      },
+      CompareLayout::sideBySide));
+  TrackSlider* slider = window->findChild<FogSection*>()->densitySlider()->slider();
+  ASSERT_NE(slider, nullptr);
+  expectNoStall("fog", drag(*slider, 0, 80));
+}
+
+TEST_F(NeutralDrag, idleTimeIsSpentInPiecesThatLeaveTheEventLoopFree) {
+  ASSERT_TRUE(show([](Scene&) {}, CompareLayout::sideBySide));
+  const PictureState& state = view().pictureState();
+  ASSERT_EQ(state.sides.size(), 2u);
+  for (const SideState& side : state.sides) {
+    EXPECT_TRUE(side.contrast);
+    EXPECT_TRUE(side.overflow);
+  }
+  const int programs = view().compiledPrograms();
+  // The same scene at rest again compiles nothing more.
+  view().update();
+  ASSERT_TRUE(idle());
+  EXPECT_EQ(view().compiledPrograms(), programs);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raycaster/EffectCosts.h"
+#include "gl/FloatTarget.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+using EffectCostsOnADriver = test::GlTest;
+
+constexpr glm::ivec2 size{96, 96};
+
+Scene croppedScene() {
+  Scene scene = test::headScene(phantomVolume({4.0, 0.0, 1}), ShadingModel::enhanced);
+  scene.quality.earlyTermination = 0.998;
+  scene.crop.upper = {1.0, 0.04, 1.0};
+  scene.fog = {Fog::Mode::exp, glm::dvec3(0.0), 0.001, 0.0, 0.0};
+  return scene;
+}
+
+TEST(EffectCostFigures, areDifferencesOfMediansWithTheSpreadOfTheirRounds) {
+  EXPECT_EQ(medianOf({}), 0.0);
+  EXPECT_EQ(medianOf({3.0, 1.0, 2.0}), 2.0);
+  EXPECT_EQ(medianOf({4.0, 1.0, 2.0, 3.0}), 2.5);
+  // Differences 5, 6, 1, 5, 9; sorted 1 5 5 6 9: the middle half reaches from 5 to 6.
+  const EffectCost cost = costBetween({10, 11, 10, 12, 13}, {5, 5, 9, 7, 4});
+  EXPECT_EQ(cost.ms, 11.0 - 5.0);
+  EXPECT_EQ(cost.spreadMs, 0.5);
+}
+
+TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
+  const Scene scene = croppedScene();
+  RayCaster caster;
+  const Image before = caster.render(scene, size);
+  const FloatTarget target(size);
+  const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  EffectCosts costs(scene, size, rows);
+  EXPECT_EQ(costs.fraction(), 0.0);
+  int steps = 1;
+  while (costs.step(caster)) {
+    ++steps;
+    for (const auto& cost : costs.costs())
+      EXPECT_FALSE(cost) << "told before all is measured";
+  }
+  EXPECT_EQ(costs.fraction(), 1.0);
+  int measured = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(costs.costs()[i].has_value(), rows[i].isOn) << rows[i].name;
+    measured += rows[i].isOn;
+  }
+  EXPECT_GT(measured, 5);
+  // The whole picture and one without each effect: once to compile, then five times.
+  EXPECT_EQ(steps, (measured + 1) * 6);
+  EXPECT_GT(costs.wholeMs(), 0.0);
+  EXPECT_FALSE(costs.method().empty());
+  EXPECT_EQ(caster.render(scene, size), before);
+}
+
+// The slab left is a twentieth of the volume: whatever the machine does, drawing all of it takes longer.
+TEST_F(EffectCostsOnADriver, areBelowZeroWhereAnEffectSavesTime) {
+  Scene scene = croppedScene();
+  scene.fog = {};
+  scene.quality.earlyTermination = 1.0;
+  RayCaster caster;
+  const FloatTarget target(size);
+  std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  for (EffectRow& row : rows)
+    row.isOn = row.name == "crop";
+  EffectCosts costs(scene, size, rows, 9);
+  while (costs.step(caster)) {
+  }
+  const auto crop = std::find_if(rows.begin(), rows.end(), [](const EffectRow& row) { return row.isOn; });
+  EXPECT_LT(costs.costs()[static_cast<std::size_t>(crop - rows.begin())]->ms, 0.0);
+}
+
+} // namespace
+} // namespace limn

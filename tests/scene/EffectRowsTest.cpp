@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/EffectRows.h"
+#include "scene/Phantom.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace limn {
+namespace {
+
+// The names of the scene format's documentation, in its order.
+const std::vector<std::string> publicNames{"gradient",
+                                           "lighting",
+                                           "specular",
+                                           "exponent_map",
+                                           "opacity_map",
+                                           "gradient_curve",
+                                           "robust",
+                                           "fog",
+                                           "crop",
+                                           "early_termination",
+                                           "preintegration",
+                                           "empty_space_skipping",
+                                           "gradient_opacity",
+                                           "isosurface",
+                                           "jitter",
+                                           "knee",
+                                           "two_sided"};
+
+Scene phantomScene() {
+  Scene scene;
+  scene.volume = phantomVolume({12.0, 0.0, 1});
+  scene.camera = defaultCamera(scene.volume->grid());
+  scene.transferFunction.points = {{-300, {0.9, 0.6, 0.5}, 0.0}, {1500, {1.0, 1.0, 1.0}, 0.9}};
+  return scene;
+}
+
+std::vector<EffectRow> rowsOf(const Scene& scene) {
+  return effectRows(scene, requiredEffects(scene, {.canSkipEmptySpace = true}));
+}
+
+EffectRow row(const Scene& scene, const std::string& name) {
+  const std::vector<EffectRow> rows = rowsOf(scene);
+  const auto found =
+      std::find_if(rows.begin(), rows.end(), [&](const EffectRow& one) { return one.name == name; });
+  return found == rows.end() ? EffectRow{} : *found;
+}
+
+TEST(EffectRows, areTheDocumentedOnesInTheirOrder) {
+  std::vector<std::string> names;
+  for (const EffectRow& one : rowsOf(phantomScene()))
+    names.push_back(one.name);
+  EXPECT_EQ(names, publicNames);
+}
+
+TEST(EffectRows, holdEveryEffectButTheTechnicalOnesWhichSayWhy) {
+  for (int i = 0; i < effectCount; ++i) {
+    const auto effect = static_cast<Effect>(i);
+    SCOPED_TRACE(describe(effect).name);
+    EXPECT_NE(rowOf(effect).empty(), whyInNoRow(effect).empty());
+    EXPECT_EQ(std::count(publicNames.begin(), publicNames.end(), rowOf(effect)),
+              rowOf(effect).empty() ? 0 : 1);
+  }
+}
+
+TEST(EffectRows, shareNoEffect) {
+  EffectSet seen;
+  for (const EffectRow& one : rowsOf(phantomScene())) {
+    EXPECT_FALSE(seen.hasAny(one.effects)) << one.name;
+    seen = seen.with(one.effects);
+  }
+}
+
+// What a reader is told in every state of the scene that the plan knows.
+TEST(EffectRows, giveAReasonInPlainWordsWhateverTheSceneCallsFor) {
+  std::vector<Scene> scenes;
+  for (const ShadingModel model :
+       {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+    for (const Projection projection :
+         {Projection::composite, Projection::mip, Projection::minip, Projection::average, Projection::xray,
+          Projection::isosurface, Projection::compositeIsosurface})
+      for (const double opacity : {0.0, 0.02, 0.9}) {
+        scenes.push_back(phantomScene());
+        scenes.back().shading.model = model;
+        scenes.back().projection = projection;
+        scenes.back().transferFunction.points.back().opacity = opacity;
+        scenes.back().fog = {Fog::Mode::exp2, glm::dvec3(0.0), 0.001, 0.0, 0.0};
+        scenes.back().crop.upper.x = 0.5;
+        scenes.back().quality.jitter = true;
+      }
+  for (const Scene& scene : scenes)
+    for (const EffectRow& one : rowsOf(scene)) {
+      SCOPED_TRACE(one.name + ": " + one.reason);
+      EXPECT_FALSE(one.reason.empty());
+      EXPECT_FALSE(one.title.empty());
+      // Words of the formulas, not of their readers.
+      for (const char* word : {" term", "modulus", "coefficient", "min..", "EFFECT", "uniform"})
+        EXPECT_EQ(one.reason.find(word), std::string::npos) << word;
+      EXPECT_NE(one.reason.back(), '.') << "a phrase, not a sentence";
+    }
+}
+
+TEST(EffectRows, areOnWhereAnyOfTheirEffectsIs) {
+  Scene scene = phantomScene();
+  EXPECT_FALSE(row(scene, "fog").isOn);
+  EXPECT_EQ(row(scene, "fog").reason, "fog is off");
+  for (const Fog::Mode mode : {Fog::Mode::linear, Fog::Mode::exp, Fog::Mode::exp2}) {
+    scene.fog = {mode, glm::dvec3(0.0), 0.001, 0.0, 900.0};
+    EXPECT_TRUE(row(scene, "fog").isOn);
+    EXPECT_NE(row(scene, "fog").reason.find("fog is on"), std::string::npos) << row(scene, "fog").reason;
+  }
+  scene.fog.densityPerMm = 0.0;
+  EXPECT_EQ(row(scene, "fog").reason, "the density of the fog is 0");
+  scene.projection = Projection::compositeIsosurface;
+  EXPECT_TRUE(row(scene, "isosurface").isOn);
+}
+
+TEST(EffectRows, tellWhatTheProjectionHasNoUseFor) {
+  Scene scene = phantomScene();
+  scene.fog = {Fog::Mode::linear, glm::dvec3(0.0), 0.0, 0.0, 900.0};
+  scene.projection = Projection::mip;
+  EXPECT_FALSE(row(scene, "fog").isOn);
+  EXPECT_EQ(row(scene, "fog").reason, "this kind of picture has no use for it");
+}
+
+TEST(EffectRows, countACropBoxWhereItCuts) {
+  Scene scene = phantomScene();
+  EXPECT_FALSE(row(scene, "crop").isOn);
+  scene.crop.lower.z = 0.25;
+  EXPECT_TRUE(row(scene, "crop").isOn);
+  scene.shading.model = ShadingModel::none;
+  EXPECT_TRUE(row(scene, "crop").isOn) << "an unlit picture is cut as well";
+  scene.transferFunction.points.clear();
+  EXPECT_FALSE(row(scene, "crop").isOn) << "nothing can be seen of it";
+}
+
+TEST(EffectCosts, areToldInWords) {
+  EXPECT_EQ(costText({12.3, 1.0}), "12 ms");
+  EXPECT_EQ(costText({1.26, 0.1}), "1.3 ms");
+  EXPECT_EQ(costText({-210.4, 3.0}), "saves 210 ms");
+  EXPECT_EQ(costText({2.0, 2.5}), "no measurable cost");
+  EXPECT_EQ(costText({-0.01, 0.0}), "no measurable cost");
+}
+
+} // namespace
+} // namespace limn

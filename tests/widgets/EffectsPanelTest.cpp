@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/effects/EffectsPanel.h"
+#include "widgets/effects/EffectRowWidget.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+const std::vector<EffectRow> rows{{"fog", "Fog", false, "fog is off", {Effect::fogExp}},
+                                  {"specular", "Highlights", true, "surfaces shine", {Effect::specular}}};
+
+struct EffectsPanelTest : testing::Test {
+  QPushButton* button() { return panel.findChild<QPushButton*>(QStringLiteral("measureCost")); }
+  bool says(const QString& text) {
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->isVisibleTo(&panel) && label->text().contains(text))
+        return true;
+    return false;
+  }
+  EffectsPanel panel;
+};
+
+TEST_F(EffectsPanelTest, showsEachEffectWithItsReason) {
+  panel.setRows(rows, QStringLiteral("Enhanced (right)"));
+  EXPECT_TRUE(says(QStringLiteral("Enhanced (right): the picture calls for 1 of 2 effects")));
+  EXPECT_TRUE(says(QStringLiteral("Fog is off")));
+  const auto shown = panel.findChildren<EffectRowWidget*>();
+  ASSERT_EQ(shown.size(), 2);
+  EXPECT_EQ(shown[0]->accessibleName(), QStringLiteral("Fog: off"));
+  EXPECT_EQ(shown[1]->accessibleName(), QStringLiteral("Highlights: on"));
+}
+
+TEST_F(EffectsPanelTest, isEmptyWithoutAVolume) {
+  panel.setRows(rows, QStringLiteral("Classic"));
+  panel.setRows({}, {});
+  EXPECT_FALSE(says(QStringLiteral("Fog is off")));
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_TRUE(says(QStringLiteral("Open a volume")));
+}
+
+TEST_F(EffectsPanelTest, asksForCostsAndShowsThemWithTheirMethodAndPictureSize) {
+  panel.setRows(rows, QStringLiteral("Classic"));
+  QSignalSpy asked(&panel, &EffectsPanel::measureRequested);
+  QTest::mouseClick(button(), Qt::LeftButton);
+  EXPECT_EQ(asked.count(), 1);
+  EffectTimes times;
+  times.isMeasuring = true;
+  times.fraction = 0.25;
+  panel.setTimes(times);
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_TRUE(button()->text().contains(QStringLiteral("25 %")));
+  panel.setTimes(
+      {false, 1.0, {std::nullopt, EffectCost{-12.4, 0.5}}, 31.0, QStringLiteral("a clock"), {256, 128}});
+  EXPECT_TRUE(says(QStringLiteral("saves 12 ms")));
+  EXPECT_TRUE(says(QStringLiteral("31 ms at 256 × 128 pixels")));
+  EXPECT_TRUE(says(QStringLiteral("a clock")));
+  EXPECT_TRUE(button()->isEnabled());
+  panel.setTimes({});
+  EXPECT_FALSE(says(QStringLiteral("saves 12 ms"))) << "a changed scene has other costs";
+}
+
+} // namespace
+} // namespace limn
