@@ -82,7 +82,10 @@ void completeScene(LoadedScene& loaded, bool hasCamera, bool hasTransferFunction
     scene.camera = defaultCamera(scene.volume->grid());
   if (!hasTransferFunction) {
     const Preset preset = bestFitting(builtInPresets(), *scene.volume);
+    // A scene file leaves only its curve to the preset: its projection stays.
+    const Projection projection = scene.projection;
     scene = withPreset(scene, preset, true);
+    scene.projection = projection;
     loaded.preset = preset.name;
   }
 }
