@@ -60,6 +60,7 @@ Gathered gather(March march, int count) {
       scalar = scalarAt(position);
       isVisible = i < count && mayBeSeen(scalar);
     }
+    ++i; // that one is known
     findVisible(march, count, i, position, scalar);
   }
   return gathered;

@@ -68,6 +68,7 @@ Gathered gather(March march, int count) {
       behind = endOfStep(march, float(i) + 0.5, i < count);
       isVisible = i < count && mayBeSeenBetween(before, behind);
     }
+    ++i; // that one is known
     findVisible(march, count, i, before, behind);
   }
   return gathered;

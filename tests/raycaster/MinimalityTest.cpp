@@ -87,8 +87,10 @@ TEST(Minimality, anUnlitSampleFetchesTheVolumeOnce) {
     EXPECT_EQ(volumeFetches(functions, "scalarAt"), 1);
     EXPECT_EQ(volumeFetches(functions, "addMaterial"), 0) << "shading fetches the volume again";
     EXPECT_FALSE(functions.contains("gradientAt"));
-    // One on entering the loop, one in the search for the next visible sample: one a sample.
-    EXPECT_EQ(volumeFetches(functions, "gather"), 2);
+    // One in a run of visible samples, one in the search for the next run, which stands before the first run
+    // and behind each: one a sample.
+    EXPECT_EQ(volumeFetches(functions, "findVisible"), 1);
+    EXPECT_EQ(volumeFetches(functions, "gather"), 3);
   }
 }
 
@@ -105,9 +107,11 @@ TEST(Minimality, aSampleWithAGradientFetchesSixMoreAndOnlyIfVisible) {
 }
 
 TEST(Minimality, aPreintegratedStepFetchesOneScalarMoreInAll) {
-  // The value at a step's end is that at the next one's start; skipping looks again where it lands.
+  // The value at a step's end is that at the next one's start; a search, before the first run of visible
+  // steps and behind each, looks again where it lands.
   const auto functions = functionsFor({Effect::preintegration});
-  EXPECT_EQ(volumeFetches(functions, "gather"), 3);
+  EXPECT_EQ(volumeFetches(functions, "findVisible"), 2);
+  EXPECT_EQ(volumeFetches(functions, "gather"), 5);
   EXPECT_EQ(volumeFetches(functions, "addMaterial"), 0);
 }
 
