@@ -103,6 +103,7 @@ private:
   // MainWindowEffects.cpp
   void makeEffectsDock();
   void connectEffects();
+  void showRightDocks(bool shown);
 
   // MainWindowPresets.cpp
   void refreshPresets();
@@ -153,6 +154,7 @@ private:
   QDockWidget* m_shadingDock = nullptr;
   EffectsPanel* m_effects = nullptr;
   QDockWidget* m_effectsDock = nullptr;
+  bool m_effectsWereOnTop = false; ///< of the properties, when both were hidden
   QDockWidget* m_curveDock = nullptr;
 
   QLabel* m_volumeLabel = nullptr;

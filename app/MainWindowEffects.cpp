@@ -23,4 +23,14 @@ void MainWindow::connectEffects() {
   connect(m_effects, &EffectsPanel::measureRequested, m_view, &CompareView::measureEffects);
 }
 
+// Both lie in one place; what lay on top does so again.
+void MainWindow::showRightDocks(bool shown) {
+  if (!shown)
+    m_effectsWereOnTop = !m_effects->visibleRegion().isEmpty();
+  m_shadingDock->setVisible(shown);
+  m_effectsDock->setVisible(shown);
+  if (shown)
+    (m_effectsWereOnTop ? m_effectsDock : m_shadingDock)->raise();
+}
+
 } // namespace limn

@@ -259,8 +259,7 @@ void MainWindow::applyThemeChoice(const QString& choice) {
 
 void MainWindow::setFocusMode(bool on) {
   m_presetDock->setVisible(!on);
-  m_effectsDock->setVisible(!on);
-  m_shadingDock->setVisible(!on);
+  showRightDocks(!on);
   for (QToolBar* bar : findChildren<QToolBar*>())
     bar->setVisible(!on);
   statusBar()->setVisible(!on);

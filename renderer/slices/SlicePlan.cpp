@@ -17,7 +17,7 @@ constexpr std::array droppedBySlices{
     Dropped{Effect::earlyTermination,
             "slices are blended one after the other and none knows which pixels are done"},
     Dropped{Effect::emptySpaceSkipping, "a slice is one sample: there is nothing to step over"},
-    Dropped{Effect::longRays, "slices are no loop in the shader"},
+    Dropped{Effect::longRays, "slices do not march along rays, so no ray is too long"},
 };
 
 const char* nameOf(Projection projection) {

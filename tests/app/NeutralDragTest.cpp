@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
+#include "support/Heart.h"
 #include "widgets/controls/RangeSlider.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/TrackSlider.h"
@@ -144,8 +145,14 @@ TEST_F(NeutralDrag, fogRisesWithoutAStall) {
   expectNoStall("fog", drag(*slider, 0, 80));
 }
 
-TEST_F(NeutralDrag, idleTimeIsSpentInPiecesThatLeaveTheEventLoopFree) {
-  ASSERT_TRUE(show([](Scene&) {}, CompareLayout::sideBySide));
+TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  const test::Heart heart;
+  ASSERT_TRUE(idle());
+  // A program is compiled in one piece, so a driver without its cache decides how long a turn can be.
+  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", view().compiledPrograms(),
+              heart.longestMs());
   const PictureState& state = view().pictureState();
   ASSERT_EQ(state.sides.size(), 2u);
   for (const SideState& side : state.sides) {

@@ -13,7 +13,7 @@
 namespace limn {
 
 void CompareView::measureEffects() {
-  if (!m_pictures || !m_state.resting || m_effects.empty())
+  if (!m_pictures || m_effects.empty())
     return;
   m_pictures->rest().measureCosts(sideOfEffects());
   showTimes(m_pictures->rest().times());

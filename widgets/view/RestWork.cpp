@@ -23,7 +23,7 @@ glm::ivec2 smallerSize(const glm::ivec2& size, int longest) {
 void RestWork::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
   m_sides.clear();
   for (const Scene& scene : scenes)
-    m_sides.push_back({scene, false, false, std::nullopt});
+    m_sides.push_back({scene, false, 0, std::nullopt});
   m_size = size;
   m_costSide.reset();
   m_costs.reset();
@@ -48,11 +48,17 @@ bool RestWork::warmUp(RayCaster& caster) {
 
 bool RestWork::measureOverflow(RayCaster& caster) {
   for (Side& side : m_sides) {
-    if (side.isMeasured)
+    if (side.overflowPieces == 2)
       continue;
-    side.isMeasured = true;
-    if (!caster.plan(side.scene).effects.has(Effect::lighting))
+    if (!caster.plan(side.scene).effects.has(Effect::lighting)) {
+      side.overflowPieces = 2;
       continue;
+    }
+    // Compile in one piece, draw in the next.
+    if (++side.overflowPieces == 1) {
+      caster.renderUnlimited(side.scene, glm::ivec2(1));
+      return true;
+    }
     side.overflow = overflowOf(caster.renderUnlimited(side.scene, smallerSize(m_size, longestMeasured)));
     return true;
   }

@@ -37,7 +37,7 @@ private:
   struct Side {
     Scene scene;
     bool isWarm = false;
-    bool isMeasured = false;
+    int overflowPieces = 0; ///< done, of 2
     std::optional<Overflow> overflow;
   };
   bool warmUp(RayCaster& caster);
