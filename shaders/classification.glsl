@@ -23,12 +23,10 @@ bool mayBeSeen(float scalar) {
 }
 
 Material materialOf(float scalar) {
-  float segment, start;
+  vec4 value = piecewise(u_functionBins, u_functionSegments, u_functionDomain, scalar);
   Material material;
-  material.opacity = piecewise(u_functionBins, u_functionSegments, u_functionDomain, scalar, segment, start);
-  material.extinction = minusLog1mOpacity(material.opacity);
-  vec3 color = segmentTexel(u_functionSegments, segment, 1).rgb +
-               (scalar - start) * segmentTexel(u_functionSegments, segment, 2).rgb;
-  material.color = clamp(color, 0.0, 1.0);
+  material.opacity = value.a;
+  material.extinction = minusLog1mOpacity(value.a);
+  material.color = clamp(value.rgb, 0.0, 1.0);
   return material;
 }

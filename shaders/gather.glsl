@@ -1,31 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gather a ray by its standard discretisation (RENDERING 7): each sample stands for its step.
 
+#ifdef EFFECT_LONG_RAYS
+// One loop: drivers limit the iterations of all loops of a fragment together.
 Gathered gather(March march, int count) {
   Gathered gathered = nothingGathered();
   for (int i = 0; i < count && !isFinished(gathered); ++i) {
     vec3 position = positionOf(march, float(i));
     float scalar = scalarAt(position);
-#ifdef EFFECT_LONG_RAYS
-    // One loop: drivers limit the iterations of all loops of a fragment together.
     if (mayBeSeen(scalar))
       addMaterial(gathered, march, position, materialOf(scalar), float(i));
-#else
-    // Find the next visible sample, then shade it: pixels that run together all shade, or all search.
-    while (!mayBeSeen(scalar)) {
-#ifdef EFFECT_EMPTY_SPACE_SKIPPING
-      i += max(1, emptySamples(position, march.advance));
-#else
-      ++i;
-#endif
-      if (i >= count)
-        break;
-      position = positionOf(march, float(i));
-      scalar = scalarAt(position);
-    }
-    if (i < count)
-      addMaterial(gathered, march, position, materialOf(scalar), float(i));
-#endif
   }
   return gathered;
 }
+#else
+// Moves i to the next sample that may be seen, `count` or beyond where there is none. A software driver runs
+// the body of a loop once for rays that have ended: those fetch one texel that stays in its cache.
+void findVisible(March march, int count, inout int i, inout vec3 position, inout float scalar) {
+  bool isSearching = i < count;
+  while (isSearching) {
+    int end = count;
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+    // Leap over empty blocks, which costs less than to look at a sample.
+    int alike = 0;
+    bool isLeaping = true;
+    while (isLeaping) {
+      int leap = emptySamples(march.blocks, float(i), alike);
+      i += leap;
+      isLeaping = leap > 0 && i < count;
+    }
+    end = min(i + alike, count);
+#endif
+    // Look at the samples of this block.
+    bool isLooking = true;
+    while (isLooking) {
+      position = i < count ? positionOf(march, float(i)) : u_textureLower;
+      scalar = scalarAt(position);
+      isSearching = i < count && !mayBeSeen(scalar);
+      i += isSearching ? 1 : 0;
+      isLooking = isSearching && i < end;
+    }
+    isSearching = isSearching && i < count;
+  }
+}
+
+// Find the next visible sample, then shade until none is visible.
+Gathered gather(March march, int count) {
+  Gathered gathered = nothingGathered();
+  int i = 0;
+  vec3 position = u_textureLower;
+  float scalar = 0.0;
+  findVisible(march, count, i, position, scalar);
+  while (i < count) {
+    bool isVisible = true;
+    while (isVisible) {
+      addMaterial(gathered, march, position, materialOf(scalar), float(i));
+      i = isFinished(gathered) ? count : i + 1;
+      position = i < count ? positionOf(march, float(i)) : u_textureLower;
+      scalar = scalarAt(position);
+      isVisible = i < count && mayBeSeen(scalar);
+    }
+    findVisible(march, count, i, position, scalar);
+  }
+  return gathered;
+}
+#endif

@@ -6,6 +6,5 @@ uniform sampler2D u_gradientSegments;
 uniform vec3 u_gradientDomain;
 
 float gradientOpacity(float modulus) {
-  float segment, start;
-  return piecewise(u_gradientBins, u_gradientSegments, u_gradientDomain, modulus, segment, start);
+  return piecewise(u_gradientBins, u_gradientSegments, u_gradientDomain, modulus).a;
 }

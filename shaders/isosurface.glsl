@@ -23,7 +23,7 @@ float firstHit(March march, int count) {
       break;
     }
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
-    i += max(1, emptySamples(position, march.advance)) - 1;
+    i += max(1, emptySamples(march.blocks, min(float(i), exit))) - 1;
 #endif
     below = min(float(i), exit);
   }

@@ -14,6 +14,9 @@ struct March {
 #ifdef EFFECT_LIGHTING
   Light light;
 #endif
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+  BlockRay blocks;
+#endif
 };
 
 March marchThrough(Ray ray, vec2 span, int count) {
@@ -32,6 +35,9 @@ March marchThrough(Ray ray, vec2 span, int count) {
   march.units = march.stepMm * u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
   march.light = lightAlong(ray.direction * u_spacing);
+#endif
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+  march.blocks = blockRay(march.first, march.advance);
 #endif
   return march;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Piecewise linear functions, exact: a row of bins gives the segment where a bin holds no knot, and where to
-// look for it where it does. Layout: renderer/raycaster/PiecewiseTable.h. No loop but for functions that crowd
-// more than two knots into a bin: drivers limit the iterations of all loops together.
+// Piecewise linear functions, exact: a row of bins leads to the segment between two knots, which takes two
+// fetches more. Layout: renderer/raycaster/PiecewiseTable.h. No loop but for functions that crowd more than two
+// knots into a bin: drivers limit the iterations of all loops together.
 
 const int segmentsPerRow = 256;
 
@@ -14,24 +14,24 @@ int binOf(vec3 domain, float x) {
   return int(clamp(floor((x - domain.x) * domain.y), 0.0, domain.z));
 }
 
-// The value of the function at x; `segment` receives the segment's index, `start` its first x.
-float piecewise(sampler2D bins, sampler2D segments, vec3 domain, float x, out float segment, out float start) {
-  vec4 line = texelFetch(bins, ivec2(binOf(domain, x), 0), 0); // start, value, slope, segment
-  if (line.w < 0.0) {
-    // Step over the knots of this bin; at a knot the segment to its right holds.
-    segment = -1.0 - line.w;
-    line = segmentTexel(segments, segment, 0); // start, value, slope, end
-    if (x >= line.w)
-      line = segmentTexel(segments, ++segment, 0);
-    if (x >= line.w)
-      line = segmentTexel(segments, ++segment, 0);
+// The index of the segment that holds x; `start` receives its first x.
+float segmentAt(sampler2D bins, sampler2D segments, vec3 domain, float x, out float start) {
+  vec4 bin = texelFetch(bins, ivec2(binOf(domain, x), 0), 0); // start, first knot, second knot, segment
+  // Step over the knots of this bin; at a knot the segment to its right holds.
+  start = x >= bin.z ? bin.z : x >= bin.y ? bin.y : bin.x;
+  float segment = bin.w + (x >= bin.y ? 1.0 : 0.0) + (x >= bin.z ? 1.0 : 0.0);
 #ifdef EFFECT_DENSE_FUNCTIONS
-    while (x >= line.w)
-      line = segmentTexel(segments, ++segment, 0);
+  vec2 bounds = segmentTexel(segments, segment, 2).xy;
+  while (x >= bounds.y)
+    bounds = segmentTexel(segments, ++segment, 2).xy;
+  start = bounds.x;
 #endif
-  } else {
-    segment = line.w;
-  }
-  start = line.x;
-  return line.y + (x - line.x) * line.z;
+  return segment;
+}
+
+// The values of the function at x, rgb and opacity.
+vec4 piecewise(sampler2D bins, sampler2D segments, vec3 domain, float x) {
+  float start;
+  float segment = segmentAt(bins, segments, domain, x, start);
+  return segmentTexel(segments, segment, 0) + (x - start) * segmentTexel(segments, segment, 1);
 }

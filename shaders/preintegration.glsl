@@ -9,45 +9,41 @@ bool mayBeSeenBetween(float a, float b) {
   return high.g + (high.r > 0.0 ? 1.0 : 0.0) > low.g;
 }
 
-float segmentOf(float scalar) {
-  float segment, start;
-  piecewise(u_functionBins, u_functionSegments, u_functionDomain, scalar, segment, start);
-  return segment;
+float segmentOf(float scalar, out float start) {
+  return segmentAt(u_functionBins, u_functionSegments, u_functionDomain, scalar, start);
 }
 
-// The means of colour times extinction (rgb) and of extinction (a) of one segment between two scalars.
-vec4 meanOfPiece(float segment, float from, float to) {
-  vec4 line = segmentTexel(u_functionSegments, segment, 0); // start, opacity, slope, end
-  vec3 color = segmentTexel(u_functionSegments, segment, 1).rgb;
-  vec3 slope = segmentTexel(u_functionSegments, segment, 2).rgb;
-  bool isRising = line.z >= 0.0;
+// The means of colour times extinction (rgb) and of extinction (a) between two scalars of the segment that
+// begins at `start`.
+vec4 meanOfPiece(float segment, float start, float from, float to) {
+  vec4 value = segmentTexel(u_functionSegments, segment, 0);
+  vec4 slope = segmentTexel(u_functionSegments, segment, 1);
+  bool isRising = slope.a >= 0.0;
   float faint = isRising ? from : to; // the end of less opacity
   float dense = isRising ? to : from;
-  float low = clamp(line.y + (faint - line.x) * line.z, 0.0, largestOpacity);
-  float high = clamp(line.y + (dense - line.x) * line.z, low, largestOpacity);
+  float low = clamp(value.a + (faint - start) * slope.a, 0.0, largestOpacity);
+  float high = clamp(value.a + (dense - start) * slope.a, low, largestOpacity);
   float share = (high - low) / (1.0 - low);
   float extinction = minusLog1mOpacity(low);
   float mean = extinction + meanMinusLog1m(share);
   float moment = 0.5 * extinction + momentMinusLog1m(share);
-  vec3 faintColor = clamp(color + (faint - line.x) * slope, 0.0, 1.0);
-  vec3 denseColor = clamp(color + (dense - line.x) * slope, 0.0, 1.0);
+  vec3 faintColor = clamp(value.rgb + (faint - start) * slope.rgb, 0.0, 1.0);
+  vec3 denseColor = clamp(value.rgb + (dense - start) * slope.rgb, 0.0, 1.0);
   return vec4(faintColor * (mean - moment) + denseColor * moment, mean);
 }
 
 Material meanMaterial(float a, float b) {
   float from = min(a, b);
   float to = max(a, b);
-  float first = segmentOf(from);
-  float last = segmentOf(to);
-  vec4 mean;
-  if (first == last) {
-    mean = meanOfPiece(first, from, to);
-  } else {
+  float firstStart, lastStart;
+  float first = segmentOf(from, firstStart);
+  float last = segmentOf(to, lastStart);
+  bool isOnePiece = first == last;
+  float firstEnd = isOnePiece ? to : segmentTexel(u_functionSegments, first, 2).y;
+  vec4 mean = meanOfPiece(first, firstStart, from, firstEnd);
+  if (!isOnePiece) {
     // Add the piece up to the first knot, the whole segments between, and the piece behind the last knot.
-    float firstEnd = segmentTexel(u_functionSegments, first, 0).w;
-    float lastStart = segmentTexel(u_functionSegments, last, 0).x;
-    vec4 sum = (firstEnd - from) * meanOfPiece(first, from, firstEnd) +
-               (to - lastStart) * meanOfPiece(last, lastStart, to) +
+    vec4 sum = (firstEnd - from) * mean + (to - lastStart) * meanOfPiece(last, lastStart, lastStart, to) +
                (segmentTexel(u_functionSegments, last, 3) - segmentTexel(u_functionSegments, first + 1.0, 3));
     mean = sum / (to - from);
   }

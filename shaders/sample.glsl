@@ -54,7 +54,7 @@ vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
   normal = gradient.w > u_flatModulus ? -gradient.xyz : vec3(0.0);
 #endif
 #ifdef EFFECT_CUT_FACES
-  normal = normalNearCut(march.firstIndex + i * march.stride, normal);
+  normal = normalNearCut(march.firstIndex + i * march.stride, march.stride, normal);
 #endif
   color = lit(color, march.light, normal, r);
 #endif

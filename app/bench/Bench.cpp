@@ -2,16 +2,8 @@
 #include "app/bench/Bench.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace limn {
-namespace {
-
-double meanOf(const std::vector<double>& numbers) {
-  return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
-}
-
-} // namespace
 
 Scene turned(const Scene& scene, int index, int count) {
   Scene view = scene;
@@ -46,25 +38,22 @@ std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
     row.peakMb = contender->peakMb();
     row.program = contender->program();
     row.renderer = contender->renderer();
+    row.effects = contender->effects(scene);
     row.scene = name;
     row.size = {scene.image.width, scene.image.height};
     row.stepVoxels = scene.quality.stepVoxels;
     rows.push_back(row);
   }
-  std::vector<std::vector<FrameCost>> views(contenders.size());
   for (int i = 0; i < frames; ++i)
     for (std::size_t k = 0; k < contenders.size(); ++k)
-      views[k].push_back(drawn(contenders[k]->draw(turned(scene, i, frames))));
+      rows[k].views.push_back(drawn(contenders[k]->draw(turned(scene, i, frames))));
   std::vector<std::vector<FrameCost>> edits(contenders.size());
   for (int i = 0; i < frames; ++i)
     for (std::size_t k = 0; k < contenders.size(); ++k)
       edits[k].push_back(drawn(contenders[k]->draw(edited(scene, i + 1).value_or(scene))));
-  for (std::size_t k = 0; k < contenders.size(); ++k) {
-    rows[k].ms = timingOf(wallTimes(views[k]));
-    rows[k].cpuMs = meanOf(processorTimes(views[k]));
-    if (edited(scene, 0))
+  if (edited(scene, 0))
+    for (std::size_t k = 0; k < contenders.size(); ++k)
       rows[k].editMs = timingOf(wallTimes(edits[k])).median;
-  }
   return rows;
 }
 

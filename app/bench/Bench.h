@@ -18,8 +18,8 @@ struct BenchRow {
   std::string scene;
   glm::ivec2 size{0};
   double stepVoxels = 0.0;
-  Timing ms;                    ///< of the frames of one turn, on the clock
-  double cpuMs = 0.0;           ///< of all threads, mean of the same frames
+  std::string effects;          ///< in the program, in words; empty where there is no choice
+  std::vector<FrameCost> views; ///< one turn, in the same order for every row of a scene
   double firstMs = 0.0;         ///< upload, preparation, shader and first frame
   std::optional<double> editMs; ///< median from a moved control point to the picture; absent without points
   double peakMb = 0.0;          ///< resident above what was before the first frame

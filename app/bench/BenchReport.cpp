@@ -22,24 +22,49 @@ std::string formatted(const char* format, ...) {
 }
 
 Json toJson(const BenchRow& row) {
+  const Timing ms = timingOf(wallTimes(row.views));
   return {{"program", row.program},
           {"scene", row.scene},
           {"size", {row.size.x, row.size.y}},
           {"step_voxels", row.stepVoxels},
-          {"ms", {{"median", row.ms.median}, {"min", row.ms.least}, {"max", row.ms.most}}},
-          {"cpu_ms", row.cpuMs},
+          {"ms", {{"median", ms.median}, {"min", ms.least}, {"max", ms.most}}},
+          {"cpu_ms", timingOf(processorTimes(row.views)).median},
           {"first_ms", row.firstMs},
           {"edit_ms", row.editMs ? Json(*row.editMs) : Json()},
           {"peak_mb", row.peakMb},
           {"mean_error", Json()}};
 }
 
+// What a row's times are compared with, if it was drawn.
 const BenchRow* yardstickOf(const BenchRow& row, const std::vector<BenchRow>& rows) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&row](const BenchRow& other) {
-    return other.program == "vtk-gpu" && other.scene == row.scene && other.size == row.size &&
-           other.stepVoxels == row.stepVoxels;
-  });
-  return found == rows.end() ? nullptr : &*found;
+  for (const char* program : {"vtk-gpu", "limn-gl-all"})
+    for (const BenchRow& other : rows)
+      if (other.program == program && other.scene == row.scene && other.size == row.size &&
+          other.stepVoxels == row.stepVoxels)
+        return &other;
+  return nullptr;
+}
+
+// The median over the views of the quotient of two rows.
+double shareOf(const std::vector<double>& times, const std::vector<double>& yardstick) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    shares.push_back(times[i] / yardstick[i]);
+  return timingOf(shares).median;
+}
+
+std::string lineOf(const BenchRow& row, const BenchRow* yardstick, int sceneWidth) {
+  const Timing ms = timingOf(wallTimes(row.views));
+  std::string line = formatted(
+      "%-*s %9s %6.3g %-14s %8.1f %19s %8.1f %8.1f %8s %7.1f", sceneWidth, row.scene.c_str(),
+      formatted("%dx%d", row.size.x, row.size.y).c_str(), row.stepVoxels, row.program.c_str(), ms.median,
+      formatted("%.1f .. %.1f", ms.least, ms.most).c_str(), timingOf(processorTimes(row.views)).median,
+      row.firstMs, row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb);
+  if (yardstick)
+    line += formatted("  %.3f, %.3f of %s", shareOf(wallTimes(row.views), wallTimes(yardstick->views)),
+                      shareOf(processorTimes(row.views), processorTimes(yardstick->views)),
+                      yardstick->program.c_str());
+  return line + "\n";
 }
 
 } // namespace
@@ -52,24 +77,20 @@ std::string benchJson(const std::string& machine, const std::vector<BenchRow>& r
 }
 
 std::string benchTable(const std::string& machine, const std::vector<BenchRow>& rows) {
-  std::string table = machine + "\n";
   std::size_t width = 5;
   for (const BenchRow& row : rows)
     width = std::max(width, row.scene.size());
-  const int w = static_cast<int>(width);
+  const int sceneWidth = static_cast<int>(width);
+  std::string table = machine + "\n";
   table +=
-      formatted("%-*s %9s %6s %-14s %8s %19s %8s %8s %8s %7s  %s\n", w, "scene", "size", "step", "program",
-                "ms", "least .. most", "cpu ms", "first", "edit", "MB", "of vtk-gpu: ms, cpu ms");
-  for (const BenchRow& row : rows) {
-    table +=
-        formatted("%-*s %9s %6.3g %-14s %8.1f %19s %8.1f %8.1f %8s %7.1f", w, row.scene.c_str(),
-                  formatted("%dx%d", row.size.x, row.size.y).c_str(), row.stepVoxels, row.program.c_str(),
-                  row.ms.median, formatted("%.1f .. %.1f", row.ms.least, row.ms.most).c_str(), row.cpuMs,
-                  row.firstMs, row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb);
-    if (const BenchRow* yardstick = yardstickOf(row, rows))
-      table += formatted("  %.3f, %.3f", row.ms.median / yardstick->ms.median, row.cpuMs / yardstick->cpuMs);
-    table += "\n";
-  }
+      formatted("%-*s %9s %6s %-14s %8s %19s %8s %8s %8s %7s  %s\n", sceneWidth, "scene", "size", "step",
+                "program", "ms", "least .. most", "cpu ms", "first", "edit", "MB", "share of ms, cpu ms");
+  for (const BenchRow& row : rows)
+    table += lineOf(row, yardstickOf(row, rows), sceneWidth);
+  table += "\n";
+  for (const BenchRow& row : rows)
+    if (!row.effects.empty())
+      table += row.scene + ", " + row.program + ": " + row.effects + "\n";
   return table;
 }
 

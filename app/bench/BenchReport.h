@@ -11,8 +11,9 @@ namespace limn {
 /// Rows as one JSON object, keys as the command line documents them. `machine` names processor and renderer.
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows);
 
-/// Rows as a table for the terminal; where VTK's GPU mapper drew the same scene at the same step, what share
-/// of its time each took.
+/// Rows as a table for the terminal, with the effects of each scene. Where VTK's GPU mapper, or else the
+/// program with all effects, drew the same views, the share of its time that each took: the median over the
+/// views.
 std::string benchTable(const std::string& machine, const std::vector<BenchRow>& rows);
 
 } // namespace limn

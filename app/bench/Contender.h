@@ -2,9 +2,13 @@
 #pragma once
 
 #include "app/bench/Timing.h"
+#include "gl/HeadlessContext.h"
+#include "raycaster/RayCaster.h"
+#include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,6 +25,9 @@ public:
   /// What the pictures are drawn on, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   virtual std::string renderer() const = 0;
 
+  /// The effects in the program that draws `scene`, in words; empty where there is no choice.
+  virtual std::string effects(const Scene&) { return {}; }
+
   /// Lets go of everything made so far, then draws a first picture: upload, preparation, shader and frame.
   /// Throws Error (usage) naming what this renderer cannot draw.
   virtual FrameCost drawFirst(const Scene& scene) = 0;
@@ -35,10 +42,19 @@ public:
   virtual void save(const std::filesystem::path& path) = 0;
 };
 
-/// Limn's GLSL ray caster, on a context of its own; a frame ends with glFinish.
-std::unique_ptr<Contender> glContender();
+/// Limn's GLSL ray caster, specialised ("limn-gl") or with all effects compiled in ("limn-gl-all"); a frame
+/// ends with glFinish. Contenders of one process share the context.
+std::unique_ptr<Contender> glContender(std::shared_ptr<HeadlessContext> context,
+                                       RayCaster::Programs programs);
 
-/// Limn's reference in double precision, slow; `threads` 0 uses every core.
-std::unique_ptr<Contender> referenceContender(int threads);
+/// Draws a whole picture and returns it.
+using DrawPicture = std::function<Image(const Scene&)>;
+
+/// Makes a renderer afresh.
+using StartDrawing = std::function<DrawPicture()>;
+
+/// Any other renderer of Limn; a frame ends when its picture is there.
+std::unique_ptr<Contender> pictureContender(const std::string& program, const std::string& renderer,
+                                            StartDrawing start);
 
 } // namespace limn

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/BenchCommand.h"
 
+#include "app/BuiltInPresets.h"
 #include "app/PresetStore.h"
 #include "app/bench/BenchReport.h"
-#include "app/bench/RivalContender.h"
-#include "app/commands/Arguments.h"
+#include "app/bench/Contenders.h"
+#include "app/commands/SceneArguments.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 
@@ -20,13 +21,12 @@ struct BenchArguments {
   std::vector<std::string> sources;
   std::vector<std::string> presets;
   std::vector<double> steps;
-  std::vector<std::string> engines{"gl"};
+  std::vector<std::string> models;
+  BenchEntries entries;
   std::string size;
   std::string pictures;
   int frames = 9;
-  int threads = 0;
   bool json = false;
-  bool rivals = false;
 };
 
 // One scene to measure.
@@ -36,16 +36,25 @@ struct BenchScene {
   std::string volumePath;
 };
 
+std::vector<Preset> presetsFor(const std::vector<std::string>& names) {
+  if (names == std::vector<std::string>{"all"})
+    return builtInPresets();
+  const std::vector<Preset> known = allPresets(PresetStore::ofThisUser());
+  std::vector<Preset> presets;
+  for (const std::string& name : names)
+    presets.push_back(presetNamed(known, name));
+  return presets;
+}
+
 std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
                                  const Progress& progress) {
   const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
   const std::string stem = std::filesystem::path(source).stem().string();
   std::vector<BenchScene> scenes;
-  for (const std::string& name : arguments.presets) {
-    const Preset preset =
-        fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), name), histogramOf(*loaded.scene.volume));
-    scenes.push_back({stem + ", " + preset.name, withPreset(loaded.scene, preset, true), loaded.volumePath});
-  }
+  for (const Preset& preset : presetsFor(arguments.presets))
+    scenes.push_back({stem + ", " + preset.name,
+                      withPreset(loaded.scene, fittedTo(preset, histogramOf(*loaded.scene.volume))),
+                      loaded.volumePath});
   if (scenes.empty())
     scenes.push_back(
         {loaded.preset.empty() ? stem : stem + ", " + loaded.preset, loaded.scene, loaded.volumePath});
@@ -58,62 +67,51 @@ std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments
   return scenes;
 }
 
-// Every scene at every step asked for, by default its own.
-std::vector<BenchScene> allScenes(const BenchArguments& arguments, const Progress& progress) {
+// The scenes with every model asked for, by default their own.
+std::vector<BenchScene> withModels(const std::vector<BenchScene>& scenes,
+                                   const std::vector<std::string>& models) {
+  if (models.empty())
+    return scenes;
   std::vector<BenchScene> all;
-  for (const std::string& source : arguments.sources)
-    for (const BenchScene& scene : scenesOf(source, arguments, progress)) {
-      if (arguments.steps.empty())
-        all.push_back(scene);
-      for (const double step : arguments.steps) {
-        all.push_back(scene);
-        all.back().scene.quality.stepVoxels = step;
-      }
+  for (const BenchScene& scene : scenes)
+    for (const std::string& model : models) {
+      all.push_back(scene);
+      all.back().name += ", " + model;
+      all.back().scene.shading.model = modelNamed(model, "--model");
     }
   return all;
 }
 
-// The program that draws with VTK lies beside this one.
-std::filesystem::path rivalProgram() {
-  const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "limn_bench_vtk";
-  if (!std::filesystem::exists(program))
-    throw Error(Error::Kind::usage, "The program that draws with VTK is not built; build it beside limn "
-                                    "(cmake --build build/release --target limn_bench_vtk).");
-  return program;
+// The scenes at every step asked for, by default their own.
+std::vector<BenchScene> withSteps(const std::vector<BenchScene>& scenes, const std::vector<double>& steps) {
+  if (steps.empty())
+    return scenes;
+  std::vector<BenchScene> all;
+  for (const BenchScene& scene : scenes)
+    for (const double step : steps) {
+      all.push_back(scene);
+      all.back().scene.quality.stepVoxels = step;
+    }
+  return all;
 }
 
-std::vector<std::unique_ptr<Contender>> contendersFor(const BenchScene& scene,
-                                                      const BenchArguments& arguments) {
-  std::vector<std::unique_ptr<Contender>> contenders;
-  for (const std::string& engine : arguments.engines)
-    contenders.push_back(engine == "gl" ? glContender() : referenceContender(arguments.threads));
-  if (!arguments.rivals)
-    return contenders;
-  for (const char* mapper : {"gpu", "fixedpoint"}) {
-    RivalCommand command{rivalProgram(), {mapper}};
-    if (!arguments.source.spacing.empty())
-      command.arguments.insert(command.arguments.end(), {"--spacing", arguments.source.spacing});
-    if (arguments.source.series > 0)
-      command.arguments.insert(command.arguments.end(),
-                               {"--series", std::to_string(arguments.source.series)});
-    contenders.push_back(rivalContender(std::string("vtk-") + mapper, command, scene.volumePath));
-  }
-  return contenders;
+std::vector<BenchScene> allScenes(const BenchArguments& arguments, const Progress& progress) {
+  std::vector<BenchScene> all;
+  for (const std::string& source : arguments.sources)
+    for (const BenchScene& scene :
+         withSteps(withModels(scenesOf(source, arguments, progress), arguments.models), arguments.steps))
+      all.push_back(scene);
+  return all;
 }
 
-// Times of different drivers must not be compared.
-void requireOneDriver(const std::vector<std::unique_ptr<Contender>>& contenders) {
-  std::string driver;
-  for (const auto& contender : contenders) {
-    if (contender->program() == "limn-reference")
-      continue;
-    if (!driver.empty() && contender->renderer() != driver)
-      throw Error(Error::Kind::openGl, contender->program() + " would draw on " + contender->renderer() +
-                                           " and the others on " + driver +
-                                           "; times of two drivers must not be compared.");
-    driver = contender->renderer();
-  }
+BenchEntries entriesFor(const BenchArguments& arguments) {
+  BenchEntries entries = arguments.entries;
+  if (!arguments.source.spacing.empty())
+    entries.readOptions = {"--spacing", arguments.source.spacing};
+  if (arguments.source.series > 0)
+    for (const std::string& word : {std::string("--series"), std::to_string(arguments.source.series)})
+      entries.readOptions.push_back(word);
+  return entries;
 }
 
 void savePictures(const std::vector<std::unique_ptr<Contender>>& contenders, const BenchScene& scene,
@@ -133,11 +131,11 @@ void runBench(const BenchArguments& arguments) {
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   const Progress progress = terminalProgress(arguments.source.quiet);
   const std::vector<BenchScene> scenes = allScenes(arguments, progress);
+  const BenchEntries entries = entriesFor(arguments);
   std::vector<BenchRow> rows;
   std::string driver;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const auto contenders = contendersFor(scenes[i], arguments);
-    requireOneDriver(contenders);
+    const auto contenders = contendersFor(entries, scenes[i].volumePath);
     driver = contenders.front()->renderer();
     int drawn = 0;
     const int pictures = picturesPerRow(arguments.frames) * static_cast<int>(contenders.size());
@@ -171,14 +169,22 @@ void addBenchCommand(CLI::App& root) {
       ->check(CLI::Range(1e-4, 1e4));
   command->add_option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--preset", arguments->presets, "name of a preset; may be given several times");
-  command->add_option("--engine", arguments->engines, "gl (default), reference, or both: gl,reference")
+  command->add_option("--model", arguments->models, "shading models, such as classic,enhanced")
+      ->delimiter(',');
+  command->add_option("--preset", arguments->presets,
+                      "name of a preset, several times if wanted, or all: every built-in one");
+  command
+      ->add_option("--engine", arguments->entries.engines,
+                   "gl (default), slices, reference, or several: gl,slices")
       ->delimiter(',')
-      ->check(CLI::IsMember({"gl", "reference"}));
-  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      ->check(CLI::IsMember({"gl", "slices", "reference"}));
+  command
+      ->add_option("--threads", arguments->entries.threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
+  command->add_flag("--all-effects", arguments->entries.allEffects,
+                    "the program with every effect compiled in draws the same views in turn");
   command->add_flag(
-      "--rivals", arguments->rivals,
+      "--rivals", arguments->entries.rivals,
       "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
   command->add_option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
   command->footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/CoveredPixels.h"
 
-#include "scene/RayFrame.h"
-
 #include <algorithm>
 #include <optional>
 
@@ -26,17 +24,17 @@ std::optional<glm::dvec2> seenAt(const Camera& camera, const CameraBasis& basis,
 
 } // namespace
 
-PixelRect coveredPixels(const Scene& scene, const glm::ivec2& size) {
-  const Grid& grid = scene.volume->grid();
-  const IndexBox box = croppedBox(grid, scene.crop);
-  const CameraBasis basis = basisOf(scene.camera);
+PixelRect coveredPixels(const Camera& camera, const Grid& grid, const IndexBox& box, const glm::ivec2& size) {
+  if (glm::any(glm::lessThanEqual(box.upper, box.lower)))
+    return {};
+  const CameraBasis basis = basisOf(camera);
   const glm::dvec2 picture(size);
   glm::dvec2 lower = picture;
   glm::dvec2 upper(0.0);
   for (int corner = 0; corner < 8; ++corner) {
     const glm::bvec3 isUpper(corner & 1, corner & 2, corner & 4);
     const glm::dvec3 index = glm::mix(box.lower, box.upper, isUpper) + centreIndex(grid);
-    const auto seen = seenAt(scene.camera, basis, indexToWorld(grid, index), picture.y);
+    const auto seen = seenAt(camera, basis, indexToWorld(grid, index), picture.y);
     if (!seen)
       return {{0, 0}, size};
     const glm::dvec2 pixel = picture / 2.0 + glm::dvec2(seen->x, -seen->y);

@@ -37,19 +37,52 @@ int binOf(const PiecewiseTable& function, float scalar, float margin) {
   return static_cast<int>(std::clamp(bin, 0.0f, function.domain.z));
 }
 
-// Lowers the distance of a block to one more than that of its neighbours on one side, in raster order.
-void lower(std::vector<std::uint8_t>& distances, const glm::ivec3& blocks, const glm::ivec3& at, int side) {
-  int nearest = distances[voxelOffset(blocks, at.x, at.y, at.z)];
-  for (int k = -1; k <= 1; ++k)
-    for (int j = -1; j <= 1; ++j)
-      for (int i = -1; i <= 1; ++i) {
-        const glm::ivec3 n = at + glm::ivec3(i, j, k);
-        const bool isBefore = k != 0 ? k == side : j != 0 ? j == side : i == side;
-        if (isBefore && glm::all(glm::greaterThanEqual(n, glm::ivec3(0))) &&
-            glm::all(glm::lessThan(n, blocks)))
-          nearest = std::min(nearest, distances[voxelOffset(blocks, n.x, n.y, n.z)] + 1);
+using Distances = std::vector<std::uint8_t>;
+
+std::uint8_t oneMore(std::uint8_t distance) {
+  return static_cast<std::uint8_t>(std::min(distance + 1, farthest));
+}
+
+// Writes to `to` the least of each element of a row and its neighbours.
+void leastOfThree(const std::uint8_t* from, int size, std::uint8_t* to) {
+  to[0] = from[0];
+  for (int i = 1; i < size; ++i)
+    to[i] = std::min(from[i - 1], from[i]);
+  for (int i = 0; i + 1 < size; ++i)
+    to[i] = std::min(to[i], from[i + 1]);
+}
+
+void lowerTo(const std::uint8_t* bound, int size, std::uint8_t* row) {
+  for (int i = 0; i < size; ++i)
+    row[i] = std::min(row[i], oneMore(bound[i]));
+}
+
+// Lowers each distance to one more than that of its neighbours before it in raster order (side -1) or behind
+// it (side 1): the nine of the plane there, the three of the row there, and the one in its own row.
+void lowerFrom(int side, const glm::ivec3& blocks, Distances& distances) {
+  const auto rowAt = [&](int j, int k) { return &distances[voxelOffset(blocks, 0, j, k)]; };
+  Distances threes(static_cast<std::size_t>(blocks.x) * blocks.y); // of each row of the plane before
+  Distances three(static_cast<std::size_t>(blocks.x));
+  for (int n = 0; n < blocks.z; ++n) {
+    const int k = side < 0 ? n : blocks.z - 1 - n;
+    if (n > 0)
+      for (int j = 0; j < blocks.y; ++j)
+        leastOfThree(rowAt(j, k + side), blocks.x, &threes[voxelOffset(blocks, 0, j, 0)]);
+    for (int m = 0; m < blocks.y; ++m) {
+      const int j = side < 0 ? m : blocks.y - 1 - m;
+      std::uint8_t* row = rowAt(j, k);
+      for (int near = std::max(0, j - 1); n > 0 && near <= std::min(blocks.y - 1, j + 1); ++near)
+        lowerTo(&threes[voxelOffset(blocks, 0, near, 0)], blocks.x, row);
+      if (m > 0) {
+        leastOfThree(rowAt(j + side, k), blocks.x, three.data());
+        lowerTo(three.data(), blocks.x, row);
       }
-  distances[voxelOffset(blocks, at.x, at.y, at.z)] = static_cast<std::uint8_t>(nearest);
+      for (int l = 1; l < blocks.x; ++l) {
+        const int x = side < 0 ? l : blocks.x - 1 - l;
+        row[x] = std::min(row[x], oneMore(row[x + side]));
+      }
+    }
+  }
 }
 
 } // namespace
@@ -89,16 +122,21 @@ std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibi
     distances.push_back(isEmpty ? farthest : 0);
   }
   // Two passes in opposite order spread the distances: chessboard metric, exact.
-  const glm::ivec3 b = ranges.blocks;
-  for (int k = 0; k < b.z; ++k)
-    for (int j = 0; j < b.y; ++j)
-      for (int i = 0; i < b.x; ++i)
-        lower(distances, b, {i, j, k}, -1);
-  for (int k = b.z - 1; k >= 0; --k)
-    for (int j = b.y - 1; j >= 0; --j)
-      for (int i = b.x - 1; i >= 0; --i)
-        lower(distances, b, {i, j, k}, 1);
+  lowerFrom(-1, ranges.blocks, distances);
+  lowerFrom(1, ranges.blocks, distances);
   return distances;
+}
+
+BlockBox visibleBlocks(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
+  BlockBox box{blocks, glm::ivec3(0)};
+  for (int k = 0; k < blocks.z; ++k)
+    for (int j = 0; j < blocks.y; ++j)
+      for (int i = 0; i < blocks.x; ++i)
+        if (distances[voxelOffset(blocks, i, j, k)] == 0) {
+          box.lower = glm::min(box.lower, glm::ivec3(i, j, k));
+          box.upper = glm::max(box.upper, glm::ivec3(i, j, k) + 1);
+        }
+  return glm::any(glm::lessThanEqual(box.upper, box.lower)) ? BlockBox{} : box;
 }
 
 } // namespace limn

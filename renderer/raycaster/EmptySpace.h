@@ -33,4 +33,13 @@ struct Visibility {
 /// most 255. All blocks nearer than it are empty.
 std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility);
 
+/// A box of blocks, half open; empty where nothing may show.
+struct BlockBox {
+  glm::ivec3 lower{0};
+  glm::ivec3 upper{0};
+};
+
+/// The smallest box that holds every block of distance 0.
+BlockBox visibleBlocks(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances);
+
 } // namespace limn

@@ -24,25 +24,19 @@ struct FloatKnot {
 };
 
 struct Segment {
-  glm::vec4 line, color, colorSlope;
+  float start, end;
+  glm::vec4 value, slope; // at the start, per unit of x
   glm::vec4 before{0.0f}; // integrals up to the start
 };
 
 Segment segmentBetween(const FloatKnot& left, const FloatKnot& right) {
   const double width = static_cast<double>(right.x) - left.x;
-  const glm::dvec4 slope =
-      width > 0.0 ? (glm::dvec4(right.value) - glm::dvec4(left.value)) / width : glm::dvec4(0.0);
-  return {{left.x, left.value.a, static_cast<float>(slope.a), right.x},
-          {left.value.r, left.value.g, left.value.b, 0.0f},
-          {static_cast<float>(slope.r), static_cast<float>(slope.g), static_cast<float>(slope.b), 0.0f},
-          glm::vec4(0.0f)};
+  const glm::dvec4 rise = glm::dvec4(right.value) - glm::dvec4(left.value);
+  return {left.x, right.x, left.value, width > 0.0 ? glm::vec4(rise / width) : glm::vec4(0.0f)};
 }
 
 Segment constantSegment(const FloatKnot& knot, float end) {
-  return {{knot.x, knot.value.a, 0.0f, end},
-          {knot.value.r, knot.value.g, knot.value.b, 0.0f},
-          glm::vec4(0.0f),
-          glm::vec4(0.0f)};
+  return {knot.x, end, knot.value, glm::vec4(0.0f)};
 }
 
 std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
@@ -68,10 +62,12 @@ void storeSegments(const std::vector<Segment>& segments, PiecewiseTable& table) 
   table.segmentsSize = {segmentsPerRow * texelsPerSegment, rows};
   table.segments.assign(static_cast<std::size_t>(table.segmentsSize.x) * rows, glm::vec4(0.0f));
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    table.segments[texelsPerSegment * i] = segments[i].line;
-    table.segments[texelsPerSegment * i + 1] = segments[i].color;
-    table.segments[texelsPerSegment * i + 2] = segments[i].colorSlope;
-    table.segments[texelsPerSegment * i + 3] = segments[i].before;
+    const Segment& segment = segments[i];
+    glm::vec4* texels = &table.segments[texelsPerSegment * i];
+    texels[0] = segment.value;
+    texels[1] = segment.slope;
+    texels[2] = {segment.start, segment.end, 0.0f, 0.0f};
+    texels[3] = segment.before;
   }
 }
 
@@ -103,8 +99,8 @@ std::vector<double> placesOf(const std::vector<FloatKnot>& knots, const ValueRan
 float largestOpacityIn(const std::vector<Segment>& segments, const std::vector<FloatKnot>& knots,
                        std::size_t before, std::size_t after, double low, double high) {
   const auto valueAt = [&segments](std::size_t segment, double x) {
-    const glm::vec4& line = segments[segment].line;
-    return static_cast<float>(line.y + (x - line.x) * line.z);
+    const Segment& line = segments[segment];
+    return static_cast<float>(line.value.a + (x - line.start) * line.slope.a);
   };
   float largest = std::max(valueAt(before, low), valueAt(after, high));
   for (std::size_t k = before; k < after; ++k)
@@ -121,9 +117,11 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot
     const auto before = std::lower_bound(places.begin(), places.end(), low - edgeMargin) - places.begin();
     const auto after =
         std::upper_bound(places.begin(), places.end(), low + 1.0 + edgeMargin) - places.begin();
-    const auto index = static_cast<float>(before);
-    table.bins[bin] = segments[static_cast<std::size_t>(before)].line;
-    table.bins[bin].w = after > before ? -1.0f - index : index;
+    const auto knotAt = [&](std::ptrdiff_t k) {
+      return k < after ? knots[static_cast<std::size_t>(k)].x : beyondAll;
+    };
+    table.bins[bin] = {segments[static_cast<std::size_t>(before)].start, knotAt(before), knotAt(before + 1),
+                       static_cast<float>(before)};
     const double perUnit = table.domain.y > 0.0f ? table.domain.y : 1.0;
     const float largest = largestOpacityIn(
         segments, knots, static_cast<std::size_t>(before), static_cast<std::size_t>(after),

@@ -19,10 +19,10 @@ struct Knot {
 /// table, so steps stay sharp and spikes survive.
 ///
 /// Segment k reaches from knot k-1 to knot k (half open); segment 0 lies before all knots, the last one
-/// after. It takes four texels: (start, opacity, slope, end), (colour at start, 0), (slope of the colour, 0),
-/// and the integrals up to its start of colour times extinction (rgb) and of extinction per unit distance
-/// (a). A bin without a knot holds (start, opacity, slope, segment) of its segment, a bin with knots -1 -
-/// (the segment before the first of them) in its last channel.
+/// after. It takes four texels: colour and opacity at its start, their slopes, (start, end, 0, 0), and the
+/// integrals up to its start of colour times extinction (rgb) and of extinction per unit distance (a). A bin
+/// holds the start of the segment before its knots, its first two knots (beyond all arguments where it has
+/// fewer), and the index of that segment.
 struct PiecewiseTable {
   std::vector<glm::vec4> bins;
   std::vector<glm::vec2>

@@ -44,6 +44,7 @@ struct RayCaster::Parts {
   EffectPlan plan(const Scene& scene);
   EffectSet programFor(EffectSet needed, Content content) const;
   void draw(const Scene& scene, Content content, const glm::ivec2& size, const PixelRect& tile);
+  IndexBox drawnBox(const Scene& scene, EffectSet effects) const;
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
   Image render(const Scene& scene, Content content, const glm::ivec2& size);
   void noteStepLimit(const Scene& scene);
@@ -99,11 +100,22 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   glClearBufferfv(GL_COLOR, 0, nothing);
   if (!needed.isVisible && content != Content::sampleCounts)
     return;
-  scissor(intersection(tile, coveredPixels(scene, size)), size);
-  textures.measure(scene, needed.effects);
   const EffectSet effects = programFor(needed.effects, content);
+  scissor(
+      intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), drawnBox(scene, effects), size)),
+      size);
+  textures.measure(scene, needed.effects);
   const bool isMeasured = leftOut || compilesAllEffects;
   drawWith(isMeasured ? programs.exactly(effects) : programs.programFor(effects), scene, size);
+}
+
+// The box outside which all pixels are empty.
+IndexBox RayCaster::Parts::drawnBox(const Scene& scene, EffectSet effects) const {
+  const IndexBox cropped = croppedBox(scene.volume->grid(), scene.crop);
+  if (!effects.has(Effect::emptySpaceSkipping))
+    return cropped;
+  const IndexBox visible = textures.visibleBox();
+  return {glm::max(cropped.lower, visible.lower), glm::min(cropped.upper, visible.upper)};
 }
 
 void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size) {

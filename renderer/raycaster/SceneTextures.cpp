@@ -104,7 +104,17 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
   m_emptySpace.upload(ranges.blocks, distances);
   const auto occupied = std::count(distances.begin(), distances.end(), std::uint8_t{0});
   m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(distances.size());
+  m_visibleBlocks = visibleBlocks(ranges.blocks, distances);
   m_emptySpaceShown = key;
+}
+
+IndexBox SceneTextures::visibleBox() const {
+  const Grid& grid = m_volume->grid();
+  const glm::dvec3 voxelsPerBlock = glm::dvec3(blockSize * m_volumeTexture->reduction());
+  const glm::dvec3 end = glm::min(glm::dvec3(m_visibleBlocks.upper) * voxelsPerBlock, glm::dvec3(grid.dims));
+  // A voxel begins half an index before its centre.
+  const glm::dvec3 shift = centreIndex(grid) + 0.5;
+  return {glm::dvec3(m_visibleBlocks.lower) * voxelsPerBlock - shift, end - shift};
 }
 
 void SceneTextures::update(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include "raycaster/VolumeTexture.h"
 #include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
+#include "scene/RayFrame.h"
 
 #include <map>
 #include <memory>
@@ -58,6 +59,9 @@ public:
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
+
+  /// The part of the volume outside which nothing may show, in centred index coordinates.
+  IndexBox visibleBox() const;
   const FunctionTexture& function() const { return m_function; }
   const FunctionTexture& gradientCurve() const { return m_gradientCurve; }
 
@@ -90,6 +94,7 @@ private:
   std::optional<EmptySpaceKey> m_emptySpaceShown;
   EmptySpaceTexture m_emptySpace;
   double m_emptyShare = 0.0;
+  BlockBox m_visibleBlocks;
   std::optional<GradientOpacity> m_gradientOpacityShown;
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;

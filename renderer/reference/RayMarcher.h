@@ -96,8 +96,8 @@ private:
     const double flat = std::ldexp(m_terms.scale.largest, -20);
     glm::dvec3 normal = gradient.w > flat ? -glm::dvec3(gradient) : glm::dvec3(0.0);
     if (m_terms.isCut && terms.usesNormal())
-      normal =
-          normalNearCut(m_terms.cut, m_terms.grid.spacingMm, m_terms.smallestMm, centredAt(place), normal);
+      normal = normalNearCut(m_terms.cut, m_terms.grid.spacingMm, m_terms.smallestMm, centredAt(place),
+                             m_ray.direction, normal);
     const glm::dvec3 color = lit(terms, material, m_light, normal, ratio);
     const double f = fogFactor(m_terms.scene.fog, tAt(place) - m_ray.eye);
     return f * color + (1.0 - f) * m_terms.scene.fog.color;

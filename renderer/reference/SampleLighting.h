@@ -27,9 +27,12 @@ glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const Ray
 /// The factor on the colour of an object at `z` mm from the eye (RENDERING section 6).
 double fogFactor(const Fog& fog, double z);
 
-/// The outward normal of the cut face within `depthMm` of a position, otherwise `normal` (section 7).
+/// The outward normal of the cut face within `depthMm` of a position, otherwise `normal` (section 7). Of two
+/// opposite faces that are as near as rounding can tell, the one through which a ray along `direction`
+/// enters.
 glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, double depthMm,
-                         const glm::dvec3& centredIndex, const glm::dvec3& normal);
+                         const glm::dvec3& centredIndex, const glm::dvec3& direction,
+                         const glm::dvec3& normal);
 
 /// The gradient-opacity curve G at a modulus, value/mm; 1 without points.
 double gradientOpacityAt(const GradientOpacity& curve, double modulus);

@@ -183,7 +183,8 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
   plan.clause(Effect::emptySpaceSkipping, skips, "transparent parts of the volume are stepped over",
               facts.canSkipEmptySpace ? "hardly any part of the volume is transparent"
                                       : "it is switched off");
-  const double loops = scene.projection == Projection::compositeIsosurface ? 3.0 : 2.0;
+  // Per sample at most three iterations of nested loops, and rays that run together wait for one another.
+  const double loops = scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0;
   plan.clause(Effect::longRays, loops * longestRaySamples(scene) > mostSamples,
               "the longest ray has too many samples for nested loops", "every ray is short enough");
   plan.clause(Effect::denseFunctions, facts.hasDenseFunctions, "control points lie very close together",

@@ -48,7 +48,7 @@ protected:
 };
 
 TEST_F(CommandLine, helpOfEveryCommandShowsAnExample) {
-  for (const char* command : {"", "info", "render", "effects", "presets", "presets show"}) {
+  for (const char* command : {"", "info", "render", "effects", "presets", "presets show", "bench"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example: limn"), std::string::npos) << outcome.out;
@@ -148,6 +148,42 @@ TEST_F(CommandLine, referenceAndGlWriteThePicturesOfOneScene) {
   EXPECT_GT(std::filesystem::file_size(file("ref.png")), 1000u);
 }
 
+TEST_F(CommandLine, benchPrintsTheTimesOfEveryRendererAsOneJsonObject) {
+  const Outcome outcome = run("bench phantom:8 --json --size 24x16 --step 2,1 --frames 3 --all-effects");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_FALSE(json["machine"].get<std::string>().empty());
+  ASSERT_EQ(json["rows"].size(), 4u); // two steps by two programs
+  for (std::size_t i = 0; i < 4; ++i) {
+    const nlohmann::json& row = json["rows"][i];
+    EXPECT_EQ(row["program"], i % 2 == 0 ? "limn-gl" : "limn-gl-all");
+    EXPECT_EQ(row["scene"].get<std::string>().substr(0, 9), "phantom:8");
+    EXPECT_EQ(row["size"], nlohmann::json::array({24, 16}));
+    EXPECT_EQ(row["step_voxels"], i < 2 ? 2.0 : 1.0);
+    EXPECT_GT(row["ms"]["min"], 0.0);
+    EXPECT_GE(row["ms"]["median"], row["ms"]["min"]);
+    EXPECT_GE(row["ms"]["max"], row["ms"]["median"]);
+    EXPECT_GT(row["cpu_ms"], 0.0);
+    // The first picture compiles a program, which takes longer than a picture of this size.
+    EXPECT_GT(row["first_ms"], row["ms"]["min"]);
+    EXPECT_GT(row["edit_ms"], 0.0);
+    EXPECT_TRUE(row["peak_mb"].is_number());
+    EXPECT_TRUE(row["mean_error"].is_null());
+    EXPECT_EQ(row.size(), 10u);
+  }
+}
+
+TEST_F(CommandLine, benchSavesThePictureOfEachRenderer) {
+  const Outcome outcome =
+      run("bench phantom:8 --quiet --size 24x16 --step 1 --frames 1 --engine gl,slices,reference "
+          "--preset 'CT bone' --model classic --pictures " +
+          file("pictures").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* program : {"limn-gl", "limn-slices", "limn-reference"})
+    EXPECT_TRUE(std::filesystem::exists(
+        file("pictures") / ("phantom:8, CT bone, classic, step 1, " + std::string(program) + ".png")));
+}
+
 TEST_F(CommandLine, slicesWriteThePictureInBothOrdersAndRefuseOtherProjections) {
   for (const char* engine : {"slices", "slices-back-to-front"}) {
     const std::string picture = file(std::string(engine) + ".png").string();
@@ -182,6 +218,8 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"effects phantom:8 --model compare", 2, "compare"},
       {"frobnicate --loudly", 2, "loudly"},
       {"presets show nothing", 2, "nothing"},
+      {"bench phantom:8 --step fast", 2, "--step"},
+      {"bench phantom:8 --engine cpu", 2, "cpu"},
       {"phantom:8 --spacing 1,2", 2, "--spacing"},
   };
   for (const auto& one : cases) {

@@ -138,6 +138,23 @@ TEST_F(SceneSections, anUnlitProjectionDisablesLightAndSaysSo) {
   EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
 }
 
+TEST_F(SceneSections, whatNoModelShownUsesFoldsOnceAndComesBack) {
+  ShadingSection* light = m_panel.sections()[2];
+  m_panel.setModelsShown({ShadingModel::classic});
+  EXPECT_TRUE(headerSays(m_panel.sections()[1], QStringLiteral("unused: not in this model")));
+  EXPECT_FALSE(light->isFolded());
+  m_panel.setModelsShown({ShadingModel::none});
+  EXPECT_TRUE(headerSays(light, QStringLiteral("unused: this model is unlit")));
+  EXPECT_TRUE(light->isFolded());
+  light->setFolded(false); // somebody wants to see it
+  m_panel.setModelsShown({ShadingModel::none});
+  EXPECT_FALSE(light->isFolded());
+  light->setFolded(true);
+  m_panel.setModelsShown({ShadingModel::none, ShadingModel::robust});
+  EXPECT_FALSE(light->isFolded());
+  EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
+}
+
 TEST_F(SceneSections, theHeaderOfACropThatCutsNothingSaysOff) {
   CropSection* crop = m_panel.cropSection();
   EXPECT_TRUE(crop->isFolded());

@@ -99,6 +99,10 @@ GradientSection::GradientSection(QWidget* parent) : ShadingSection(tr("Boundarie
   showShading();
 }
 
+QString GradientSection::unusedBecause() const {
+  return shows({ShadingModel::enhanced, ShadingModel::robust}) ? QString() : tr("unused: not in this model");
+}
+
 void GradientSection::addReference() {
   m_reference =
       new ChoiceRow(tr("Full strength at"),

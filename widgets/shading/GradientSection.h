@@ -12,6 +12,8 @@ class GradientSection : public ShadingSection {
 public:
   explicit GradientSection(QWidget* parent = nullptr);
 
+  QString unusedBecause() const override;
+
 protected:
   void showShading() override;
 

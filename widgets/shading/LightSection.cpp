@@ -39,6 +39,12 @@ LightSection::LightSection(QWidget* parent) : ShadingSection(tr("Light"), parent
   showShading();
 }
 
+QString LightSection::unusedBecause() const {
+  return shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+             ? QString()
+             : tr("unused: this model is unlit");
+}
+
 void LightSection::addStrengths() {
   const Shading initial;
   const auto add = [this](const QString& label, const QString& help, double start, double Shading::*member) {

@@ -12,6 +12,8 @@ class LightSection : public ShadingSection {
 public:
   explicit LightSection(QWidget* parent = nullptr);
 
+  QString unusedBecause() const override;
+
 protected:
   void showShading() override;
 

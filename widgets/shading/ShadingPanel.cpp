@@ -15,9 +15,8 @@
 namespace limn {
 
 ShadingPanel::ShadingPanel(QWidget* parent)
-    : QScrollArea(parent),
-      m_projection(new ProjectionSection), m_sections{new ModelSection, new GradientSection,
-                                                      new LightSection},
+    : QScrollArea(parent), m_projection(new ProjectionSection),
+      m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
       m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
   layOut();
   connectSections();
@@ -61,7 +60,6 @@ void ShadingPanel::connectSections() {
 
 void ShadingPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
-  const bool otherLight = usesLight(scene.projection) != usesLight(m_scene.projection);
   m_scene = scene;
   setShading(scene.shading);
   setQuality(scene.quality);
@@ -70,22 +68,6 @@ void ShadingPanel::setScene(const Scene& scene) {
   m_fog->setScene(scene);
   if (otherProjection)
     showModels();
-  if (otherLight)
-    foldLight();
-}
-
-// Without light its sections step back; with it those come back that were open.
-void ShadingPanel::foldLight() {
-  for (ShadingSection* section : m_foldedForNow)
-    section->setFolded(false);
-  m_foldedForNow.clear();
-  if (usesLight(m_scene.projection))
-    return;
-  for (ShadingSection* section : m_sections)
-    if (!section->isFolded()) {
-      section->setFolded(true);
-      m_foldedForNow.push_back(section);
-    }
 }
 
 void ShadingPanel::setShading(const Shading& shading) {
@@ -104,9 +86,26 @@ void ShadingPanel::setModelsShown(const std::vector<ShadingModel>& models) {
 
 void ShadingPanel::showModels() {
   const bool lit = usesLight(m_scene.projection);
-  for (ShadingSection* section : m_sections) {
+  for (std::size_t i = 0; i < m_sections.size(); ++i) {
+    ShadingSection* section = m_sections[i];
     section->setModelsShown(lit ? m_models : std::vector(m_models.size(), ShadingModel::none));
-    section->setSummary(lit ? QString() : tr("unused: this projection is unlit"));
+    setUnused(i, lit ? section->unusedBecause() : tr("unused: this projection is unlit"));
+  }
+}
+
+// What comes to be unused folds, once; what folded so comes back when it is used again.
+void ShadingPanel::setUnused(std::size_t section, const QString& reason) {
+  FoldingSection* folding = m_sections[section];
+  Use& use = m_use[section];
+  folding->setSummary(reason);
+  if (use.isUnused == !reason.isEmpty())
+    return;
+  use.isUnused = !reason.isEmpty();
+  if (use.isUnused) {
+    use.foldedForNow = !folding->isFolded();
+    folding->setFolded(true);
+  } else if (use.foldedForNow) {
+    folding->setFolded(false);
   }
 }
 

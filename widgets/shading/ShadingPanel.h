@@ -53,13 +53,18 @@ private:
   void layOut();
   void connectSections();
   void showModels();
-  void foldLight();
+  void setUnused(std::size_t section, const QString& reason);
 
   Scene m_scene;
   std::vector<ShadingModel> m_models{ShadingModel::classic};
-  std::vector<ShadingSection*> m_foldedForNow; ///< by a projection without light
   ProjectionSection* m_projection;
   std::vector<ShadingSection*> m_sections;
+  /// Of a section of light.
+  struct Use {
+    bool isUnused = false;
+    bool foldedForNow = false; ///< because it came to be unused while it was open
+  };
+  std::vector<Use> m_use;
   CropSection* m_crop;
   FogSection* m_fog;
   QualitySection* m_quality;

@@ -25,6 +25,9 @@ public:
   void setShading(const Shading& shading);
   void setModelsShown(const std::vector<ShadingModel>& models);
 
+  /// Why nothing of this section matters for the models shown; empty where something does.
+  virtual QString unusedBecause() const { return {}; }
+
 signals:
   void shadingEdited(const limn::Shading& shading, const limn::Gesture& gesture);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
 #include "ViewHost.h"
 #include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/ViewPanels.h"
@@ -44,19 +46,33 @@ TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
   EXPECT_EQ(host.cameraEdits, 0);
 }
 
+// While it lives every 3D texture is refused, as by a driver out of memory.
+class DriverWithoutTextures {
+public:
+  DriverWithoutTextures() : m_texImage3D(epoxy_glTexImage3D) {
+    epoxy_glTexImage3D = [](GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum,
+                            const void*) {
+      glEnable(GL_NONE); // leaves an error
+    };
+  }
+  ~DriverWithoutTextures() { epoxy_glTexImage3D = m_texImage3D; }
+
+private:
+  PFNGLTEXIMAGE3DPROC m_texImage3D;
+};
+
 TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
   ViewHost host;
   host.showPhantom();
-  host.scene.quality.jitter = true; // no renderer draws it yet, and says so
-  host.view.setScene(host.scene);
+  auto refused = std::make_unique<DriverWithoutTextures>();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 10000));
+  refused.reset();
   auto* panel = host.view.findChild<MessagePanel*>();
   EXPECT_TRUE(panel->isVisible());
   EXPECT_EQ(panel->sentence(), host.errors[0]);
   EXPECT_FALSE(host.errors[0].isEmpty());
-  host.scene.quality.jitter = false;
-  host.view.setScene(host.scene);
+  QTest::mouseClick(buttonNamed(host, "retry"), Qt::LeftButton);
   EXPECT_TRUE(host.rest());
   EXPECT_FALSE(panel->isVisible());
   EXPECT_EQ(host.errors.size(), 1u);
