@@ -101,9 +101,11 @@ void MainWindow::setProjection(Projection projection, const Gesture& gesture) {
     scene.projection = projection;
     if (!usesIsovalue(projection) || !scene.volume)
       return;
-    // A value that no voxel has would show nothing: begin between background and object.
+    // A value that no voxel has would show nothing, and one in HU means nothing elsewhere: begin between
+    // background and object.
     const ValueRange& range = scene.volume->range();
-    if (scene.isovalue <= range.lowest || scene.isovalue >= range.highest)
+    const bool isForeign = scene.isovalue == Scene{}.isovalue && !looksLikeHounsfield(*scene.volume);
+    if (isForeign || scene.isovalue <= range.lowest || scene.isovalue >= range.highest)
       scene.isovalue = objectThreshold(m_histogram);
   });
 }

@@ -76,20 +76,6 @@ std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
   return document;
 }
 
-void completeScene(LoadedScene& loaded, bool hasCamera, bool hasTransferFunction) {
-  Scene& scene = loaded.scene;
-  if (!hasCamera)
-    scene.camera = defaultCamera(scene.volume->grid());
-  if (!hasTransferFunction) {
-    const Preset preset = bestFitting(builtInPresets(), *scene.volume);
-    // A scene file leaves only its curve to the preset: its projection stays.
-    const Projection projection = scene.projection;
-    scene = withPreset(scene, preset, true);
-    scene.projection = projection;
-    loaded.preset = preset.name;
-  }
-}
-
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
 std::string volumeOf(const SceneDocument& document, const SourceOptions& options) {
   if (options.volume)
@@ -114,7 +100,14 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
-  completeScene(loaded, document.hasCamera, document.hasTransferFunction);
+  if (!document.hasCamera)
+    loaded.scene.camera = defaultCamera(opened.volume->grid());
+  if (!document.hasTransferFunction) {
+    // Only the curve: the scene's other keys have values of their own.
+    const Preset preset = bestFitting(builtInPresets(), *opened.volume);
+    loaded.scene.transferFunction = preset.transferFunction;
+    loaded.preset = preset.name;
+  }
   return loaded;
 }
 
@@ -134,7 +127,10 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
-  completeScene(loaded, false, false);
+  loaded.scene.camera = defaultCamera(opened.volume->grid());
+  const Preset preset = bestFitting(builtInPresets(), *opened.volume);
+  loaded.scene = withPreset(loaded.scene, preset, true);
+  loaded.preset = preset.name;
   return loaded;
 }
 

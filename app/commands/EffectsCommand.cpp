@@ -20,7 +20,7 @@ namespace {
 
 struct EffectsArguments {
   SceneArguments scene;
-  int frames = 5;
+  int frames = 7;
   bool json = false;
   bool shader = false;
 };

@@ -47,12 +47,12 @@ EffectCost costBetween(const std::vector<double>& with, const std::vector<double
 
 EffectCosts::EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows,
                          int frames)
-    : m_variants{{scene, {}, {}}}, m_size(size), m_frames(frames) {
+    : m_variants{{scene, {}, {}, {}}}, m_size(size), m_frames(frames) {
   for (const EffectRow& row : rows) {
     m_variantOfRow.push_back(row.isOn ? m_variants.size() : 0);
     if (!row.isOn)
       continue;
-    Variant variant{scene, row.effects, {}};
+    Variant variant{scene, row.effects, {}, {}};
     if (row.name == "crop")
       variant.scene.crop = {};
     if (row.name == "isosurface")
@@ -69,19 +69,38 @@ void EffectCosts::draw(RayCaster& caster, const Variant& variant) const {
     }
 }
 
+int EffectCosts::frameCount() const {
+  const int rows = static_cast<int>(m_variants.size()) - 1;
+  return rows + 1 + m_frames * (rows > 0 ? 2 * rows : 1);
+}
+
+// The whole picture comes first in one round and second in the next: neither gains from its place.
+EffectCosts::Turn EffectCosts::turnAt(int measured) const {
+  const int rows = static_cast<int>(m_variants.size()) - 1;
+  if (rows == 0)
+    return {};
+  const int pair = measured / 2;
+  const bool isFirst = measured % 2 == 0;
+  const bool wholeIsFirst = pair / rows % 2 == 0;
+  return {static_cast<std::size_t>(1 + pair % rows), isFirst == wholeIsFirst};
+}
+
 bool EffectCosts::step(RayCaster& caster) {
   if (isComplete())
     return false;
   const int count = static_cast<int>(m_variants.size());
-  Variant& variant = m_variants[static_cast<std::size_t>(m_next % count)];
-  const LeftOut leftOut(caster, variant.leftOut);
+  const bool isMeasured = m_next >= count;
+  const Turn turn = isMeasured ? turnAt(m_next - count) : Turn{static_cast<std::size_t>(m_next), false};
+  Variant& variant = m_variants[turn.variant];
+  const Variant& drawn = turn.isWhole ? m_variants.front() : variant;
+  const LeftOut leftOut(caster, drawn.leftOut);
   // What another scene needs on the graphics card is uploaded outside the measured time.
-  caster.draw(variant.scene, m_size, {m_size / 2, {1, 1}});
+  caster.draw(drawn.scene, m_size, {m_size / 2, {1, 1}});
   if (m_next == 0) {
     m_timer.emplace();
-    m_timer->calibrate([&] { draw(caster, variant); });
-  } else if (m_next >= count) {
-    variant.ms.push_back(m_timer->measureMs([&] { draw(caster, variant); }));
+    m_timer->calibrate([&] { draw(caster, drawn); });
+  } else if (isMeasured) {
+    (turn.isWhole ? variant.wholeMs : variant.ms).push_back(m_timer->measureMs([&] { draw(caster, drawn); }));
   }
   ++m_next;
   return !isComplete();
@@ -93,15 +112,20 @@ double EffectCosts::fraction() const {
 
 std::vector<std::optional<EffectCost>> EffectCosts::costs() const {
   std::vector<std::optional<EffectCost>> costs;
-  for (const std::size_t variant : m_variantOfRow)
-    costs.push_back(variant > 0 && isComplete()
-                        ? std::optional(costBetween(m_variants.front().ms, m_variants[variant].ms))
-                        : std::nullopt);
+  for (const std::size_t row : m_variantOfRow) {
+    const Variant& variant = m_variants[row];
+    costs.push_back(row > 0 && isComplete() ? std::optional(costBetween(variant.wholeMs, variant.ms))
+                                            : std::nullopt);
+  }
   return costs;
 }
 
 double EffectCosts::wholeMs() const {
-  return isComplete() ? medianOf(m_variants.front().ms) : 0.0;
+  std::vector<double> all;
+  if (isComplete())
+    for (const Variant& variant : m_variants)
+      all.insert(all.end(), variant.wholeMs.begin(), variant.wholeMs.end());
+  return medianOf(all);
 }
 
 } // namespace limn

@@ -11,15 +11,15 @@
 
 namespace limn {
 
-/// Measures what each effect of a picture costs by leaving it out: whole pictures and pictures without one
-/// row's effects are drawn in turn, so that a machine that slows down slows all of them, after one pixel
-/// each that compiles and uploads. A frame at a time, so that a window stays awake. Needs the same context
-/// current for every step and for its end.
+/// Measures what each effect of a picture costs by leaving it out: a whole picture and one without a row's
+/// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
+/// uploads. So what else the machine does weighs on both sides of a difference alike. A frame at a time, so
+/// that a window stays awake. Needs the same context current for every step and for its end.
 class EffectCosts {
 public:
   /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is
   /// measured against the whole volume, a surface against the composite.
-  EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 5);
+  EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 7);
 
   /// Draws the next frame into the bound framebuffer, which has room for `size` pixels. False when none is
   /// left. The caster draws whole pictures again when this returns.
@@ -45,9 +45,16 @@ private:
   struct Variant {
     Scene scene;
     EffectSet leftOut;
+    std::vector<double> wholeMs; ///< of the whole pictures drawn beside it
     std::vector<double> ms;
   };
-  int frameCount() const { return static_cast<int>(m_variants.size()) * (m_frames + 1); }
+  // One picture that is measured: of a variant, or a whole one beside it.
+  struct Turn {
+    std::size_t variant = 0;
+    bool isWhole = true;
+  };
+  int frameCount() const;
+  Turn turnAt(int measured) const;
   void draw(RayCaster& caster, const Variant& variant) const;
 
   std::vector<Variant> m_variants;         ///< the whole picture first

@@ -10,6 +10,8 @@ GradientOpacity boundaryRamp(const Histogram& gradients) {
     return {{{0.0, 1.0}}};
   const double fades = quantile(gradients, 0.60);
   const double stays = quantile(gradients, 0.97);
+  if (!(stays > fades)) // nearly all voxels have no gradient, as in a volume of labels
+    return {{{0.0, 0.0}, {gradients.range.highest / 2.0, 1.0}}};
   return {{{fades, 0.0}, {stays, 1.0}}};
 }
 

@@ -12,8 +12,8 @@ namespace limn {
 Histogram gradientHistogram(const Volume& volume, int bins = 1024);
 
 /// A gradient opacity to begin with: it keeps the strongest boundaries (from the 97th percentile of the
-/// moduli) and fades what changes slowly (0 up to the 60th percentile). Neutral for a volume without
-/// gradients.
+/// moduli) and fades what changes slowly (0 up to the 60th percentile); where both are one, it rises
+/// to half the largest modulus. Neutral for a volume without gradients.
 GradientOpacity boundaryRamp(const Histogram& gradients);
 
 } // namespace limn

@@ -119,7 +119,7 @@ TEST_F(CommandLine, effectsPrintsATableAndTheMethod) {
   const Outcome outcome = run("effects phantom:8 --model none --size 32x32");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   for (const char* text :
-       {"lighting              off", "without light", "fog is off", "the median of 5 pictures"})
+       {"lighting              off", "without light", "fog is off", "the median of 7 pictures"})
     EXPECT_NE(outcome.out.find(text), std::string::npos) << text << " in " << outcome.out;
 }
 

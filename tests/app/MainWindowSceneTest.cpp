@@ -159,6 +159,11 @@ TEST_F(MainWindowScene, aSurfaceBeginsAtAValueThatTheVolumeHas) {
   EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
 }
 
+TEST_F(MainWindowScene, theSurfaceOfAVolumeInHounsfieldUnitsBeginsAtBone) {
+  emit properties().projectionEdited(Projection::isosurface, {nextGestureId(), QStringLiteral("surface")});
+  EXPECT_EQ(scene().isovalue, 300.0);
+}
+
 TEST_F(MainWindowScene, aPresetKeepsCurveOverTheGradientAndSurface) {
   Scene shaped = scene();
   shaped.gradientOpacity = GradientOpacity{{{5.0, 0.25}, {80.0, 0.75}}};

@@ -38,7 +38,7 @@ TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
   const Image before = caster.render(scene, size);
   const FloatTarget target(size);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
-  EffectCosts costs(scene, size, rows);
+  EffectCosts costs(scene, size, rows, 5);
   EXPECT_EQ(costs.fraction(), 0.0);
   int steps = 1;
   while (costs.step(caster)) {
@@ -53,11 +53,24 @@ TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
     measured += rows[i].isOn;
   }
   EXPECT_GT(measured, 5);
-  // The whole picture and one without each effect: once to compile, then five times.
-  EXPECT_EQ(steps, (measured + 1) * 6);
+  // The whole picture and one without each effect to compile, then five pairs for each.
+  EXPECT_EQ(steps, measured + 1 + 5 * 2 * measured);
   EXPECT_GT(costs.wholeMs(), 0.0);
   EXPECT_FALSE(costs.method().empty());
   EXPECT_EQ(caster.render(scene, size), before);
+}
+
+TEST_F(EffectCostsOnADriver, timeTheWholePictureWhereNothingIsOn) {
+  Scene scene = croppedScene();
+  scene.transferFunction.points.clear();
+  RayCaster caster;
+  const FloatTarget target(size);
+  EffectCosts costs(scene, size, effectRows(scene, caster.plan(scene)), 5);
+  int steps = 1;
+  while (costs.step(caster))
+    ++steps;
+  EXPECT_EQ(steps, 6);
+  EXPECT_GT(costs.wholeMs(), 0.0);
 }
 
 // The slab left is a twentieth of the volume: whatever the machine does, drawing all of it takes longer.

@@ -47,6 +47,13 @@ TEST(GradientHistogram, theRampRunsBetweenItsPercentiles) {
   EXPECT_EQ(ramp, (GradientOpacity{{{599.5, 0.0}, {969.5, 1.0}}}));
 }
 
+TEST(GradientHistogram, theRampOfAVolumeOfLabelsIsNoStep) {
+  Histogram histogram{{0.0, 2.0}, std::vector<std::uint64_t>(100, 0)};
+  histogram.counts[0] = 990;
+  histogram.counts[60] = 10;
+  EXPECT_EQ(boundaryRamp(histogram), (GradientOpacity{{{0.0, 0.0}, {1.0, 1.0}}}));
+}
+
 TEST(GradientHistogram, holdsAllVoxelsOfAVolumeOfManySlices) {
   Grid grid;
   grid.dims = {7, 6, 23};

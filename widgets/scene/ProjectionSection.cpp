@@ -37,7 +37,8 @@ QString meaningOf(Projection projection) {
   case Projection::average:
     return ProjectionSection::tr("The mean value along each ray, like one thick slice.");
   case Projection::xray:
-    return ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph.");
+    return ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph. Lower the "
+                                 "overall opacity where all is white.");
   case Projection::isosurface:
     return ProjectionSection::tr("The first surface at the value below, solid and lit.");
   case Projection::compositeIsosurface:
