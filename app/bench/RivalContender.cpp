@@ -22,15 +22,15 @@ public:
     if (!m_process.waitForStarted(-1))
       throw Error(Error::Kind::other, command.program.string() + " cannot be started: " +
                                           m_process.errorString().toStdString() + ".");
-    m_renderer = answer();
+    try {
+      m_renderer = answer();
+    } catch (...) {
+      end();
+      throw;
+    }
   }
 
-  ~RivalContender() override {
-    m_process.closeWriteChannel();
-    if (!m_process.waitForFinished(5000))
-      m_process.kill();
-    m_process.waitForFinished(5000);
-  }
+  ~RivalContender() override { end(); }
 
   std::string program() const override { return m_name; }
   std::string renderer() const override { return m_renderer; }
@@ -40,6 +40,14 @@ public:
   void save(const std::filesystem::path& path) override { asked("save " + path.string() + "\n"); }
 
 private:
+  // It leaves when nothing more can be asked.
+  void end() {
+    m_process.closeWriteChannel();
+    if (!m_process.waitForFinished(5000))
+      m_process.kill();
+    m_process.waitForFinished(5000);
+  }
+
   FrameCost cost(const std::string& word, const Scene& scene) {
     const std::string json = sceneToJson(scene, m_volumePath);
     FrameCost cost;
