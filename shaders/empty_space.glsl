@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far nothing can be seen: blocks of texels know the distance, in blocks, to the nearest that may show.
-// A block's range reaches half a texel beyond it, so no rounding here can step over a visible sample.
+// A block's range reaches a little beyond it, so no rounding here can step over a visible sample.
 
 uniform sampler3D u_emptyDistance;
 uniform vec3 u_blocksPerTexture;

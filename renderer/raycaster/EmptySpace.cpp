@@ -89,15 +89,20 @@ void lowerFrom(int side, const glm::ivec3& blocks, Distances& distances) {
 
 BlockRanges blockRanges(const TextureVoxels& voxels) {
   BlockRanges result;
-  const glm::ivec3 inner = voxels.size - 2;
-  result.blocks = (inner + blockSize - 1) / blockSize;
+  const glm::ivec3 cells = glm::max(voxels.size - 3, glm::ivec3(1));
+  result.blocks = (cells + blockSize - 1) / blockSize;
   result.ranges.reserve(static_cast<std::size_t>(result.blocks.x) * result.blocks.y * result.blocks.z);
   for (int k = 0; k < result.blocks.z; ++k)
     for (int j = 0; j < result.blocks.y; ++j)
       for (int i = 0; i < result.blocks.x; ++i) {
-        // Texel 0 is the apron: the block's own begin at 1.
-        const glm::ivec3 from = glm::ivec3(i, j, k) * blockSize;
-        result.ranges.push_back(rangeOf(voxels, from, glm::min(from + blockSize + 2, voxels.size)));
+        // Texel 0 is the apron: the block's own begin at 1 and end with the first of the next block.
+        const glm::ivec3 first = glm::ivec3(i, j, k) * blockSize + 1;
+        const glm::ivec3 last = glm::min(first + blockSize, voxels.size - 2);
+        const glm::vec2 own = rangeOf(voxels, first, last + 1);
+        const glm::vec2 around = rangeOf(voxels, first - 1, last + 2);
+        // Beyond the face the texels there weigh no more than the margin, along each of three axes.
+        const float beyond = 3.0f * blockMargin * (around.y - around.x);
+        result.ranges.emplace_back(std::max(own.x - beyond, around.x), std::min(own.y + beyond, around.y));
       }
   return result;
 }

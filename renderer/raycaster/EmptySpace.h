@@ -9,12 +9,17 @@
 
 namespace limn {
 
-/// Texels along each edge of a block.
+/// Cells along each edge of a block.
 inline constexpr int blockSize = 4;
 
-/// The scalars that samples in each block of 4³ texels can take. A block owns the positions from half a texel
-/// before its first texel's centre to half a texel behind its last one's; its range holds a texel more on
-/// either side, so that it stands for positions up to half a texel beyond it.
+/// By this many texels may a position computed in float lie on the wrong side of a block's face: a hundred
+/// times what coordinates of a texture of 2048 texels lose to rounding.
+inline constexpr float blockMargin = 1.0f / 128.0f;
+
+/// The scalars that samples in each block of 4³ cells between texel centres can take. Neighbours share the
+/// texels on their common face; the range stands for positions up to `blockMargin` texels beyond the block,
+/// so that rounding there steps over nothing. The outermost blocks also own the half texel before the
+/// volume's end, where the field is constant.
 struct BlockRanges {
   glm::ivec3 blocks{0};
   std::vector<glm::vec2> ranges; ///< lowest and highest, x fastest

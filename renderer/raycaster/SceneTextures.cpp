@@ -109,12 +109,25 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
 }
 
 IndexBox SceneTextures::visibleBox() const {
+  if (glm::any(glm::lessThanEqual(m_visibleBlocks.upper, m_visibleBlocks.lower)))
+    return {};
   const Grid& grid = m_volume->grid();
-  const glm::dvec3 voxelsPerBlock = glm::dvec3(blockSize * m_volumeTexture->reduction());
-  const glm::dvec3 end = glm::min(glm::dvec3(m_visibleBlocks.upper) * voxelsPerBlock, glm::dvec3(grid.dims));
+  const glm::dvec3 voxelsPerTexel(m_volumeTexture->reduction());
+  const auto faceAt = [&](const glm::ivec3& block, double margin) {
+    // Block 0 begins at the first texel's centre, half a texel behind the volume's face.
+    return (glm::dvec3(block * blockSize) + 0.5 + margin) * voxelsPerTexel;
+  };
+  glm::dvec3 lower = faceAt(m_visibleBlocks.lower, -blockMargin);
+  glm::dvec3 upper = glm::min(faceAt(m_visibleBlocks.upper, blockMargin), glm::dvec3(grid.dims));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (m_visibleBlocks.lower[axis] == 0)
+      lower[axis] = 0.0;
+    if (m_visibleBlocks.upper[axis] == m_volumeTexture->ranges().blocks[axis])
+      upper[axis] = grid.dims[axis];
+  }
   // A voxel begins half an index before its centre.
   const glm::dvec3 shift = centreIndex(grid) + 0.5;
-  return {glm::dvec3(m_visibleBlocks.lower) * voxelsPerBlock - shift, end - shift};
+  return {lower - shift, upper - shift};
 }
 
 void SceneTextures::update(const Scene& scene) {

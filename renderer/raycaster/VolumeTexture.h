@@ -29,9 +29,9 @@ public:
 
   const BlockRanges& ranges() const { return m_ranges; }
 
-  /// Block coordinates = texture coordinates · blocksPerTexture + blockOffset.
+  /// Block coordinates = texture coordinates · blocksPerTexture + blockOffset: 0 at the first voxel's centre.
   glm::dvec3 blocksPerTexture() const { return glm::dvec3(m_size) / double(blockSize); }
-  glm::dvec3 blockOffset() const { return glm::dvec3(-1.0 / blockSize); }
+  glm::dvec3 blockOffset() const { return glm::dvec3(-1.5 / blockSize); }
 
   /// One sentence where the volume was down-sampled, otherwise empty.
   std::string limitation() const;
