@@ -17,9 +17,8 @@ namespace limn {
 std::vector<Preset> builtInPresets() {
   registerPresetResources();
   std::vector<Preset> presets;
-  for (const char* name :
-       {"ct_bone", "ct_skin_and_bone", "ct_soft_tissue", "ct_angiography", "ct_lung", "ct_bone_surface", "ct_maximum",
-        "ct_xray", "mr_head", "mr_glass"}) {
+  for (const char* name : {"ct_bone", "ct_skin_and_bone", "ct_soft_tissue", "ct_angiography", "ct_lung",
+                           "ct_bone_surface", "ct_maximum", "ct_xray", "mr_head", "mr_glass"}) {
     QFile file(QStringLiteral(":/presets/%1.json").arg(QLatin1String(name)));
     const bool opened = file.open(QIODevice::ReadOnly);
     assert(opened);
