@@ -69,7 +69,7 @@ std::string methodLine(const Report& report, const Scene& scene, int frames) {
   char text[400];
   std::snprintf(text, sizeof text,
                 "%d x %d pixels take %.1f ms on %s; each cost is the median of %d pictures less the median "
-                "of %d without the effect, drawn in turn; %s",
+                "of %d without the effect, drawn in turn (costs overlap and do not add up); %s",
                 scene.image.width, scene.image.height, report.wholeMs, report.renderer.c_str(), frames,
                 frames, report.method.c_str());
   return text;

@@ -6,6 +6,7 @@
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
+#include "scene/PresetFit.h"
 
 #include <chrono>
 #include <map>
@@ -54,9 +55,9 @@ void printFigures(const Scene& scene, const RenderArguments& arguments) {
       measureFigures(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
   std::printf(
       "contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of what "
-      "lies at or above %g can be seen\n",
+      "lies at or above %g%s can be seen\n",
       figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
-      100.0 * figures.visibleShare, scene.isovalue);
+      100.0 * figures.visibleShare, scene.isovalue, looksLikeHounsfield(*scene.volume) ? " HU" : "");
 }
 
 void runRender(const RenderArguments& arguments) {

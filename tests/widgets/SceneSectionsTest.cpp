@@ -161,7 +161,7 @@ TEST_F(SceneSections, theHeaderOfACropThatCutsNothingSaysOff) {
   EXPECT_TRUE(headerSays(crop, QStringLiteral("off")));
   m_scene.crop.upper.z = 0.5;
   m_panel.setScene(m_scene);
-  EXPECT_TRUE(headerSays(crop, QLocale().toString(50) + QStringLiteral(" % left")));
+  EXPECT_TRUE(headerSays(crop, QLocale().toString(50) + QStringLiteral(" % kept")));
   EXPECT_TRUE(crop->isFolded()); // what somebody folded stays so
   m_panel.foldUnused();
   EXPECT_FALSE(crop->isFolded());

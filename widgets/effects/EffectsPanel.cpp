@@ -85,7 +85,7 @@ void EffectsPanel::showTimes() {
   if (!m_times.costs.empty())
     m_method->setText(
         tr("The whole picture takes %1 ms at %2 × %3 pixels. Each cost is the median time with the "
-           "effect less the median without it. Method: %4.")
+           "effect less the median without it; costs overlap and do not add up. Method: %4.")
             .arg(m_times.wholeMs, 0, 'f', m_times.wholeMs < 10.0 ? 1 : 0)
             .arg(m_times.size.width())
             .arg(m_times.size.height())

@@ -119,7 +119,7 @@ void CropSection::showCrop() {
   }
   const bool cuts = m_crop != CropBox{};
   m_reset->setEnabled(cuts);
-  setSummary(cuts ? tr("%1 % left").arg(plainNumber(100.0 * shareLeft(m_crop), 1)) : tr("off"));
+  setSummary(cuts ? tr("%1 % kept").arg(plainNumber(100.0 * shareLeft(m_crop), 1)) : tr("off"));
 }
 
 } // namespace limn

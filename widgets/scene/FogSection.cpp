@@ -40,16 +40,17 @@ NumberSpec distanceSpec(const QString& label, const QString& help, double initia
 }
 
 NumberSpec startSpec(double farthest) {
-  return distanceSpec(
-      FogSection::tr("Begins at"),
-      FogSection::tr("The distance from the eye up to which the picture stays clear; up to there no fog."),
-      Fog{}.startMm, farthest);
+  return distanceSpec(FogSection::tr("Begins at"),
+                      FogSection::tr("The distance from the viewer up to which the picture stays clear; "
+                                     "zooming out moves the viewer away."),
+                      Fog{}.startMm, farthest);
 }
 
 NumberSpec endSpec(double farthest) {
-  return distanceSpec(FogSection::tr("Full at"),
-                      FogSection::tr("The distance from the eye from which only the fog's colour is left."),
-                      Fog{}.endMm, farthest);
+  return distanceSpec(
+      FogSection::tr("Full at"),
+      FogSection::tr("The distance from the viewer from which only the fog's colour is left."), Fog{}.endMm,
+      farthest);
 }
 
 } // namespace

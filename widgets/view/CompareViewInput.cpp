@@ -6,8 +6,11 @@
 #include "widgets/view/SideText.h"
 #include "widgets/view/WindowLevelGesture.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QEnterEvent>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -268,6 +271,16 @@ void CompareView::leaveEvent(QEvent* event) {
   m_wipeHovered = false;
   m_hoveredFace.reset();
   update();
+}
+
+void CompareView::enterEvent(QEnterEvent* event) {
+  QOpenGLWidget::enterEvent(event);
+  // Keys go to what the pointer is over, but not out of a field in which someone types.
+  const QWidget* focused = QApplication::focusWidget();
+  const bool isTyping = qobject_cast<const QLineEdit*>(focused) != nullptr ||
+                        qobject_cast<const QAbstractSpinBox*>(focused) != nullptr;
+  if (isActiveWindow() && !isTyping)
+    setFocus(Qt::MouseFocusReason);
 }
 
 void CompareView::focusOutEvent(QFocusEvent* event) {
