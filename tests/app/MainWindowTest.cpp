@@ -4,7 +4,11 @@
 #include "support/Heart.h"
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/presets/PresetBrowser.h"
 
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QRegularExpression>
 
 // The program's window with real mouse and key events.
@@ -44,6 +48,31 @@ TEST_F(MainWindowTest, openingThePhantomShowsItAndItsSize) {
   const glm::ivec3 dims = scene().volume->grid().dims;
   EXPECT_TRUE(labelSays(QStringLiteral("%1×%2×%3").arg(dims.x).arg(dims.y).arg(dims.z)));
   EXPECT_FALSE(isLoadingShown());
+}
+
+TEST_F(MainWindowTest, keysGoToThePictureUnderThePointerUnlessSomeoneTypes) {
+  ASSERT_TRUE(open(phantom));
+  ASSERT_TRUE(rest());
+  QWindow* handle = window->windowHandle();
+  const QPoint inView = view().mapTo(window.get(), view().rect().center());
+  const auto enterFrom = [&](QWidget& field) {
+    const QPoint outside = field.mapTo(window.get(), field.rect().center());
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, outside);
+    field.setFocus();
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, inView);
+    QCoreApplication::processEvents();
+  };
+  QComboBox* list = nullptr;
+  for (QComboBox* one : window->findChildren<QComboBox*>())
+    if (one->isVisible() && one->isEnabled())
+      list = one;
+  ASSERT_TRUE(list);
+  enterFrom(*list);
+  EXPECT_EQ(QApplication::focusWidget(), &view());
+  QLineEdit* search = window->findChild<PresetBrowser*>()->findChild<QLineEdit*>();
+  ASSERT_TRUE(search);
+  enterFrom(*search);
+  EXPECT_EQ(QApplication::focusWidget(), search);
 }
 
 TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothing) {
