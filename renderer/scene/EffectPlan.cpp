@@ -211,10 +211,10 @@ void explainDropped(EffectPlan& plan, Projection projection) {
 } // namespace
 
 bool stepResolvesFunction(const Scene& scene, double steepestPerMm) {
-  // Measured on the CT head against 1/64 voxel, mean error of pre-integrated steps to that of samples: bands
-  // of 20 to 200 HU 0.09 to 0.33; ramps of 60 % opacity over 50 HU 0.36 (lit 0.63) at half a voxel, where the
-  // value commonly changes by up to 340 HU a step, over 100 HU 0.59 (0.79), over 200 HU 1.8 (1.06). It
-  // takes 1.4 times as long, which a smaller step would turn into half the error.
+  // Measured on the CT head against 1/64 voxel (tests/benchmarks/PreintegrationGain.cpp), mean error of
+  // pre-integrated steps to that of samples: bands of 20 to 200 HU 0.09 to 0.33; edges of 60 % opacity within
+  // 50 HU 0.36 (lit 0.63) at half a voxel, where the value commonly changes by up to 340 HU a step, within
+  // 100 HU 0.59 (0.79), within 200 HU 1.8 (1.06). It takes 1.3 to 2 times as long.
   const double perStep = steepestPerMm * stepMm(scene);
   const ValueRange& range = scene.volume->range();
   return largestChangeOver(scene.transferFunction, perStep / 16.0, range) < 0.2 &&

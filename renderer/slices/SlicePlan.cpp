@@ -2,6 +2,7 @@
 #include "slices/SlicePlan.h"
 
 #include "scene/Error.h"
+#include "scene/ProjectionName.h"
 
 #include <array>
 
@@ -19,26 +20,6 @@ constexpr std::array droppedBySlices{
     Dropped{Effect::emptySpaceSkipping, "a slice is one sample: there is nothing to step over"},
     Dropped{Effect::longRays, "slices do not march along rays, so no ray is too long"},
 };
-
-const char* nameOf(Projection projection) {
-  switch (projection) {
-  case Projection::composite:
-    return "composite";
-  case Projection::mip:
-    return "mip";
-  case Projection::minip:
-    return "minip";
-  case Projection::average:
-    return "average";
-  case Projection::xray:
-    return "xray";
-  case Projection::isosurface:
-    return "isosurface";
-  case Projection::compositeIsosurface:
-    return "composite_isosurface";
-  }
-  return "";
-}
 
 } // namespace
 

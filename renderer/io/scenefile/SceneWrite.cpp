@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
 
+#include "scene/ProjectionName.h"
+
 #include <nlohmann/json.hpp>
 
 namespace limn {
@@ -102,12 +104,6 @@ Json toJson(const Fog& fog) {
           {"density_per_mm", fog.densityPerMm},
           {"start_mm", fog.startMm},
           {"end_mm", fog.endMm}};
-}
-
-const char* nameOf(Projection projection) {
-  static constexpr const char* names[] = {
-      "composite", "mip", "minip", "average", "xray", "isosurface", "composite_isosurface"};
-  return names[static_cast<int>(projection)];
 }
 
 Json toJson(const Quality& quality) {
