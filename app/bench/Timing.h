@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/Timing.h"
 #include "app/bench/ProcessCost.h"
 
 #include <chrono>
@@ -22,16 +23,6 @@ FrameCost costOf(const Work& work) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   return {ms.count(), processorMs() - processorBefore};
 }
-
-/// Many times as a reader wants them.
-struct Timing {
-  double median = 0.0;
-  double least = 0.0;
-  double most = 0.0;
-};
-
-/// At least one time; of an even number the median is the mean of the middle two.
-Timing timingOf(std::vector<double> times);
 
 /// The wall times and the processor times of frames.
 std::vector<double> wallTimes(const std::vector<FrameCost>& frames);

@@ -76,9 +76,14 @@ TEST(Layering, slicesShareTheRayCastersTexturesAndBlocksAndKnowNothingElse) {
   expectNoIncludes("renderer/slices", "^raycaster/RayCaster.h", "slices share blocks and textures, not rays");
 }
 
+TEST(Layering, accuracyTakesRenderersAsFunctions) {
+  expectNoIncludes("renderer/accuracy", "^(io|gl|raycaster|slices|reference|widgets|app)/",
+                   "a sweep measures any renderer");
+}
+
 TEST(Layering, onlyIoTalksToFileLibraries) {
-  for (const char* folder :
-       {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference", "widgets"})
+  for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference",
+                             "renderer/accuracy", "widgets"})
     expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
                      "files are read and written in io");
 }

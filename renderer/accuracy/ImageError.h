@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+
+#include <vector>
+
+namespace limn {
+
+/// How far a picture lies from another, in 8-bit levels (premultiplied channels × 255, not quantised), over
+/// the four channels of the pixels that either covers (RENDERING section 9). All 0 where none is covered.
+struct ImageError {
+  double largest = 0.0;
+  double p99_9 = 0.0; ///< 99.9th percentile of the channels, linearly interpolated
+  double mean = 0.0;
+  double rms = 0.0;
+  double shareOverOne = 0.0; ///< of those pixels, off by more than one level in any channel; 0..1
+  bool operator==(const ImageError&) const = default;
+};
+
+/// A picture in double precision, rows from the top.
+using PrecisePixels = std::vector<glm::dvec4>;
+
+/// Both pictures have the same number of pixels. A channel that is not a number counts as infinitely wrong.
+ImageError imageError(const PrecisePixels& picture, const PrecisePixels& exact);
+ImageError imageError(const Image& picture, const PrecisePixels& exact);
+ImageError imageError(const Image& picture, const Image& other);
+
+PrecisePixels precise(const Image& image);
+
+/// "Accurate to the screen": the 99.9th percentile is at most one level.
+inline bool isAccurateToTheScreen(const ImageError& error) {
+  return error.p99_9 <= 1.0;
+}
+
+} // namespace limn

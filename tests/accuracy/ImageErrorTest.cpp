@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/ErrorEstimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+// A row of covered grey pixels.
+Image row(int pixels, float value) {
+  Image image(glm::ivec2(pixels, 1));
+  for (glm::vec4& pixel : image.pixels)
+    pixel = glm::vec4(value, value, value, 1.0f);
+  return image;
+}
+
+TEST(ImageError, ofAPictureWithItselfIsNothing) {
+  EXPECT_EQ(imageError(row(10, 0.5f), row(10, 0.5f)), ImageError{});
+}
+
+TEST(ImageError, countsTheFourChannelsOfCoveredPixelsInLevels) {
+  Image picture = row(4, 0.5f);
+  picture.pixels[2].r += 2.0f / 255.0f;
+  const ImageError error = imageError(picture, row(4, 0.5f));
+  // One of 16 channels is off by two levels. Floats of 0.5 hold 255ths to 1.5e-5 of a level.
+  EXPECT_NEAR(error.largest, 2.0, 2e-5);
+  EXPECT_NEAR(error.mean, 2.0 / 16.0, 2e-5);
+  EXPECT_NEAR(error.rms, std::sqrt(4.0 / 16.0), 2e-5);
+  EXPECT_DOUBLE_EQ(error.shareOverOne, 0.25);
+  // Rank 0.999 · 15 = 14.985 lies between the channel ranked 14 (0) and the one ranked 15 (2).
+  EXPECT_NEAR(error.p99_9, 2.0 * 0.985, 2e-5);
+}
+
+TEST(ImageError, leavesOutWhatNeitherPictureCovers) {
+  Image picture = row(2, 0.0f), other = row(2, 0.0f);
+  picture.pixels[0] = glm::vec4(0.5f, 0.0f, 0.0f, 0.0019f); // below 1/510
+  other.pixels[0] = glm::vec4(0.0f);
+  EXPECT_EQ(imageError(picture, other), ImageError{});
+  other.pixels[0].a = 0.01f; // one of them covers
+  EXPECT_NEAR(imageError(picture, other).largest, 127.5, 1e-3);
+}
+
+TEST(ImageError, takesWhatIsNotANumberForInfinitelyWrong) {
+  Image picture = row(2, 0.5f);
+  picture.pixels[1] = glm::vec4(std::numeric_limits<float>::quiet_NaN());
+  const ImageError error = imageError(picture, row(2, 0.5f));
+  EXPECT_TRUE(std::isinf(error.largest));
+  EXPECT_DOUBLE_EQ(error.shareOverOne, 0.5);
+}
+
+TEST(ErrorEstimate, ofAnExactPowerLawIsTheErrorItself) {
+  // I_h - I = C h^p: with errors e, e/2^p, e/4^p the differences are theirs.
+  for (const double p : {1.0, 1.3, 2.0}) {
+    const double e = 8.0, half = e * std::exp2(-p), quarter = half * std::exp2(-p);
+    const ImageError before{.p99_9 = e - half, .mean = (e - half) / 10};
+    const ImageError halving{.p99_9 = half - quarter, .mean = (half - quarter) / 10};
+    const ErrorEstimate finest = errorAfterHalving(halving, before);
+    EXPECT_NEAR(finest.order, p, 1e-12);
+    EXPECT_NEAR(finest.p99_9, quarter, 1e-12);
+    EXPECT_NEAR(finest.mean, quarter / 10, 1e-12);
+    EXPECT_NEAR(errorBeforeHalving(halving, before).p99_9, half, 1e-12);
+  }
+}
+
+TEST(ErrorEstimate, staysCarefulWhereNoOrderShows) {
+  EXPECT_DOUBLE_EQ(observedOrder(0.0, 1.0), 1.0);
+  EXPECT_DOUBLE_EQ(observedOrder(1.0, 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(observedOrder(1.0, 3.0), 1.0);
+  EXPECT_DOUBLE_EQ(observedOrder(100.0, 1.0), 2.0);
+  const ImageError halving{.p99_9 = 0.5};
+  EXPECT_DOUBLE_EQ(errorAfterHalving(halving).p99_9, 0.5);
+  EXPECT_DOUBLE_EQ(errorBeforeHalving(halving).p99_9, 1.0);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "accuracy/OperatingPoint.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+MeasuredPoint measured(double stepVoxels, double p99_9, double ms) {
+  return {.point = {.stepVoxels = stepVoxels},
+          .error = {.p99_9 = p99_9, .mean = p99_9 / 8},
+          .ms = {ms, ms, ms}};
+}
+
+TEST(OperatingPoint, isParetoOptimalWhereNoOtherIsAsFastAndAsAccurate) {
+  std::vector<MeasuredPoint> points{measured(1, 8, 10), measured(0.5, 2, 20), measured(0.25, 3, 30),
+                                    measured(2, 8, 10), measured(4, 8, 12)};
+  markPareto(points);
+  EXPECT_TRUE(points[0].isPareto);
+  EXPECT_TRUE(points[1].isPareto);
+  EXPECT_FALSE(points[2].isPareto) << "slower and less accurate than the second";
+  EXPECT_TRUE(points[3].isPareto) << "equal points do not beat each other";
+  EXPECT_FALSE(points[4].isPareto) << "as accurate as the first, slower";
+}
+
+TEST(OperatingPoint, isChosenByAWishOrNot) {
+  const std::vector<MeasuredPoint> points{measured(1, 8, 10), measured(0.5, 2, 20), measured(0.25, 0.5, 40)};
+  ASSERT_TRUE(fastestWithin(points, 2.0));
+  EXPECT_EQ(fastestWithin(points, 2.0)->point.stepVoxels, 0.5);
+  EXPECT_EQ(fastestWithin(points, 0.1), nullptr);
+  ASSERT_TRUE(mostAccurateWithin(points, 33.0));
+  EXPECT_EQ(mostAccurateWithin(points, 33.0)->point.stepVoxels, 0.5);
+  EXPECT_EQ(mostAccurateWithin(points, 5.0), nullptr);
+}
+
+TEST(OperatingPoint, showsItsOrderBesideThePointOfTwiceItsStep) {
+  std::vector<MeasuredPoint> points{measured(1, 8, 10), measured(0.5, 2, 20), measured(0.125, 1, 80)};
+  points.push_back(measured(0.25, 1, 50));
+  points.back().point.preintegrated = true;
+  findOrders(points);
+  EXPECT_FALSE(points[0].order) << "nothing coarser";
+  ASSERT_TRUE(points[1].order);
+  EXPECT_DOUBLE_EQ(*points[1].order, 2.0);
+  EXPECT_FALSE(points[2].order) << "1/4 is missing between 1/2 and 1/8";
+  EXPECT_FALSE(points[3].order) << "another family";
+}
+
+TEST(OperatingPoint, namesItsFamilyAndStep) {
+  EXPECT_EQ(familyOf({}), "rays");
+  EXPECT_EQ(familyOf({.engine = Engine::slices, .preintegrated = true, .earlyTermination = 1.0}),
+            "slices, pre-integrated, never ends early");
+  EXPECT_EQ(familyOf({.gradients = GradientSource::precomputed, .imageScale = 0.5}),
+            "rays, stored gradients, 50 % of the pixels each way");
+  EXPECT_EQ(stepOf({.stepVoxels = 0.125}), "step 1/8");
+  EXPECT_EQ(stepOf({.stepVoxels = 2.0}), "step 2");
+  EXPECT_EQ(stepOf({.toleranceLevels = 1.0}), "within 1 level");
+}
+
+} // namespace
+} // namespace limn
