@@ -145,7 +145,7 @@ private:
       if (!(material.opacity > 0.0))
         continue;
       addStep(i, material, sum);
-      if (endsEarly && sum.a <= last)
+      if ((endsEarly && sum.a <= last) || sum.a < nothingLeft)
         break;
     }
     return {glm::dvec3(sum), 1.0 - sum.a};
@@ -226,6 +226,9 @@ private:
   }
 
   static constexpr int halvings = 14; // to less than 1e-4 of a step
+
+  // Light through so little cannot change the last digit of 1 in double precision, however bright.
+  static constexpr double nothingLeft = 1e-20;
 
   const PictureTerms& m_terms;
   const FieldSampler<T>& m_field;
