@@ -82,6 +82,13 @@ void AccuracyChart::setCurrent(std::optional<std::size_t> point) {
   m_notes->update();
 }
 
+void AccuracyChart::setHovered(std::optional<std::size_t> point) {
+  if (point == m_hovered)
+    return;
+  m_hovered = point;
+  m_notes->update();
+}
+
 void AccuracyChart::addAxes() {
   double leastMs = 1e9, mostMs = 0.0, leastError = 1.0, mostError = 1.0;
   for (const ChartCurve& curve : m_curves)

@@ -42,6 +42,9 @@ public:
   /// Marks the points of the report that the pictures on screen use; out of range marks none.
   void setCurrent(std::optional<std::size_t> point);
 
+  /// Lifts the point under the pointer, or the one that keys walked to.
+  void setHovered(std::optional<std::size_t> point);
+
   /// Where a point of the report stands, in the chart's coordinates; absent where it is not shown.
   std::optional<QPointF> positionOf(std::size_t point) const;
 
@@ -73,6 +76,7 @@ private:
   LogAxis m_timeAxis;
   LogAxis m_errorAxis;
   std::optional<std::size_t> m_current;
+  std::optional<std::size_t> m_hovered;
   ChartNotes* m_notes;
 };
 

@@ -37,7 +37,7 @@ void ChartNotes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         if (mark.isBelowFloor)
           paintFloor(*painter, mark, color);
       }
-    paintCurrent(*painter);
+    paintChosen(*painter);
   }
   painter->restore();
 }
@@ -118,16 +118,20 @@ void ChartNotes::paintFloor(QPainter& painter, const ChartMark& mark, const QCol
                    AccuracyChart::tr("< %1").arg(QString::number(mark.error, 'g', 2)));
 }
 
-void ChartNotes::paintCurrent(QPainter& painter) const {
-  const std::optional<QPointF> place =
-      m_chart.m_current ? m_chart.positionOf(*m_chart.m_current) : std::nullopt;
-  if (!place)
-    return;
+void ChartNotes::paintChosen(QPainter& painter) const {
   QColor accent = chartColors(m_chart.m_style).accent;
-  painter.setPen(QPen(accent, 2.0));
-  accent.setAlphaF(0.25f);
-  painter.setBrush(accent);
-  painter.drawEllipse(*place, m_chart.m_textSize, m_chart.m_textSize);
+  const auto ring = [&](std::optional<std::size_t> point, double radius, double filling) {
+    const std::optional<QPointF> place = point ? m_chart.positionOf(*point) : std::nullopt;
+    if (!place)
+      return;
+    accent.setAlphaF(1.0f);
+    painter.setPen(QPen(accent, 2.0));
+    accent.setAlphaF(static_cast<float>(filling));
+    painter.setBrush(accent);
+    painter.drawEllipse(*place, radius, radius);
+  };
+  ring(m_chart.m_current, m_chart.m_textSize, 0.25);
+  ring(m_chart.m_hovered, 0.8 * m_chart.m_textSize, 0.0);
 }
 
 } // namespace limn

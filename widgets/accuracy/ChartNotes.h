@@ -22,7 +22,7 @@ private:
   void paintOneLevel(QPainter& painter) const;
   void paintSpread(QPainter& painter, const ChartMark& mark, const QColor& color) const;
   void paintFloor(QPainter& painter, const ChartMark& mark, const QColor& color) const;
-  void paintCurrent(QPainter& painter) const;
+  void paintChosen(QPainter& painter) const;
   bool isFree(const QRectF& place) const;
 
   AccuracyChart& m_chart;
