@@ -33,13 +33,18 @@ void saveCharts(const QDir& folder) {
 void save(QWidget& widget, const QSize& size, const QString& path) {
   widget.resize(size);
   widget.show();
-  QApplication::processEvents();
+  for (int round = 0; round < 5; ++round) // layouts within layouts
+    QApplication::processEvents();
   widget.grab().save(path);
 }
 
 void savePanel(const QString& prefix) {
   Scene scene;
   scene.volume = phantomVolume({.spacingMm = 8.0});
+  scene.transferFunction.points.resize(2);
+  scene.transferFunction.points[0].value = -1000.0;
+  scene.transferFunction.points[1].value = 500.0;
+  scene.transferFunction.points[1].opacity = 0.8;
   AccuracyPanel panel;
   save(panel, {300, 900}, prefix + QStringLiteral("empty.png"));
   panel.setScene(scene);

@@ -30,7 +30,7 @@ AccuracyChartView::AccuracyChartView(QWidget* parent) : QChartView(parent), m_ch
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMinimumHeight(300);
   setAccessibleName(tr("Chart of error against time"));
-  m_chart->setMostTicks(5, 8);
+  m_chart->setMostTicks(6, 12);
   dress();
 }
 

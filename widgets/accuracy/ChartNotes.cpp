@@ -53,22 +53,34 @@ void ChartNotes::paintEmpty(QPainter& painter) const {
                    Qt::AlignCenter | Qt::TextWordWrap, why);
 }
 
-// The label stands where it covers no curve, as far to the right as possible, or else at the right end.
+// The label stands where it covers no curve, as far to the right as possible; where there is no such place, a
+// shorter one does.
 void ChartNotes::paintOneLevel(QPainter& painter) const {
   const QRectF plot = m_chart.plotArea();
   const double y = m_chart.positionAt(1.0, 1.0).y();
   painter.setPen(QPen(chartColors(m_chart.m_style).text, 1.0, Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-  const QString text = AccuracyChart::tr("1 level: accurate to the screen");
   const QFontMetricsF metrics(painter.font());
-  const QSizeF size(metrics.horizontalAdvance(text) + 4.0, metrics.height());
-  const QRectF atRight(QPointF(plot.right() - size.width() - 6.0, y - size.height() - 2.0), size);
-  std::optional<QRectF> place;
-  for (double x = atRight.left(); !place && x > plot.left() + 6.0; x -= 0.5 * m_chart.m_textSize)
+  for (const QString& text :
+       {AccuracyChart::tr("1 level: accurate to the screen"), AccuracyChart::tr("1 level")}) {
+    const QSizeF size(metrics.horizontalAdvance(text) + 4.0, metrics.height());
+    const std::optional<QPointF> corner = freeCorner(size, y);
+    if (!corner)
+      continue;
+    painter.drawText(QRectF(*corner, size), Qt::AlignCenter, text);
+    break;
+  }
+}
+
+// Where a label of this size can stand above or below the line at `y`.
+std::optional<QPointF> ChartNotes::freeCorner(const QSizeF& size, double y) const {
+  const QRectF plot = m_chart.plotArea();
+  const double step = 0.5 * m_chart.m_textSize;
+  for (double x = plot.right() - size.width() - 6.0; x > plot.left() + 6.0; x -= step)
     for (const double top : {y - size.height() - 2.0, y + 2.0})
-      if (!place && isFree(QRectF(QPointF(x, top), size)))
-        place = QRectF(QPointF(x, top), size);
-  painter.drawText(place.value_or(atRight), Qt::AlignCenter, text);
+      if (isFree(QRectF(QPointF(x, top), size)))
+        return QPointF(x, top);
+  return std::nullopt;
 }
 
 bool ChartNotes::isFree(const QRectF& place) const {

@@ -3,6 +3,8 @@
 
 #include <QGraphicsItem>
 
+#include <optional>
+
 namespace limn {
 
 class AccuracyChart;
@@ -23,6 +25,7 @@ private:
   void paintSpread(QPainter& painter, const ChartMark& mark, const QColor& color) const;
   void paintFloor(QPainter& painter, const ChartMark& mark, const QColor& color) const;
   void paintChosen(QPainter& painter) const;
+  std::optional<QPointF> freeCorner(const QSizeF& size, double y) const;
   bool isFree(const QRectF& place) const;
 
   AccuracyChart& m_chart;

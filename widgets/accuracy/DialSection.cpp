@@ -44,13 +44,13 @@ DialSection::DialSection(QWidget* parent)
       m_sentence(new QLabel) {
   auto* block = new QVBoxLayout;
   block->setSpacing(4);
-  block->addWidget(new QLabel(tr("Picture at rest: step in voxels")));
-  block->addWidget(m_dial);
+  block->addWidget(new QLabel(tr("Picture at rest")));
   auto* ends = new QHBoxLayout;
   ends->addWidget(endLabel(tr("Faster")));
   ends->addStretch(1);
   ends->addWidget(endLabel(tr("Exact")));
   block->addLayout(ends);
+  block->addWidget(m_dial);
   contents()->addLayout(block);
   m_dial->setAccessibleName(tr("Faster or closer to exact"));
   m_dial->setToolTip(
@@ -102,7 +102,8 @@ void DialSection::showStops(const MeasuredAccuracy* measured) {
     }
     stops.push_back(stop);
   }
-  m_dial->setStops(stops, measured ? QStringList{tr("levels"), tr("ms")} : QStringList{});
+  m_dial->setStops(stops,
+                   measured ? QStringList{tr("step"), tr("levels"), tr("ms")} : QStringList{tr("step")});
 }
 
 QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const {

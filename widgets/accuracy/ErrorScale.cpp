@@ -36,7 +36,7 @@ double errorScalePlace(double levels) {
 QColor errorScaleColor(double place) {
   // Hue in degrees from violet (300) through red (380) to yellow (460).
   const double hue = (300.0 + 160.0 * place) * std::acos(-1.0) / 180.0;
-  const double chroma = 0.06 + 0.5 * place * (1.0 - place) + 0.06 * place;
+  const double chroma = 0.06 + 0.42 * place * (1.0 - place) + 0.05 * place;
   return fromOklab(0.22 + 0.74 * place, chroma * std::cos(hue), chroma * std::sin(hue));
 }
 

@@ -39,11 +39,11 @@ StopSlider::StopSlider(QWidget* parent) : QAbstractSlider(parent) {
   });
 }
 
-void StopSlider::setStops(const std::vector<SliderStop>& stops, const QStringList& rows) {
-  if (stops == m_stops && rows == m_rows)
+void StopSlider::setStops(const std::vector<SliderStop>& stops, const QStringList& captions) {
+  if (stops == m_stops && captions == m_captions)
     return;
   m_stops = stops;
-  m_rows = rows;
+  m_captions = captions;
   const QSignalBlocker quiet(this);
   setRange(0, static_cast<int>(stops.size()) - 1);
   updateGeometry();
@@ -62,7 +62,7 @@ QPointF StopSlider::stopCentre(int stop) const {
 }
 
 QSize StopSlider::sizeHint() const {
-  const double rows = 1.0 + static_cast<double>(m_rows.size());
+  const auto rows = static_cast<double>(m_captions.size());
   return {240, static_cast<int>(std::ceil(trackHeight + rows * (textHeight() + rowGap)))};
 }
 
@@ -107,9 +107,9 @@ void StopSlider::paintTexts(QPainter& painter) const {
       painter.drawText(cell(centreAt(stop).x(), row + 1), Qt::AlignCenter, shown.figures[row]);
   }
   painter.setPen(isEnabled() ? colors.secondaryText : colors.disabledText);
-  for (int row = 0; row < m_rows.size(); ++row)
-    painter.drawText(QRectF(0.0, cell(0.0, row + 1).top(), captionWidth(), textHeight()),
-                     Qt::AlignLeft | Qt::AlignVCenter, m_rows[row]);
+  for (int row = 0; row < m_captions.size(); ++row)
+    painter.drawText(QRectF(0.0, cell(0.0, row).top(), captionWidth(), textHeight()),
+                     Qt::AlignLeft | Qt::AlignVCenter, m_captions[row]);
 }
 
 void StopSlider::mousePressEvent(QMouseEvent* event) {
@@ -147,8 +147,8 @@ QPointF StopSlider::centreAt(double place) const {
 double StopSlider::captionWidth() const {
   const QFontMetricsF metrics(smallFont(font()));
   double widest = 0.0;
-  for (const QString& row : m_rows)
-    widest = std::max(widest, metrics.horizontalAdvance(row));
+  for (const QString& caption : m_captions)
+    widest = std::max(widest, metrics.horizontalAdvance(caption));
   return widest;
 }
 

@@ -24,8 +24,8 @@ class StopSlider : public QAbstractSlider {
 public:
   explicit StopSlider(QWidget* parent = nullptr);
 
-  /// At least two stops. `rows` names the rows of figures.
-  void setStops(const std::vector<SliderStop>& stops, const QStringList& rows);
+  /// At least two stops. `captions` says what the names are, then what each row of figures is.
+  void setStops(const std::vector<SliderStop>& stops, const QStringList& captions);
 
   /// Where the handle stands: 0 the first stop, 1 the second.
   void setPlace(double place);
@@ -56,7 +56,7 @@ private:
   void paintTexts(QPainter& painter) const;
 
   std::vector<SliderStop> m_stops;
-  QStringList m_rows;
+  QStringList m_captions;
   double m_place = 0.0;
 };
 

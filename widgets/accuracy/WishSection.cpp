@@ -65,17 +65,15 @@ WishAnswer wishForMs(const AccuracyReport& report, double ms) {
 WishSection::WishSection(QWidget* parent)
     : FoldingSection(tr("By wish"), parent), m_levels(new NumberField(0.01, 100.0, 2)),
       m_ms(new NumberField(1.0, 100000.0, 0)), m_answer(new QLabel) {
-  m_useLevels = addWish(tr("Error at most"), m_levels,
+  m_useLevels = addWish(tr("Error at most, levels"), m_levels,
                         tr("<p>Takes the fastest measured picture of which 999 in 1000 colour values are at "
                            "most so many levels of 255 off.</p><p>Range 0.01 – 100, default 1.</p>"));
   m_useMs = addWish(
-      tr("Time at most"), m_ms,
+      tr("Time at most, ms"), m_ms,
       tr("<p>Takes the most exact measured picture that is drawn in at most so many milliseconds, at the "
          "size at which it was measured.</p><p>Range 1 – 100000, default 33.</p>"));
   m_levels->setNumber(1.0);
-  m_levels->setSuffix(tr(" levels"));
   m_ms->setNumber(33.0);
-  m_ms->setSuffix(tr(" ms"));
   m_answer->setWordWrap(true);
   contents()->addWidget(m_answer);
   connect(m_useLevels, &QPushButton::clicked, this, [this] { emit levelsWished(m_levels->number()); });
@@ -92,7 +90,7 @@ QPushButton* WishSection::addWish(const QString& name, NumberField* field, const
   label->setToolTip(toolTip);
   field->setToolTip(toolTip);
   field->setAccessibleName(name);
-  field->setMinimumWidth(104);
+  field->setFixedWidth(72);
   button->setToolTip(toolTip);
   button->setAccessibleName(tr("Use: %1").arg(name));
   row->addWidget(label, 1);
