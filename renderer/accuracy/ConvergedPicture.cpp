@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/ConvergedPicture.h"
 
-#include "scene/RayFrame.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,11 +19,6 @@ constexpr double stillLevels = 0.002;
 bool changes(const glm::dvec4& before, const glm::dvec4& after) {
   const glm::dvec4 change = glm::abs(after - before) * 255.0;
   return !(std::max({change.r, change.g, change.b, change.a}) <= stillLevels);
-}
-
-// Whether every ray's step still follows the scene's.
-bool isWithinSampleLimit(const Scene& scene) {
-  return longestRaySamples(scene) <= mostSamples;
 }
 
 } // namespace
@@ -49,7 +42,7 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   double fraction = 0.0;
   while (!result.facts.converged) {
     finer.quality.stepVoxels /= 2.0;
-    if (finer.quality.stepVoxels < smallestStep || !isWithinSampleLimit(finer))
+    if (finer.quality.stepVoxels < smallestStep)
       break;
     // How many halvings it will take is unknown: each takes a part of what is left.
     fraction += (1.0 - fraction) / 4.0;
