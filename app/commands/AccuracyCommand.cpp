@@ -6,7 +6,11 @@
 #include "app/accuracy/RealRenderers.h"
 #include "app/commands/SceneArguments.h"
 #include "io/AtomicFile.h"
+#include "widgets/accuracy/AccuracyChartPicture.h"
 
+#include <QApplication>
+
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -22,12 +26,29 @@ struct AccuracyArguments {
   double withinMs = 0.0;     ///< 0: not given
 };
 
+constexpr QSize chartSize(1600, 1000);
+
 std::string nameOf(const SceneArguments& arguments, const LoadedScene& loaded) {
   std::string name = std::filesystem::path(arguments.source.source).stem().stem().string();
   const std::string preset = arguments.preset.empty() ? loaded.preset : arguments.preset;
   if (!preset.empty())
     name += ", " + preset;
   return name;
+}
+
+// Charts are drawn by widgets, which need an application but no display.
+void writeChart(const AccuracyReport& report, const std::filesystem::path& path) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  char name[] = "limn";
+  char* words[] = {name, nullptr};
+  int count = 1;
+  const QApplication application(count, words);
+  const QImage chart = accuracyChartPicture(report, chartSize);
+  replaceAtomically(path, [&](const std::filesystem::path& temporary) {
+    if (!chart.save(QString::fromStdString(temporary.string()), "PNG"))
+      throw Error(Error::Kind::other,
+                  "The chart " + path.string() + " cannot be written; is there room on the disk?");
+  });
 }
 
 void writeReport(const AccuracyReport& report, const std::filesystem::path& folder) {
@@ -39,6 +60,7 @@ void writeReport(const AccuracyReport& report, const std::filesystem::path& fold
   writeFileAtomically(folder / "accuracy.json", accuracyJson(report));
   writeFileAtomically(folder / "accuracy.csv", accuracyCsv(report));
   writeFileAtomically(folder / "accuracy.html", accuracyPage(report, "accuracy.png"));
+  writeChart(report, folder / "accuracy.png");
 }
 
 void runAccuracy(const AccuracyArguments& arguments) {
