@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
+#include "widgets/view/InteractionQuality.h"
+
 namespace limn {
 namespace {
 
@@ -9,6 +11,7 @@ const QString stateKey = QStringLiteral("window/state");
 const QString recentKey = QStringLiteral("recent");
 const QString themeKey = QStringLiteral("theme");
 const QString patientKey = QStringLiteral("showPatient");
+const QString movingKey = QStringLiteral("movingMs");
 constexpr int mostRecent = 10;
 
 } // namespace
@@ -49,6 +52,15 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
   m_settings.setValue(themeKey, theme);
+}
+
+double Settings::movingMs() const {
+  const double ms = m_settings.value(movingKey, InteractionQuality::usualTargetMs).toDouble();
+  return ms > 0.0 ? ms : InteractionQuality::usualTargetMs;
+}
+
+void Settings::setMovingMs(double ms) {
+  m_settings.setValue(movingKey, ms);
 }
 
 bool Settings::patientIsShown() const {

@@ -48,7 +48,8 @@ void savePanel(const QString& prefix) {
   AccuracyPanel panel;
   save(panel, {300, 900}, prefix + QStringLiteral("empty.png"));
   panel.setScene(scene);
-  panel.setWork(AccuracyWork::measuring, 0.4, QStringLiteral("Measuring rays, pre-integrated, step 1/4"));
+  panel.setWork(AccuracyWork::measuring);
+  panel.showProgress(0.4, QStringLiteral("Measuring rays, pre-integrated, step 1/4"));
   save(panel, {300, 900}, prefix + QStringLiteral("measuring.png"));
   panel.setWork(AccuracyWork::none);
   panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0});

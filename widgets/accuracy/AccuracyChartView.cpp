@@ -28,9 +28,10 @@ AccuracyChartView::AccuracyChartView(QWidget* parent) : QChartView(parent), m_ch
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumHeight(300);
+  setMinimumHeight(340);
   setAccessibleName(tr("Chart of error against time"));
   m_chart->setMostTicks(6, 12);
+  m_chart->setPlainNames(true);
   dress();
 }
 

@@ -31,7 +31,7 @@ public:
   /// Where a point stands in the view; absent where it is not shown.
   std::optional<QPointF> positionOf(std::size_t point) const;
 
-  QSize sizeHint() const override { return {280, 300}; }
+  QSize sizeHint() const override { return {280, 340}; }
 
 signals:
   /// The user chose a point of the report.

@@ -57,6 +57,9 @@ void AccuracyPanel::connectSections() {
 void AccuracyPanel::setScene(const Scene& scene) {
   const bool isOther = scene != m_scene;
   m_scene = scene;
+  // Numbers of another volume are no reason to keep that in memory.
+  if (m_measured && m_measured->scene.volume != scene.volume)
+    m_measured->scene.volume.reset();
   showScene();
   if (isOther) {
     setCompared(std::nullopt);
@@ -76,14 +79,18 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   showScene();
 }
 
-void AccuracyPanel::setWork(AccuracyWork work, double fraction, const QString& doing) {
+void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
+  showProgress(0.0, {});
+  showScene();
+}
+
+void AccuracyPanel::showProgress(double fraction, const QString& doing) {
   const auto progressOf = [&](AccuracyWork kind) {
-    return work == kind ? std::optional(fraction) : std::nullopt;
+    return m_work == kind ? std::optional(fraction) : std::nullopt;
   };
   m_chart->setProgress(progressOf(AccuracyWork::measuring), doing);
   m_map->setProgress(progressOf(AccuracyWork::comparing), doing);
-  showScene();
 }
 
 void AccuracyPanel::setMapUnavailable(const QString& reason) {
@@ -112,7 +119,7 @@ void AccuracyPanel::showScene() {
 
 // The measured accuracy where it holds for what is shown.
 const MeasuredAccuracy* AccuracyPanel::holding() const {
-  return m_measured && holdsFor(m_measured->scene, m_scene) ? &*m_measured : nullptr;
+  return m_scene.volume && m_measured && holdsFor(m_measured->scene, m_scene) ? &*m_measured : nullptr;
 }
 
 double AccuracyPanel::steepestPerMm() const {

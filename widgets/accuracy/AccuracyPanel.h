@@ -34,7 +34,8 @@ public:
   void setMeasured(const MeasuredAccuracy& measured);
   const std::optional<MeasuredAccuracy>& measured() const { return m_measured; }
 
-  void setWork(AccuracyWork work, double fraction = 0.0, const QString& doing = {});
+  void setWork(AccuracyWork work);
+  void showProgress(double fraction, const QString& doing);
   AccuracyWork work() const { return m_work; }
 
   /// Why a map cannot be shown, or an empty text.

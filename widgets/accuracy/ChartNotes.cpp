@@ -24,6 +24,7 @@ void ChartNotes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setFont(m_chart.textFont(0.92));
+  paintLegendBelow(*painter);
   painter->setClipRect(m_chart.plotArea());
   if (m_chart.curves().empty()) {
     paintEmpty(*painter);
@@ -40,6 +41,17 @@ void ChartNotes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     paintChosen(*painter);
   }
   painter->restore();
+}
+
+void ChartNotes::paintLegendBelow(QPainter& painter) const {
+  const QRectF place = m_chart.legendRect();
+  if (place.isEmpty())
+    return;
+  painter.setFont(m_chart.legend()->font());
+  const std::vector<LegendEntry> entries = m_chart.legendEntries();
+  paintLegend(painter, entries, legendLayout(entries, painter.font(), place.width()), place.topLeft(),
+              chartColors(m_chart.m_style).text);
+  painter.setFont(m_chart.textFont(0.92));
 }
 
 void ChartNotes::paintEmpty(QPainter& painter) const {

@@ -20,6 +20,7 @@ public:
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
+  void paintLegendBelow(QPainter& painter) const;
   void paintEmpty(QPainter& painter) const;
   void paintOneLevel(QPainter& painter) const;
   void paintSpread(QPainter& painter, const ChartMark& mark, const QColor& color) const;

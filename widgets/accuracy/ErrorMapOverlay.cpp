@@ -4,6 +4,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/ErrorScale.h"
 
+#include <QEvent>
 #include <QPainter>
 
 namespace limn {
@@ -39,6 +40,15 @@ ErrorMapOverlay::ErrorMapOverlay(QWidget* view) : QWidget(view) {
   setFocusPolicy(Qt::NoFocus);
   setAccessibleName(tr("Map of errors over the picture"));
   setVisible(false);
+  view->installEventFilter(this);
+}
+
+bool ErrorMapOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && isVisible()) {
+    setVisible(false);
+    emit outgrown();
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void ErrorMapOverlay::showMap(const ErrorMap& map, const QRectF& picture) {

@@ -22,7 +22,12 @@ public:
   /// Where the legend stands, logical pixels.
   QRectF legendRect() const;
 
+signals:
+  /// The view got another size, so that the map no longer fits; it is hidden.
+  void outgrown();
+
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
 private:

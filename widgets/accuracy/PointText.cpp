@@ -2,6 +2,7 @@
 #include "widgets/accuracy/PointText.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/accuracy/PointUse.h"
 
 #include <QCoreApplication>
 
@@ -70,6 +71,13 @@ QString pointText(const OperatingPoint& point) {
   return text;
 }
 
+QString familyText(const OperatingPoint& point) {
+  if (!isOfTheWindow(point))
+    return QString::fromStdString(familyOf(point));
+  const QString steps = point.toleranceLevels ? tr("steps by error") : tr("equal steps");
+  return point.preintegrated ? tr("%1, curve averaged").arg(steps) : steps;
+}
+
 QString pointSentence(const MeasuredPoint& point, const ReferenceFacts& reference) {
   const QString name = capitalised(pointText(point.point));
   const QString time = msText(point.ms.median);
@@ -96,8 +104,8 @@ QString pointToolTip(const MeasuredPoint& point, const AccuracyReport& report) {
                               .arg(msText(point.ms.median), plainNumber(point.ms.least, 1),
                                    plainNumber(point.ms.most, 1)));
   return QStringLiteral("<b>%1</b><br>%2<table>%3</table>")
-      .arg(capitalised(pointText(point.point)).toHtmlEscaped(),
-           QString::fromStdString(familyOf(point.point)).toHtmlEscaped(), rows);
+      .arg(capitalised(pointText(point.point)).toHtmlEscaped(), familyText(point.point).toHtmlEscaped(),
+           rows);
 }
 
 } // namespace limn

@@ -19,6 +19,10 @@ QString errorText(const MeasuredPoint& point, const ReferenceFacts& reference);
 /// "step 1/4 voxel" or "exact to half a level", with what else sets the point apart.
 QString pointText(const OperatingPoint& point);
 
+/// What a curve of the chart has in common, in a clinician's words: "equal steps, curve averaged"; families
+/// that the window does not draw keep the name they have in reports.
+QString familyText(const OperatingPoint& point);
+
 /// "Step 1/4 voxel: within 0.66 levels, 48 ms."
 QString pointSentence(const MeasuredPoint& point, const ReferenceFacts& reference);
 

@@ -138,8 +138,8 @@ void StopSlider::changeEvent(QEvent* event) {
 
 QPointF StopSlider::centreAt(double place) const {
   // Names and figures stand centred below their stops and need half of their room beyond the outer ones.
-  const double left = captionWidth() + 18.0;
-  const double right = width() - 18.0;
+  const double left = captionWidth() + 22.0;
+  const double right = width() - 16.0;
   const double fraction = maximum() > 0 ? place / maximum() : 0.0;
   return {left + fraction * (right - left), trackHeight / 2.0};
 }

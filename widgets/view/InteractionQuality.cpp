@@ -39,7 +39,7 @@ int InteractionQuality::levelFor(double pixels) const {
   if (!m_msPerPixel)
     return levelCount - 1;
   for (int index = 0; index < levelCount; ++index) {
-    const double allowed = index < m_lastLevel ? marginToFiner * targetMs : targetMs;
+    const double allowed = index < m_lastLevel ? marginToFiner * m_targetMs : m_targetMs;
     if (*m_msPerPixel * pixels * relativeCost(index) <= allowed)
       return index;
   }
