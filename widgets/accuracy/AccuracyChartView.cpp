@@ -30,6 +30,7 @@ AccuracyChartView::AccuracyChartView(QWidget* parent) : QChartView(parent), m_ch
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMinimumHeight(340);
   setAccessibleName(tr("Chart of error against time"));
+  viewport()->setAccessibleName(accessibleName());
   m_chart->setMostTicks(6, 12);
   m_chart->setPlainNames(true);
   dress();
