@@ -11,6 +11,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
 #include <sys/wait.h>
 
@@ -49,9 +50,13 @@ protected:
   // The volume with its preset, model and size as arguments.
   std::string sourceOf(const Json& expected) const {
     const std::string preset = expected["preset"];
-    return "'" + (test::sharedFolder() / expected["volume"]).string() + "' --model " +
-           std::string(expected["model"]) + " --size " + expected["size"][0].dump() + "x" +
-           expected["size"][1].dump() + (preset.empty() ? "" : " --preset '" + preset + "'") + " --quiet";
+    std::ostringstream words;
+    words << "'" << (test::sharedFolder() / expected["volume"]).string() << "' --model "
+          << expected["model"].get<std::string>() << " --size " << expected["size"][0] << "x"
+          << expected["size"][1] << " --quiet";
+    if (!preset.empty())
+      words << " --preset '" << preset << "'";
+    return words.str();
   }
 
   test::TemporaryFolder folder;
