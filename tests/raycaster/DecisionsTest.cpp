@@ -110,10 +110,11 @@ TEST_F(DecisionPixels, samplesAtTheFrontOfTheirStepsAreOfOrderOne) {
   RayCaster front = casterWith({.place = SamplePlace::front});
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases()) {
-    if (one["id"].get<std::string>().rfind("B1_", 0) != 0)
+    // Behind an extinction of 40 s nothing shines out, nor does anything at its begin: where the integrand
+    // vanishes at both ends, samples at any place are of order 2.
+    if (one["id"].get<std::string>().rfind("B1_", 0) != 0 || one["parameters"]["k"].get<double>() > 10.0)
       continue;
     for (const test::ConvergingRay& ray : test::convergingRays(one)) {
-      // A step must be thinner than the depth over which the ray's light falls off.
       std::vector<double> inMiddle, atFront;
       for (const int samples : {64, 128, 256, 512}) {
         const Scene scene = test::withSamples(ray, samples);
@@ -167,8 +168,8 @@ TEST_F(DecisionPixels, onlyBytesCoarsenWhatLiesBetweenVoxels) {
 
 // Scalars i² along x: at voxel i the central difference is 2i a voxel, the forward one 2i + 1. The curve of
 // opacity over the gradient rises to 1 at 16, and the ray's way is the unit distance, so alpha is
-// gradient/16. Modulus bytes are parts of the largest, 13.. at the voxel before the last, where the apron's
-// extrapolation makes the one-sided difference of 15 (and of 1 at the first).
+// gradient/16. At the first and the last voxel differences are one-sided: 1 and 15, the largest, of which
+// modulus bytes hold parts.
 TEST_F(DecisionPixels, gradientFormatsShowTheDifferencesTheyAreMadeOf) {
   constexpr int count = 9;
   Grid grid;
