@@ -103,12 +103,16 @@ std::string accuracyCsv(const AccuracyReport& report) {
     json["ms_min"] = ms["min"];
     json["ms_max"] = ms["max"];
     json["pareto"] = isPareto;
-    std::string line;
-    for (const auto& [key, value] : json.items())
-      line += (line.empty() ? "" : ",") + (value.is_null()     ? std::string()
-                                           : value.is_string() ? value.get<std::string>()
-                                                               : value.dump());
-    text += line + "\n";
+    const char* separator = "";
+    for (const auto& [key, value] : json.items()) {
+      text += separator;
+      if (value.is_string())
+        text += value.get_ref<const std::string&>();
+      else if (!value.is_null())
+        text += value.dump();
+      separator = ",";
+    }
+    text.push_back('\n');
   }
   return text;
 }

@@ -73,7 +73,8 @@ std::string accuracyTable(const AccuracyReport& report) {
                             "at 1/8: 99.9 %", "mean", "MB more"}};
     for (const DecisionCost& cost : report.decisions)
       costs.push_back(rowOf(cost, report.reference));
-    text += "\n" + aligned(costs);
+    text += "\n";
+    text += aligned(costs);
   }
   for (const std::string& remark : report.remarks)
     text += remark + "\n";

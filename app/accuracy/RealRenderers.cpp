@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/accuracy/RealRenderers.h"
 
+#include "app/accuracy/MeasureDecisions.h"
 #include "app/bench/ProcessCost.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
@@ -14,12 +15,23 @@
 #include <optional>
 
 namespace limn {
+namespace {
+
+Decisions decisionsFor(const OperatingPoint& point) {
+  Decisions decisions;
+  if (point.gradients == GradientSource::precomputed)
+    decisions.gradients = GradientFormat::halves;
+  return decisions;
+}
+
+} // namespace
 
 struct RealRenderers::Parts {
   HeadlessContext context;
   int threads = 0;
   std::function<bool()> isCancelled;
   std::optional<RayCaster> rays;
+  std::optional<RayCaster> raysWithStoredGradients;
   std::optional<SliceRenderer> slices;
   std::optional<FloatTarget> target;
   glm::ivec2 targetSize{0};
@@ -48,19 +60,21 @@ void RealRenderers::Parts::draw(const Scene& scene, const OperatingPoint& point,
   }
 }
 
-void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint&, const glm::ivec2& size) {
+void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
   if (!target || targetSize != size) {
     target.reset();
     target.emplace(size);
     targetSize = size;
   }
-  if (!rays)
-    rays.emplace();
+  const bool isStored = point.gradients == GradientSource::precomputed;
+  std::optional<RayCaster>& caster = isStored ? raysWithStoredGradients : rays;
+  if (!caster)
+    caster.emplace(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, decisionsFor(point));
   // In pieces that no watchdog takes for a hang.
   constexpr int tileSize = 256;
   for (int y = 0; y < size.y; y += tileSize)
     for (int x = 0; x < size.x; x += tileSize) {
-      rays->draw(scene, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
+      caster->draw(scene, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
       glFlush();
     }
   glFinish();
@@ -69,6 +83,7 @@ void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint&, c
 void RealRenderers::Parts::forget() {
   picture.reset();
   rays.reset();
+  raysWithStoredGradients.reset();
   slices.reset();
   target.reset();
   glFinish();
@@ -121,8 +136,8 @@ std::string RealRenderers::name() const {
 }
 
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
-                               const std::vector<OperatingPoint>& points, RealRenderers& renderers,
-                               const ReportProgress& progress) {
+                               const std::vector<OperatingPoint>& points, Decide withDecisions,
+                               RealRenderers& renderers, const ReportProgress& progress) {
   const auto part = [&](double from, double to) -> ReportProgress {
     if (!progress)
       return {};
@@ -130,8 +145,12 @@ AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, cons
       progress(from + fraction * (to - from), doing);
     };
   };
-  const ConvergedPicture converged = convergedPicture(scene, size, renderers.precisely(), part(0.0, 0.4));
-  return measureAccuracy(name, scene, size, points, converged, renderers, part(0.4, 1.0));
+  const ConvergedPicture converged = convergedPicture(scene, size, renderers.precisely(), part(0.0, 0.3));
+  const double end = withDecisions == Decide::each ? 0.7 : 1.0;
+  AccuracyReport report = measureAccuracy(name, scene, size, points, converged, renderers, part(0.3, end));
+  if (withDecisions == Decide::each)
+    report.decisions = measureDecisions(scene, size, converged.pixels, part(end, 1.0));
+  return report;
 }
 
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,

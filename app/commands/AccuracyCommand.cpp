@@ -72,9 +72,9 @@ void runAccuracy(const AccuracyArguments& arguments) {
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   RealRenderers renderers(arguments.threads);
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  const AccuracyReport report =
-      measureAccuracy(nameOf(arguments.scene, loaded), scene, size,
-                      arguments.isQuick ? fewPoints() : usualPoints(), renderers, progress.report);
+  const AccuracyReport report = measureAccuracy(
+      nameOf(arguments.scene, loaded), scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
+      arguments.isQuick ? Decide::none : Decide::each, renderers, progress.report);
   writeReport(report, arguments.folder);
   std::cout << accuracyTable(report);
   if (arguments.withinLevels > 0.0)
@@ -93,7 +93,8 @@ void addAccuracyCommand(CLI::App& root) {
       ->required();
   command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
       ->check(CLI::Range(1, 4096));
-  command->add_flag("--quick", arguments->isQuick, "equal steps of the ray caster only");
+  command->add_flag("--quick", arguments->isQuick,
+                    "equal steps of the ray caster only, without what each decision costs");
   command
       ->add_option("--within", arguments->withinLevels,
                    "say which point is the fastest within that many levels (99.9th percentile)")
