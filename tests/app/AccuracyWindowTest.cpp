@@ -21,20 +21,33 @@
 #include <QFile>
 #include <QImage>
 #include <QPushButton>
-#include <QScrollBar>
+
+#include <future>
+#include <set>
 
 // Accuracy in the program's window, with real renderers and real mouse events.
 
 namespace limn {
 namespace {
 
+// The error of a scene's picture with renderers of its own, on a thread where the window has no context.
+std::pair<ReferenceFacts, ImageError> measuredAgain(const Scene& scene, const glm::ivec2& size) {
+  return std::async(std::launch::async,
+                    [&] {
+                      RealRenderers renderers;
+                      const ConvergedPicture exact = convergedPicture(scene, size, renderers.precisely());
+                      return std::pair(exact.facts, imageError(renderers.render(scene, size), exact.pixels));
+                    })
+      .get();
+}
+
 class AccuracyWindowTest : public test::WindowHarness {
 protected:
   void SetUp() override {
     WindowHarness::SetUp();
-    window->resize(1100, 700);
+    window->resize(800, 560); // small pictures converge soon
     window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
-    ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+    ASSERT_TRUE(open(QStringLiteral("phantom:16")));
     ASSERT_TRUE(rest());
   }
 
@@ -101,11 +114,9 @@ TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) 
   const double promised = measured.report.points[*indexOf(point, measured.report.points)].error.p99_9;
   Scene used = measured.scene;
   used.quality = scene().quality;
-  RealRenderers renderers;
-  const ConvergedPicture exact = convergedPicture(used, measured.report.size, renderers.precisely());
-  ASSERT_TRUE(exact.facts.converged);
-  const ImageError error = imageError(renderers.render(used, measured.report.size), exact.pixels);
-  EXPECT_NEAR(error.p99_9, promised, 0.05 * promised + leastP99_9(exact.facts))
+  const auto [exact, error] = measuredAgain(used, measured.report.size);
+  ASSERT_TRUE(exact.converged);
+  EXPECT_NEAR(error.p99_9, promised, 0.05 * promised + leastP99_9(exact))
       << "as close as two exact pictures are certain";
 
   undo().undo();
@@ -115,8 +126,11 @@ TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) 
 TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   ASSERT_TRUE(measure());
   WishSection& wish = *panel().wishSection();
-  wish.levelsField()->setNumber(1.0);
-  const MeasuredPoint* fastest = fastestWithin(panel().measured()->report.points, 1.0);
+  // What the finest equal steps keep with a hundredth to spare, some point keeps.
+  const std::vector<MeasuredPoint>& points = panel().measured()->report.points;
+  const double limit = 1.01 * points[*indexOf(fewPoints().back(), points)].error.p99_9;
+  wish.levelsField()->setNumber(limit);
+  const MeasuredPoint* fastest = fastestWithin(points, limit);
   ASSERT_TRUE(fastest);
   const OperatingPoint wished = fastest->point;
   click(wish.levelsButton());
@@ -148,7 +162,7 @@ TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges)
   ASSERT_TRUE(workEnds());
   EXPECT_TRUE(map().isVisible());
   EXPECT_TRUE(panel().mapSection()->sentence().contains(QStringLiteral("999 of 1000")));
-  EXPECT_TRUE(view().logicalRect(1).contains(map().legendRect()));
+  EXPECT_TRUE(QRectF(view().rect()).contains(map().legendRect()));
   const QPoint centre = view().rect().center();
   QTest::mousePress(&view(), Qt::LeftButton, {}, centre);
   QTest::mouseMove(&view(), centre + QPoint(30, 10));

@@ -7,6 +7,8 @@
 #include <QEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -62,7 +64,9 @@ void ErrorMapOverlay::showMap(const ErrorMap& map, const QRectF& picture) {
 
 QRectF ErrorMapOverlay::legendRect() const {
   const QSizeF size = legendSize(QFontMetricsF(font()));
-  return {QPointF(m_picture.right() - size.width() - 3 * unit, m_picture.top() + 3 * unit), size};
+  // Over the picture's upper right corner, but never out of the view.
+  const double left = std::max(m_picture.right() - size.width() - 3 * unit, 3 * unit);
+  return {QPointF(left, m_picture.top() + 3 * unit), size};
 }
 
 void ErrorMapOverlay::paintEvent(QPaintEvent*) {
