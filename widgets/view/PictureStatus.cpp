@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/PictureStatus.h"
+
+#include <QEvent>
+#include <QLabel>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr int gap = 8;
+
+// In the order in which they give way when there is little room: engine, step, time; the estimate stays.
+constexpr std::array givesWay{3, 1, 2};
+
+using Texts = std::array<QString, 4>;
+
+// Every part but the first is set off by a dot.
+Texts shownTexts(const AccuracyText& text) {
+  Texts texts{text.estimate, text.step, text.time, text.engine};
+  for (std::size_t i = 1; i < texts.size(); ++i)
+    if (!texts[i].isEmpty())
+      texts[i].prepend(QStringLiteral("· "));
+  return texts;
+}
+
+// Room for the part and for what commonly stands there.
+std::array<int, 4> widthsOf(const QFontMetrics& metrics, const AccuracyText& text) {
+  const Texts shown = shownTexts(text);
+  const Texts widest = shownTexts(widestAccuracyText());
+  std::array<int, 4> widths{};
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    widths[i] = std::max(metrics.horizontalAdvance(shown[i]), metrics.horizontalAdvance(widest[i])) + gap;
+  return widths;
+}
+
+} // namespace
+
+PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Accuracy of the picture"));
+  for (QLabel*& part : m_parts)
+    part = new QLabel(this);
+}
+
+void PictureStatus::setText(const AccuracyText& text) {
+  if (text == m_text)
+    return;
+  m_text = text;
+  const Texts shown = shownTexts(text);
+  for (std::size_t i = 0; i < m_parts.size(); ++i)
+    m_parts[i]->setText(shown[i]);
+  setToolTip(text.toolTip);
+  setAccessibleDescription(text.line());
+  updateGeometry();
+  arrange();
+}
+
+QSize PictureStatus::sizeHint() const {
+  int width = 0;
+  for (const int part : widthsOf(fontMetrics(), m_text))
+    width += part;
+  return {width, fontMetrics().height()};
+}
+
+QSize PictureStatus::minimumSizeHint() const {
+  return {widthsOf(fontMetrics(), m_text)[0], fontMetrics().height()};
+}
+
+void PictureStatus::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void PictureStatus::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    arrange();
+}
+
+// Leave out what does not fit, then line up the rest at the right edge.
+void PictureStatus::arrange() {
+  std::array<int, 4> widths = widthsOf(fontMetrics(), m_text);
+  int total = 0;
+  for (const int part : widths)
+    total += part;
+  for (const int part : givesWay)
+    if (total > width()) {
+      total -= widths[part];
+      widths[part] = 0;
+    }
+  int x = std::max(0, width() - total);
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    m_parts[i]->setVisible(widths[i] > 0);
+    m_parts[i]->setGeometry(x, 0, widths[i], height());
+    x += widths[i];
+  }
+}
+
+} // namespace limn
