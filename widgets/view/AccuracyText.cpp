@@ -22,15 +22,12 @@ QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
-// "1/4", "3/16", "0.3".
+// "1/4", "3/16", "0.3": fractions of powers of two, which are exact.
 QString fractionText(double value) {
-  if (value >= 1.0)
-    return exactNumber(value);
-  for (const double numerator : {1.0, 3.0}) {
-    const double denominator = numerator / value;
-    if (denominator == std::floor(denominator))
-      return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
-  }
+  for (double denominator = 2.0; denominator <= 1024.0 && value < 1.0; denominator *= 2.0)
+    for (const double numerator : {1.0, 3.0})
+      if (value * denominator == numerator)
+        return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
   return exactNumber(value);
 }
 
@@ -91,7 +88,7 @@ QString restingText(const PictureState& state) {
   case RefinementEnd::sampleLimit:
     return translated("smallest possible step, %1").arg(step);
   case RefinementEnd::patience:
-    return translated("smallest quick step, %1").arg(step);
+    return translated("smallest practical step, %1").arg(step);
   case RefinementEnd::failed:
     return translated("step %1, not refined").arg(step);
   }

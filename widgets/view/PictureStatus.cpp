@@ -25,16 +25,6 @@ Texts shownTexts(const AccuracyText& text) {
   return texts;
 }
 
-// Room for the part and for what commonly stands there.
-std::array<int, 4> widthsOf(const QFontMetrics& metrics, const AccuracyText& text) {
-  const Texts shown = shownTexts(text);
-  const Texts widest = shownTexts(widestAccuracyText());
-  std::array<int, 4> widths{};
-  for (std::size_t i = 0; i < widths.size(); ++i)
-    widths[i] = std::max(metrics.horizontalAdvance(shown[i]), metrics.horizontalAdvance(widest[i])) + gap;
-  return widths;
-}
-
 } // namespace
 
 PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent) {
@@ -56,15 +46,25 @@ void PictureStatus::setText(const AccuracyText& text) {
   arrange();
 }
 
+// Room for each part and for what commonly stands there.
+std::array<int, 4> PictureStatus::widths() const {
+  const Texts widest = shownTexts(widestAccuracyText());
+  std::array<int, 4> widths{};
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    widths[i] = gap + std::max(m_parts[i]->sizeHint().width(),
+                               m_parts[i]->fontMetrics().boundingRect(widest[i]).width());
+  return widths;
+}
+
 QSize PictureStatus::sizeHint() const {
   int width = 0;
-  for (const int part : widthsOf(fontMetrics(), m_text))
+  for (const int part : widths())
     width += part;
   return {width, fontMetrics().height()};
 }
 
 QSize PictureStatus::minimumSizeHint() const {
-  return {widthsOf(fontMetrics(), m_text)[0], fontMetrics().height()};
+  return {widths()[0], fontMetrics().height()};
 }
 
 void PictureStatus::resizeEvent(QResizeEvent* event) {
@@ -80,7 +80,7 @@ void PictureStatus::changeEvent(QEvent* event) {
 
 // Leave out what does not fit, then line up the rest at the right edge.
 void PictureStatus::arrange() {
-  std::array<int, 4> widths = widthsOf(fontMetrics(), m_text);
+  std::array<int, 4> widths = this->widths();
   int total = 0;
   for (const int part : widths)
     total += part;

@@ -30,6 +30,7 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  std::array<int, 4> widths() const;
   void arrange();
 
   AccuracyText m_text;
