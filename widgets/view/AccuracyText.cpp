@@ -31,10 +31,6 @@ QString fractionText(double value) {
   return exactNumber(value);
 }
 
-QString levelsText(double levels) {
-  return QString::number(std::max(levels, 0.1), 'f', levels < 9.95 ? 1 : 0);
-}
-
 QString timeText(double ms) {
   if (ms < 1000.0)
     return translated("%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
@@ -69,11 +65,11 @@ QString estimateText(const PictureState& state) {
       .arg(levels);
 }
 
+// The step of a preview is in the tool tip: what strikes is its resolution.
 QString previewText(const SideState& side) {
-  const QString step = stepText(side.stepVoxels);
   if (side.imageScale >= 1.0)
-    return translated("preview at step %1").arg(step);
-  return translated("preview at %1 resolution, step %2").arg(fractionText(side.imageScale), step);
+    return translated("preview, step %1").arg(stepText(side.stepVoxels));
+  return translated("preview at %1 resolution").arg(fractionText(side.imageScale));
 }
 
 QString restingText(const PictureState& state) {
@@ -156,6 +152,10 @@ QString stepText(double stepVoxels) {
   return (stepVoxels > 1.0 ? translated("%1 voxels") : translated("%1 voxel")).arg(fractionText(stepVoxels));
 }
 
+QString levelsText(double levels) {
+  return QString::number(std::clamp(levels, 0.1, 255.0), 'f', levels < 9.95 ? 1 : 0);
+}
+
 QString AccuracyText::line() const {
   QStringList parts{estimate, step, time, engine};
   parts.removeAll(QString());
@@ -179,14 +179,18 @@ AccuracyText accuracyText(const PictureState& state, const Scene& scene) {
   return text;
 }
 
-AccuracyText widestAccuracyText() {
-  PictureState preview;
-  preview.sides.resize(1);
-  preview.sides[0].estimate = ErrorEstimate{188.0, 0.0, 1.0};
-  preview.sides[0].stepVoxels = 0.5;
-  preview.sides[0].imageScale = 0.1875;
-  preview.sides[0].shownMs = 888.0;
-  return accuracyText(preview, {});
+std::vector<AccuracyText> commonAccuracyTexts() {
+  PictureState state;
+  state.sides.resize(1);
+  SideState& side = state.sides.front();
+  side.estimate = ErrorEstimate{188.0, 0.0, 1.0};
+  side.stepVoxels = 1.0 / 64.0;
+  side.imageScale = 3.0 / 16.0;
+  side.shownMs = 888.0;
+  const AccuracyText preview = accuracyText(state, {});
+  state.resting = state.refines = true;
+  side.shownMs = 88800.0;
+  return {preview, accuracyText(state, {})};
 }
 
 } // namespace limn

@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace limn {
 
 /// How close the pictures on screen come to the exact ones, in parts of one line; parts that are not known
@@ -27,7 +29,11 @@ AccuracyText accuracyText(const PictureState& state, const Scene& scene);
 /// A step in units of the smallest voxel spacing: "1/16 voxel", "0.3 voxel", "2 voxels".
 QString stepText(double stepVoxels);
 
-/// The widest texts that commonly stand in each part: what is next to one need not move when it changes.
-AccuracyText widestAccuracyText();
+/// An error in 8-bit levels; never "0".
+QString levelsText(double levels);
+
+/// Texts as wide as those that commonly stand in each part while a picture moves and refines: with room for
+/// them, what is next to a part need not move when it changes.
+std::vector<AccuracyText> commonAccuracyTexts();
 
 } // namespace limn

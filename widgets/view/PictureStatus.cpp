@@ -9,20 +9,15 @@
 namespace limn {
 namespace {
 
-constexpr int gap = 8;
+constexpr int gap = 12; // between parts
 
-// In the order in which they give way when there is little room: engine, step, time; the estimate stays.
-constexpr std::array givesWay{3, 1, 2};
+// In the order in which they give way when there is little room: engine, step; estimate and time stay.
+constexpr std::array<std::size_t, 2> givesWay{3, 1};
 
 using Texts = std::array<QString, 4>;
 
-// Every part but the first is set off by a dot.
-Texts shownTexts(const AccuracyText& text) {
-  Texts texts{text.estimate, text.step, text.time, text.engine};
-  for (std::size_t i = 1; i < texts.size(); ++i)
-    if (!texts[i].isEmpty())
-      texts[i].prepend(QStringLiteral("· "));
-  return texts;
+Texts partsOf(const AccuracyText& text) {
+  return {text.estimate, text.step, text.time, text.engine};
 }
 
 } // namespace
@@ -37,7 +32,7 @@ void PictureStatus::setText(const AccuracyText& text) {
   if (text == m_text)
     return;
   m_text = text;
-  const Texts shown = shownTexts(text);
+  const Texts shown = partsOf(text);
   for (std::size_t i = 0; i < m_parts.size(); ++i)
     m_parts[i]->setText(shown[i]);
   setToolTip(text.toolTip);
@@ -48,11 +43,16 @@ void PictureStatus::setText(const AccuracyText& text) {
 
 // Room for each part and for what commonly stands there.
 std::array<int, 4> PictureStatus::widths() const {
-  const Texts widest = shownTexts(widestAccuracyText());
   std::array<int, 4> widths{};
-  for (std::size_t i = 0; i < widths.size(); ++i)
-    widths[i] = gap + std::max(m_parts[i]->sizeHint().width(),
-                               m_parts[i]->fontMetrics().boundingRect(widest[i]).width());
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const QFontMetrics metrics = m_parts[i]->fontMetrics();
+    const int shown = metrics.horizontalAdvance(m_parts[i]->text());
+    int widest = shown;
+    for (const AccuracyText& common : commonAccuracyTexts())
+      widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
+    // The style adds its padding.
+    widths[i] = m_parts[i]->sizeHint().width() - shown + widest + gap;
+  }
   return widths;
 }
 
@@ -64,7 +64,8 @@ QSize PictureStatus::sizeHint() const {
 }
 
 QSize PictureStatus::minimumSizeHint() const {
-  return {widths()[0], fontMetrics().height()};
+  const std::array<int, 4> parts = widths();
+  return {parts[0] + parts[2], fontMetrics().height()};
 }
 
 void PictureStatus::resizeEvent(QResizeEvent* event) {
@@ -84,7 +85,7 @@ void PictureStatus::arrange() {
   int total = 0;
   for (const int part : widths)
     total += part;
-  for (const int part : givesWay)
+  for (const std::size_t part : givesWay)
     if (total > width()) {
       total -= widths[part];
       widths[part] = 0;
