@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 namespace limn {
 namespace {
@@ -93,8 +94,8 @@ ErrorEstimate fromSmallPictures(RayCaster& caster, const Scene& scene, double st
   return withEarlyEnds(errorBeforeHalving(first, order), errorOfEarlyEnds(shown, scene));
 }
 
-void expectHonestHead(RayCaster& caster, Scene scene, const PrecisePixels& truth, const char* what) {
-  std::printf("%s, early termination at %g\n", what, scene.quality.earlyTermination);
+void expectHonestHead(RayCaster& caster, Scene scene, const PrecisePixels& truth, const std::string& what) {
+  std::printf("%s, early termination at %g\n", what.c_str(), scene.quality.earlyTermination);
   std::optional<ImageError> before;
   Image coarser = drawn(caster, scene, 1.0, headSize);
   for (const double step : {1.0 / 2, 1.0 / 4, 1.0 / 8, 1.0 / 16}) {
@@ -117,15 +118,19 @@ TEST_F(Estimate, isNeverBelowHalfOfTheTruthOnTheCtHead) {
   LIMN_NEEDS_SHARED(test::ctHeadFile);
   RayCaster caster;
   const auto volume = test::ctHead();
-  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced}) {
-    const char* what = model == ShadingModel::classic ? "classic" : "enhanced";
-    Scene scene = test::headScene(volume, model);
-    scene.quality.stepVoxels = 1.0 / 64.0;
-    const PrecisePixels truth = renderReference(scene, headSize).pixels;
-    expectHonestHead(caster, scene, truth, what);
-    scene.quality.earlyTermination = 0.998;
-    expectHonestHead(caster, scene, truth, what);
-  }
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced})
+    for (const bool isBone : {false, true}) {
+      const std::string what = std::string(model == ShadingModel::classic ? "classic" : "enhanced") +
+                               (isBone ? ", bone" : ", skin, muscle and bone");
+      Scene scene = test::headScene(volume, model);
+      if (isBone)
+        scene.transferFunction = test::boneOnly();
+      scene.quality.stepVoxels = 1.0 / 64.0;
+      const PrecisePixels truth = renderReference(scene, headSize).pixels;
+      expectHonestHead(caster, scene, truth, what);
+      scene.quality.earlyTermination = 0.998;
+      expectHonestHead(caster, scene, truth, what);
+    }
 }
 
 } // namespace

@@ -62,6 +62,9 @@ RestTurn Refinement::step(RayCaster& caster, std::span<SidePicture> sides, doubl
 
 // Halve the step, unless the pictures are good enough or nothing would be gained.
 RestTurn Refinement::begin(RayCaster& caster, std::span<SidePicture> sides) {
+  if (m_sides.empty())
+    for (const SidePicture& side : sides)
+      m_lastMs += side.completeMs().value_or(0.0);
   m_sides.resize(sides.size());
   const double step = sides.front().finishedStepVoxels() / 2.0;
   m_end = endBefore(caster, sides, step);

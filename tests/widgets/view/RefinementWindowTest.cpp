@@ -135,7 +135,7 @@ TEST(Refinement, canBeSwitchedOffAndOnAtRest) {
 TEST(Refinement, leavesTheEventLoopFree) {
   RefiningHost host({640, 400});
   host.view.setCompareLayout(CompareLayout::sideBySide);
-  host.showPhantom(3.0);
+  host.showPhantom(4.0);
   ASSERT_TRUE(host.show());
   // Shaders are compiled in one piece, by a driver in its own time; from the first finer picture on it is ours.
   ASSERT_TRUE(host.firstPass());
