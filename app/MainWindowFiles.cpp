@@ -211,8 +211,7 @@ void MainWindow::writeScene(const QString& path) {
 
 void MainWindow::savePicture() {
   if (!m_view->restingImage(0)) {
-    statusBar()->showMessage(tr("The picture is still being drawn; save it in a moment."),
-                             4000);
+    statusBar()->showMessage(tr("The picture is still being drawn; save it in a moment."), 4000);
     return;
   }
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);

@@ -72,8 +72,7 @@ void MainWindow::makeEditMenu() {
     if (const QImage picture = m_view->currentPicture(0); !picture.isNull())
       QApplication::clipboard()->setImage(picture);
     else
-      statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."),
-                               4000);
+      statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."), 4000);
   });
 }
 

@@ -32,8 +32,9 @@ void MainWindow::showPictureState(const PictureState& state) {
 void MainWindow::addRefineAction(QMenu& menu) {
   QAction* action = menu.addAction(tr("Refine at &rest"));
   action->setCheckable(true);
-  action->setToolTip(tr("While nothing moves, draws the picture again with smaller and smaller steps until it "
-                        "lies within half a level of the exact one."));
+  action->setToolTip(
+      tr("While nothing moves, draws the picture again with smaller and smaller steps until it "
+         "lies within half a level of the exact one."));
   action->setChecked(m_settings.refinesAtRest());
   m_view->setRefinesAtRest(action->isChecked());
   connect(action, &QAction::toggled, this, [this](bool refines) {

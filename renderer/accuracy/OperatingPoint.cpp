@@ -31,8 +31,8 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
 }
 
 std::string familyOf(const OperatingPoint& point) {
-  const char* engines[] = {"rays", "slices", "double precision"};
-  std::string family = engines[static_cast<int>(point.engine)];
+  const char* renderers[] = {"rays", "slices", "double precision"};
+  std::string family = renderers[static_cast<int>(point.renderer)];
   if (point.toleranceLevels)
     family += ", error-controlled";
   if (point.preintegrated)

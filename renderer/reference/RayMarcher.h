@@ -19,6 +19,7 @@ struct PictureTerms {
   CutPlanes cut = cutPlanes(grid, scene.crop);
   bool isCut = scene.crop != CropBox{};
   double step = stepMm(scene);
+  int mostSamples = limn::mostSamples; ///< of one ray
   double smallestMm = smallestSpacingMm(grid);
   glm::dvec3 centre = centreIndex(grid);
   std::optional<glm::dvec3> towardsLight =
@@ -71,7 +72,7 @@ private:
   };
 
   void divide() {
-    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step);
+    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step, m_terms.mostSamples);
     m_dt = (m_span.end - m_span.begin) / m_count;
   }
 
@@ -145,7 +146,7 @@ private:
       if (!(material.opacity > 0.0))
         continue;
       addStep(i, material, sum);
-      if (endsEarly && sum.a <= last)
+      if ((endsEarly && sum.a <= last) || sum.a < nothingLeft)
         break;
     }
     return {glm::dvec3(sum), 1.0 - sum.a};
@@ -226,6 +227,9 @@ private:
   }
 
   static constexpr int halvings = 14; // to less than 1e-4 of a step
+
+  // Light through so little cannot change the last digit of 1 in double precision, however bright.
+  static constexpr double nothingLeft = 1e-20;
 
   const PictureTerms& m_terms;
   const FieldSampler<T>& m_field;

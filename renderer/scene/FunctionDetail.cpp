@@ -104,7 +104,8 @@ double narrowestVisibleBand(const TransferFunction& function, double height, con
   const auto green = [](const ControlPoint& point) { return point.opacity * point.color.g; };
   const auto blue = [](const ControlPoint& point) { return point.opacity * point.color.b; };
   double narrowest = narrowestBand(function, height, range);
-  for (const Profile& profile : {profileOf(function, red), profileOf(function, green), profileOf(function, blue)})
+  for (const Profile& profile :
+       {profileOf(function, red), profileOf(function, green), profileOf(function, blue)})
     narrowest = std::min(narrowest, narrowestOf(profile, height, range));
   return narrowest;
 }

@@ -53,8 +53,9 @@ void expectHonestRay(const char* renderer, const test::ConvergingRay& ray, Draw&
 }
 
 void expectHonest(RayCaster& caster, const test::ConvergingRay& ray) {
-  expectHonestRay("reference", ray,
-                  [](const Scene& scene) { return renderReference(scene, {1, 1}, 1).pixels; });
+  expectHonestRay("reference", ray, [](const Scene& scene) {
+    return renderReference(scene, {1, 1}, 1).pixels;
+  });
   expectHonestRay("GLSL", ray, [&](const Scene& scene) { return precise(caster.render(scene, {1, 1})); });
 }
 

@@ -14,7 +14,8 @@ Scene sceneOf(TransferFunction function) {
   for (int i = 0; i < 44; ++i)
     voxels.push_back(static_cast<std::int16_t>(100 * (i % 11)));
   Scene scene;
-  scene.volume = std::make_shared<const Volume>(grid, std::move(voxels), Rescale{}, std::nullopt, VolumeInfo{});
+  scene.volume =
+      std::make_shared<const Volume>(grid, std::move(voxels), Rescale{}, std::nullopt, VolumeInfo{});
   scene.transferFunction = std::move(function);
   return scene;
 }

@@ -39,9 +39,7 @@ std::vector<float> samplesOf(const Image& image) {
 
 class RefinementTest : public test::WindowHarness {
 protected:
-  QString statusText() const {
-    return window->findChild<PictureStatus*>()->text().line();
-  }
+  QString statusText() const { return window->findChild<PictureStatus*>()->text().line(); }
 
   // The number before "of 255 levels".
   double statedLevels() const {
@@ -59,7 +57,8 @@ protected:
   }
 
   [[nodiscard]] bool refined() {
-    return QTest::qWaitFor([this] { return view().isIdle() && view().pictureState().refinementEnd; }, patienceMs);
+    return QTest::qWaitFor([this] { return view().isIdle() && view().pictureState().refinementEnd; },
+                           patienceMs);
   }
 
   // The picture of the saved scene by the program that is shipped.
@@ -93,9 +92,10 @@ protected:
     for (int side = 0; side < static_cast<int>(view().pictureState().sides.size()); ++side) {
       const std::optional<Image> shown = view().restingImage(side);
       ASSERT_TRUE(shown);
-      const std::vector<float> expected = renderedByTheProgram(
-          pathTo("scene.json"), view().sceneOfSide(side).shading.model, shown->size);
-      EXPECT_TRUE(samplesOf(*shown) == expected) << "side " << side << " at step " << statedStep().toStdString();
+      const std::vector<float> expected =
+          renderedByTheProgram(pathTo("scene.json"), view().sceneOfSide(side).shading.model, shown->size);
+      EXPECT_TRUE(samplesOf(*shown) == expected)
+          << "side " << side << " at step " << statedStep().toStdString();
     }
   }
 };
@@ -129,7 +129,8 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   window->session().setCamera(moved.camera);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view().pictureState().resting; }, 5000));
   QCoreApplication::processEvents();
-  EXPECT_GT(statedLevels(), 0.0) << "what was known of the former view is scaled: " << statusText().toStdString();
+  EXPECT_GT(statedLevels(), 0.0) << "what was known of the former view is scaled: "
+                                 << statusText().toStdString();
 }
 
 TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {

@@ -93,14 +93,16 @@ QString restingText(const PictureState& state) {
 
 QString explanationOf(const PictureState& state) {
   if (!isResolved(state))
-    return translated("Not resolved: a band of the curve is narrower than what the value changes by within one "
-                      "step, so the picture may miss it and no number would be right. Pre-integrated steps, or "
-                      "smaller ones, see it.");
+    return translated(
+        "Not resolved: a band of the curve is narrower than what the value changes by within one "
+        "step, so the picture may miss it and no number would be right. Pre-integrated steps, or "
+        "smaller ones, see it.");
   if (!isKnown(state))
     return translated("How far the picture lies from the exact one is being estimated.");
-  QString text = translated("999 of 1000 colour values of the picture are estimated to lie within %1 levels of "
-                            "the exact picture; black and white are 255 levels apart.")
-                     .arg(levelsText(worstOf(state).estimate->p99_9));
+  QString text =
+      translated("999 of 1000 colour values of the picture are estimated to lie within %1 levels of "
+                 "the exact picture; black and white are 255 levels apart.")
+          .arg(levelsText(worstOf(state).estimate->p99_9));
   if (worstOf(state).isRough)
     text += QLatin1Char(' ') + translated("Estimated from a smaller picture.");
   return text;

@@ -263,7 +263,7 @@ private:
   QTimer m_idleTimer;  ///< from the last coarse picture to the start of refinement
   QTimer m_refineTimer;
   QTimer m_restTimer;
-  QTimer m_probeTimer; ///< from a coarse picture to the measure of its error
+  QTimer m_probeTimer;              ///< from a coarse picture to the measure of its error
   std::vector<EffectRow> m_effects; ///< as told last
   QString m_effectsPicture;
   EffectTimes m_times;

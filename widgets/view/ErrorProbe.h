@@ -11,8 +11,8 @@
 namespace limn {
 
 /// Estimates the error of the pictures from small ones of the same camera, whose rays are a fair sample of
-/// theirs: drawn at the step shown, at its half and at its quarter. Cheap enough for pictures that move. Needs
-/// the view's OpenGL context current.
+/// theirs: drawn at the step shown, at its half and at its quarter. Cheap enough for pictures that move.
+/// Needs the view's OpenGL context current.
 class ErrorProbe {
 public:
   /// The pixels on the longer side of a small picture.

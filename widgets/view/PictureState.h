@@ -42,10 +42,10 @@ struct PictureState {
   std::vector<SideState> sides;
   bool resting = false; ///< every side is complete at the scene's step; it may be refined from there
   bool refines = false; ///< strips of a smaller step are being drawn
-  double refinementFraction = 0.0; ///< of the pass that is being drawn, 0..1
+  double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
-  QString renderer;     ///< the driver's name of what draws
-  QString limitation;   ///< one sentence where the driver could not take the whole volume
+  QString renderer;                           ///< the driver's name of what draws
+  QString limitation; ///< one sentence where the driver could not take the whole volume
   bool operator==(const PictureState&) const = default;
 };
 

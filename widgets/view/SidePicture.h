@@ -71,7 +71,7 @@ public:
   double shownMs() const;         ///< what drawing the coarsest part took
   std::optional<double> completeMs() const { return m_completeMs; }
   const GradientScale& gradientScale() const { return m_gradientScale; }
-  const FinishedPicture& picture() const { return m_picture; }      ///< empty unless finished
+  const FinishedPicture& picture() const { return m_picture; }       ///< empty unless finished
   double finishedStepVoxels() const { return m_finishedStepVoxels; } ///< of that picture
   std::optional<double> contrast() const;                            ///< while finished
 

@@ -37,8 +37,8 @@ void TileSchedule::finished(double ms) {
   // The height of a strip stays until it is done.
   if (isWhole)
     m_rows = static_cast<int>(std::clamp<double>(pixels / m_size.x, leastRows, mostRows));
-  m_columns = static_cast<int>(
-      std::clamp<double>(pixels / m_rows, std::min(leastColumns, m_size.x), m_size.x));
+  m_columns =
+      static_cast<int>(std::clamp<double>(pixels / m_rows, std::min(leastColumns, m_size.x), m_size.x));
 }
 
 void TileSchedule::finishedWhole(double ms) {

@@ -24,7 +24,7 @@ public:
 
   bool complete() const { return m_rowsDone >= m_size.y; }
   int rowsDone() const { return m_rowsDone; } ///< over the whole width
-  double fraction() const; ///< 0..1
+  double fraction() const;                    ///< 0..1
   double spentMs() const { return m_spentMs; }
 
   /// The strip to draw next; call only while not complete.

@@ -67,8 +67,7 @@ RestTurn ViewPictures::workAtRest(bool refines, double budgetMs) {
     return RestTurn::nothing;
   const RestTurn turn = m_refinement.step(m_caster, sides(), budgetMs);
   for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
-    m_isResolved[i] =
-        isResolved(m_caster, withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+    m_isResolved[i] = isResolved(m_caster, withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
   return turn;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Phantom.h"
 #include "widgets/view/AccuracyText.h"
+#include "scene/Phantom.h"
 
 #include <gtest/gtest.h>
 

@@ -18,9 +18,7 @@ namespace {
 using test::ViewHost;
 
 struct RefiningHost : ViewHost {
-  explicit RefiningHost(const QSize& size = {240, 160}) : ViewHost(size) {
-    view.setRefinesAtRest(true);
-  }
+  explicit RefiningHost(const QSize& size = {240, 160}) : ViewHost(size) { view.setRefinesAtRest(true); }
   [[nodiscard]] bool refined() {
     return QTest::qWaitFor([this] { return view.isIdle() && view.pictureState().refinementEnd; }, 120000);
   }
@@ -137,7 +135,8 @@ TEST(Refinement, leavesTheEventLoopFree) {
   host.view.setCompareLayout(CompareLayout::sideBySide);
   host.showPhantom(4.0);
   ASSERT_TRUE(host.show());
-  // Shaders are compiled in one piece, by a driver in its own time; from the first finer picture on it is ours.
+  // Shaders are compiled in one piece, by a driver in its own time; from the first finer picture on it is
+  // ours.
   ASSERT_TRUE(host.firstPass());
   const test::Heart heart;
   ASSERT_TRUE(host.refined());
