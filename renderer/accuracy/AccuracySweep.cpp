@@ -116,11 +116,11 @@ std::vector<OperatingPoint> usualPoints() {
   point = {};
   point.gradients = GradientSource::precomputed;
   addSteps(points, point, some);
-  for (const double end : {0.98, 1.0}) {
-    point = {};
-    point.earlyTermination = end;
-    addSteps(points, point, {0.5, 0.125});
-  }
+  point = {};
+  point.earlyTermination = 1.0;
+  addSteps(points, point, {1.0, 0.5, 0.25, 0.125, 0.0625, 0.03125});
+  point.earlyTermination = 0.98;
+  addSteps(points, point, {0.5, 0.125});
   point = {};
   point.imageScale = 0.5;
   addSteps(points, point, {2.0, 1.0, 0.5});

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/ConvergedPicture.h"
 
-#include "scene/RayFrame.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@ namespace {
 
 constexpr double firstStep = 0.25;
 constexpr double smallestStep = 1.0 / 1024.0;
+constexpr int leastHalvings = 4; ///< that are tried, however fine the scene's own step
 constexpr double enoughP99_9 = 0.15;
 constexpr double enoughMean = 0.005;
 
@@ -23,11 +22,6 @@ bool changes(const glm::dvec4& before, const glm::dvec4& after) {
   return !(std::max({change.r, change.g, change.b, change.a}) <= stillLevels);
 }
 
-// Whether every ray's step still follows the scene's.
-bool isWithinSampleLimit(const Scene& scene) {
-  return longestRaySamples(scene) <= mostSamples;
-}
-
 } // namespace
 
 ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, const DrawPrecisely& draw,
@@ -35,7 +29,9 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   Scene finer = scene;
   finer.quality.earlyTermination = 1.0;
   finer.quality.jitter = false;
-  finer.quality.stepVoxels = std::min(firstStep, scene.quality.stepVoxels);
+  const double first = std::min(firstStep, scene.quality.stepVoxels);
+  const double smallest = std::min(smallestStep, std::ldexp(first, -leastHalvings));
+  finer.quality.stepVoxels = first;
   const auto count = static_cast<std::size_t>(size.x) * size.y;
   ConvergedPicture result{PrecisePixels(count, glm::dvec4(0.0)), {}};
   std::vector<std::uint8_t> wanted(count, 1);
@@ -49,7 +45,7 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   double fraction = 0.0;
   while (!result.facts.converged) {
     finer.quality.stepVoxels /= 2.0;
-    if (finer.quality.stepVoxels < smallestStep || !isWithinSampleLimit(finer))
+    if (finer.quality.stepVoxels < smallest)
       break;
     // How many halvings it will take is unknown: each takes a part of what is left.
     fraction += (1.0 - fraction) / 4.0;

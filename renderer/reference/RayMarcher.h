@@ -19,6 +19,7 @@ struct PictureTerms {
   CutPlanes cut = cutPlanes(grid, scene.crop);
   bool isCut = scene.crop != CropBox{};
   double step = stepMm(scene);
+  int mostSamples = limn::mostSamples; ///< of one ray
   double smallestMm = smallestSpacingMm(grid);
   glm::dvec3 centre = centreIndex(grid);
   std::optional<glm::dvec3> towardsLight =
@@ -71,7 +72,7 @@ private:
   };
 
   void divide() {
-    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step);
+    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step, m_terms.mostSamples);
     m_dt = (m_span.end - m_span.begin) / m_count;
   }
 

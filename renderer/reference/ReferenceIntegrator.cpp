@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cassert>
+#include <limits>
 #include <thread>
 
 namespace limn {
@@ -49,12 +50,14 @@ struct Work {
   int threads = 0;
   const std::function<bool()>& isCancelled;
   Limiting limiting = Limiting::clampOrKnee;
+  int mostSamples = limn::mostSamples;
 };
 
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
   const glm::ivec2 size = picture.size;
   PictureTerms terms{scene, effectsOf(scene)};
+  terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -87,14 +90,15 @@ ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int
   const auto pixels = static_cast<std::size_t>(size.x) * size.y;
   picture.pixels.assign(pixels, glm::dvec4(0.0));
   picture.samples.assign(pixels, 0);
-  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting});
+  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples});
   return picture;
 }
 
 void redrawReference(ReferencePicture& picture, const Scene& scene, const std::vector<std::uint8_t>& wanted,
                      int threads, const std::function<bool()>& isCancelled) {
   assert(wanted.size() == picture.pixels.size());
-  drawInto(picture, scene, {&wanted, threads, isCancelled, Limiting::clampOrKnee});
+  drawInto(picture, scene,
+           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max()});
 }
 
 Image toImage(const ReferencePicture& picture) {

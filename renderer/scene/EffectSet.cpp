@@ -109,7 +109,6 @@ EffectSet canonical(EffectSet effects) {
       effects = effects.without(useless);
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
-  drop(has(Effect::longRays), {Effect::emptySpaceSkipping});
   drop(has(Effect::preintegration), {Effect::jitter});
   drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee, Effect::unlimited});
   drop(has(Effect::unlimited), {Effect::knee});
