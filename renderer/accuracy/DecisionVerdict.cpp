@@ -28,7 +28,7 @@ std::string sentenceOn(const DecisionCost& cost) {
     memory = ", with " + threeDigits(std::abs(cost.extraMb)) + " MB " +
              (cost.extraMb > 0.0 ? "more" : "less") + " of graphics memory";
   return "Another way would be faster here and as accurate: " + cost.group + ", " + cost.name + ", in " +
-         threeDigits(cost.timesDefault) + " of the time" + memory + ".";
+         std::to_string(std::lround(100.0 * cost.timesDefault)) + " % of the time" + memory + ".";
 }
 
 } // namespace

@@ -24,7 +24,7 @@ const DecisionCost own = costOf("on the fly", true, 1.0, 0.05, 1.0, 0.0);
 TEST(DecisionVerdict, namesWhatIsFasterAndAsAccurate) {
   const auto verdict = verdictOn({own, costOf("stored", false, 1.1, 0.054, 0.75, 58.6)});
   ASSERT_EQ(verdict.size(), 1u);
-  EXPECT_EQ(verdict[0], "Another way would be faster here and as accurate: gradient, stored, in 0.75 of the "
+  EXPECT_EQ(verdict[0], "Another way would be faster here and as accurate: gradient, stored, in 75 % of the "
                         "time, with 58.6 MB more of graphics memory.");
 }
 

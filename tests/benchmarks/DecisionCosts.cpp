@@ -5,6 +5,7 @@
 // command.
 //   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/ConvergedPicture.h"
+#include "accuracy/DecisionVerdict.h"
 #include "app/BuiltInPresets.h"
 #include "app/accuracy/MeasureDecisions.h"
 #include "gl/HeadlessContext.h"
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
               exact.facts.lastChangeLevels, exact.facts.lastMeanChange);
   std::printf("%-63s %7s %7s %7s %7s %8s %5s %6s\n", "* the program's own", "mean", "p99.9", "m 1/8", "p 1/8",
               "ms", "times", "MB");
-  for (const DecisionCost& cost : measureDecisions(scene, size, exact.pixels))
+  const std::vector<DecisionCost> costs = measureDecisions(scene, size, exact.pixels);
+  for (const DecisionCost& cost : costs)
     print(cost);
+  for (const std::string& sentence : verdictOn(costs))
+    std::printf("%s\n", sentence.c_str());
 }
