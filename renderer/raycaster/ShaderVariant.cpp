@@ -59,6 +59,12 @@ const char* sampleBlock(EffectSet effects) {
   return effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl";
 }
 
+const char* gatherBlock(EffectSet effects) {
+  return effects.has(Effect::localSteps)       ? "gather_local_steps.glsl"
+         : effects.has(Effect::preintegration) ? "gather_segments.glsl"
+                                               : "gather.glsl";
+}
+
 } // namespace
 
 const std::string& embeddedShader(const std::string& name) {
@@ -87,7 +93,7 @@ ShaderSource fragmentSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
   appendBlock(source, "ray.glsl");
-  if (effects.has(Effect::sampleCounts)) {
+  if (effects == EffectSet{Effect::sampleCounts}) {
     appendBlock(source, "sample_counts.glsl");
     return source;
   }
@@ -103,7 +109,9 @@ ShaderSource fragmentSource(EffectSet effects) {
     appendBlock(source, "first_hit.glsl");
     return source;
   }
-  appendBlock(source, effects.has(Effect::preintegration) ? "gather_segments.glsl" : "gather.glsl");
+  if (effects.has(Effect::localSteps))
+    appendBlock(source, "local_steps.glsl");
+  appendBlock(source, gatherBlock(effects));
   appendBlock(source, "composite.glsl");
   return source;
 }

@@ -68,8 +68,8 @@ ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int
         const double offset = isJittered ? jitteredOffset(x, y, size.y) : 0.5;
         RayMarcher<T> marcher(terms, field, ray, span, offset);
         const auto pixel = static_cast<std::size_t>(y) * size.x + x;
-        picture.samples[pixel] = marcher.samples();
         picture.pixels[pixel] = marcher.pixel();
+        picture.samples[pixel] = marcher.samples();
       }
     });
   });

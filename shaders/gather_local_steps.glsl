@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gather a ray by error-controlled steps: each sample stands for its piece, and a piece over which the light
+// that it adds changes too much is taken again with a smaller step.
+
+// Moves to the next piece that may be seen, or whose predecessor was: a boundary may lie between them. A software
+// driver runs the body of a loop once for rays that have ended: those fetch one texel that stays in its cache.
+void findPiece(BlockPath path, March march, float transmittance, inout Walk walk, inout Shaded before,
+               out Piece piece, out vec3 position, out float scalar) {
+  bool isSearching = true;
+  while (isSearching) {
+    bool isLeaping = isAtExit(walk) && !isAtEnd(walk);
+    while (isLeaping) {
+      bool isEmpty = enterNext(path, transmittance, walk);
+      before.extinction = isEmpty ? 0.0 : before.extinction;
+      isLeaping = isAtExit(walk) && !isAtEnd(walk);
+    }
+    piece = nextPiece(walk);
+    position = isAtEnd(walk) ? u_textureLower : positionOf(march, piece.middle);
+    scalar = scalarAt(position);
+    isSearching = !isAtEnd(walk) && !(before.extinction > 0.0) && !mayBeSeen(scalar);
+    if (isSearching)
+      accept(piece, 0.0, walk);
+  }
+}
+
+// How much the light that a piece adds to a channel of the pixel differs from what it would add if it were like
+// the piece before.
+float changeBetween(Shaded before, Shaded here, float units, float transmittance) {
+  float was = oneMinusExpNeg(before.extinction * units);
+  float is = oneMinusExpNeg(here.extinction * units);
+  vec3 color = abs(is * here.color - was * before.color);
+  return transmittance * max(max(color.r, color.g), max(color.b, abs(is - was)));
+}
+
+Gathered gather(Ray ray, vec2 span, out int spent) {
+  March march = marchFrom(ray, span.x);
+  BlockPath path = blockPath(march.firstIndex, ray.direction);
+  Walk walk = walkThrough(path, span.y - span.x);
+  Gathered gathered = nothingGathered();
+  Shaded before = Shaded(vec3(0.0), 0.0);
+  Piece piece;
+  vec3 position;
+  float scalar;
+  findPiece(path, march, 1.0, walk, before, piece, position, scalar);
+  while (!isAtEnd(walk)) {
+    Shaded here = Shaded(vec3(0.0), 0.0);
+    if (mayBeSeen(scalar))
+      here = shadedSample(march, position, materialOf(scalar), piece.middle);
+
+    // Composite the piece, or take it again with a smaller step.
+    float units = piece.length * u_perUnitDistance;
+    float change = changeBetween(before, here, units, transmittanceOf(gathered));
+    if (isToBeRefined(walk, change)) {
+      refine(change, walk);
+    } else {
+      add(gathered, here, units);
+      accept(piece, change, walk);
+      before = here;
+    }
+    if (isFinished(gathered))
+      finish(walk);
+    findPiece(path, march, transmittanceOf(gathered), walk, before, piece, position, scalar);
+  }
+  spent = walk.spent;
+  return gathered;
+}
