@@ -3,6 +3,7 @@
 
 #include "app/WindowProgram.h"
 #include "app/commands/Arguments.h"
+#include "app/commands/AccuracyCommand.h"
 #include "app/commands/BenchCommand.h"
 #include "app/commands/EffectsCommand.h"
 #include "app/commands/InfoCommand.h"
@@ -88,6 +89,7 @@ int runCommandLine(int argc, char** argv) {
   addRenderCommand(program);
   addEffectsCommand(program);
   addPresetsCommand(program);
+  addAccuracyCommand(program);
   addBenchCommand(program);
   return parseAndRun(program, argc, argv, arguments);
 }

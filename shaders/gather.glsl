@@ -2,14 +2,23 @@
 // Gather a ray by its standard discretisation (RENDERING 7): each sample stands for its step.
 
 #ifdef EFFECT_LONG_RAYS
-// One loop: drivers limit the iterations of all loops of a fragment together.
+// One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over empty
+// blocks or takes a sample.
 Gathered gather(March march, int count) {
   Gathered gathered = nothingGathered();
-  for (int i = 0; i < count && !isFinished(gathered); ++i) {
-    vec3 position = positionOf(march, float(i));
-    float scalar = scalarAt(position);
-    if (mayBeSeen(scalar))
-      addMaterial(gathered, march, position, materialOf(scalar), float(i));
+  int i = 0;
+  while (i < count && !isFinished(gathered)) {
+    int leap = 0;
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+    leap = emptySamples(march.blocks, float(i));
+#endif
+    if (leap == 0) {
+      vec3 position = positionOf(march, float(i));
+      float scalar = scalarAt(position);
+      if (mayBeSeen(scalar))
+        addMaterial(gathered, march, position, materialOf(scalar), float(i));
+    }
+    i += max(leap, 1);
   }
   return gathered;
 }

@@ -3,15 +3,23 @@
 // of step i lie half a step before and behind its sample.
 
 #ifdef EFFECT_LONG_RAYS
-// One loop: drivers limit the iterations of all loops of a fragment together.
+// One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over the
+// steps both of whose ends lie in empty blocks or takes a step.
 Gathered gather(March march, int count) {
   Gathered gathered = nothingGathered();
-  float before = scalarAt(positionOf(march, -0.5));
-  for (int i = 0; i < count && !isFinished(gathered); ++i) {
-    float behind = scalarAt(positionOf(march, float(i) + 0.5));
-    if (mayBeSeenBetween(before, behind))
-      addMaterial(gathered, march, positionOf(march, float(i)), meanMaterial(before, behind), float(i));
-    before = behind;
+  int i = 0;
+  while (i < count && !isFinished(gathered)) {
+    int leap = 0;
+#ifdef EFFECT_EMPTY_SPACE_SKIPPING
+    leap = max(emptySamples(march.blocks, float(i) - 0.5) - 1, 0);
+#endif
+    if (leap == 0) {
+      float before = scalarAt(positionOf(march, float(i) - 0.5));
+      float behind = scalarAt(positionOf(march, float(i) + 0.5));
+      if (mayBeSeenBetween(before, behind))
+        addMaterial(gathered, march, positionOf(march, float(i)), meanMaterial(before, behind), float(i));
+    }
+    i += max(leap, 1);
   }
   return gathered;
 }

@@ -27,12 +27,14 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
   scene.quality.preintegrated = point.preintegrated ? Preintegration::always : Preintegration::never;
   scene.quality.earlyTermination = point.earlyTermination;
   scene.quality.jitter = false;
+  scene.quality.toleranceLevels = point.toleranceLevels;
+  scene.quality.fineness.reset();
   return scene;
 }
 
 std::string familyOf(const OperatingPoint& point) {
-  const char* engines[] = {"rays", "slices", "double precision"};
-  std::string family = engines[static_cast<int>(point.engine)];
+  const char* renderers[] = {"rays", "slices", "double precision"};
+  std::string family = renderers[static_cast<int>(point.renderer)];
   if (point.toleranceLevels)
     family += ", error-controlled";
   if (point.preintegrated)

@@ -12,14 +12,14 @@
 namespace limn {
 
 /// Which renderer draws.
-enum class Engine { gl, slices, reference };
+enum class PointRenderer { rays, slices, reference };
 
 /// Where the gradient of a sample comes from: six fetches of the volume, or one of a texture made before.
 enum class GradientSource { onTheFly, precomputed };
 
 /// Everything by which a picture of one scene can be had faster or closer to the exact one.
 struct OperatingPoint {
-  Engine engine = Engine::gl;
+  PointRenderer renderer = PointRenderer::rays;
   double stepVoxels = 0.5;               ///< in units of the smallest spacing; unused under a tolerance
   std::optional<double> toleranceLevels; ///< error-controlled steps instead of equal ones, > 0
   bool preintegrated = false;
@@ -29,7 +29,7 @@ struct OperatingPoint {
   bool operator==(const OperatingPoint&) const = default;
 };
 
-/// The scene drawn at a point. Engine, gradients and image scale are no part of a scene.
+/// The scene drawn at a point. Renderer, gradients and image scale are no part of a scene.
 Scene atPoint(Scene scene, const OperatingPoint& point);
 
 /// What stays when only the step or the tolerance changes, in words: a curve of the chart.

@@ -15,7 +15,7 @@ public:
   SavedState(const SavedState&) = delete;
   SavedState& operator=(const SavedState&) = delete;
 
-  static constexpr int textureUnits = 7;
+  static constexpr int textureUnits = 10;
   static constexpr int capabilities = 7;
 
 private:

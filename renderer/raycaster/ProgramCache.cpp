@@ -37,8 +37,8 @@ const ShaderProgram& ProgramCache::exactly(EffectSet effects) {
 
 void ProgramCache::start(EffectSet effects) {
   if (!has(effects))
-    m_programs.emplace(
-        effects, ShaderProgram(vertexSource(), fragmentSource(effects), ShaderProgram::Linking::started));
+    m_programs.emplace(effects, ShaderProgram(vertexSource(), fragmentSource(effects, m_decisions),
+                                              ShaderProgram::Linking::started));
 }
 
 } // namespace limn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/ShaderProgram.h"
+#include "raycaster/Decisions.h"
 #include "scene/EffectSet.h"
 
 #include <map>
@@ -13,6 +14,9 @@ namespace limn {
 /// time.
 class ProgramCache {
 public:
+  /// The programs of one set of decisions.
+  explicit ProgramCache(const Decisions& decisions = {}) : m_decisions(decisions) {}
+
   /// The program of a canonical set; while there is none, the smallest that draws the same picture
   /// (`canStandIn`); without such, compiles it.
   const ShaderProgram& programFor(EffectSet effects);
@@ -34,6 +38,7 @@ public:
 private:
   const ShaderProgram* standInFor(EffectSet effects) const;
 
+  Decisions m_decisions;
   std::map<EffectSet, ShaderProgram> m_programs;
 };
 

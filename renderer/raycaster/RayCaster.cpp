@@ -5,6 +5,7 @@
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
 #include "raycaster/CoveredPixels.h"
+#include "raycaster/DecisionTextures.h"
 #include "raycaster/ProgramCache.h"
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
@@ -32,7 +33,9 @@ void scissor(const PixelRect& rect, const glm::ivec2& size) {
 enum class Content { picture, unlimitedPicture, sampleCounts };
 
 struct RayCaster::Parts {
+  Decisions decisions;
   SceneTextures textures;
+  DecisionTextures decisionTextures;
   ProgramCache programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
@@ -41,8 +44,9 @@ struct RayCaster::Parts {
   bool compilesAllEffects = false;
   std::optional<EffectSet> leftOut;
 
-  Parts();
+  explicit Parts(const Decisions& chosen);
   EffectPlan plan(const Scene& scene);
+  void measure(const Scene& scene, EffectSet effects);
   EffectSet programFor(EffectSet needed, Content content) const;
   void draw(const Scene& scene, Content content, const glm::ivec2& size, const PixelRect& tile);
   IndexBox drawnBox(const Scene& scene, EffectSet effects) const;
@@ -52,7 +56,8 @@ struct RayCaster::Parts {
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
-RayCaster::Parts::Parts() {
+RayCaster::Parts::Parts(const Decisions& chosen)
+    : decisions(chosen), textures(chosen), decisionTextures(chosen), programs(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
   glBindVertexArray(vertexArray.name());
@@ -77,6 +82,11 @@ EffectPlan RayCaster::Parts::plan(const Scene& scene) {
   SceneFacts facts = textures.facts(scene);
   facts.canSkipEmptySpace = skipsEmptySpace;
   return requiredEffects(scene, facts);
+}
+
+void RayCaster::Parts::measure(const Scene& scene, EffectSet effects) {
+  textures.measure(scene, effects);
+  decisionTextures.update(scene, textures.volume(), effects);
 }
 
 EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const {
@@ -106,7 +116,7 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   scissor(
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), drawnBox(scene, effects), size)),
       size);
-  textures.measure(scene, needed.effects);
+  measure(scene, needed.effects);
   const bool isMeasured = leftOut || compilesAllEffects;
   drawWith(isMeasured ? programs.exactly(effects) : programs.programFor(effects), scene, size);
 }
@@ -124,6 +134,7 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
   shader.use();
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
+  decisionTextures.apply(shader);
   glBindVertexArray(vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -143,13 +154,13 @@ void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::
   glViewport(0, 0, size.x, size.y);
   glEnable(GL_SCISSOR_TEST);
   glScissor(size.x / 2, size.y / 2, 1, 1);
-  textures.measure(scene, effects);
+  measure(scene, effects);
   drawWith(programs.exactly(effects), scene, size);
 }
 
-RayCaster::RayCaster(EmptySpace emptySpace, Programs programs) {
+RayCaster::RayCaster(EmptySpace emptySpace, Programs programs, const Decisions& decisions) {
   requireOpenGl3();
-  m_parts = std::make_unique<Parts>();
+  m_parts = std::make_unique<Parts>(decisions);
   m_parts->skipsEmptySpace = emptySpace == EmptySpace::skipped;
   m_parts->compilesAllEffects = programs == Programs::allEffects;
 }
@@ -182,6 +193,16 @@ EffectPlan RayCaster::plan(const Scene& scene) {
   return m_parts->plan(scene);
 }
 
+void RayCaster::prepare(const Scene& scene) {
+  const SavedState saved;
+  m_parts->measure(scene, m_parts->plan(scene).effects);
+}
+
+double RayCaster::volumeMb() const {
+  const std::size_t bytes = m_parts->textures.volume().bytes() + m_parts->decisionTextures.bytes();
+  return static_cast<double>(bytes) / 1e6;
+}
+
 void RayCaster::leaveOut(std::optional<EffectSet> effects) {
   m_parts->leftOut = effects;
 }
@@ -190,7 +211,7 @@ std::string RayCaster::fragmentShader(const Scene& scene) {
   const EffectPlan needed = plan(scene);
   if (!needed.isVisible)
     return {};
-  return fragmentSource(m_parts->programFor(needed.effects, Content::picture)).text;
+  return fragmentSource(m_parts->programFor(needed.effects, Content::picture), m_parts->decisions).text;
 }
 
 bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {

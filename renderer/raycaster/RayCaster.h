@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/Decisions.h"
 #include "raycaster/PixelRect.h"
 #include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
@@ -28,7 +29,8 @@ public:
   enum class Programs { specialised, allEffects };
 
   /// Throws Error (openGl) where the driver lacks what drawing needs, naming it.
-  explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped, Programs programs = Programs::specialised);
+  explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped, Programs programs = Programs::specialised,
+                     const Decisions& decisions = {});
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
@@ -58,6 +60,13 @@ public:
   /// middle of a picture of `size` into the bound framebuffer. For when there is time, over a picture of no
   /// account; false when nothing is left to do.
   bool warmUp(const Scene& scene, const glm::ivec2& size);
+
+  /// Uploads and measures what a picture of the scene needs, without drawing: to time it.
+  void prepare(const Scene& scene);
+
+  /// What the volume takes on the graphics card, MB (10⁶ bytes): its scalars and whatever decisions keep for
+  /// each voxel beside them.
+  double volumeMb() const;
 
   /// Leaves effects, and what cannot be had without them, out of the pictures drawn from here on, to measure
   /// what they cost: with exactly the program of the rest, even where none is left out (the empty set).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/SceneTextures.h"
 
+#include "raycaster/FunctionTable.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
@@ -56,7 +57,7 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_steepness.reset();
   m_largestGradient.reset();
   m_percentiles.clear();
-  m_volumeTexture.emplace(*scene.volume);
+  m_volumeTexture.emplace(*scene.volume, m_decisions.volume);
   m_volume = scene.volume;
 }
 
@@ -133,7 +134,8 @@ IndexBox SceneTextures::visibleBox() const {
 void SceneTextures::update(const Scene& scene) {
   updateVolume(scene);
   if (m_functionShown != scene.transferFunction) {
-    m_functionTable = tableOf(scene.transferFunction, m_volume->range());
+    const ValueRange& range = m_volume->range();
+    m_functionTable = tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
     m_function.upload(m_functionTable);
     m_functionShown = scene.transferFunction;
   }

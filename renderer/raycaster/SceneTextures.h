@@ -49,6 +49,9 @@ private:
 /// what differs from the scene before and nothing else.
 class SceneTextures {
 public:
+  /// Of the decisions those count that concern the volume's format and where the function shows.
+  explicit SceneTextures(const Decisions& decisions = {}) : m_decisions(decisions) {}
+
   /// Uploads volume and functions; changes texture bindings.
   void update(const Scene& scene);
 
@@ -90,6 +93,7 @@ private:
   void updateVolume(const Scene& scene);
   void updateEmptySpace(const Scene& scene);
 
+  Decisions m_decisions;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   std::optional<TransferFunction> m_functionShown;

@@ -57,10 +57,9 @@ void setVolume(const Setter& set, const VolumeTexture& texture) {
 
 void setGradient(const Setter& set, const Scene& scene, const SceneTextures& textures) {
   const Grid& grid = scene.volume->grid();
-  const glm::dvec3 texelMm = grid.spacingMm * glm::dvec3(textures.volume().reduction());
   const GradientScale& scale = textures.gradientScale();
   const double unit = textures.gradientUnit();
-  set("u_gradientScale", smallestSpacingMm(grid) / (2.0 * texelMm));
+  set("u_gradientScale", differenceScale(grid, textures.volume()));
   set("u_flatModulus", unit > 0.0 ? std::ldexp(scale.largest / unit, -20) : 0.0);
   set("u_perReference", scale.reference > 0.0 ? unit / scale.reference : 0.0);
   set("u_gradientDomain", glm::dvec3(textures.gradientCurve().domain()));
@@ -135,6 +134,11 @@ void bind(TextureUnit unit, unsigned target, unsigned texture) {
 }
 
 } // namespace
+
+glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume) {
+  const glm::dvec3 texelMm = grid.spacingMm * glm::dvec3(volume.reduction());
+  return smallestSpacingMm(grid) / (2.0 * texelMm);
+}
 
 void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());

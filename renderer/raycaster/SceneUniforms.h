@@ -15,7 +15,10 @@ enum class TextureUnit {
   functionSegments,
   functionOccupancy,
   gradientBins,
-  gradientSegments
+  gradientSegments,
+  functionTable,
+  storedGradient,
+  classifiedVolume
 };
 
 /// Binds every texture to its unit.
@@ -24,6 +27,10 @@ void bindTextures(const SceneTextures& textures);
 /// The most samples that one ray may take: `mostSamples`, less where each needs many steps through the
 /// transfer function, because drivers limit the iterations of all loops together.
 int sampleLimit(const Scene& scene, const SceneTextures& textures);
+
+/// What leads from a difference over two texels of a volume to the unit of gradients in the shaders, along
+/// each axis.
+glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume);
 
 /// Sets every uniform of a program in use from the scene; those that the program has not are ignored. What
 /// the shaders compute in float is converted here and nowhere else.

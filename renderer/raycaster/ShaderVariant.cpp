@@ -35,18 +35,56 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+const char* classificationBlock(const Decisions& decisions) {
+  return decisions.table == TableFormat::exact ? "classification.glsl" : "function_table.glsl";
+}
+
+const char* jitterBlock(const Decisions& decisions) {
+  return decisions.place == SamplePlace::middle ? "jitter.glsl" : "front_of_step.glsl";
+}
+
+const char* gradientBlock(const Decisions& decisions) {
+  switch (decisions.gradients) {
+  case GradientFormat::onTheFly:
+    return "gradient.glsl";
+  case GradientFormat::forward:
+    return "forward_differences.glsl";
+  case GradientFormat::halves:
+    return "stored_gradient.glsl";
+  case GradientFormat::directions:
+    return "stored_direction.glsl";
+  }
+  return "";
+}
+
+const char* gatherBlock(EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::localSteps))
+    return "gather_local_steps.glsl";
+  if (effects.has(Effect::preintegration))
+    return "gather_segments.glsl";
+  return decisions.classification == ClassificationOrder::afterInterpolation ? "gather.glsl"
+                                                                             : "gather_classified.glsl";
+}
+
+// A sample at the front of its step takes the place of a jittered one.
+EffectSet withPlace(EffectSet effects, const Decisions& decisions) {
+  const bool isMoved = decisions.place != SamplePlace::middle && !effects.has(Effect::preintegration);
+  return isMoved ? effects.with(Effect::jitter) : effects;
+}
+
 // The volume, its classification and light, and the steps of a ray through it.
-void appendFieldBlocks(ShaderSource& source, EffectSet effects) {
+void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions& decisions) {
   const auto blockIf = [&](bool isNeeded, const char* name) {
     if (isNeeded)
       appendBlock(source, name);
   };
-  for (const char* name : {"stable_math.glsl", "volume.glsl", "piecewise.glsl", "classification.glsl"})
+  for (const char* name :
+       {"stable_math.glsl", "volume.glsl", "piecewise.glsl", classificationBlock(decisions)})
     appendBlock(source, name);
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
-  blockIf(effects.has(Effect::jitter), "jitter.glsl");
-  blockIf(effects.has(Effect::gradient), "gradient.glsl");
+  blockIf(effects.has(Effect::jitter), jitterBlock(decisions));
+  blockIf(effects.has(Effect::gradient), gradientBlock(decisions));
   blockIf(usesRatio(effects), "gradient_ratio.glsl");
   blockIf(effects.has(Effect::gradientOpacity), "gradient_opacity.glsl");
   blockIf(effects.has(Effect::cutFaces), "cut_faces.glsl");
@@ -57,12 +95,6 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects) {
 
 const char* sampleBlock(EffectSet effects) {
   return effects.has(Effect::xray) ? "xray_sample.glsl" : "sample.glsl";
-}
-
-const char* gatherBlock(EffectSet effects) {
-  return effects.has(Effect::localSteps)       ? "gather_local_steps.glsl"
-         : effects.has(Effect::preintegration) ? "gather_segments.glsl"
-                                               : "gather.glsl";
 }
 
 } // namespace
@@ -89,15 +121,18 @@ ShaderSource sliceVertexSource() {
   return source;
 }
 
-ShaderSource fragmentSource(EffectSet effects) {
+ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
   ShaderSource source;
+  effects = withPlace(effects, decisions);
   source.append("prelude", prelude(effects));
+  if (decisions.table == TableFormat::correctedFloats)
+    source.append("prelude", "#define DECISION_CORRECTED_TABLE\n");
   appendBlock(source, "ray.glsl");
   if (effects == EffectSet{Effect::sampleCounts}) {
     appendBlock(source, "sample_counts.glsl");
     return source;
   }
-  appendFieldBlocks(source, effects);
+  appendFieldBlocks(source, effects, decisions);
   if (effects.hasAny(scalarProjections)) {
     appendBlock(source, "scalar_projection.glsl");
     return source;
@@ -111,7 +146,7 @@ ShaderSource fragmentSource(EffectSet effects) {
   }
   if (effects.has(Effect::localSteps))
     appendBlock(source, "local_steps.glsl");
-  appendBlock(source, gatherBlock(effects));
+  appendBlock(source, gatherBlock(effects, decisions));
   appendBlock(source, "composite.glsl");
   return source;
 }
@@ -120,7 +155,7 @@ ShaderSource sliceSource(EffectSet effects) {
   ShaderSource source;
   source.append("prelude", prelude(effects));
   appendBlock(source, "ray.glsl");
-  appendFieldBlocks(source, effects);
+  appendFieldBlocks(source, effects, {});
   appendBlock(source, sampleBlock(effects));
   appendBlock(source, "slice.glsl");
   return source;

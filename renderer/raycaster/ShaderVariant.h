@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/ShaderProgram.h"
+#include "raycaster/Decisions.h"
 #include "scene/EffectSet.h"
 
 namespace limn {
@@ -10,8 +11,9 @@ namespace limn {
 ShaderSource vertexSource();
 
 /// The fragment shader of a canonical set of effects: a prelude of `#define`s and the building blocks that
-/// the set calls for, in the order of the stage contract (shaders/README.md).
-ShaderSource fragmentSource(EffectSet effects);
+/// the set calls for, in the order of the stage contract (shaders/README.md). Decisions other than the
+/// program's own put blocks of shaders/decisions in the place of others.
+ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions = {});
 
 /// The shaders of the slice renderer: the same blocks around another `main`.
 ShaderSource sliceVertexSource();

@@ -3,6 +3,9 @@
 
 #include "raycaster/PiecewiseTable.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace limn {
 namespace {
 
@@ -64,6 +67,12 @@ TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction) {
   for (int axis = 0; axis < 3; ++axis)
     fillApron(voxels, axis);
   return voxels;
+}
+
+void quantise(TextureVoxels& voxels, int parts) {
+  const auto count = static_cast<float>(parts);
+  for (float& texel : voxels.texels)
+    texel = std::round(std::clamp(texel, 0.0f, 1.0f) * count) / count;
 }
 
 } // namespace limn

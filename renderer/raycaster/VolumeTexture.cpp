@@ -10,22 +10,26 @@
 namespace limn {
 namespace {
 
-bool fits(const glm::ivec3& size) {
+GLint internalFormat(VolumeFormat format) {
+  return format == VolumeFormat::r32f ? GL_R32F : format == VolumeFormat::r16 ? GL_R16 : GL_R8;
+}
+
+bool fits(const glm::ivec3& size, GLint format) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
   if (std::max({size.x, size.y, size.z}) > largest)
     return false;
-  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, GL_R32F, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, nullptr);
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, nullptr);
   GLint width = 0;
   glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
   return width == size.x;
 }
 
 // Uploads into the texture bound; false where the driver has no memory for it.
-bool upload(const TextureVoxels& voxels) {
+bool upload(const TextureVoxels& voxels, GLint format) {
   while (glGetError() != GL_NO_ERROR) {
   }
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R32F, voxels.size.x, voxels.size.y, voxels.size.z, 0, GL_RED, GL_FLOAT,
+  glTexImage3D(GL_TEXTURE_3D, 0, format, voxels.size.x, voxels.size.y, voxels.size.z, 0, GL_RED, GL_FLOAT,
                voxels.texels.data());
   return glGetError() == GL_NO_ERROR;
 }
@@ -42,14 +46,18 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
 
 } // namespace
 
-VolumeTexture::VolumeTexture(const Volume& volume) : m_dims(volume.grid().dims) {
+VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format)
+    : m_format(format), m_dims(volume.grid().dims) {
+  const GLint stored = internalFormat(format);
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   for (;;) {
-    while (!fits(reducedDims(m_dims, m_reduction) + 2))
+    while (!fits(reducedDims(m_dims, m_reduction) + 2, stored))
       reduceLongest(m_dims, m_reduction);
-    const TextureVoxels voxels = textureVoxels(volume, m_reduction);
+    TextureVoxels voxels = textureVoxels(volume, m_reduction);
+    if (format != VolumeFormat::r32f)
+      quantise(voxels, format == VolumeFormat::r16 ? 65535 : 255);
     m_size = voxels.size;
-    if (upload(voxels)) {
+    if (upload(voxels, stored)) {
       m_ranges = blockRanges(voxels);
       break;
     }
@@ -66,6 +74,11 @@ VolumeTexture::VolumeTexture(const Volume& volume) : m_dims(volume.grid().dims) 
 
 glm::dvec3 VolumeTexture::scale() const {
   return 1.0 / (glm::dvec3(m_reduction) * glm::dvec3(m_size));
+}
+
+std::size_t VolumeTexture::bytes() const {
+  const std::size_t each = m_format == VolumeFormat::r32f ? 4 : m_format == VolumeFormat::r16 ? 2 : 1;
+  return each * static_cast<std::size_t>(m_size.x) * m_size.y * m_size.z;
 }
 
 std::string VolumeTexture::limitation() const {

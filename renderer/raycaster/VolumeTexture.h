@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/GlObjects.h"
+#include "raycaster/Decisions.h"
 #include "raycaster/EmptySpace.h"
 
 #include <string>
@@ -12,7 +13,7 @@ namespace limn {
 class VolumeTexture {
 public:
   /// Throws Error (openGl) where even a small texture is refused.
-  explicit VolumeTexture(const Volume& volume);
+  explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f);
 
   unsigned name() const { return m_texture.name(); }
 
@@ -25,6 +26,9 @@ public:
   glm::dvec3 upper() const { return 1.0 - lower(); }
   glm::dvec3 texel() const { return 1.0 / glm::dvec3(m_size); }
 
+  /// Texels along each axis, with the apron.
+  const glm::ivec3& size() const { return m_size; }
+
   const glm::ivec3& reduction() const { return m_reduction; }
 
   const BlockRanges& ranges() const { return m_ranges; }
@@ -33,11 +37,15 @@ public:
   glm::dvec3 blocksPerTexture() const { return glm::dvec3(m_size) / double(blockSize); }
   glm::dvec3 blockOffset() const { return glm::dvec3(-1.5 / blockSize); }
 
+  /// What its texels take on the graphics card.
+  std::size_t bytes() const;
+
   /// One sentence where the volume was down-sampled, otherwise empty.
   std::string limitation() const;
 
 private:
   GlTexture m_texture;
+  VolumeFormat m_format;
   glm::ivec3 m_dims;
   glm::ivec3 m_size{0};
   glm::ivec3 m_reduction{1};

@@ -20,6 +20,7 @@ struct PictureTerms {
   CutPlanes cut = cutPlanes(grid, scene.crop);
   bool isCut = scene.crop != CropBox{};
   double step = stepMm(scene);
+  int mostSamples = limn::mostSamples; ///< of one ray
   double smallestMm = smallestSpacingMm(grid);
   glm::dvec3 centre = centreIndex(grid);
   std::optional<glm::dvec3> towardsLight =
@@ -82,7 +83,7 @@ private:
   };
 
   void divide() {
-    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step);
+    m_count = sampleCount(m_span.end - m_span.begin, m_terms.step, m_terms.mostSamples);
     m_dt = (m_span.end - m_span.begin) / m_count;
   }
 
@@ -181,7 +182,9 @@ private:
   glm::dvec4 composite() {
     const bool endsEarly = m_terms.scene.quality.earlyTermination < 1.0;
     const double last = lastTransmittance(m_terms.scene.quality.earlyTermination);
-    const auto isEnd = [&](const glm::dvec4& sum) { return endsEarly && sum.a <= last; };
+    const auto isEnd = [&](const glm::dvec4& sum) {
+      return (endsEarly && sum.a <= last) || sum.a < nothingLeft;
+    };
     if (m_terms.local) {
       const glm::dvec4 sum = marchedLocally(
           [&](double place, const Material& material) { return pieceAt(place, material); }, isEnd);
@@ -282,6 +285,9 @@ private:
   }
 
   static constexpr int halvings = 14; // to less than 1e-4 of a step
+
+  // Light through so little cannot change the last digit of 1 in double precision, however bright.
+  static constexpr double nothingLeft = 1e-20;
 
   const PictureTerms& m_terms;
   const FieldSampler<T>& m_field;

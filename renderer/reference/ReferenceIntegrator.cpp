@@ -5,6 +5,8 @@
 #include "scene/Error.h"
 
 #include <atomic>
+#include <cassert>
+#include <limits>
 #include <thread>
 
 namespace limn {
@@ -42,24 +44,30 @@ void forEachRow(int rows, int threads, const std::function<bool()>& isCancelled,
     throw Cancelled();
 }
 
-} // namespace
+// What is drawn, and by how many.
+struct Work {
+  const std::vector<std::uint8_t>* wanted = nullptr; ///< absent: every pixel
+  int threads = 0;
+  const std::function<bool()>& isCancelled;
+  Limiting limiting = Limiting::clampOrKnee;
+  int mostSamples = limn::mostSamples;
+};
 
-ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads,
-                                 const std::function<bool()>& isCancelled, Limiting limiting) {
+void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
-  ReferencePicture picture{size, {}, {}};
-  const auto pixels = static_cast<std::size_t>(size.x) * size.y;
-  picture.pixels.assign(pixels, glm::dvec4(0.0));
-  picture.samples.assign(pixels, 0);
+  const glm::ivec2 size = picture.size;
   PictureTerms terms{scene, effectsOf(scene)};
-  terms.terms.isUnlimited = limiting == Limiting::none;
+  terms.mostSamples = work.mostSamples;
+  terms.terms.isUnlimited = work.limiting == Limiting::none;
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
-  if (threads <= 0)
-    threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   visitVoxels(*scene.volume, [&]<class T>(const std::vector<T>& stored) {
     const FieldSampler<T> field(*scene.volume, stored);
-    forEachRow(size.y, threads, isCancelled, [&](int y) {
+    forEachRow(size.y, work.threads > 0 ? work.threads : cores, work.isCancelled, [&](int y) {
       for (int x = 0; x < size.x; ++x) {
+        const auto pixel = static_cast<std::size_t>(y) * size.x + x;
+        if (work.wanted && !(*work.wanted)[pixel])
+          continue;
         const FramedRay ray = framedRay(frame, x, y, size);
         const RaySpan span = spanInBox(ray, terms.box);
         if (span.isEmpty())
@@ -67,13 +75,30 @@ ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int
         const bool isJittered = terms.effects.has(Effect::jitter);
         const double offset = isJittered ? jitteredOffset(x, y, size.y) : 0.5;
         RayMarcher<T> marcher(terms, field, ray, span, offset);
-        const auto pixel = static_cast<std::size_t>(y) * size.x + x;
         picture.pixels[pixel] = marcher.pixel();
         picture.samples[pixel] = marcher.samples();
       }
     });
   });
+}
+
+} // namespace
+
+ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads,
+                                 const std::function<bool()>& isCancelled, Limiting limiting) {
+  ReferencePicture picture{size, {}, {}};
+  const auto pixels = static_cast<std::size_t>(size.x) * size.y;
+  picture.pixels.assign(pixels, glm::dvec4(0.0));
+  picture.samples.assign(pixels, 0);
+  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples});
   return picture;
+}
+
+void redrawReference(ReferencePicture& picture, const Scene& scene, const std::vector<std::uint8_t>& wanted,
+                     int threads, const std::function<bool()>& isCancelled) {
+  assert(wanted.size() == picture.pixels.size());
+  drawInto(picture, scene,
+           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max()});
 }
 
 Image toImage(const ReferencePicture& picture) {

@@ -4,6 +4,7 @@
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -26,6 +27,12 @@ enum class Limiting { clampOrKnee, none };
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,
                                  const std::function<bool()>& isCancelled = {},
                                  Limiting limiting = Limiting::clampOrKnee);
+
+/// Draws again, with the scene as it is now, those pixels of a picture of the same size whose entry in
+/// `wanted` is not 0, their rays as long as the step asks for: the limit on samples is for pictures that
+/// people wait for. Throws as above; cancelled, the picture holds both old and new rows.
+void redrawReference(ReferencePicture& picture, const Scene& scene, const std::vector<std::uint8_t>& wanted,
+                     int threads = 0, const std::function<bool()>& isCancelled = {});
 
 /// The picture rounded to floats.
 Image toImage(const ReferencePicture& picture);

@@ -115,7 +115,6 @@ EffectSet canonical(EffectSet effects) {
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
   drop(has(Effect::localSteps), {Effect::preintegration, Effect::jitter});
-  drop(has(Effect::longRays) && !has(Effect::localSteps), {Effect::emptySpaceSkipping});
   drop(has(Effect::localSteps) && !has(Effect::hybrid), {Effect::longRays});
   drop(has(Effect::preintegration), {Effect::jitter});
   drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee, Effect::unlimited});

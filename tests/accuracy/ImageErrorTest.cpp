@@ -17,6 +17,13 @@ Image row(int pixels, float value) {
   return image;
 }
 
+ImageError difference(double p99_9) {
+  ImageError error;
+  error.p99_9 = p99_9;
+  error.mean = p99_9 / 10;
+  return error;
+}
+
 TEST(ImageError, ofAPictureWithItselfIsNothing) {
   EXPECT_EQ(imageError(row(10, 0.5f), row(10, 0.5f)), ImageError{});
 }
@@ -55,8 +62,7 @@ TEST(ErrorEstimate, ofAnExactPowerLawIsTheErrorItself) {
   // I_h - I = C h^p: with errors e, e/2^p, e/4^p the differences are theirs.
   for (const double p : {1.0, 1.3, 2.0}) {
     const double e = 8.0, half = e * std::exp2(-p), quarter = half * std::exp2(-p);
-    const ImageError before{.p99_9 = e - half, .mean = (e - half) / 10};
-    const ImageError halving{.p99_9 = half - quarter, .mean = (half - quarter) / 10};
+    const ImageError before = difference(e - half), halving = difference(half - quarter);
     const ErrorEstimate finest = errorAfterHalving(halving, before);
     EXPECT_NEAR(finest.order, p, 1e-12);
     EXPECT_NEAR(finest.p99_9, quarter, 1e-12);
@@ -70,9 +76,8 @@ TEST(ErrorEstimate, staysCarefulWhereNoOrderShows) {
   EXPECT_DOUBLE_EQ(observedOrder(1.0, 0.0), 1.0);
   EXPECT_DOUBLE_EQ(observedOrder(1.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(observedOrder(100.0, 1.0), 2.0);
-  const ImageError halving{.p99_9 = 0.5};
-  EXPECT_DOUBLE_EQ(errorAfterHalving(halving).p99_9, 0.5);
-  EXPECT_DOUBLE_EQ(errorBeforeHalving(halving).p99_9, 1.0);
+  EXPECT_DOUBLE_EQ(errorAfterHalving(difference(0.5)).p99_9, 0.5);
+  EXPECT_DOUBLE_EQ(errorBeforeHalving(difference(0.5)).p99_9, 1.0);
 }
 
 } // namespace

@@ -7,9 +7,12 @@ namespace limn {
 namespace {
 
 MeasuredPoint measured(double stepVoxels, double p99_9, double ms) {
-  return {.point = {.stepVoxels = stepVoxels},
-          .error = {.p99_9 = p99_9, .mean = p99_9 / 8},
-          .ms = {ms, ms, ms}};
+  MeasuredPoint point;
+  point.point.stepVoxels = stepVoxels;
+  point.error.p99_9 = p99_9;
+  point.error.mean = p99_9 / 8;
+  point.ms = {ms, ms, ms};
+  return point;
 }
 
 TEST(OperatingPoint, isParetoOptimalWhereNoOtherIsAsFastAndAsAccurate) {
@@ -46,14 +49,25 @@ TEST(OperatingPoint, showsItsOrderBesideThePointOfTwiceItsStep) {
 }
 
 TEST(OperatingPoint, namesItsFamilyAndStep) {
-  EXPECT_EQ(familyOf({}), "rays");
-  EXPECT_EQ(familyOf({.engine = Engine::slices, .preintegrated = true, .earlyTermination = 1.0}),
-            "slices, pre-integrated, never ends early");
-  EXPECT_EQ(familyOf({.gradients = GradientSource::precomputed, .imageScale = 0.5}),
-            "rays, stored gradients, 50 % of the pixels each way");
-  EXPECT_EQ(stepOf({.stepVoxels = 0.125}), "step 1/8");
-  EXPECT_EQ(stepOf({.stepVoxels = 2.0}), "step 2");
-  EXPECT_EQ(stepOf({.toleranceLevels = 1.0}), "within 1 level");
+  OperatingPoint point;
+  EXPECT_EQ(familyOf(point), "rays");
+  EXPECT_EQ(stepOf(point), "step 1/2");
+  point.stepVoxels = 2.0;
+  EXPECT_EQ(stepOf(point), "step 2");
+  point.toleranceLevels = 1.0;
+  EXPECT_EQ(stepOf(point), "within 1 level");
+  EXPECT_EQ(familyOf(point), "rays, error-controlled");
+}
+
+TEST(OperatingPoint, namesItsFamilyByEveryDecision) {
+  OperatingPoint point;
+  point.renderer = PointRenderer::slices;
+  point.preintegrated = true;
+  point.earlyTermination = 1.0;
+  point.gradients = GradientSource::precomputed;
+  point.imageScale = 0.5;
+  EXPECT_EQ(familyOf(point),
+            "slices, pre-integrated, stored gradients, never ends early, 50 % of the pixels each way");
 }
 
 } // namespace

@@ -125,5 +125,22 @@ TEST_F(EmptySpaceSkipping, changesNoBitOfAPicture) {
       }
 }
 
+TEST_F(EmptySpaceSkipping, isSteppedOverByRaysTooLongForNestedLoopsToo) {
+  RayCaster skipping;
+  RayCaster sampling(RayCaster::EmptySpace::sampled);
+  Scene scene = test::headScene(sparseVolume({33, 29, 21}, 4), ShadingModel::enhanced);
+  scene.transferFunction = above(20.0);
+  scene.quality.stepVoxels = 0.003;
+  for (const Preintegration preintegrated : {Preintegration::never, Preintegration::always})
+    for (const double yaw : {0.0, 0.4, 1.5707963267948966}) {
+      Scene turned = scene;
+      turned.quality.preintegrated = preintegrated;
+      turned.camera = orbited(scene.camera, yaw, 0.7 * yaw);
+      const EffectSet effects = skipping.plan(turned).effects;
+      ASSERT_TRUE(effects.has(Effect::longRays) && effects.has(Effect::emptySpaceSkipping));
+      EXPECT_EQ(skipping.render(turned, {16, 12}), sampling.render(turned, {16, 12})) << "yaw " << yaw;
+    }
+}
+
 } // namespace
 } // namespace limn

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/AccuracySweep.h"
+
+namespace limn {
+
+/// What each decision about accuracy costs in a scene, one at a time, drawn by the GLSL ray caster on the
+/// current OpenGL context: every way of every decision that can show in it (raycaster/DecisionList). Steps
+/// are sampled, not pre-integrated, and not jittered. `fineError` is at 1/8 voxel without early termination
+/// (but for the decisions about that), so that neither hides what the decision itself does. Each way is timed
+/// in turn with the program's own, on the clock until glFinish; a picture is drawn three times at least.
+/// Changes the framebuffer bound. Throws Error, and Cancelled through `progress`.
+std::vector<DecisionCost> measureDecisions(const Scene& scene, const glm::ivec2& size,
+                                           const PrecisePixels& converged,
+                                           const ReportProgress& progress = {});
+
+} // namespace limn

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/AccuracyCommand.h"
+
+#include "accuracy/FigureText.h"
+#include "app/accuracy/AccuracyText.h"
+#include "app/accuracy/RealRenderers.h"
+#include "app/commands/SceneArguments.h"
+#include "io/AtomicFile.h"
+#include "widgets/accuracy/AccuracyChartPicture.h"
+
+#include <QApplication>
+
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct AccuracyArguments {
+  SceneArguments scene;
+  std::string folder;
+  int threads = 0;
+  bool isQuick = false;
+  double withinLevels = 0.0; ///< 0: not given
+  double withinMs = 0.0;     ///< 0: not given
+};
+
+constexpr QSize chartSize(1600, 1000);
+
+std::string nameOf(const SceneArguments& arguments, const LoadedScene& loaded) {
+  std::string name = std::filesystem::path(arguments.source.source).stem().stem().string();
+  const std::string preset = arguments.preset.empty() ? loaded.preset : arguments.preset;
+  if (!preset.empty())
+    name += ", " + preset;
+  return name;
+}
+
+// Charts are drawn by widgets, which need an application but no display.
+void writeChart(const AccuracyReport& report, const std::filesystem::path& path) {
+  setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  char name[] = "limn";
+  char* words[] = {name, nullptr};
+  int count = 1;
+  const QApplication application(count, words);
+  const QImage chart = accuracyChartPicture(report, chartSize);
+  replaceAtomically(path, [&](const std::filesystem::path& temporary) {
+    if (!chart.save(QString::fromStdString(temporary.string()), "PNG"))
+      throw Error(Error::Kind::other,
+                  "The chart " + path.string() + " cannot be written; is there room on the disk?");
+  });
+}
+
+void writeReport(const AccuracyReport& report, const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
+                                        failure.message() + "); choose another one with -o.");
+  writeFileAtomically(folder / "accuracy.json", accuracyJson(report));
+  writeFileAtomically(folder / "accuracy.csv", accuracyCsv(report));
+  writeFileAtomically(folder / "accuracy.html", accuracyPage(report, "accuracy.png"));
+  writeChart(report, folder / "accuracy.png");
+}
+
+void runAccuracy(const AccuracyArguments& arguments) {
+  const Progress progress = terminalProgress(arguments.scene.source.quiet);
+  const LoadedScene loaded =
+      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  Scene scene = adjusted(loaded.scene, arguments.scene);
+  if (!arguments.scene.model.empty())
+    scene.shading.model = modelNamed(arguments.scene.model, "--model");
+  RealRenderers renderers(arguments.threads);
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  const AccuracyReport report = measureAccuracy(
+      nameOf(arguments.scene, loaded), scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
+      arguments.isQuick ? Decide::none : Decide::each, renderers, progress.report);
+  writeReport(report, arguments.folder);
+  std::cout << accuracyTable(report);
+  if (arguments.withinLevels > 0.0)
+    std::cout << wishWithinLevels(report.points, arguments.withinLevels) << "\n";
+  if (arguments.withinMs > 0.0)
+    std::cout << wishWithinMs(report.points, arguments.withinMs) << "\n";
+}
+
+} // namespace
+
+void addAccuracyCommand(CLI::App& root) {
+  auto arguments = std::make_shared<AccuracyArguments>();
+  CLI::App* command = root.add_subcommand("accuracy", "error against time of a scene");
+  addSceneArguments(*command, arguments->scene, "none, classic, enhanced or robust");
+  command->add_option("-o,--output", arguments->folder, "folder for accuracy.json, .csv, .png and .html")
+      ->required();
+  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      ->check(CLI::Range(1, 4096));
+  command->add_flag("--quick", arguments->isQuick,
+                    "equal steps of the ray caster only, without what each decision costs");
+  command
+      ->add_option("--within", arguments->withinLevels,
+                   "say which point is the fastest within that many levels (99.9th percentile)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
+      ->check(CLI::PositiveNumber);
+  command->footer(
+      "Errors are told in levels of 255 against a picture in double precision that finer steps no "
+      "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report");
+  command->callback([arguments] { runAccuracy(*arguments); });
+}
+
+} // namespace limn
