@@ -23,13 +23,12 @@ void findPiece(BlockPath path, March march, float transmittance, inout Walk walk
   }
 }
 
-// How much the light that a piece adds to a channel of the pixel differs from what it would add if it were like
-// the piece before.
-float changeBetween(Shaded before, Shaded here, float units, float transmittance) {
+// How much the light that a piece of opacity `alpha` adds to a channel of the pixel differs from what it would
+// add if it were like the piece before.
+float changeBetween(Shaded before, Shaded here, float alpha, float units, float transmittance) {
   float was = oneMinusExpNeg(before.extinction * units);
-  float is = oneMinusExpNeg(here.extinction * units);
-  vec3 color = abs(is * here.color - was * before.color);
-  return transmittance * max(max(color.r, color.g), max(color.b, abs(is - was)));
+  vec3 color = abs(alpha * here.color - was * before.color);
+  return transmittance * max(max(color.r, color.g), max(color.b, abs(alpha - was)));
 }
 
 Gathered gather(Ray ray, vec2 span, out int spent) {
@@ -49,11 +48,12 @@ Gathered gather(Ray ray, vec2 span, out int spent) {
 
     // Composite the piece, or take it again with a smaller step.
     float units = piece.length * u_perUnitDistance;
-    float change = changeBetween(before, here, units, transmittanceOf(gathered));
+    float alpha = oneMinusExpNeg(here.extinction * units);
+    float change = changeBetween(before, here, alpha, units, transmittanceOf(gathered));
     if (isToBeRefined(walk, change)) {
       refine(change, walk);
     } else {
-      add(gathered, here, units);
+      add(gathered, here, units, alpha);
       accept(piece, change, walk);
       before = here;
     }

@@ -10,7 +10,7 @@ uniform float u_fineness;
 uniform float u_mostChange;
 uniform float u_level0Mm; // the step of level 0
 
-const float finestLevel = 20.0;
+const float finestLevel = 24.0;
 const int mostLocalSamples = 12000;
 const float levelsPerHalving = 2.0;
 const float muchMore = 8.0;

@@ -99,9 +99,8 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
   return Shaded(shaded(material.color, march, gradient, r, i), extinction);
 }
 
-// Composite front to back a piece of so many unit distances.
-void add(inout Gathered ray, Shaded piece, float units) {
-  float alpha = oneMinusExpNeg(piece.extinction * units);
+// Composite front to back a piece of so many unit distances, which have the opacity `alpha`.
+void add(inout Gathered ray, Shaded piece, float units, float alpha) {
   float share = (1.0 - ray.loss) * alpha;
   ray.color += ray.transmittance * share * piece.color;
   ray.loss += share;
@@ -112,5 +111,6 @@ void add(inout Gathered ray, Shaded piece, float units) {
 }
 
 void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
-  add(ray, shadedSample(march, position, material, i), march.units);
+  Shaded piece = shadedSample(march, position, material, i);
+  add(ray, piece, march.units, oneMinusExpNeg(piece.extinction * march.units));
 }

@@ -33,8 +33,8 @@ float transmittanceOf(Gathered ray) {
   return exp2(-log2OfE * ray.depth);
 }
 
-// Add a piece of so many unit distances.
-void add(inout Gathered ray, Shaded piece, float units) {
+// Add a piece of so many unit distances; its opacity says less than they do.
+void add(inout Gathered ray, Shaded piece, float units, float alpha) {
   float term = piece.extinction * units - ray.lost;
   float sum = ray.depth + term;
   ray.lost = (sum - ray.depth) - term;
@@ -42,5 +42,5 @@ void add(inout Gathered ray, Shaded piece, float units) {
 }
 
 void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
-  add(ray, shadedSample(march, position, material, i), march.units);
+  add(ray, shadedSample(march, position, material, i), march.units, 0.0);
 }

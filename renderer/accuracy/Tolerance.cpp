@@ -3,7 +3,6 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "scene/BlockSteps.h"
-#include "scene/FunctionDetail.h"
 #include "scene/LocalSteps.h"
 
 #include <algorithm>
@@ -38,6 +37,7 @@ class Ladder {
 public:
   Ladder(const Quality& quality, Projection projection, StepControl control)
       : m_quality(quality), m_isLocal(control == StepControl::local && integrates(projection)),
+        m_start(startFor(*quality.toleranceLevels)),
         m_isEqual(!m_isLocal || projection == Projection::compositeIsosurface) {
     const double tolerance = *quality.toleranceLevels;
     m_quality.jitter = false;
@@ -45,11 +45,13 @@ public:
       m_quality.earlyTermination =
           std::max(quality.earlyTermination, 1.0 - shareOfTermination * tolerance / 255.0);
     m_quality.fineness.reset();
+    if (!m_isLocal)
+      m_quality.toleranceLevels.reset();
   }
 
   bool isLocal() const { return m_isLocal; }
   int last() const { return m_isLocal ? Fineness::most : 16; }
-  int start() const { return m_isLocal ? std::max(usualFineness(*m_quality.toleranceLevels), 2) : 6; }
+  int start() const { return m_start; }
 
   // Equal steps from 2 voxels on.
   Quality at(int rung) const {
@@ -62,8 +64,12 @@ public:
   }
 
 private:
+  // Equal steps begin with a quarter of a voxel.
+  int startFor(double tolerance) const { return m_isLocal ? std::max(usualFineness(tolerance), 2) : 6; }
+
   Quality m_quality;
   bool m_isLocal;
+  int m_start;
   bool m_isEqual;
 };
 
@@ -135,9 +141,9 @@ Found search(Comparison& comparison, const Ladder& ladder, double bound) {
 }
 
 bool resolvesFunction(const Scene& scene) {
-  if (bandsOf(scene.transferFunction, 1e-3).empty())
-    return true;
   const double smallest = smallestSpacingMm(scene.volume->grid());
+  if (bandsToResolve(scene.transferFunction, smallest).empty())
+    return true;
   return blockSteps(blockFacts(*scene.volume), scene.transferFunction, smallest).resolvesFunction;
 }
 
@@ -158,6 +164,16 @@ std::string whyNot(double tolerance, double error, bool resolves) {
 }
 
 } // namespace
+
+std::string describe(const WithinTolerance& found) {
+  const Quality& quality = found.scene.quality;
+  char steps[64];
+  if (quality.fineness)
+    std::snprintf(steps, sizeof steps, "error-controlled steps of fineness %d", *quality.fineness);
+  else
+    std::snprintf(steps, sizeof steps, "equal steps of %.3g voxels", quality.stepVoxels);
+  return "estimated within " + levelsText(found.estimateLevels) + ", with " + steps;
+}
 
 bool integrates(Projection projection) {
   return projection == Projection::composite || projection == Projection::compositeIsosurface ||

@@ -20,8 +20,9 @@ enum class StepControl {
 
 /// A scene drawn with which keeps a tolerance, as far as pictures of other steps tell.
 struct WithinTolerance {
-  Scene scene;                 ///< quality has the tolerance, the fineness or step found, and the early
-                               ///< termination that the tolerance allows
+  Scene scene;                 ///< its quality has what was found: the tolerance with its fineness or, where
+                               ///< steps are equal, a step without tolerance; and the early termination that
+                               ///< the tolerance allows
   double estimateLevels = 0.0; ///< of its 99.9th percentile (RENDERING section 9)
   bool holds = false;
   std::string sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
@@ -33,6 +34,14 @@ struct WithinTolerance {
 /// get equal ones. Throws what `draw` throws.
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
                                 StepControl control = StepControl::local);
+
+/// Whether a scene asks for a tolerance for which nothing has been found yet.
+inline bool needsSteps(const Scene& scene) {
+  return scene.quality.toleranceLevels && !scene.quality.fineness;
+}
+
+/// What was found, in words: "estimated within 0.8 levels, with error-controlled steps of fineness 5".
+std::string describe(const WithinTolerance& found);
 
 /// Whether samples along a ray add up to its pixel, so that error-controlled steps can be taken.
 bool integrates(Projection projection);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/BlockSteps.h"
 
-#include "scene/FunctionDetail.h"
 #include "scene/LocalSteps.h"
+#include "scene/StableMath.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@ constexpr double leastBand = 0.02;
 // By this much of the volume's range may a value filtered in float leave that of its neighbours.
 constexpr double filterRounding = 1e-5;
 
-constexpr int bins = 4096;
+constexpr int binCount = 4096;
 
 // The largest of any run of bins, in constant time: tables of runs of 1, 2, 4, …
 class LargestOfRuns {
@@ -48,10 +48,11 @@ private:
 // What a transfer function has over an interval of values, looked up in bins over the volume's range.
 class FunctionOverRanges {
 public:
-  FunctionOverRanges(const TransferFunction& function, const ValueRange& range)
-      : m_lowest(range.lowest),
-        m_perValue(range.highest > range.lowest ? bins / (range.highest - range.lowest) : 0.0),
-        m_opacities(opacities(function, range)), m_bands(perWidth(function)) {}
+  FunctionOverRanges(const TransferFunction& function, const ValueRange& range,
+                     const std::vector<FunctionBand>& bands)
+      : m_range(range),
+        m_perValue(range.highest > range.lowest ? binCount / (range.highest - range.lowest) : 0.0),
+        m_opacities(opacities(function, range)), m_bands(perWidth(bands)) {}
 
   double largestOpacity(const ValueRange& values) const {
     return m_opacities.within(binOf(values.lowest), binOf(values.highest));
@@ -64,27 +65,30 @@ public:
 
 private:
   int binOf(double value) const {
-    return static_cast<int>(std::clamp((value - m_lowest) * m_perValue, 0.0, bins - 1.0));
+    return static_cast<int>(std::clamp((value - m_range.lowest) * m_perValue, 0.0, binCount - 1.0));
   }
 
   static std::vector<double> opacities(const TransferFunction& function, const ValueRange& range) {
-    const double width = (range.highest - range.lowest) / bins;
+    const double width = (range.highest - range.lowest) / binCount;
     std::vector<double> values;
-    for (int i = 0; i < bins; ++i)
+    for (int i = 0; i < binCount; ++i)
       values.push_back(
           largestOpacityWithin(function, range.lowest + i * width, range.lowest + (i + 1) * width));
     return values;
   }
 
-  std::vector<double> perWidth(const TransferFunction& function) const {
-    std::vector<double> values(bins, 0.0);
-    for (const FunctionBand& band : bandsOf(function, leastBand))
+  std::vector<double> perWidth(const std::vector<FunctionBand>& bands) const {
+    std::vector<double> values(binCount, 0.0);
+    for (const FunctionBand& band : bands) {
+      if (band.at.highest < m_range.lowest || band.at.lowest > m_range.highest)
+        continue;
       for (int i = binOf(band.at.lowest); i <= binOf(band.at.highest); ++i)
         values[static_cast<std::size_t>(i)] = std::max(values[static_cast<std::size_t>(i)], 1.0 / band.width);
+    }
     return values;
   }
 
-  double m_lowest;
+  ValueRange m_range;
   double m_perValue;
   LargestOfRuns m_opacities;
   LargestOfRuns m_bands;
@@ -112,12 +116,20 @@ std::int8_t plainLevel(double extinctionPerMm, double bendPerMm2, double commonP
 
 } // namespace
 
+std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, double smallestSpacingMm) {
+  TransferFunction overSpacing = function;
+  for (ControlPoint& point : overSpacing.points)
+    point.opacity =
+        oneMinusExpNeg(extinctionPerMm(point.opacity, function.unitDistanceMm) * smallestSpacingMm);
+  return bandsOf(overSpacing, leastBand);
+}
+
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
   steps.levels.reserve(facts.facts.size());
   const ValueRange all = rangeOf(facts);
-  const FunctionOverRanges over(function, all);
+  const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
   for (const FieldFacts& block : facts.facts) {
     const ValueRange values{block.range.lowest - margin, block.range.highest + margin};

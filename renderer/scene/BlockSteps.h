@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/BlockFacts.h"
-#include "scene/TransferFunction.h"
+#include "scene/FunctionDetail.h"
 
 #include <cstdint>
 
@@ -22,6 +22,10 @@ struct BlockSteps {
   std::vector<StepLevels> levels; ///< x fastest
   bool resolvesFunction = true;   ///< false: a band of the function is narrower than the finest step can tell
 };
+
+/// The peaks and valleys of a transfer function that steps must resolve: those that show, measured by what
+/// the smallest spacing absorbs.
+std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, double smallestSpacingMm);
 
 /// From the facts of each block: its step is D^(-1/3) smallest spacings, which shares out the samples best
 /// where a step h errs by D h³, and D is the largest extinction that the function has over the block's

@@ -15,8 +15,8 @@ namespace limn {
 /// The step of a level, in units of the smallest spacing: 2 at level 0, shorter by √2 from each to the next.
 double stepOfLevel(int level);
 
-/// 1/512 of the smallest spacing.
-inline constexpr int finestLevel = 20;
+/// 1/2048 of the smallest spacing.
+inline constexpr int finestLevel = 24;
 
 /// The most samples of one ray under error-controlled steps: drivers end all loops of a fragment together
 /// after some 65 000 iterations, and a sample takes up to five of them. A ray that has spent them goes on
