@@ -2,23 +2,27 @@
 // Gather a ray by error-controlled steps: each sample stands for its piece, and a piece over which the light
 // that it adds changes too much is taken again with a smaller step.
 
+// Enters the next block where a chord is done. Behind empty blocks there is nothing to compare with.
+void enterAtExit(BlockPath path, float transmittance, inout Walk walk, inout Shaded before) {
+  if (isAtExit(walk) && !isAtEnd(walk)) {
+    bool isEmpty = enterNext(path, transmittance, walk);
+    before.extinction = isEmpty ? 0.0 : before.extinction;
+  }
+}
+
 // Moves to the next piece that may be seen, or whose predecessor was: a boundary may lie between them. A software
 // driver runs the body of a loop once for rays that have ended: those fetch one texel that stays in its cache.
 void findPiece(BlockPath path, March march, float transmittance, inout Walk walk, inout Shaded before,
                out Piece piece, out vec3 position, out float scalar) {
   bool isSearching = true;
   while (isSearching) {
-    bool isLeaping = isAtExit(walk) && !isAtEnd(walk);
-    while (isLeaping) {
-      bool isEmpty = enterNext(path, transmittance, walk);
-      before.extinction = isEmpty ? 0.0 : before.extinction;
-      isLeaping = isAtExit(walk) && !isAtEnd(walk);
-    }
+    enterAtExit(path, transmittance, walk, before);
     piece = nextPiece(walk);
-    position = isAtEnd(walk) ? u_textureLower : positionOf(march, piece.middle);
+    bool isInside = !isAtExit(walk);
+    position = isInside ? positionOf(march, piece.middle) : u_textureLower;
     scalar = scalarAt(position);
-    isSearching = !isAtEnd(walk) && !(before.extinction > 0.0) && !mayBeSeen(scalar);
-    if (isSearching)
+    isSearching = isInside ? !(before.extinction > 0.0) && !mayBeSeen(scalar) : !isAtEnd(walk);
+    if (isSearching && isInside)
       accept(piece, 0.0, walk);
   }
 }
@@ -31,6 +35,7 @@ float changeBetween(Shaded before, Shaded here, float alpha, float units, float 
   return transmittance * max(max(color.r, color.g), max(color.b, abs(alpha - was)));
 }
 
+// Find the next piece that may be seen, then take pieces until one cannot.
 Gathered gather(Ray ray, vec2 span, out int spent) {
   March march = marchFrom(ray, span.x);
   BlockPath path = blockPath(march.firstIndex, ray.direction);
@@ -42,23 +47,33 @@ Gathered gather(Ray ray, vec2 span, out int spent) {
   float scalar;
   findPiece(path, march, 1.0, walk, before, piece, position, scalar);
   while (!isAtEnd(walk)) {
-    Shaded here = Shaded(vec3(0.0), 0.0);
-    if (mayBeSeen(scalar))
-      here = shadedSample(march, position, materialOf(scalar), piece.middle);
+    bool isShading = true;
+    while (isShading) {
+      Shaded here = shadedSample(march, position, materialOf(scalar), piece.middle);
+      here.extinction = mayBeSeen(scalar) ? here.extinction : 0.0;
 
-    // Composite the piece, or take it again with a smaller step.
-    float units = piece.length * u_perUnitDistance;
-    float alpha = oneMinusExpNeg(here.extinction * units);
-    float change = changeBetween(before, here, alpha, units, transmittanceOf(gathered));
-    if (isToBeRefined(walk, change)) {
-      refine(change, walk);
-    } else {
-      add(gathered, here, units, alpha);
-      accept(piece, change, walk);
-      before = here;
+      // Composite the piece, or take it again with a smaller step.
+      float units = piece.length * u_perUnitDistance;
+      float alpha = oneMinusExpNeg(here.extinction * units);
+      float change = changeBetween(before, here, alpha, units, transmittanceOf(gathered));
+      if (isToBeRefined(walk, change)) {
+        refine(change, walk);
+      } else {
+        add(gathered, here, units, alpha);
+        accept(piece, change, walk);
+        before = here;
+      }
+      if (isFinished(gathered))
+        finish(walk);
+
+      // Go on to the next piece.
+      enterAtExit(path, transmittanceOf(gathered), walk, before);
+      piece = nextPiece(walk);
+      isShading = !isAtExit(walk);
+      position = isShading ? positionOf(march, piece.middle) : u_textureLower;
+      scalar = scalarAt(position);
+      isShading = isShading && (before.extinction > 0.0 || mayBeSeen(scalar));
     }
-    if (isFinished(gathered))
-      finish(walk);
     findPiece(path, march, transmittanceOf(gathered), walk, before, piece, position, scalar);
   }
   spent = walk.spent;

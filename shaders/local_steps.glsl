@@ -8,34 +8,34 @@ uniform vec3 u_stepBlockOffset;
 uniform vec3 u_lastStepBlock;
 uniform float u_fineness;
 uniform float u_mostChange;
-uniform float u_level0Mm; // the step of level 0
+uniform float u_level0Mm;  // the step of level 0
+uniform float u_finestMm;
 
-const float finestLevel = 24.0;
 const int mostLocalSamples = 12000;
-const float levelsPerHalving = 2.0;
 const float muchMore = 8.0;
 const float muchLess = 0.25;
 const float beyondAll = 1e30;
 
-// A ray among the blocks, in units of blocks.
+// A ray among the blocks, in units of blocks. It crosses the plane p of an axis at p * perBlock + origin.
 struct BlockPath {
-  vec3 first;     // at the begin of the span
-  vec3 advance;   // per mm
-  vec3 perBlock;  // mm per block along each axis, 0 where the ray does not follow the axis
-  vec3 still;     // 0, and beyond all places where the ray does not follow the axis
-  vec3 isForward; // 1 where it goes up
+  vec3 first;    // at the begin of the span
+  vec3 advance;  // per mm
+  vec3 perBlock; // mm, 0 where the ray does not follow the axis
+  vec3 origin;   // beyond all places where it does not
+  vec3 away;     // 1 where the ray goes up, -1 where it goes down
+  vec3 outermost; // planes p, times `away`, beyond which there is no block
 };
 
 // Where a ray is: in which block, and how much of its chord there is done.
 struct Walk {
-  vec3 next;       // the block behind this one
-  float entry;     // of the chord
+  vec3 next; // the block behind this one
+  float entry; // of the chord
   float exit;
-  float within;    // done of it
-  float level;     // of the step
-  float blockLevel; // the coarsest in this block
-  float end;       // of the span
-  int spent;       // samples
+  float within; // done of it
+  float step;
+  float blockStep; // the longest in this block
+  float end; // of the span
+  int spent; // samples
 };
 
 // A piece of a chord.
@@ -50,15 +50,17 @@ BlockPath blockPath(vec3 firstIndex, vec3 direction) {
   path.first = 0.25 * firstIndex + u_stepBlockOffset;
   path.advance = 0.25 * direction;
   vec3 isStill = vec3(lessThan(abs(direction), vec3(1e-20)));
+  vec3 isForward = vec3(greaterThan(direction, vec3(0.0)));
   path.perBlock = (1.0 - isStill) / (path.advance + isStill);
-  path.still = isStill * beyondAll;
-  path.isForward = vec3(greaterThan(direction, vec3(0.0)));
+  path.origin = isStill * beyondAll - path.first * path.perBlock;
+  path.away = 2.0 * isForward - 1.0;
+  path.outermost = mix(vec3(-0.5), u_lastStepBlock + 0.5, isForward);
   return path;
 }
 
 Walk walkThrough(BlockPath path, float end) {
   vec3 block = clamp(floor(path.first), vec3(0.0), u_lastStepBlock);
-  return Walk(block, 0.0, 0.0, 0.0, 0.0, 0.0, end, 0);
+  return Walk(block, 0.0, 0.0, 0.0, beyondAll, beyondAll, end, 0);
 }
 
 bool isAtExit(Walk walk) {
@@ -67,31 +69,6 @@ bool isAtExit(Walk walk) {
 
 bool isAtEnd(Walk walk) {
   return isAtExit(walk) && walk.exit >= walk.end;
-}
-
-// Where the ray leaves the cube of blocks nearer than `reach`, along each axis. The outermost blocks have no end.
-vec3 exitsOf(BlockPath path, vec3 block, float reach) {
-  vec3 away = 2.0 * path.isForward - 1.0;
-  vec3 ahead = mix(block, u_lastStepBlock - block, path.isForward);
-  vec3 faces = block + path.isForward + away * (reach - 1.0);
-  return (faces - path.first) * path.perBlock + path.still + beyondAll * vec3(lessThan(ahead, vec3(reach - 0.5)));
-}
-
-// The block that the ray is in when it has left that cube: through the nearest face by a whole number of blocks,
-// along the other axes as many blocks on as it has passed faces.
-vec3 blockBehind(BlockPath path, vec3 block, float reach, vec3 exits, float exit) {
-  vec3 away = 2.0 * path.isForward - 1.0;
-  vec3 through = vec3(lessThanEqual(exits, vec3(exit)));
-  vec3 inside = block;
-  if (reach > 1.0) {
-    vec3 border = block + away * (reach - 1.0);
-    inside = clamp(floor(path.first + exit * path.advance), min(block, border), max(block, border));
-    vec3 passed = vec3(lessThanEqual(exitsOf(path, inside, 1.0), vec3(exit)));
-    inside += away * passed;
-    vec3 entered = (inside + 1.0 - path.isForward - path.first) * path.perBlock - path.still;
-    inside -= away * vec3(greaterThan(entered, vec3(exit))) * vec3(notEqual(inside, block));
-  }
-  return clamp(mix(inside, block + away * reach, through), vec3(0.0), u_lastStepBlock);
 }
 
 // Behind what leaves this transmittance a block may be sampled more coarsely.
@@ -105,26 +82,38 @@ bool enterNext(BlockPath path, float transmittance, inout Walk walk) {
   vec3 facts = floor(texelFetch(u_blockSteps, ivec3(walk.next), 0).rgb * 255.0 + 0.5);
   bool isEmpty = facts.r > 0.0;
 #ifdef EFFECT_EMPTY_SPACE_SKIPPING
-  float reach = max(facts.r, 1.0);
+  float beyond = max(facts.r - 1.0, 0.0);
 #else
-  float reach = 1.0;
+  float beyond = 0.0;
 #endif
-  vec3 exits = exitsOf(path, walk.next, reach);
+
+  // Leave the cube of empty blocks, or the block, through the nearest of the planes ahead.
+  vec3 border = walk.next + beyond * path.away;
+  vec3 planes = border + max(path.away, 0.0);
+  vec3 exits = planes * path.perBlock + path.origin;
+  exits = mix(exits, vec3(beyondAll), vec3(greaterThan(planes * path.away, path.outermost)));
   float exit = min(min(exits.x, exits.y), exits.z);
-  walk.next = blockBehind(path, walk.next, reach, exits, exit);
+
+  // Along the other axes go on as many blocks as planes were passed; where rounding makes it one too few, the next
+  // block has no chord, and one too many it cannot make.
+  vec3 inside = floor(path.first + exit * path.advance - 1e-4 * path.away);
+  inside = clamp(inside, min(walk.next, border), max(walk.next, border));
+  vec3 behind = mix(inside, border + path.away, vec3(lessThanEqual(exits, vec3(exit))));
+  walk.next = clamp(behind, vec3(0.0), u_lastStepBlock);
+
   walk.entry = walk.exit;
   walk.exit = max(min(exit, walk.end), walk.entry);
   walk.within = isEmpty ? walk.exit - walk.entry : 0.0;
-  float wanted = facts.g - 128.0 + u_fineness - coarserBehind(transmittance);
-  walk.blockLevel = clamp(max(wanted, facts.b), 0.0, finestLevel);
-  walk.level = isEmpty ? 0.0 : max(walk.level, walk.blockLevel);
+  float level = max(facts.g - 128.0 + u_fineness - coarserBehind(transmittance), facts.b);
+  walk.blockStep = max(u_level0Mm * exp2(-0.5 * max(level, 0.0)), u_finestMm);
+  walk.step = isEmpty ? beyondAll : min(walk.step, walk.blockStep);
   return isEmpty;
 }
 
 // The next piece: a step, or what is left of the chord in one or two equal pieces.
 Piece nextPiece(Walk walk) {
   float rest = max(walk.exit - walk.entry - walk.within, 0.0);
-  float step = walk.spent < mostLocalSamples ? u_level0Mm * exp2(-0.5 * walk.level) : rest;
+  float step = walk.spent < mostLocalSamples ? walk.step : rest;
   Piece piece;
   piece.isLast = rest <= step;
   piece.length = piece.isLast ? rest : rest < 1.5 * step ? 0.5 * rest : step;
@@ -132,22 +121,21 @@ Piece nextPiece(Walk walk) {
   return piece;
 }
 
-// Goes on behind a piece. Where little changed over it, the next is longer.
+// Goes on behind a piece. Where little changed over it, the next is twice as long.
 void accept(Piece piece, float change, inout Walk walk) {
   walk.within = piece.isLast ? walk.exit - walk.entry : walk.within + piece.length;
   if (change < muchLess * u_mostChange)
-    walk.level = max(walk.level - levelsPerHalving, walk.blockLevel);
+    walk.step = min(2.0 * walk.step, walk.blockStep);
   walk.spent += 1;
 }
 
 // Whether a piece over which so much changed is to be taken again with a smaller step.
 bool isToBeRefined(Walk walk, float change) {
-  return change > u_mostChange && walk.level < finestLevel && walk.spent < mostLocalSamples;
+  return change > u_mostChange && walk.step > u_finestMm && walk.spent < mostLocalSamples;
 }
 
 void refine(float change, inout Walk walk) {
-  float halvings = change > muchMore * u_mostChange ? 2.0 : 1.0;
-  walk.level = min(walk.level + halvings * levelsPerHalving, finestLevel);
+  walk.step = max((change > muchMore * u_mostChange ? 0.25 : 0.5) * walk.step, u_finestMm);
   walk.spent += 1;
 }
 

@@ -112,6 +112,7 @@ void setLocalSteps(const Setter& set, const Scene& scene, const BlockStepTexture
   set("u_fineness", static_cast<double>(*fineness));
   set("u_mostChange", mostChange(*fineness));
   set("u_level0Mm", stepOfLevel(0) * smallestSpacingMm(grid));
+  set("u_finestMm", stepOfLevel(finestLevel) * smallestSpacingMm(grid));
 }
 
 void setSamplers(const ShaderProgram& program) {
