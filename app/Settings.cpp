@@ -10,6 +10,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString recentKey = QStringLiteral("recent");
 const QString themeKey = QStringLiteral("theme");
+const QString refineKey = QStringLiteral("refineAtRest");
 const QString patientKey = QStringLiteral("showPatient");
 const QString movingKey = QStringLiteral("movingMs");
 constexpr int mostRecent = 10;
@@ -61,6 +62,14 @@ double Settings::movingMs() const {
 
 void Settings::setMovingMs(double ms) {
   m_settings.setValue(movingKey, ms);
+}
+
+bool Settings::refinesAtRest() const {
+  return m_settings.value(refineKey, true).toBool();
+}
+
+void Settings::setRefinesAtRest(bool refines) {
+  m_settings.setValue(refineKey, refines);
 }
 
 bool Settings::patientIsShown() const {

@@ -27,6 +27,10 @@ public:
   double movingMs() const;
   void setMovingMs(double ms);
 
+  /// Whether resting pictures go on to smaller steps; true at first.
+  bool refinesAtRest() const;
+  void setRefinesAtRest(bool refines);
+
   bool patientIsShown() const;
   void setPatientIsShown(bool shown);
 
