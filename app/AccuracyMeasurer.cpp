@@ -107,7 +107,8 @@ void AccuracyMeasurer::compare(const Scene& scene, const glm::ivec2& size) {
   start([scene, size](Job& job) {
     const ConvergedPicture& exact = job.exactPicture(scene, size, 0.95);
     ComparedPicture compared;
-    compared.stepVoxels = scene.quality.stepVoxels;
+    compared.point.stepVoxels = scene.quality.stepVoxels;
+    compared.point.toleranceLevels = scene.quality.toleranceLevels;
     compared.reference = exact.facts;
     if (exact.facts.converged) {
       const Image picture = job.renderers().render(scene, size);
@@ -117,6 +118,23 @@ void AccuracyMeasurer::compare(const Scene& scene, const glm::ivec2& size) {
     job.tell([compared = std::move(compared)](AccuracyMeasurer& owner) {
       owner.m_work.reset();
       emit owner.compared(compared);
+    });
+  });
+}
+
+void AccuracyMeasurer::findSteps(const Scene& scene, const glm::ivec2& size) {
+  start([scene, size](Job& job) {
+    const ReportProgress progress = job.progress(0.0, 1.0);
+    int pictures = 0;
+    // Some eight small pictures are commonly needed; how many is not known before.
+    const DrawScene draw = [&](const Scene& tried, const glm::ivec2& pixels) {
+      progress(1.0 - 8.0 / (8.0 + pictures++), "Looking for the steps that are needed");
+      return job.renderers().render(tried, pixels);
+    };
+    const WithinTolerance found = withinTolerance(scene, size, draw);
+    job.tell([found](AccuracyMeasurer& owner) {
+      owner.m_work.reset();
+      emit owner.stepsFound(found);
     });
   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/ConvergedPicture.h"
+#include "accuracy/Tolerance.h"
 #include "widgets/accuracy/ComparedPicture.h"
 #include "widgets/accuracy/PointUse.h"
 
@@ -14,7 +15,8 @@
 
 namespace limn {
 
-/// Measures error and time of scenes, and where they differ from the exact picture, on a worker thread with
+/// Measures error and time of scenes, where they differ from the exact picture and what steps keep a
+/// tolerance, on a worker thread with
 /// an OpenGL context of its own. One piece of work at a time: new work ends what runs. Signals come on the
 /// thread the measurer lives in; of ended work nothing more is told.
 class AccuracyMeasurer : public QObject {
@@ -30,6 +32,9 @@ public:
   /// Compares the picture of a scene with the exact one.
   void compare(const Scene& scene, const glm::ivec2& size);
 
+  /// Finds the steps with which a picture of `size` keeps the tolerance of its scene (accuracy/Tolerance).
+  void findSteps(const Scene& scene, const glm::ivec2& size);
+
   void cancel();
 
   /// Lets go of what is kept of any other volume.
@@ -41,6 +46,7 @@ signals:
   void progressed(double fraction, const QString& doing);
   void measured(const limn::MeasuredAccuracy& accuracy);
   void compared(const limn::ComparedPicture& picture);
+  void stepsFound(const limn::WithinTolerance& found);
   void failed(const QString& sentence);
 
 private:

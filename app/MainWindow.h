@@ -121,6 +121,8 @@ private:
   void connectAccuracy();
   void connectMeasurer();
   void measureAccuracy();
+  void findSteps(const Quality& quality, const Gesture& gesture);
+  void useSteps(const WithinTolerance& found);
   void showErrorMap(bool shown);
   void takeErrorMapBack();
   void showCompared(const ComparedPicture& picture);
@@ -128,6 +130,7 @@ private:
   void setAccuracyWork(AccuracyWork work);
   void saveAccuracy();
   int sideMeasured() const;
+  glm::ivec2 shownSize() const;
   glm::ivec2 measuredSize() const;
 
   // MainWindowPresets.cpp
@@ -184,7 +187,8 @@ private:
   QDockWidget* m_accuracyDock = nullptr;
   QDockWidget* m_rightDockOnTop = nullptr; ///< when they were hidden
   ErrorMapOverlay* m_errorMap = nullptr;
-  Scene m_comparedScene; ///< of which the map of errors is shown or under way
+  Gesture m_toleranceGesture; ///< for which steps are looked for
+  Scene m_comparedScene;      ///< of which the map of errors is shown or under way
   QDockWidget* m_curveDock = nullptr;
 
   QLabel* m_volumeLabel = nullptr;

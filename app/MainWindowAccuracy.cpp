@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
+#include "app/MessageBar.h"
 #include "app/accuracy/AccuracyText.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
@@ -60,6 +61,7 @@ void MainWindow::makeAccuracyDock() {
 
 void MainWindow::connectAccuracy() {
   connect(m_accuracy, &AccuracyPanel::qualityEdited, &m_session, &Session::setQuality);
+  connect(m_accuracy, &AccuracyPanel::toleranceWished, this, &MainWindow::findSteps);
   connect(m_accuracy, &AccuracyPanel::movingMsPicked, this, [this](double ms) {
     m_settings.setMovingMs(ms);
     m_view->setMovingMs(ms);
@@ -80,6 +82,7 @@ void MainWindow::connectMeasurer() {
     setAccuracyWork(AccuracyWork::none);
     m_accuracy->setMeasured(measured);
   });
+  connect(&m_accuracyMeasurer, &AccuracyMeasurer::stepsFound, this, &MainWindow::useSteps);
   connect(&m_accuracyMeasurer, &AccuracyMeasurer::compared, this, &MainWindow::showCompared);
   connect(&m_accuracyMeasurer, &AccuracyMeasurer::failed, this, [this](const QString& sentence) {
     setAccuracyWork(AccuracyWork::none);
@@ -94,13 +97,29 @@ void MainWindow::measureAccuracy() {
   setAccuracyWork(AccuracyWork::measuring);
 }
 
+void MainWindow::findSteps(const Quality& quality, const Gesture& gesture) {
+  takeErrorMapBack();
+  Scene scene = m_view->sceneOfSide(sideMeasured());
+  scene.quality = quality;
+  m_toleranceGesture = gesture;
+  m_accuracyMeasurer.findSteps(scene, shownSize());
+  setAccuracyWork(AccuracyWork::findingSteps);
+}
+
+void MainWindow::useSteps(const WithinTolerance& found) {
+  setAccuracyWork(AccuracyWork::none);
+  m_session.setQuality(found.scene.quality, m_toleranceGesture);
+  if (!found.holds)
+    m_messages->show(MessageBar::Kind::warning, QString::fromStdString(found.sentence));
+}
+
 // The map is of the picture as it stands on screen, refined or not.
 void MainWindow::showErrorMap(bool shown) {
   takeErrorMapBack();
   if (!shown)
     return;
   m_comparedScene = m_view->sceneOfSide(sideMeasured());
-  m_accuracyMeasurer.compare(m_comparedScene, measuredSize());
+  m_accuracyMeasurer.compare(m_view->sceneOfRestingImage(sideMeasured()), measuredSize());
   setAccuracyWork(AccuracyWork::comparing);
 }
 
@@ -134,8 +153,10 @@ void MainWindow::showAccuracyScene() {
                : QString());
 }
 
+// While something is measured the pictures at rest do not refine: each would slow the other down.
 void MainWindow::setAccuracyWork(AccuracyWork work) {
   m_accuracy->setWork(work);
+  m_view->setRefinesAtRest(m_settings.refinesAtRest() && work == AccuracyWork::none);
 }
 
 // The right one of two, as for the effects.
@@ -143,10 +164,15 @@ int MainWindow::sideMeasured() const {
   return pictureCount(m_view->compareLayout()) - 1;
 }
 
-glm::ivec2 MainWindow::measuredSize() const {
+glm::ivec2 MainWindow::shownSize() const {
   const QSizeF shown = m_view->logicalRect(sideMeasured()).size() * m_view->devicePixelRatioF();
-  const double scale = std::min(1.0, mostPixels / std::max(shown.width(), shown.height()));
-  return glm::max(glm::ivec2(qRound(scale * shown.width()), qRound(scale * shown.height())), glm::ivec2(1));
+  return glm::max(glm::ivec2(qRound(shown.width()), qRound(shown.height())), glm::ivec2(1));
+}
+
+glm::ivec2 MainWindow::measuredSize() const {
+  const glm::dvec2 shown = shownSize();
+  const double scale = std::min(1.0, mostPixels / std::max(shown.x, shown.y));
+  return glm::max(glm::ivec2(glm::round(scale * shown)), glm::ivec2(1));
 }
 
 void MainWindow::saveAccuracy() {

@@ -206,7 +206,7 @@ TEST_F(AccuracyPanelTest, progressStandsInThePanelAndCanBeCancelled) {
 
 TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
   ComparedPicture compared;
-  compared.stepVoxels = 0.5;
+  compared.point.stepVoxels = 0.5;
   compared.reference = {true, 1.0 / 128.0, 0.01, 0.0001};
   compared.error.p99_9 = 1.23;
   compared.error.shareOverOne = 0.034;

@@ -14,21 +14,21 @@
 namespace limn {
 namespace {
 
-TEST(LevelsText, promisesNoLessThanWasMeasured) {
+TEST(PromisedLevels, promisesNoLessThanWasMeasured) {
   QLocale::setDefault(QLocale::c());
-  EXPECT_EQ(levelsText(0.651), QStringLiteral("0.66"));
-  EXPECT_EQ(levelsText(0.65), QStringLiteral("0.65"));
-  EXPECT_EQ(levelsText(41.6), QStringLiteral("42"));
-  EXPECT_EQ(levelsText(0.99901), QStringLiteral("1"));
-  EXPECT_EQ(levelsText(0.0123), QStringLiteral("0.013"));
-  EXPECT_EQ(levelsText(0.0), QStringLiteral("0"));
+  EXPECT_EQ(promisedLevels(0.651), QStringLiteral("0.66"));
+  EXPECT_EQ(promisedLevels(0.65), QStringLiteral("0.65"));
+  EXPECT_EQ(promisedLevels(41.6), QStringLiteral("42"));
+  EXPECT_EQ(promisedLevels(0.99901), QStringLiteral("1"));
+  EXPECT_EQ(promisedLevels(0.0123), QStringLiteral("0.013"));
+  EXPECT_EQ(promisedLevels(0.0), QStringLiteral("0"));
 }
 
 TEST(PointText, saysLessThanWhatCannotBeToldFromNone) {
   QLocale::setDefault(QLocale::c());
   AccuracyReport report = sampleReport(fewPoints());
   report.reference.lastChangeLevels = 0.02; // three times that is the least that counts
-  EXPECT_EQ(errorText(report.points.back(), report.reference), QStringLiteral("less than 0.06 levels"));
+  EXPECT_EQ(pointErrorText(report.points.back(), report.reference), QStringLiteral("less than 0.06 levels"));
   EXPECT_TRUE(pointToolTip(report.points.back(), report).contains(QStringLiteral("&lt; 0.06 levels")));
   EXPECT_TRUE(pointToolTip(report.points.front(), report).contains(QStringLiteral("2 voxels = 2 mm")));
 }

@@ -40,6 +40,7 @@ void AccuracyPanel::layOut() {
 
 void AccuracyPanel::connectSections() {
   connect(m_dial, &DialSection::pointPicked, this, &AccuracyPanel::useStep);
+  connect(m_dial, &DialSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
   connect(m_dial, &DialSection::movingMsPicked, this, &AccuracyPanel::movingMsPicked);
   connect(m_wish, &WishSection::levelsWished, this,
           [this](double levels) { answer(wishForLevels(m_measured->report, levels)); });
@@ -89,6 +90,7 @@ void AccuracyPanel::showProgress(double fraction, const QString& doing) {
   const auto progressOf = [&](AccuracyWork kind) {
     return m_work == kind ? std::optional(fraction) : std::nullopt;
   };
+  m_dial->setProgress(progressOf(AccuracyWork::findingSteps), doing);
   m_chart->setProgress(progressOf(AccuracyWork::measuring), doing);
   m_map->setProgress(progressOf(AccuracyWork::comparing), doing);
 }
@@ -129,17 +131,23 @@ double AccuracyPanel::steepestPerMm() const {
 
 // The dial changes the step and leaves how it is taken as it is.
 void AccuracyPanel::useStep(const OperatingPoint& point) {
-  Quality quality = m_scene.quality;
-  quality.stepVoxels = point.stepVoxels;
-  OperatingPoint plain;
-  plain.stepVoxels = point.stepVoxels;
-  emit qualityEdited(quality, {nextGestureId(), tr("use %1").arg(pointText(plain))});
+  OperatingPoint plain = point;
+  plain.preintegrated = false;
+  Quality quality = qualityAt(point, m_scene, steepestPerMm());
+  quality.preintegrated = m_scene.quality.preintegrated;
+  ask(quality, tr("use %1").arg(pointText(plain)));
 }
 
 void AccuracyPanel::use(const OperatingPoint& point) {
   if (isOfTheWindow(point))
-    emit qualityEdited(qualityAt(point, m_scene, steepestPerMm()),
-                       {nextGestureId(), tr("use %1").arg(pointText(point))});
+    ask(qualityAt(point, m_scene, steepestPerMm()), tr("use %1").arg(pointText(point)));
+}
+
+void AccuracyPanel::ask(const Quality& quality, const QString& undoText) {
+  if (quality.toleranceLevels)
+    emit toleranceWished(quality, {nextGestureId(), undoText});
+  else
+    emit qualityEdited(quality, {nextGestureId(), undoText});
 }
 
 void AccuracyPanel::answer(const WishAnswer& answer) {

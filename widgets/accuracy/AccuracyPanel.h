@@ -16,7 +16,7 @@ struct WishAnswer;
 class WishSection;
 
 /// What works on a worker thread for the panel.
-enum class AccuracyWork { none, measuring, comparing };
+enum class AccuracyWork { none, findingSteps, measuring, comparing };
 
 /// How close the picture is to the exact one and what that costs: a dial, wishes, the measured chart, and a
 /// map of where it differs.
@@ -51,6 +51,8 @@ public:
 
 signals:
   void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
+  /// The user wants a tolerance, for which the steps are still to be found.
+  void toleranceWished(const limn::Quality& quality, const limn::Gesture& gesture);
   void movingMsPicked(double ms);
   void measureRequested();
   void mapRequested(bool on);
@@ -62,6 +64,7 @@ private:
   void connectSections();
   void useStep(const OperatingPoint& point);
   void use(const OperatingPoint& point);
+  void ask(const Quality& quality, const QString& undoText);
   void answer(const WishAnswer& answer);
   void showScene();
   const MeasuredAccuracy* holding() const;

@@ -8,7 +8,7 @@ namespace limn {
 
 /// A picture compared with the exact one, pixel by pixel.
 struct ComparedPicture {
-  double stepVoxels = 0.0; ///< of the picture
+  OperatingPoint point; ///< of the picture
   ReferenceFacts reference;
   ImageError error;
   ErrorMap map; ///< empty where the exact picture has not converged

@@ -11,6 +11,7 @@ namespace limn {
 
 class ChoiceRow;
 class StopSlider;
+class WorkRow;
 
 /// Faster or closer to exact: a dial for the picture at rest, each position with its measured error and time,
 /// and the time that a picture may take while something moves.
@@ -26,6 +27,9 @@ public:
   /// The time that a picture may take while something moves; the nearest choice is shown.
   void setMovingMs(double ms);
 
+  /// While steps are looked for their progress stands here; nothing ends it.
+  void setProgress(std::optional<double> fraction, const QString& doing = {});
+
   StopSlider* dial() const { return m_dial; }
   ChoiceRow* movingChoice() const { return m_moving; }
   QString sentence() const;
@@ -34,6 +38,7 @@ signals:
   /// The user chose a position of the dial.
   void pointPicked(const limn::OperatingPoint& point);
   void movingMsPicked(double ms);
+  void cancelRequested();
 
 private:
   void showStops(const MeasuredAccuracy* measured);
@@ -42,6 +47,7 @@ private:
   std::vector<OperatingPoint> m_points; ///< one per stop
   StopSlider* m_dial;
   QLabel* m_sentence;
+  WorkRow* m_work;
   ChoiceRow* m_moving = nullptr;
 };
 

@@ -19,15 +19,13 @@ QString sentenceOf(const ComparedPicture& compared) {
     return MapSection::tr(
         "Not converged: the exact picture still changes with finer steps, so there is nothing "
         "to compare with.");
-  OperatingPoint point;
-  point.stepVoxels = compared.stepVoxels;
-  const QString name = pointText(point);
+  const QString name = pointText(compared.point);
   return MapSection::tr("%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of "
                         "255; %5 % of the pixels are off by more than one.")
       .arg(name.left(1).toUpper() + name.mid(1))
       .arg(compared.map.size.x)
       .arg(compared.map.size.y)
-      .arg(levelsText(std::max(compared.error.p99_9, leastP99_9(compared.reference))))
+      .arg(promisedLevels(std::max(compared.error.p99_9, leastP99_9(compared.reference))))
       .arg(plainNumber(100.0 * compared.error.shareOverOne, compared.error.shareOverOne < 0.1 ? 2 : 0));
 }
 

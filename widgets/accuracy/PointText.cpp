@@ -31,16 +31,20 @@ QString stepText(double stepVoxels) {
   return stepVoxels == 1.0 ? tr("step 1 voxel") : tr("step %1 voxels").arg(plainNumber(stepVoxels, 3));
 }
 
+QString toleranceText(double levels) {
+  return levels == 0.5 ? tr("exact to half a level") : tr("exact to %1 levels").arg(plainNumber(levels, 2));
+}
+
 QString errorRow(const ReferenceFacts& reference, const QString& name, double levels, double least) {
   const QString text = !reference.converged ? tr("unknown")
-                       : levels < least     ? tr("< %1 levels").arg(levelsText(least))
+                       : levels < least     ? tr("< %1 levels").arg(promisedLevels(least))
                                             : tr("%1 levels").arg(plainNumber(levels, 3));
   return row(name, text.toHtmlEscaped());
 }
 
 } // namespace
 
-QString levelsText(double levels) {
+QString promisedLevels(double levels) {
   if (!(levels > 0.0) || std::isinf(levels))
     return levels > 0.0 ? tr("∞") : QStringLiteral("0");
   const double unit = std::pow(10.0, std::floor(std::log10(levels)) - 1.0);
@@ -53,19 +57,18 @@ QString msText(double ms) {
   return tr("%1 ms").arg(plainNumber(ms, ms < 10.0 ? 1 : 0));
 }
 
-QString errorText(const MeasuredPoint& point, const ReferenceFacts& reference) {
+QString pointErrorText(const MeasuredPoint& point, const ReferenceFacts& reference) {
   if (!reference.converged)
     return tr("unknown");
   const double least = leastP99_9(reference);
   if (point.error.p99_9 < least)
-    return tr("less than %1 levels").arg(levelsText(least));
-  const QString levels = levelsText(point.error.p99_9);
+    return tr("less than %1 levels").arg(promisedLevels(least));
+  const QString levels = promisedLevels(point.error.p99_9);
   return levels == QStringLiteral("1") ? tr("1 level") : tr("%1 levels").arg(levels);
 }
 
 QString pointText(const OperatingPoint& point) {
-  QString text = point.toleranceLevels ? tr("exact to %1 level").arg(plainNumber(*point.toleranceLevels, 2))
-                                       : stepText(point.stepVoxels);
+  QString text = point.toleranceLevels ? toleranceText(*point.toleranceLevels) : stepText(point.stepVoxels);
   if (point.preintegrated)
     text += tr(", curve averaged");
   return text;
@@ -83,7 +86,7 @@ QString pointSentence(const MeasuredPoint& point, const ReferenceFacts& referenc
   const QString time = msText(point.ms.median);
   if (!reference.converged)
     return tr("%1: not converged, so the error is unknown; %2.").arg(name, time);
-  return tr("%1: within %2, %3.").arg(name, errorText(point, reference), time);
+  return tr("%1: within %2, %3.").arg(name, pointErrorText(point, reference), time);
 }
 
 QString pointToolTip(const MeasuredPoint& point, const AccuracyReport& report) {

@@ -8,13 +8,13 @@
 namespace limn {
 
 /// An error that is promised, two digits, rounded up: "0.66".
-QString levelsText(double levels);
+QString promisedLevels(double levels);
 
 /// A time: one decimal below 10 ms.
 QString msText(double ms);
 
 /// What a point's error is known to be: "0.66 levels", "less than 0.012 levels", "unknown".
-QString errorText(const MeasuredPoint& point, const ReferenceFacts& reference);
+QString pointErrorText(const MeasuredPoint& point, const ReferenceFacts& reference);
 
 /// "step 1/4 voxel" or "exact to half a level", with what else sets the point apart.
 QString pointText(const OperatingPoint& point);

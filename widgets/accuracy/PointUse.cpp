@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/PointUse.h"
 
+#include "accuracy/Tolerance.h"
 #include "scene/EffectPlan.h"
 
 #include <algorithm>
@@ -19,9 +20,21 @@ bool isPreintegrated(const Scene& scene, double steepestPerMm) {
 }
 
 Scene withStep(Scene scene, double stepVoxels) {
-  scene.quality.stepVoxels = stepVoxels;
-  scene.quality.jitter = false;
+  Quality& quality = scene.quality;
+  // A tolerance lets rays run further; equal steps go back to where they commonly end.
+  if (quality.toleranceLevels)
+    quality.earlyTermination = Quality{}.earlyTermination;
+  quality.toleranceLevels.reset();
+  quality.fineness.reset();
+  quality.stepVoxels = stepVoxels;
+  quality.jitter = false;
   return scene;
+}
+
+OperatingPoint exactPoint() {
+  OperatingPoint point;
+  point.toleranceLevels = exactToleranceLevels;
+  return point;
 }
 
 void addOnce(std::vector<OperatingPoint>& points, const OperatingPoint& point) {
@@ -43,6 +56,10 @@ std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm) 
   if (scene.quality.jitter)
     return std::nullopt;
   OperatingPoint point;
+  // Under a tolerance neither the step nor pre-integration matters, and where rays end comes with it.
+  point.toleranceLevels = scene.quality.toleranceLevels;
+  if (point.toleranceLevels)
+    return point;
   point.stepVoxels = scene.quality.stepVoxels;
   point.preintegrated = isPreintegrated(scene, steepestPerMm);
   point.earlyTermination = scene.quality.earlyTermination;
@@ -53,13 +70,19 @@ std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm)
   std::vector<OperatingPoint> points;
   for (const double step : dialSteps)
     points.push_back(*pointOf(withStep(scene, step), steepestPerMm));
+  if (integrates(scene.projection))
+    points.push_back(exactPoint());
   return points;
 }
 
 std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestPerMm) {
   std::vector<OperatingPoint> points;
+  const double earlyTermination = withStep(scene, 1.0).quality.earlyTermination;
   for (OperatingPoint point : fewPoints()) {
-    point.earlyTermination = scene.quality.earlyTermination;
+    if (!point.toleranceLevels)
+      point.earlyTermination = earlyTermination;
+    else if (!integrates(scene.projection))
+      continue;
     points.push_back(point);
   }
   for (const OperatingPoint& point : dialPoints(scene, steepestPerMm))
@@ -78,6 +101,13 @@ bool isOfTheWindow(const OperatingPoint& point) {
 }
 
 Quality qualityAt(const OperatingPoint& point, const Scene& scene, double steepestPerMm) {
+  if (point.toleranceLevels) {
+    Quality quality = scene.quality;
+    quality.jitter = false;
+    quality.toleranceLevels = point.toleranceLevels;
+    quality.fineness.reset();
+    return quality;
+  }
   Scene drawn = withStep(scene, point.stepVoxels);
   drawn.quality.earlyTermination = point.earlyTermination;
   if (pointOf(drawn, steepestPerMm) != point)

@@ -15,7 +15,11 @@ struct MeasuredAccuracy {
   double steepestPerMm = 0.0; ///< of its volume (SceneFacts), which decides on automatic pre-integration
 };
 
-/// The points that the dial offers, from fast to exact, with everything but the step as the scene has it.
+/// The tolerance at the dial's exact end, levels.
+inline constexpr double exactToleranceLevels = 0.5;
+
+/// The points that the dial offers, from fast to exact, with everything but the step as the scene has it. The
+/// last one has error-controlled steps where the projection integrates.
 std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm);
 
 /// The points that the window measures for a scene: those of its dial, finer steps, and where that makes a
@@ -29,7 +33,7 @@ std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm);
 bool isOfTheWindow(const OperatingPoint& point);
 
 /// The quality with which a scene is drawn at a point of the window. What was automatic stays so where it
-/// leads to the same.
+/// leads to the same. Under a tolerance the fineness is still to be found (accuracy/Tolerance).
 Quality qualityAt(const OperatingPoint& point, const Scene& scene, double steepestPerMm);
 
 /// Whether errors measured for one scene hold for another: they differ in nothing but camera, size of the

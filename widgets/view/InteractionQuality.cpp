@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/InteractionQuality.h"
+#include "scene/LocalSteps.h"
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,7 @@ glm::ivec2 sizeAt(const QualityLevel& level, const glm::ivec2& size) {
 
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level) {
   Scene coarser = scene;
-  coarser.quality.stepVoxels *= level.stepFactor;
+  coarser.quality = withSteps(scene.quality, level.stepFactor * scene.quality.stepVoxels);
   return coarser;
 }
 
