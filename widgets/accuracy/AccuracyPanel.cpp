@@ -6,8 +6,10 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/PointText.h"
 #include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
 
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -84,6 +86,12 @@ void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
   showProgress(0.0, {});
   showScene();
+  WorkRow* row = work == AccuracyWork::measuring   ? m_chart->work()
+                 : work == AccuracyWork::comparing ? m_map->work()
+                                                   : nullptr;
+  // What was begun is seen, once it has its place.
+  if (row)
+    QTimer::singleShot(0, row, [this, row] { ensureWidgetVisible(row); });
 }
 
 void AccuracyPanel::showProgress(double fraction, const QString& doing) {
