@@ -140,6 +140,8 @@ void SceneTextures::update(const Scene& scene) {
     m_functionShown = scene.transferFunction;
   }
   updateEmptySpace(scene);
+  if (scene.quality.toleranceLevels)
+    m_blockSteps.update(scene);
   const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
   if (m_gradientOpacityShown != curve) {
     m_gradientCurve.upload(tableOf(curve, gradientUnit()));
@@ -151,12 +153,15 @@ SceneFacts SceneTextures::facts(const Scene& scene) {
   SceneFacts facts;
   facts.emptyShare = m_emptyShare;
   facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
-  if (readsSteepness(scene)) {
-    if (!m_steepness)
-      m_steepness = steepness(*m_volume);
-    facts.steepestPerMm = *m_steepness;
-  }
+  if (readsSteepness(scene))
+    facts.steepestPerMm = steepestPerMm();
   return facts;
+}
+
+double SceneTextures::steepestPerMm() {
+  if (!m_steepness)
+    m_steepness = steepness(*m_volume);
+  return *m_steepness;
 }
 
 } // namespace limn

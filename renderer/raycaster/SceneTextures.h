@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/BlockStepTexture.h"
 #include "raycaster/EmptySpace.h"
 #include "raycaster/PiecewiseTable.h"
 #include "raycaster/VolumeTexture.h"
@@ -60,8 +61,14 @@ public:
   /// Facts on which the effects of the scene of the last update depend. Measures what they need.
   SceneFacts facts(const Scene& scene);
 
+  /// The steepness of the volume of the last update; measures it once.
+  double steepestPerMm();
+
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
+
+  /// Valid where the scene of the last update asks for error-controlled steps.
+  const BlockStepTexture& blockSteps() const { return m_blockSteps; }
 
   /// The part of the volume outside which nothing may show, in centred index coordinates.
   IndexBox visibleBox() const;
@@ -97,6 +104,7 @@ private:
   FunctionTexture m_function;
   std::optional<EmptySpaceKey> m_emptySpaceShown;
   EmptySpaceTexture m_emptySpace;
+  BlockStepTexture m_blockSteps;
   double m_emptyShare = 0.0;
   BlockBox m_visibleBlocks;
   std::optional<GradientOpacity> m_gradientOpacityShown;

@@ -62,6 +62,8 @@ const char* gradientBlock(const Decisions& decisions) {
 }
 
 const char* gatherBlock(EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::localSteps))
+    return "gather_local_steps.glsl";
   if (effects.has(Effect::preintegration))
     return "gather_segments.glsl";
   return decisions.classification == ClassificationOrder::afterInterpolation ? "gather.glsl"
@@ -130,7 +132,7 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
   if (decisions.table == TableFormat::correctedFloats)
     source.append("prelude", "#define DECISION_CORRECTED_TABLE\n");
   appendBlock(source, "ray.glsl");
-  if (effects.has(Effect::sampleCounts)) {
+  if (effects == EffectSet{Effect::sampleCounts}) {
     appendBlock(source, "sample_counts.glsl");
     return source;
   }
@@ -146,6 +148,8 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
     appendBlock(source, "first_hit.glsl");
     return source;
   }
+  if (effects.has(Effect::localSteps))
+    appendBlock(source, "local_steps.glsl");
   appendBlock(source, gatherBlock(effects, decisions));
   appendBlock(source, "composite.glsl");
   return source;

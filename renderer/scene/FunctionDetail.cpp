@@ -49,6 +49,33 @@ double distanceTo(const Profile& profile, std::size_t peak, double level, int si
   return infinite;
 }
 
+// Opacity, and each colour channel weighted by it.
+double heightOf(const ControlPoint& point, int channel) {
+  return channel < 3 ? point.color[channel] * point.opacity : point.opacity;
+}
+
+Profile profileOf(const TransferFunction& function, int channel, double sign) {
+  Profile profile;
+  for (const ControlPoint& point : function.points) {
+    profile.values.push_back(point.value);
+    profile.heights.push_back(sign * heightOf(point, channel));
+  }
+  return profile;
+}
+
+void addPeaks(const Profile& profile, double height, std::vector<FunctionBand>& bands) {
+  for (std::size_t i = 0; i < profile.values.size(); ++i) {
+    const double fall = std::min(fallBeside(profile, i, -1), fallBeside(profile, i, 1));
+    if (fall < height)
+      continue;
+    const double level = profile.heights[i] - 0.5 * fall;
+    const double from = profile.values[i] - distanceTo(profile, i, level, -1);
+    const double to = profile.values[i] + distanceTo(profile, i, level, 1);
+    if (to > from)
+      bands.push_back({{from, to}, to - from});
+  }
+}
+
 double narrowestPeak(const Profile& profile, double height, const ValueRange& range) {
   double narrowest = infinite;
   for (std::size_t i = 0; i < profile.values.size(); ++i) {
@@ -61,6 +88,23 @@ double narrowestPeak(const Profile& profile, double height, const ValueRange& ra
     narrowest = std::min(narrowest, distanceTo(profile, i, level, -1) + distanceTo(profile, i, level, 1));
   }
   return narrowest;
+}
+
+// The narrowest peak or valley.
+double narrowestOf(Profile profile, double height, const ValueRange& range) {
+  const double peak = narrowestPeak(profile, height, range);
+  for (double& h : profile.heights)
+    h = -h;
+  return std::min(peak, narrowestPeak(profile, height, range));
+}
+
+Profile profileOf(const TransferFunction& function, double (*heightOf)(const ControlPoint& point)) {
+  Profile profile;
+  for (const ControlPoint& point : function.points) {
+    profile.values.push_back(point.value);
+    profile.heights.push_back(heightOf(point));
+  }
+  return profile;
 }
 
 } // namespace
@@ -77,16 +121,28 @@ double largestChangeOver(const TransferFunction& function, double width, const V
   return largest;
 }
 
+std::vector<FunctionBand> bandsOf(const TransferFunction& function, double height) {
+  std::vector<FunctionBand> bands;
+  for (int channel = 0; channel < 4; ++channel)
+    for (const double sign : {1.0, -1.0})
+      addPeaks(profileOf(function, channel, sign), height, bands);
+  return bands;
+}
+
 double narrowestBand(const TransferFunction& function, double height, const ValueRange& range) {
-  Profile profile;
-  for (const ControlPoint& point : function.points) {
-    profile.values.push_back(point.value);
-    profile.heights.push_back(point.opacity);
-  }
-  const double peak = narrowestPeak(profile, height, range);
-  for (double& h : profile.heights)
-    h = -h;
-  return std::min(peak, narrowestPeak(profile, height, range));
+  const auto opacity = [](const ControlPoint& point) { return point.opacity; };
+  return narrowestOf(profileOf(function, opacity), height, range);
+}
+
+double narrowestVisibleBand(const TransferFunction& function, double height, const ValueRange& range) {
+  const auto red = [](const ControlPoint& point) { return point.opacity * point.color.r; };
+  const auto green = [](const ControlPoint& point) { return point.opacity * point.color.g; };
+  const auto blue = [](const ControlPoint& point) { return point.opacity * point.color.b; };
+  double narrowest = narrowestBand(function, height, range);
+  for (const Profile& profile :
+       {profileOf(function, red), profileOf(function, green), profileOf(function, blue)})
+    narrowest = std::min(narrowest, narrowestOf(profile, height, range));
+  return narrowest;
 }
 
 } // namespace limn
