@@ -38,10 +38,10 @@ struct Walk {
   int spent; // samples
 };
 
-// A piece of a chord.
+// A piece of a chord, with a sample at either end.
 struct Piece {
   float length;
-  float middle;
+  float end; // where the sample behind it lies
   bool isLast; // of its chord
 };
 
@@ -117,7 +117,7 @@ Piece nextPiece(Walk walk) {
   Piece piece;
   piece.isLast = rest <= step;
   piece.length = piece.isLast ? rest : rest < 1.5 * step ? 0.5 * rest : step;
-  piece.middle = walk.entry + (walk.within + 0.5 * piece.length);
+  piece.end = piece.isLast ? walk.exit : walk.entry + (walk.within + piece.length);
   return piece;
 }
 
