@@ -59,7 +59,7 @@ Gathered gather(Ray ray, vec2 span, out int spent) {
     while (isShading) {
       // Composite the piece, or take it again with a smaller step.
       Shaded here = sampleAt(march, position, scalar, piece.end);
-      float units = 0.5 * piece.length * u_perUnitDistance;
+      float units = 0.5 * piece.mm * u_perUnitDistance;
       float was = oneMinusExpNeg(before.extinction * units);
       float is = oneMinusExpNeg(here.extinction * units);
       float change = changeBetween(before, here, was, is, transmittanceOf(gathered));
