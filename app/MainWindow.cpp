@@ -73,13 +73,7 @@ void MainWindow::layOut() {
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
   resizeDocks({m_curveDock}, {280}, Qt::Vertical);
 
-  m_volumeLabel = new QLabel(this);
-  m_probeLabel = new QLabel(this);
-  m_pictureLabel = new QLabel(this);
-  statusBar()->addWidget(m_volumeLabel);
-  statusBar()->addWidget(m_probeLabel, 1);
-  statusBar()->addPermanentWidget(m_pictureLabel);
-  m_probeLabel->setAlignment(Qt::AlignCenter);
+  makeStatusBar();
 }
 
 QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
@@ -151,29 +145,6 @@ void MainWindow::setCompareLayout(CompareLayout layout) {
     if (action->data().toInt() == static_cast<int>(layout))
       action->setChecked(true);
   showModels();
-}
-
-void MainWindow::showPictureState(const PictureState& state) {
-  if (state.sides.empty()) {
-    m_pictureLabel->clear();
-    return;
-  }
-  const QString step = tr("step %1 voxels").arg(state.sides.front().stepVoxels, 0, 'g', 3);
-  double ms = 0.0;
-  bool timed = true;
-  for (const SideState& side : state.sides) {
-    timed = timed && side.completeMs.has_value();
-    ms += side.completeMs.value_or(0.0);
-  }
-  QString text = state.resting ? step : tr("refining · %1").arg(step);
-  if (state.resting && timed)
-    text += tr(" · %1 ms").arg(ms, 0, 'f', 0);
-  m_pictureLabel->setText(text + tr(" · GLSL"));
-  m_pictureLabel->setToolTip(
-      tr("The sampling step of the picture on screen, in units of the smallest voxel spacing, and "
-         "the time it took to draw."));
-  if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
-    m_messages->show(MessageBar::Kind::warning, state.limitation);
 }
 
 void MainWindow::showProbe(const std::optional<Probe>& probe) {

@@ -20,6 +20,7 @@ namespace limn {
 class CurvePanel;
 class EffectsPanel;
 class MessageBar;
+class PictureStatus;
 class PresetBrowser;
 class ShadingPanel;
 class TransferFunctionEditor;
@@ -64,10 +65,14 @@ private:
   void connectPanels();
   void showScene(const Scene& scene);
   void showModels();
-  void showPictureState(const PictureState& state);
   void showProbe(const std::optional<Probe>& probe);
   void updateTitle();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+
+  // MainWindowStatus.cpp
+  void makeStatusBar();
+  void showPictureState(const PictureState& state);
+  void addRefineAction(QMenu& menu);
 
   // MainWindowMenus.cpp
   void makeActions();
@@ -159,7 +164,7 @@ private:
 
   QLabel* m_volumeLabel = nullptr;
   QLabel* m_probeLabel = nullptr;
-  QLabel* m_pictureLabel = nullptr;
+  PictureStatus* m_pictureStatus = nullptr;
 
   QMenu* m_recentMenu = nullptr;
   QMenu* m_viewsMenu = nullptr;

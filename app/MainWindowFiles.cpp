@@ -211,8 +211,7 @@ void MainWindow::writeScene(const QString& path) {
 
 void MainWindow::savePicture() {
   if (!m_view->restingImage(0)) {
-    statusBar()->showMessage(tr("The picture is still refining; save it when the line under it is gone."),
-                             4000);
+    statusBar()->showMessage(tr("The picture is still being drawn; save it in a moment."), 4000);
     return;
   }
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -234,7 +233,7 @@ void MainWindow::writePicture(const QString& path) {
   const std::string volume = std::filesystem::path(m_session.volumePath()).filename().string();
   try {
     writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
-               m_session.scene().image.background, sceneToJson(m_view->sceneOfSide(0), volume));
+               m_session.scene().image.background, sceneToJson(m_view->sceneOfRestingImage(0), volume));
     statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
   } catch (const Error& error) {
     showError(QString::fromStdString(error.what()));

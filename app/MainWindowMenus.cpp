@@ -72,8 +72,7 @@ void MainWindow::makeEditMenu() {
     if (const QImage picture = m_view->currentPicture(0); !picture.isNull())
       QApplication::clipboard()->setImage(picture);
     else
-      statusBar()->showMessage(tr("The picture is still refining; copy it when the line under it is gone."),
-                               4000);
+      statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."), 4000);
   });
 }
 
@@ -114,6 +113,7 @@ void MainWindow::makeViewMenu() {
   connect(m_orthographicAction, &QAction::triggered, this, &MainWindow::setOrthographic);
   m_sceneActions << m_orthographicAction;
   menu->addAction(withIcon(makeCropBoxAction(), "crop-box"));
+  addRefineAction(*menu);
   menu->addSeparator();
   for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_effectsDock, m_curveDock})
     menu->addAction(dock->toggleViewAction());

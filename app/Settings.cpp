@@ -8,6 +8,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString recentKey = QStringLiteral("recent");
 const QString themeKey = QStringLiteral("theme");
+const QString refineKey = QStringLiteral("refineAtRest");
 const QString patientKey = QStringLiteral("showPatient");
 constexpr int mostRecent = 10;
 
@@ -49,6 +50,14 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
   m_settings.setValue(themeKey, theme);
+}
+
+bool Settings::refinesAtRest() const {
+  return m_settings.value(refineKey, true).toBool();
+}
+
+void Settings::setRefinesAtRest(bool refines) {
+  m_settings.setValue(refineKey, refines);
 }
 
 bool Settings::patientIsShown() const {

@@ -23,6 +23,10 @@ public:
   QString theme() const;
   void setTheme(const QString& theme);
 
+  /// Whether resting pictures go on to smaller steps; true at first.
+  bool refinesAtRest() const;
+  void setRefinesAtRest(bool refines);
+
   bool patientIsShown() const;
   void setPatientIsShown(bool shown);
 

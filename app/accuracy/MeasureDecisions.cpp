@@ -115,6 +115,8 @@ private:
     const auto more = [](double ms, double ownMs) {
       return std::to_string(std::lround(std::max(0.0, ms - ownMs))) + " ms";
     };
+    if (decisions.volume == VolumeFormat::r8)
+      return "Bytes hold nothing beyond the volume's range, so gradients at its faces come out too small.";
     const std::string made = "Made before the first picture in " + more(way.prepareMs, m_own->prepareMs);
     if (decisions.classification != ClassificationOrder::afterInterpolation)
       return made + ", and after every change of the transfer function in " +

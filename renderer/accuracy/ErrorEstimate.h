@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/ImageError.h"
+#include "scene/Scene.h"
 
 #include <optional>
 
@@ -25,7 +26,22 @@ double observedOrder(double coarseDifference, double fineDifference);
 /// `before` of the halving before it, where there was one; without it the order is taken to be 1.
 ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
 
+/// The error of the picture of step h, given the order.
+ErrorEstimate errorBeforeHalving(const ImageError& halving, double order);
+
 /// The error of the picture of step h: 2^p times that after the halving.
 ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
+
+/// Half a level as the default early termination counts it (RENDERING section 7): what it leaves out of a
+/// picture however small the step, 255 · (1 - 0.998).
+inline constexpr double halfALevel = 0.51;
+
+/// What early termination can have cost a picture of the scene: the rest of every ray that ended early, taken
+/// to be as bright as what it passed before. 0 without early termination.
+ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene);
+
+/// The estimate of a picture whose rays also ended early. Early ends lie within opaque tissue, errors of the
+/// step at edges: of the 99.9th percentile the larger one shows, the means add.
+ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEnds);
 
 } // namespace limn

@@ -233,6 +233,24 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
   return false;
 }
 
+bool RayCaster::isReady(const Scene& scene) {
+  const EffectPlan needed = plan(scene);
+  return !needed.isVisible ||
+         m_parts->programs.canDraw(m_parts->programFor(needed.effects, Content::picture));
+}
+
+bool RayCaster::takesAllSamples(const Scene& scene) {
+  plan(scene);
+  return m_parts->stepLimitation.empty();
+}
+
+double RayCaster::steepestPerMm(const Scene& scene) {
+  const SavedState saved;
+  requireDrawable(scene);
+  m_parts->textures.update(scene);
+  return m_parts->textures.steepestPerMm();
+}
+
 int RayCaster::compiledPrograms() const {
   return m_parts->programs.compiled();
 }

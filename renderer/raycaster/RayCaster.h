@@ -76,6 +76,16 @@ public:
   /// The assembled fragment shader with which the scene is drawn; empty where nothing is visible.
   std::string fragmentShader(const Scene& scene);
 
+  /// Whether the scene can be drawn without compiling a program first.
+  bool isReady(const Scene& scene);
+
+  /// Whether every ray of the scene gets the samples that its step asks for: the number is limited, and past
+  /// the limit a smaller step changes nothing.
+  bool takesAllSamples(const Scene& scene);
+
+  /// What the scene's field commonly changes by at most, value/mm (scene/Gradient, steepness).
+  double steepestPerMm(const Scene& scene);
+
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;
 

@@ -153,12 +153,15 @@ SceneFacts SceneTextures::facts(const Scene& scene) {
   SceneFacts facts;
   facts.emptyShare = m_emptyShare;
   facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
-  if (readsSteepness(scene)) {
-    if (!m_steepness)
-      m_steepness = steepness(*m_volume);
-    facts.steepestPerMm = *m_steepness;
-  }
+  if (readsSteepness(scene))
+    facts.steepestPerMm = steepestPerMm();
   return facts;
+}
+
+double SceneTextures::steepestPerMm() {
+  if (!m_steepness)
+    m_steepness = steepness(*m_volume);
+  return *m_steepness;
 }
 
 } // namespace limn

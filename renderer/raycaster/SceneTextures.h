@@ -61,6 +61,9 @@ public:
   /// Facts on which the effects of the scene of the last update depend. Measures what they need.
   SceneFacts facts(const Scene& scene);
 
+  /// The steepness of the volume of the last update; measures it once.
+  double steepestPerMm();
+
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
 

@@ -35,6 +35,10 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+const char* volumeBlock(const Decisions& decisions) {
+  return decisions.volume == VolumeFormat::r16 ? "volume_wide.glsl" : "volume.glsl";
+}
+
 const char* classificationBlock(const Decisions& decisions) {
   return decisions.table == TableFormat::exact ? "classification.glsl" : "function_table.glsl";
 }
@@ -79,7 +83,7 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
       appendBlock(source, name);
   };
   for (const char* name :
-       {"stable_math.glsl", "volume.glsl", "piecewise.glsl", classificationBlock(decisions)})
+       {"stable_math.glsl", volumeBlock(decisions), "piecewise.glsl", classificationBlock(decisions)})
     appendBlock(source, name);
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");

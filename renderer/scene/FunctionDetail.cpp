@@ -90,6 +90,23 @@ double narrowestPeak(const Profile& profile, double height, const ValueRange& ra
   return narrowest;
 }
 
+// The narrowest peak or valley.
+double narrowestOf(Profile profile, double height, const ValueRange& range) {
+  const double peak = narrowestPeak(profile, height, range);
+  for (double& h : profile.heights)
+    h = -h;
+  return std::min(peak, narrowestPeak(profile, height, range));
+}
+
+Profile profileOf(const TransferFunction& function, double (*heightOf)(const ControlPoint& point)) {
+  Profile profile;
+  for (const ControlPoint& point : function.points) {
+    profile.values.push_back(point.value);
+    profile.heights.push_back(heightOf(point));
+  }
+  return profile;
+}
+
 } // namespace
 
 double largestChangeOver(const TransferFunction& function, double width, const ValueRange& range) {
@@ -113,15 +130,19 @@ std::vector<FunctionBand> bandsOf(const TransferFunction& function, double heigh
 }
 
 double narrowestBand(const TransferFunction& function, double height, const ValueRange& range) {
-  Profile profile;
-  for (const ControlPoint& point : function.points) {
-    profile.values.push_back(point.value);
-    profile.heights.push_back(point.opacity);
-  }
-  const double peak = narrowestPeak(profile, height, range);
-  for (double& h : profile.heights)
-    h = -h;
-  return std::min(peak, narrowestPeak(profile, height, range));
+  const auto opacity = [](const ControlPoint& point) { return point.opacity; };
+  return narrowestOf(profileOf(function, opacity), height, range);
+}
+
+double narrowestVisibleBand(const TransferFunction& function, double height, const ValueRange& range) {
+  const auto red = [](const ControlPoint& point) { return point.opacity * point.color.r; };
+  const auto green = [](const ControlPoint& point) { return point.opacity * point.color.g; };
+  const auto blue = [](const ControlPoint& point) { return point.opacity * point.color.b; };
+  double narrowest = narrowestBand(function, height, range);
+  for (const Profile& profile :
+       {profileOf(function, red), profileOf(function, green), profileOf(function, blue)})
+    narrowest = std::min(narrowest, narrowestOf(profile, height, range));
+  return narrowest;
 }
 
 } // namespace limn

@@ -26,4 +26,7 @@ std::vector<FunctionBand> bandsOf(const TransferFunction& function, double heigh
 /// least `height` deep on both sides; infinite without any.
 double narrowestBand(const TransferFunction& function, double height, const ValueRange& range);
 
+/// The same of everything that is seen: of the opacity, and of the colour channels weighted by it.
+double narrowestVisibleBand(const TransferFunction& function, double height, const ValueRange& range);
+
 } // namespace limn

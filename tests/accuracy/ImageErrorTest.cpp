@@ -80,5 +80,33 @@ TEST(ErrorEstimate, staysCarefulWhereNoOrderShows) {
   EXPECT_DOUBLE_EQ(errorBeforeHalving(difference(0.5)).p99_9, 1.0);
 }
 
+TEST(EarlyEnds, costTheRestOfTheRaysThatEndedEarly) {
+  Scene scene;
+  scene.quality.earlyTermination = 0.99;
+  Image image = row(2, 0.0f);
+  image.pixels[0] = glm::vec4(0.4f, 0.2f, 0.0f, 0.995f);
+  image.pixels[1] = glm::vec4(0.4f, 0.2f, 0.0f, 0.98f); // did not end
+  const ImageError ends = errorOfEarlyEnds(image, scene);
+  EXPECT_NEAR(ends.largest, 255.0 * 0.005, 1e-4);
+  // The rest is as bright as what was passed: red, green and alpha gain 0.005/0.995 of themselves.
+  EXPECT_NEAR(ends.mean, 255.0 * 0.005 / 0.995 * (0.4 + 0.2 + 0.995) / 8.0, 1e-4);
+}
+
+TEST(EarlyEnds, costNothingWhereNoRayEndsEarly) {
+  Scene scene;
+  scene.quality.earlyTermination = 1.0;
+  const Image image = row(4, 0.9985f);
+  EXPECT_EQ(errorOfEarlyEnds(image, scene), ImageError{});
+  scene.quality.earlyTermination = 0.9;
+  scene.projection = Projection::mip;
+  EXPECT_EQ(errorOfEarlyEnds(image, scene), ImageError{});
+}
+
+TEST(EarlyEnds, bindTheEstimateFromBelow) {
+  const ImageError ends = difference(0.5); // mean 0.05
+  EXPECT_EQ(withEarlyEnds({2.0, 0.3, 1.5}, ends), (ErrorEstimate{2.0, 0.3 + 0.05, 1.5}));
+  EXPECT_EQ(withEarlyEnds({0.1, 0.0, 1.5}, ends), (ErrorEstimate{0.5, 0.05, 1.5}));
+}
+
 } // namespace
 } // namespace limn

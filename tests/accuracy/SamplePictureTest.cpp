@@ -29,10 +29,10 @@ TEST(SamplePicture, theScaleGrowsBrighterThroughout) {
   EXPECT_GT(before, 0.7);
 }
 
-TEST(SamplePicture, eachDoublingIsAnEqualPartOfTheScale) {
-  const Image image = pictureOfSamples({0, 10, 20, 40}, {4, 1});
+TEST(SamplePicture, itsBrightnessFollowsTheShareOfTheMost) {
+  const Image image = pictureOfSamples({0, 1, 20, 40}, {4, 1});
   EXPECT_EQ(image.pixels[0], glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
-  EXPECT_EQ(image.pixels[1], glm::vec4(glm::vec3(colorOfShare(0.0)), 1.0f));
+  EXPECT_EQ(image.pixels[1], glm::vec4(glm::vec3(colorOfShare(1.0 / 40.0)), 1.0f));
   EXPECT_EQ(image.pixels[2], glm::vec4(glm::vec3(colorOfShare(0.5)), 1.0f));
   EXPECT_EQ(image.pixels[3], glm::vec4(glm::vec3(colorOfShare(1.0)), 1.0f));
 }

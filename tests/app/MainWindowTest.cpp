@@ -2,8 +2,6 @@
 #include "WindowHarness.h"
 #include "app/PictureMaker.h"
 #include "support/Heart.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
-#include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QApplication>
@@ -19,26 +17,6 @@ namespace {
 using MainWindowTest = test::WindowHarness;
 
 const QString phantom = QStringLiteral("phantom:4");
-
-// Drags the first visible point that is neither transparent nor opaque 25 pixels down.
-void dragAPoint(MainWindow& window) {
-  TransferFunctionCanvas& canvas = *window.editor().canvas();
-  const PlotTransform plot = canvas.transform();
-  for (const ControlPoint& point : canvas.transferFunction().points) {
-    if (point.opacity < 0.2 || point.value < plot.visible.lowest || point.value > plot.visible.highest)
-      continue;
-    const QPointF at(xOfValue(plot, point.value), yOfOpacity(plot, point.opacity));
-    const QPoint from = canvas.mapTo(&window, at).toPoint();
-    QWindow* handle = window.windowHandle();
-    QTest::mousePress(handle, Qt::LeftButton, {}, from);
-    for (int step = 1; step <= 5; ++step)
-      QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 5 * step));
-    QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 25));
-    QCoreApplication::processEvents();
-    return;
-  }
-  FAIL() << "no point to drag";
-}
 
 TEST_F(MainWindowTest, openingThePhantomShowsItAndItsSize) {
   ASSERT_TRUE(open(phantom));
@@ -83,7 +61,7 @@ TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothi
   ASSERT_TRUE(picture);
   ASSERT_TRUE(idle());
   const int programs = view().compiledPrograms();
-  dragAPoint(*window);
+  dragAPoint();
   EXPECT_EQ(view().compiledPrograms(), programs);
   EXPECT_NE(scene(), before);
   EXPECT_EQ(undo().count(), 1);

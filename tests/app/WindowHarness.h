@@ -4,6 +4,8 @@
 #include "app/MainWindow.h"
 #include "app/MessageBar.h"
 #include "support/TemporaryFolder.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/view/ViewPanels.h"
 
 #include <QAction>
@@ -30,6 +32,8 @@ protected:
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pathTo("settings"));
     window = std::make_unique<MainWindow>(PresetStore(folder.path() / "presets"));
     window->resize(900, 640);
+    // Pictures rest at the scene's own step unless a test is about what comes after.
+    window->view().setRefinesAtRest(false);
     window->show();
   }
 
@@ -66,6 +70,26 @@ protected:
       if (label->isVisible() && label->text().contains(text))
         return true;
     return false;
+  }
+
+  /// Drags the first visible point of the curve that is neither transparent nor opaque 25 pixels down.
+  void dragAPoint() {
+    TransferFunctionCanvas& canvas = *window->editor().canvas();
+    const PlotTransform plot = canvas.transform();
+    for (const ControlPoint& point : canvas.transferFunction().points) {
+      if (point.opacity < 0.2 || point.value < plot.visible.lowest || point.value > plot.visible.highest)
+        continue;
+      const QPointF at(xOfValue(plot, point.value), yOfOpacity(plot, point.opacity));
+      const QPoint from = canvas.mapTo(window.get(), at).toPoint();
+      QWindow* handle = window->windowHandle();
+      QTest::mousePress(handle, Qt::LeftButton, {}, from);
+      for (int step = 1; step <= 5; ++step)
+        QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(0, 5 * step));
+      QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(0, 25));
+      QCoreApplication::processEvents();
+      return;
+    }
+    FAIL() << "no point to drag";
   }
 
   /// Clicks the button of the tool bar that carries this text.

@@ -243,6 +243,23 @@ TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
   scene.transferFunction = {};
   caster.render(scene, {1, 1});
   EXPECT_NE(caster.limitation().find("60000"), std::string::npos);
+  EXPECT_FALSE(caster.takesAllSamples(scene));
+  scene.quality.stepVoxels = 0.5;
+  EXPECT_TRUE(caster.takesAllSamples(scene));
+}
+
+TEST_F(PictureRules, aSceneIsReadyOnceAProgramCanDrawIt) {
+  RayCaster caster;
+  Scene scene = phantomScene(ShadingModel::enhanced);
+  EXPECT_FALSE(caster.isReady(scene));
+  caster.render(scene, {4, 4});
+  const int programs = caster.compiledPrograms();
+  EXPECT_TRUE(caster.isReady(scene));
+  scene.quality.preintegrated = Preintegration::always;
+  EXPECT_FALSE(caster.isReady(scene)) << "steps of another kind";
+  EXPECT_EQ(caster.compiledPrograms(), programs) << "to ask compiles nothing";
+  scene.transferFunction = {};
+  EXPECT_TRUE(caster.isReady(scene)) << "nothing can be seen";
 }
 
 } // namespace

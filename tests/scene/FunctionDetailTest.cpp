@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace limn {
 namespace {
 
@@ -29,6 +31,20 @@ TEST(FunctionDetail, theLargestChangeIsThatOfTheSteepestPlace) {
   // A step of colour at an opacity of a half.
   const TransferFunction colors{1.0, {{0.0, glm::dvec3(0.0), 0.5}, {0.0, glm::dvec3(0.8), 0.5}}};
   EXPECT_NEAR(largestChangeOver(colors, 1.0, everything), 0.4, 1e-12);
+}
+
+TEST(FunctionDetail, bandsOfColourShowAsFarAsTheirOpacityLetsThem) {
+  // White and opaque by a half, with a red stripe: green and blue fall to 0 and rise again.
+  TransferFunction stripe = band(100.0);
+  for (ControlPoint& point : stripe.points)
+    point.opacity = 0.5;
+  stripe.points[1].color = {1.0, 0.0, 0.0};
+  EXPECT_EQ(narrowestBand(stripe, 0.1, everything), std::numeric_limits<double>::infinity());
+  EXPECT_NEAR(narrowestVisibleBand(stripe, 0.1, everything), 50.0, 1e-9);
+  for (ControlPoint& point : stripe.points)
+    point.opacity = 0.05;
+  EXPECT_EQ(narrowestVisibleBand(stripe, 0.1, everything), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(narrowestVisibleBand(band(100.0), 0.1, everything), narrowestBand(band(100.0), 0.1, everything));
 }
 
 TEST(FunctionDetail, aBandIsAsWideAsAtHalfItsHeight) {

@@ -17,8 +17,6 @@ namespace limn {
 namespace {
 
 constexpr int idleMs = 150;        // from the last coarse picture to refinement
-constexpr double budgetMs = 30.0;  // of refinement in one turn of the event loop
-constexpr int showEveryMs = 200;   // while refining: showing costs as much as a turn of it
 constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
 constexpr int labelFadeMs = 400;
 
@@ -38,6 +36,8 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
   connect(&m_refineTimer, &QTimer::timeout, this, &CompareView::refine);
   m_restTimer.setSingleShot(true);
   connect(&m_restTimer, &QTimer::timeout, this, &CompareView::workAtRest);
+  m_probeTimer.setSingleShot(true);
+  connect(&m_probeTimer, &QTimer::timeout, this, &CompareView::probeError);
 
   m_labelFade.setDuration(labelFadeMs);
   m_labelFade.setStartValue(1.0);
@@ -149,11 +149,13 @@ void CompareView::clearLoading() {
 }
 
 QImage CompareView::currentPicture(int side) {
-  return m_state.resting && side < m_pictures->count() ? m_pictures->side(side).bytes() : QImage();
+  return m_state.resting && side < m_pictures->count() ? m_pictures->side(side).picture().bytes : QImage();
 }
 
 std::optional<Image> CompareView::restingImage(int side) {
-  return m_state.resting && side < m_pictures->count() ? m_pictures->side(side).image() : std::nullopt;
+  if (!m_state.resting || side >= m_pictures->count())
+    return std::nullopt;
+  return *m_pictures->side(side).picture().image;
 }
 
 Scene CompareView::sceneOfSide(int side) const {
@@ -206,6 +208,7 @@ void CompareView::fail(const QString& sentence) {
   m_error = sentence;
   m_idleTimer.stop();
   m_refineTimer.stop();
+  m_probeTimer.stop();
   // Widgets must not be shown, nor the caller's slots run, in the middle of painting.
   QTimer::singleShot(0, this, [this, sentence] {
     updatePanels();
@@ -231,6 +234,7 @@ void CompareView::releasePictures() {
     return;
   m_refineTimer.stop();
   m_restTimer.stop();
+  m_probeTimer.stop();
   makeCurrent();
   m_pictures.reset();
   doneCurrent();
@@ -278,6 +282,8 @@ void CompareView::redraw() {
   m_stale = true;
   if (m_state.resting) {
     m_state.resting = false;
+    m_state.refines = false;
+    m_state.refinementEnd.reset();
     for (SideState& side : m_state.sides)
       side.fraction = 0.0;
     emit pictureStateChanged(m_state);
@@ -329,6 +335,8 @@ void CompareView::drawCoarsely() {
     QTimer::singleShot(0, this, qOverload<>(&QWidget::update));
   }
   m_idleTimer.start();
+  if (!m_probeTimer.isActive())
+    m_probeTimer.start(0);
   updateState();
   showEffects();
 }
@@ -357,23 +365,6 @@ void CompareView::refine() {
     m_refineTimer.start(0);
   else if (m_error.isEmpty())
     m_restTimer.start(0);
-}
-
-void CompareView::updateState() {
-  PictureState state;
-  state.resting = m_pictures->count() > 0;
-  state.limitation = m_pictures->limitation();
-  for (int i = 0; i < m_pictures->count(); ++i) {
-    const SidePicture& side = m_pictures->side(i);
-    state.sides.push_back({side.scene().shading.model, side.fraction(), side.shownStepVoxels(),
-                           side.completeMs(), side.contrast(), m_pictures->rest().overflow(i)});
-    state.resting = state.resting && side.finished();
-  }
-  if (state == m_state)
-    return;
-  m_state = state;
-  // Receivers may set widgets, which must not happen in the middle of painting.
-  QTimer::singleShot(0, this, [this, state] { emit pictureStateChanged(state); });
 }
 
 void CompareView::wakeLabels() {

@@ -10,6 +10,7 @@
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
 #include "widgets/view/Probe.h"
+#include "widgets/view/RestTurn.h"
 #include "widgets/view/ViewKeys.h"
 #include "widgets/view/ViewOverlay.h"
 
@@ -52,6 +53,11 @@ public:
   /// The models of the two sides of a comparison; the single layout shows the scene's own.
   void setModels(ShadingModel left, ShadingModel right);
 
+  /// Whether resting pictures go on to smaller steps until they lie within half a level of the exact ones;
+  /// they do by default.
+  void setRefinesAtRest(bool refines);
+  bool refinesAtRest() const { return m_refinesAtRest; }
+
   /// Where the border of the wipe lies, as a fraction of the view's width, 0..1.
   void setWipePosition(double fraction);
   double wipePosition() const { return m_wipe; }
@@ -85,6 +91,9 @@ public:
   /// The scene as one side shows it.
   Scene sceneOfSide(int side) const;
 
+  /// The same with the step of `restingImage`, which may have been refined.
+  Scene sceneOfRestingImage(int side) const;
+
   /// Width over height of one picture at present.
   double pictureAspect() const;
 
@@ -92,7 +101,7 @@ public:
   int compiledPrograms() const;
 
   /// Whether the pictures rest and all that is done at rest is done.
-  bool isIdle() const { return m_state.resting && !m_restTimer.isActive(); }
+  bool isIdle() const { return m_state.resting && !m_restTimer.isActive() && !m_probeTimer.isActive(); }
 
   QSize sizeHint() const override { return {960, 540}; }
   QSize minimumSizeHint() const override { return {240, 180}; }
@@ -164,6 +173,9 @@ private:
     Gesture gesture;
   };
 
+  static constexpr double budgetMs = 30.0; // of drawing in one turn of the event loop
+  static constexpr int showEveryMs = 200;  // while refining: showing costs as much as a turn of it
+
   // Drawing (CompareView.cpp)
   void makePanels();
   void makePictures();
@@ -173,7 +185,6 @@ private:
   void drawCoarsely();
   std::array<Columns, 2> seenColumns() const;
   void refine();
-  void updateState();
   void fail(const QString& sentence);
   template <class Work>
   void guarded(Work&& work);
@@ -186,7 +197,10 @@ private:
   void wakeLabels();
 
   // While nothing changes (CompareViewRest.cpp)
+  void updateState();
+  void probeError();
   void workAtRest();
+  RestTurn restTurn();
   void leaveRest();
   void showEffects();
   void tellEffects(const std::vector<EffectRow>& rows, const QString& picture);
@@ -241,6 +255,7 @@ private:
   bool m_swapped = false;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
+  bool m_refinesAtRest = true;
 
   std::unique_ptr<ViewPictures> m_pictures; ///< lives with the OpenGL context
   InteractionQuality m_quality;
@@ -248,6 +263,7 @@ private:
   QTimer m_idleTimer;  ///< from the last coarse picture to the start of refinement
   QTimer m_refineTimer;
   QTimer m_restTimer;
+  QTimer m_probeTimer;              ///< from a coarse picture to the measure of its error
   std::vector<EffectRow> m_effects; ///< as told last
   QString m_effectsPicture;
   EffectTimes m_times;

@@ -120,6 +120,8 @@ void CompareView::paintOverlay() {
   paintOrientation(painter, plates);
   if (m_probe)
     paintProbe(painter, m_probePoint, valueText(m_probe->value, *m_scene.volume), rect());
+  if (m_state.refines)
+    paintProgress(painter, m_state.refinementFraction, rect());
   if (!m_state.resting && !m_state.sides.empty()) {
     double fraction = 0.0;
     for (const SideState& side : m_state.sides)

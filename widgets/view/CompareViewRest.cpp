@@ -11,6 +11,12 @@
 // What the compare view does while its pictures rest, one piece per turn of the event loop.
 
 namespace limn {
+namespace {
+
+constexpr int waitMs = 4;                 // for another thread
+constexpr double timeBetweenProbes = 9.0; // in times of one
+
+} // namespace
 
 void CompareView::measureEffects() {
   if (!m_pictures || m_effects.empty())
@@ -20,26 +26,82 @@ void CompareView::measureEffects() {
   m_restTimer.start(0);
 }
 
-void CompareView::workAtRest() {
-  if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_state.resting)
+Scene CompareView::sceneOfRestingImage(int side) const {
+  Scene scene = sceneOfSide(side);
+  if (m_state.resting && side < m_pictures->count())
+    scene.quality.stepVoxels = m_pictures->side(side).finishedStepVoxels();
+  return scene;
+}
+
+void CompareView::setRefinesAtRest(bool refines) {
+  if (refines == m_refinesAtRest)
     return;
+  m_refinesAtRest = refines;
+  if (!m_pictures || !m_state.resting)
+    return;
+  if (!refines)
+    m_pictures->leaveRefinementPass();
+  updateState();
+  update();
+  m_restTimer.start(0);
+}
+
+void CompareView::updateState() {
+  const PictureState state = m_pictures->state();
+  if (state == m_state)
+    return;
+  m_state = state;
+  // Receivers may set widgets, which must not happen in the middle of painting.
+  QTimer::singleShot(0, this, [this, state] { emit pictureStateChanged(state); });
+}
+
+// Small pictures take a part of the time that the ones they stand for are given.
+void CompareView::probeError() {
+  if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_scene.volume)
+    return;
+  QElapsedTimer clock;
+  clock.start();
   bool didSomething = false;
   makeCurrent();
   try {
-    didSomething = m_pictures->workAtRest();
+    didSomething = m_pictures->probeError();
   } catch (const std::exception& error) {
-    // The picture is complete: it stays, only what was to be measured is missing.
+    // The picture stays; only the estimate of its error is missing.
     emit errorOccurred(QString::fromStdString(error.what()));
   }
   doneCurrent();
-  if (!didSomething)
-    return;
-  const PictureState before = m_state;
   updateState();
-  if (before != m_state)
+  if (didSomething)
+    m_probeTimer.start(static_cast<int>(timeBetweenProbes * static_cast<double>(clock.elapsed())));
+}
+
+void CompareView::workAtRest() {
+  if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_state.resting)
+    return;
+  const RestTurn turn = restTurn();
+  const std::vector<SideState> before = m_state.sides;
+  updateState();
+  const bool isDue = m_state.refines && m_sinceShown.elapsed() >= showEveryMs;
+  if (turn == RestTurn::finished || isDue || before != m_state.sides)
     update();
+  if (turn == RestTurn::nothing)
+    return;
   showTimes(m_pictures->rest().times());
-  m_restTimer.start(0);
+  m_restTimer.start(turn == RestTurn::waiting ? waitMs : 0);
+}
+
+RestTurn CompareView::restTurn() {
+  RestTurn turn = RestTurn::nothing;
+  makeCurrent();
+  try {
+    turn = m_pictures->workAtRest(m_refinesAtRest, budgetMs);
+  } catch (const std::exception& error) {
+    // The picture is complete: it stays, only what was to be measured or refined is missing.
+    m_pictures->giveUpRefinement();
+    emit errorOccurred(QString::fromStdString(error.what()));
+  }
+  doneCurrent();
+  return turn;
 }
 
 void CompareView::leaveRest() {

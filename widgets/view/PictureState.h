@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/ErrorEstimate.h"
 #include "scene/PictureFigures.h"
 
 #include <QString>
@@ -10,22 +11,41 @@
 
 namespace limn {
 
+/// Why the pictures at rest are not refined any further.
+enum class RefinementEnd {
+  withinHalfALevel, ///< of the exact picture, at the 99.9th percentile
+  smallestStep,
+  sampleLimit, ///< rays would need more samples than one may take
+  patience,    ///< the next pass would take too long
+  failed
+};
+
 /// How far one picture of the view is.
 struct SideState {
   ShadingModel model = ShadingModel::classic;
   double fraction = 0.0;            ///< of the picture at rest, 0..1
   double stepVoxels = 0.0;          ///< of what is shown, in units of the smallest spacing
+  double imageScale = 1.0;          ///< of what is shown: pixels drawn per pixel of the window, each way
+  double shownMs = 0.0;             ///< drawing time of what is shown
   std::optional<double> completeMs; ///< drawing time of the last complete picture at rest
   std::optional<double> contrast;   ///< of the picture at rest, RMS
-  std::optional<Overflow> overflow; ///< of the light before it is limited; absent where unlit
+  std::optional<Overflow> overflow; ///< of the light before it is limited, at the scene's step; absent where
+                                    ///< unlit
+  std::optional<ErrorEstimate> estimate; ///< of the error of what is shown; absent while nothing is known
+  bool isRough = true;                   ///< the estimate comes from small pictures
+  bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };
 
 /// What the compare view shows at the moment, from left to right.
 struct PictureState {
   std::vector<SideState> sides;
-  bool resting = false; ///< every side is complete at full quality
-  QString limitation;   ///< one sentence where the driver could not take the whole volume
+  bool resting = false; ///< every side is complete at the scene's step; it may be refined from there
+  bool refines = false; ///< strips of a smaller step are being drawn
+  double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
+  std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
+  QString renderer;                           ///< the driver's name of what draws
+  QString limitation; ///< one sentence where the driver could not take the whole volume
   bool operator==(const PictureState&) const = default;
 };
 

@@ -3,9 +3,6 @@
 
 #include "widgets/view/SidePicture.h"
 
-#include "scene/PictureFigures.h"
-#include "widgets/view/PictureBytes.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -43,9 +40,8 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_hasMiddlePass = false;
   m_schedule = TileSchedule(size);
   m_finished = false;
-  m_image.reset();
-  m_contrast.reset();
-  m_bytes = QImage();
+  m_picture = {};
+  m_finer.reset();
 }
 
 double SidePicture::drawCoarsely(RayCaster& caster, int level, const Columns& seen) {
@@ -60,7 +56,8 @@ double SidePicture::drawCoarsely(RayCaster& caster, int level, const Columns& se
   glFinish();
   const PixelRect part = level == 0 ? PixelRect{{0, 0}, size} : seenPart(size, seen);
   const double ms = timedMs([&] { caster.draw(scene, size, part); });
-  m_coarseFactor = quality.stepFactor;
+  m_coarseQuality = quality;
+  m_coarseMs = ms;
   m_gradientScale = caster.gradientScale();
   if (level == 0) {
     m_schedule.finishedWhole(ms);
@@ -88,7 +85,8 @@ void SidePicture::drawStrip(RayCaster& caster) {
     return;
   }
   std::swap(m_coarse, m_middle);
-  m_coarseFactor = quality.stepFactor;
+  m_coarseQuality = quality;
+  m_coarseMs = m_schedule.spentMs();
   m_pass = 0;
   m_schedule = TileSchedule(m_size);
 }
@@ -100,6 +98,8 @@ double SidePicture::fraction() const {
 }
 
 int SidePicture::rowsDone() const {
+  if (m_finer)
+    return m_finer->schedule.rowsDone();
   if (m_finished || m_pass == 0)
     return m_finished ? m_size.y : m_schedule.rowsDone();
   // Smoothing reaches half a row further: leave out what would reach into rows not drawn yet.
@@ -108,18 +108,54 @@ int SidePicture::rowsDone() const {
 }
 
 unsigned SidePicture::finerTexture() const {
-  if (m_finished)
+  if (m_finished && !m_finer)
     return m_bytesTexture.texture();
   return m_pass == 0 ? m_full.texture() : m_middle.texture();
 }
 
 void SidePicture::finish() {
-  m_image = m_full.read();
-  m_contrast = contrastOf(*m_image);
-  m_bytes = overBackground(*m_image, m_scene.image.background);
-  const QImage upwards = m_bytes.mirrored();
-  m_bytesTexture.upload(m_size, upwards.constBits());
+  adopt(limn::finished(std::make_shared<const Image>(m_full.read()), m_scene.image.background),
+        m_scene.quality.stepVoxels);
+}
+
+void SidePicture::adopt(FinishedPicture picture, double stepVoxels) {
+  m_bytesTexture.upload(m_size, picture.upwards.constBits());
+  m_picture = std::move(picture);
+  m_picture.upwards = QImage();
+  m_finishedStepVoxels = stepVoxels;
   m_finished = true;
+}
+
+// The full picture was read back: its place is free.
+void SidePicture::beginFiner(double stepVoxels) {
+  m_finer = Finer{stepVoxels, TileSchedule(m_size)};
+}
+
+void SidePicture::prepareFiner(RayCaster& caster) {
+  Scene scene = m_scene;
+  scene.quality.stepVoxels = m_finer->stepVoxels;
+  m_full.bind();
+  // One pixel in the middle, which is drawn again before the strips reach it.
+  caster.draw(scene, m_size, {m_size / 2, {1, 1}});
+  glFinish();
+}
+
+void SidePicture::drawFinerStrip(RayCaster& caster) {
+  Scene scene = m_scene;
+  scene.quality.stepVoxels = m_finer->stepVoxels;
+  TileSchedule& schedule = m_finer->schedule;
+  m_full.bind();
+  schedule.finished(timedMs([&] { caster.draw(scene, m_size, schedule.next()); }));
+}
+
+void SidePicture::adoptFiner(FinishedPicture picture) {
+  adopt(std::move(picture), m_finer->stepVoxels);
+  m_completeMs = m_finer->schedule.spentMs();
+  m_finer.reset();
+}
+
+std::optional<double> SidePicture::contrast() const {
+  return m_finished ? std::optional(m_picture.contrast) : std::nullopt;
 }
 
 void SidePicture::show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const {
@@ -136,7 +172,17 @@ void SidePicture::show(const PicturePresenter& presenter, PicturePresenter::Plac
 }
 
 double SidePicture::shownStepVoxels() const {
-  return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseFactor);
+  if (m_finished)
+    return m_finishedStepVoxels;
+  return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseQuality.stepFactor);
+}
+
+double SidePicture::shownImageScale() const {
+  return complete() ? 1.0 : m_coarseQuality.imageScale;
+}
+
+double SidePicture::shownMs() const {
+  return complete() ? m_completeMs.value_or(0.0) : m_coarseMs;
 }
 
 } // namespace limn

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "scene/Gradient.h"
+#include "widgets/view/FinishedPicture.h"
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PicturePresenter.h"
 #include "widgets/view/PictureTarget.h"
 #include "widgets/view/TileSchedule.h"
-
-#include <QImage>
 
 #include <optional>
 
@@ -21,7 +20,8 @@ struct Columns {
 
 /// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
 /// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full
-/// one as 8 bits. Needs the same OpenGL context current for every call that draws and for its end.
+/// one as 8 bits. On request it is then replaced, again strip by strip, by pictures of smaller steps. Needs
+/// the same OpenGL context current for every call that draws and for its end.
 class SidePicture {
 public:
   /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
@@ -42,6 +42,18 @@ public:
   void finish();
   bool finished() const { return m_finished; }
 
+  /// Begins to draw the finished picture anew with another step; until it is adopted, everything told of the
+  /// finished picture stays.
+  void beginFiner(double stepVoxels);
+  bool isFiner() const { return m_finer.has_value(); } ///< begun and not adopted yet
+  void leaveFiner() { m_finer.reset(); }
+  void prepareFiner(RayCaster& caster); ///< lets the driver compile what the step needs
+  void drawFinerStrip(RayCaster& caster);
+  const TileSchedule& finerSchedule() const { return m_finer->schedule; }
+  /// The picture of the step begun, once its schedule is complete; waits for the drawing to end.
+  Image readFiner() const { return m_full.read(); }
+  void adoptFiner(FinishedPicture picture);
+
   /// Shows `part` of the picture at `place`.
   void show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const;
 
@@ -49,32 +61,43 @@ public:
   /// there is one, below.
   int rowsDone() const;
   unsigned finerTexture() const;
-  unsigned coarserTexture() const { return m_coarse.texture(); }
-  bool hasCoarser() const { return !m_coarse.isEmpty(); }
+  unsigned coarserTexture() const { return m_finer ? m_bytesTexture.texture() : m_coarse.texture(); }
+  bool hasCoarser() const { return m_finer || !m_coarse.isEmpty(); }
 
   const Scene& scene() const { return m_scene; }
+  const glm::ivec2& size() const { return m_size; }
   double shownStepVoxels() const; ///< of the coarsest part shown
+  double shownImageScale() const; ///< of width and height, of the coarsest part shown, 0..1
+  double shownMs() const;         ///< what drawing the coarsest part took
   std::optional<double> completeMs() const { return m_completeMs; }
   const GradientScale& gradientScale() const { return m_gradientScale; }
-  const std::optional<Image>& image() const { return m_image; } ///< while finished
-  const QImage& bytes() const { return m_bytes; }               ///< while finished
-  std::optional<double> contrast() const { return m_contrast; } ///< while finished
+  const FinishedPicture& picture() const { return m_picture; }       ///< empty unless finished
+  double finishedStepVoxels() const { return m_finishedStepVoxels; } ///< of that picture
+  std::optional<double> contrast() const;                            ///< while finished
 
 private:
+  // A picture of a smaller step that replaces the finished one.
+  struct Finer {
+    double stepVoxels = 0.0;
+    TileSchedule schedule;
+  };
+  void adopt(FinishedPicture picture, double stepVoxels);
+
   Scene m_scene;
   glm::ivec2 m_size{0};
   int m_pass = 0; ///< the quality level that is being drawn in strips
   TileSchedule m_schedule;
   bool m_hasMiddlePass = false;
-  double m_coarseFactor = 1.0;
+  QualityLevel m_coarseQuality; ///< of the coarse picture
+  double m_coarseMs = 0.0;
   GradientScale m_gradientScale;
   std::optional<double> m_completeMs;
   bool m_finished = false;
   PictureTarget m_coarse, m_middle, m_full;
   ByteTexture m_bytesTexture;
-  std::optional<Image> m_image;
-  QImage m_bytes;
-  std::optional<double> m_contrast;
+  FinishedPicture m_picture;
+  double m_finishedStepVoxels = 0.0;
+  std::optional<Finer> m_finer;
 };
 
 } // namespace limn

@@ -5,8 +5,9 @@
 
 namespace limn {
 
-/// Cuts a picture into strips of full width, top to bottom, whose height follows the measured time, so that
-/// no strip holds the event loop for long. Knows neither OpenGL nor clock.
+/// Cuts a picture into strips, top to bottom, whose height follows the measured time, so that no strip holds
+/// the event loop for long. They span the full width unless even the lowest ones take too long: those are cut
+/// from left to right. Knows neither OpenGL nor clock.
 class TileSchedule {
 public:
   /// The time a strip should take, ms, and the limits of its height, pixels. Heights at most double from
@@ -15,19 +16,21 @@ public:
   static constexpr int firstRows = 8;
   static constexpr int leastRows = 2;
   static constexpr int mostRows = 64;
+  /// Of a strip that is cut: a software renderer's threads share squares of 64 pixels.
+  static constexpr int leastColumns = 128;
 
   TileSchedule() = default; ///< an empty picture, complete
-  explicit TileSchedule(const glm::ivec2& size) : m_size(size) {}
+  explicit TileSchedule(const glm::ivec2& size) : m_size(size), m_columns(size.x) {}
 
   bool complete() const { return m_rowsDone >= m_size.y; }
-  int rowsDone() const { return m_rowsDone; }
-  double fraction() const; ///< 0..1
+  int rowsDone() const { return m_rowsDone; } ///< over the whole width
+  double fraction() const;                    ///< 0..1
   double spentMs() const { return m_spentMs; }
 
   /// The strip to draw next; call only while not complete.
   PixelRect next() const;
 
-  /// What the next strip will take if its rows cost what the last ones did, ms.
+  /// What the next strip will take if its pixels cost what the last ones did, ms.
   double predictedMs() const;
 
   /// Notes that the strip `next()` named was drawn in `ms`.
@@ -39,8 +42,10 @@ public:
 private:
   glm::ivec2 m_size{0};
   int m_rowsDone = 0;
+  int m_columnsDone = 0; ///< of the strip that is being cut
   int m_rows = firstRows;
-  double m_rowMs = targetMs / firstRows;
+  int m_columns = 0;
+  double m_pixelMs = 0.0;
   double m_spentMs = 0.0;
 };
 

@@ -3,6 +3,8 @@
 
 #include "widgets/view/ViewPictures.h"
 
+#include "gl/HeadlessContext.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -30,16 +32,79 @@ double msSince(std::chrono::steady_clock::time_point start) {
 
 } // namespace
 
+ViewPictures::ViewPictures() : m_renderer(QString::fromStdString(rendererName())) {}
+
 void ViewPictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
   m_count = static_cast<int>(scenes.size());
   for (int i = 0; i < m_count; ++i)
     m_sides[i].want(scenes[i], size);
   m_rest.want(scenes, size);
+  m_refinement.reset();
 }
 
-bool ViewPictures::workAtRest() {
+// Follow what is shown: its error is estimated, and whether it sees the transfer function.
+void ViewPictures::noteShown() {
+  std::vector<Scene> shown;
+  for (int i = 0; i < m_count; ++i) {
+    shown.push_back(withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+    m_isResolved[i] = isResolved(m_caster, shown.back());
+  }
+  m_limitation = QString::fromStdString(m_caster.limitation());
+  if (m_count > 0)
+    m_probe.want(shown, m_sides[0].size());
+}
+
+bool ViewPictures::probeError() {
   resetState();
-  return m_rest.step(m_caster);
+  return m_probe.step(m_caster);
+}
+
+RestTurn ViewPictures::workAtRest(bool refines, double budgetMs) {
+  resetState();
+  if (m_rest.step(m_caster) || m_probe.step(m_caster))
+    return RestTurn::worked;
+  if (!refines)
+    return RestTurn::nothing;
+  const RestTurn turn = m_refinement.step(m_caster, sides(), budgetMs);
+  for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
+    m_isResolved[i] = isResolved(m_caster, withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+  return turn;
+}
+
+SideState ViewPictures::stateOf(int index) const {
+  const SidePicture& side = m_sides[index];
+  SideState state;
+  state.model = side.scene().shading.model;
+  state.fraction = side.fraction();
+  state.stepVoxels = side.shownStepVoxels();
+  state.imageScale = side.shownImageScale();
+  state.shownMs = side.shownMs();
+  state.completeMs = side.completeMs();
+  state.contrast = side.contrast();
+  state.overflow = m_rest.overflow(index);
+  state.estimate = m_refinement.estimate(index);
+  state.isRough = !state.estimate;
+  if (state.isRough)
+    state.estimate = m_probe.estimate(index, state.stepVoxels);
+  state.isResolved = m_isResolved[index];
+  return state;
+}
+
+PictureState ViewPictures::state() const {
+  PictureState state;
+  state.resting = m_count > 0;
+  state.limitation = m_limitation;
+  state.renderer = m_renderer;
+  for (int i = 0; i < m_count; ++i) {
+    state.sides.push_back(stateOf(i));
+    state.resting = state.resting && m_sides[i].finished();
+    if (m_sides[i].isFiner()) {
+      state.refines = true;
+      state.refinementFraction += m_sides[i].finerSchedule().fraction() / m_count;
+    }
+  }
+  state.refinementEnd = m_refinement.end();
+  return state;
 }
 
 std::vector<EffectRow> ViewPictures::effectRowsOf(int side) {
@@ -53,6 +118,7 @@ double ViewPictures::drawCoarsely(int level, const std::array<Columns, 2>& seen)
   double ms = 0.0;
   for (int i = 0; i < m_count; ++i)
     ms += m_sides[i].drawCoarsely(m_caster, level, seen[i]);
+  noteShown();
   return ms;
 }
 
@@ -70,8 +136,10 @@ bool ViewPictures::refine(double budgetMs) {
   for (int i = 0; i < m_count; ++i)
     if (!m_sides[i].finished()) {
       m_sides[i].finish();
-      return i + 1 == m_count;
+      if (i + 1 < m_count)
+        return false;
     }
+  noteShown();
   return true;
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "widgets/view/CompareLayout.h"
+#include "widgets/view/ErrorProbe.h"
+#include "widgets/view/PictureState.h"
+#include "widgets/view/Refinement.h"
 #include "widgets/view/RestWork.h"
 #include "widgets/view/SidePicture.h"
 
@@ -18,7 +21,7 @@ namespace limn {
 class ViewPictures {
 public:
   /// Throws Error (openGl).
-  ViewPictures() = default;
+  ViewPictures();
 
   /// Asks for pictures of these scenes (one or two), all of one size.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
@@ -30,8 +33,17 @@ public:
   /// True when they are.
   bool refine(double budgetMs);
 
-  /// Does one piece of what is done at rest. False when there was nothing to do.
-  bool workAtRest();
+  /// Measures from small pictures how far one side lies from the exact picture. False when all are measured.
+  bool probeError();
+
+  /// Does one piece, of at most about `budgetMs`, of what is done at rest: small measures first, then, where
+  /// `refines`, pictures of smaller steps.
+  RestTurn workAtRest(bool refines, double budgetMs);
+  void leaveRefinementPass() { m_refinement.leavePass(sides()); }
+  void giveUpRefinement() {
+    leaveRefinementPass();
+    m_refinement.giveUp();
+  }
   RestWork& rest() { return m_rest; }
   const RestWork& rest() const { return m_rest; }
 
@@ -50,12 +62,17 @@ public:
   /// Draws the arrangement into framebuffer `framebuffer`.
   void show(const Arrangement& arrangement, unsigned framebuffer, const glm::dvec3& background) const;
 
+  /// What is shown at the moment.
+  PictureState state() const;
+
   int count() const { return m_count; }
   const SidePicture& side(int index) const { return m_sides[index]; }
   int compiledPrograms() const { return m_caster.compiledPrograms(); }
-  QString limitation() const { return QString::fromStdString(m_caster.limitation()); }
 
 private:
+  std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
+  SideState stateOf(int index) const;
+  void noteShown();
   void showDifference(const Arrangement& arrangement, const glm::dvec3& background) const;
   SidePicture* leastComplete();
 
@@ -63,6 +80,11 @@ private:
   PicturePresenter m_presenter;
   std::array<SidePicture, 2> m_sides;
   RestWork m_rest;
+  ErrorProbe m_probe;
+  Refinement m_refinement;
+  std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
+  QString m_limitation;                         ///< of the scenes at their own step
+  QString m_renderer;
   int m_count = 0;
 };
 

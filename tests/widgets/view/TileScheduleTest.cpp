@@ -43,11 +43,44 @@ TEST(TileSchedule, aStripAfterEmptyRowsIsAtMostTwiceAsHigh) {
   EXPECT_EQ(last, TileSchedule::mostRows);
 }
 
-TEST(TileSchedule, aSlowStripIsFollowedByTheLowestOnes) {
+TEST(TileSchedule, aSlowStripIsFollowedByTheSmallestOnes) {
   TileSchedule schedule({300, 1000});
   schedule.finished(4000.0);
-  EXPECT_EQ(schedule.next().size.y, TileSchedule::leastRows);
-  EXPECT_NEAR(schedule.predictedMs(), 4000.0 / TileSchedule::firstRows * TileSchedule::leastRows, 1e-9);
+  EXPECT_EQ(schedule.next().size, glm::ivec2(TileSchedule::leastColumns, TileSchedule::leastRows));
+  const double pixels = TileSchedule::leastColumns * TileSchedule::leastRows;
+  EXPECT_NEAR(schedule.predictedMs(), 4000.0 / (TileSchedule::firstRows * 300.0) * pixels, 1e-9);
+}
+
+TEST(TileSchedule, stripsThatAreCutCoverThePictureOnce) {
+  const glm::ivec2 size(301, 11);
+  TileSchedule schedule(size);
+  std::vector<int> drawn(static_cast<std::size_t>(size.x) * size.y, 0);
+  double fraction = 0.0;
+  while (!schedule.complete()) {
+    const PixelRect tile = schedule.next();
+    int lowest = tile.topLeft.y;
+    for (int y = tile.topLeft.y; y < tile.topLeft.y + tile.size.y; ++y)
+      for (int x = tile.topLeft.x; x < tile.topLeft.x + tile.size.x; ++x)
+        ++drawn[static_cast<std::size_t>(y) * size.x + x];
+    EXPECT_LE(schedule.rowsDone(), lowest) << "rows count once they are drawn over the whole width";
+    schedule.finished(0.05 * tile.size.x * tile.size.y); // 30 ms for two whole rows
+    EXPECT_GT(schedule.fraction(), fraction);
+    fraction = schedule.fraction();
+  }
+  EXPECT_EQ(drawn, std::vector<int>(drawn.size(), 1));
+  EXPECT_EQ(schedule.fraction(), 1.0);
+}
+
+TEST(TileSchedule, cutStripsOfSteadyCostSettleAtTheTarget) {
+  TileSchedule schedule({1000, 1000});
+  double ms = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    ms = 0.012 * schedule.next().size.x * schedule.next().size.y; // 1000 pixels take 12 ms
+    schedule.finished(ms);
+    if (schedule.rowsDone() > TileSchedule::firstRows) {
+      EXPECT_LE(ms, TileSchedule::targetMs + 1e-9);
+    }
+  }
 }
 
 TEST(TileSchedule, sumsTheTimeSpent) {

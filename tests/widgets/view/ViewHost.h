@@ -17,8 +17,10 @@ namespace limn::test {
 /// for with the scene that results. Records what was asked.
 class ViewHost {
 public:
+  /// Pictures rest at the scene's own step unless a test is about what comes after.
   explicit ViewHost(const QSize& size = {400, 240}) {
     view.resize(size);
+    view.setRefinesAtRest(false);
     QObject::connect(&view, &CompareView::cameraEdited, [this](const Camera& camera) {
       ++cameraEdits;
       scene.camera = camera;

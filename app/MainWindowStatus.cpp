@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MainWindow.h"
+
+#include "app/MessageBar.h"
+#include "widgets/view/PictureStatus.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QStatusBar>
+
+// What the status bar says, and whether the picture refines at rest.
+
+namespace limn {
+
+void MainWindow::makeStatusBar() {
+  m_volumeLabel = new QLabel(this);
+  m_probeLabel = new QLabel(this);
+  m_pictureStatus = new PictureStatus(this);
+  statusBar()->addWidget(m_volumeLabel);
+  statusBar()->addWidget(m_probeLabel, 1);
+  statusBar()->addPermanentWidget(m_pictureStatus);
+  m_probeLabel->setAlignment(Qt::AlignCenter);
+}
+
+void MainWindow::showPictureState(const PictureState& state) {
+  m_pictureStatus->setText(accuracyText(state, m_session.scene()));
+  if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
+    m_messages->show(MessageBar::Kind::warning, state.limitation);
+}
+
+void MainWindow::addRefineAction(QMenu& menu) {
+  QAction* action = menu.addAction(tr("Refine at &rest"));
+  action->setCheckable(true);
+  action->setToolTip(
+      tr("While nothing moves, draws the picture again with smaller and smaller steps until it "
+         "lies within half a level of the exact one."));
+  action->setChecked(m_settings.refinesAtRest());
+  m_view->setRefinesAtRest(action->isChecked());
+  connect(action, &QAction::toggled, this, [this](bool refines) {
+    m_settings.setRefinesAtRest(refines);
+    m_view->setRefinesAtRest(refines);
+  });
+}
+
+} // namespace limn

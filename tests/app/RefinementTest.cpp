@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "support/TestData.h"
+#include "widgets/view/PictureStatus.h"
+#include "widgets/view/SideText.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStatusBar>
+
+#include <cstdio>
+
+// What the status bar says of the picture, against what the shipped program draws.
+
+namespace limn {
+namespace {
+
+constexpr int patienceMs = 120000;
+
+// Premultiplied RGBA as the file holds it.
+std::vector<float> samplesOf(const QString& file) {
+  const auto input = OIIO::ImageInput::open(file.toStdString());
+  if (!input || input->spec().nchannels != 4)
+    return {};
+  std::vector<float> samples(4 * static_cast<std::size_t>(input->spec().width) * input->spec().height);
+  input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, samples.data());
+  return samples;
+}
+
+std::vector<float> samplesOf(const Image& image) {
+  std::vector<float> samples;
+  for (const glm::vec4& pixel : image.pixels)
+    samples.insert(samples.end(), {pixel.r, pixel.g, pixel.b, pixel.a});
+  return samples;
+}
+
+class RefinementTest : public test::WindowHarness {
+protected:
+  QString statusText() const { return window->findChild<PictureStatus*>()->text().line(); }
+
+  // The number before "of 255 levels".
+  double statedLevels() const {
+    static const QRegularExpression levels(QStringLiteral("within (?:about )?([0-9.]+) of 255 levels"));
+    const QRegularExpressionMatch match = levels.match(statusText());
+    return match.hasMatch() ? match.captured(1).toDouble() : -1.0;
+  }
+
+  // As it would be typed: "1/16 voxel" is 0.0625.
+  QString statedStep() const {
+    static const QRegularExpression step(QStringLiteral("([0-9.]+)(?:/([0-9]+))? voxel"));
+    const QRegularExpressionMatch match = step.match(statusText());
+    const double parts = match.captured(2).isEmpty() ? 1.0 : match.captured(2).toDouble();
+    return QString::number(match.captured(1).toDouble() / parts, 'g', QLocale::FloatingPointShortest);
+  }
+
+  [[nodiscard]] bool refined() {
+    return QTest::qWaitFor([this] { return view().isIdle() && view().pictureState().refinementEnd; },
+                           patienceMs);
+  }
+
+  // The picture of the saved scene by the program that is shipped.
+  std::vector<float> renderedByTheProgram(const QString& scene, ShadingModel model, const glm::ivec2& size) {
+    const QString out = pathTo("rendered.exr");
+    QProcess program;
+    program.start(QStringLiteral(LIMN_PROGRAM),
+                  {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
+                   QStringLiteral("--model"), modelName(model).toLower(), QStringLiteral("--size"),
+                   QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
+    EXPECT_TRUE(program.waitForFinished(patienceMs));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    return samplesOf(out);
+  }
+
+  // Waits for the end of refinement after an edit of the curve by hand; what the window then shows must be
+  // what the program draws.
+  void editAndCompare() {
+    const double step = scene().quality.stepVoxels;
+    const Scene before = scene();
+    QElapsedTimer clock;
+    clock.start();
+    dragAPoint();
+    ASSERT_NE(scene(), before);
+    ASSERT_TRUE(refined());
+    std::printf("%.1f s: %s\n", 1e-3 * static_cast<double>(clock.elapsed()), qPrintable(statusText()));
+    const bool isClose = statedLevels() >= 0.0 && statedLevels() <= 0.5;
+    EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
+    EXPECT_EQ(scene().quality.stepVoxels, step) << "the step that the user chose stays";
+    window->writeScene(pathTo("scene.json"));
+    for (int side = 0; side < static_cast<int>(view().pictureState().sides.size()); ++side) {
+      const std::optional<Image> shown = view().restingImage(side);
+      ASSERT_TRUE(shown);
+      const std::vector<float> expected =
+          renderedByTheProgram(pathTo("scene.json"), view().sceneOfSide(side).shading.model, shown->size);
+      EXPECT_TRUE(samplesOf(*shown) == expected)
+          << "side " << side << " at step " << statedStep().toStdString();
+    }
+  }
+};
+
+TEST_F(RefinementTest, afterAnEditThePictureBecomesTheOneThatTheCommandLineDrawsAtTheStepStated) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  view().setRefinesAtRest(true);
+  editAndCompare();
+}
+
+TEST_F(RefinementTest, theCtHeadDoesSoToo) {
+  const char* const head = "data/ct_head_cranium/ct_head_cranium.nii.gz";
+  LIMN_NEEDS_SHARED(head);
+  window->setCompareLayout(CompareLayout::single);
+  ASSERT_TRUE(open(QString::fromStdString((test::sharedFolder() / head).string())));
+  ASSERT_TRUE(rest());
+  view().setRefinesAtRest(true);
+  editAndCompare();
+}
+
+TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(idle());
+  EXPECT_GT(statedLevels(), 0.0) << statusText().toStdString();
+  EXPECT_TRUE(statusText().contains(QStringLiteral("step 1/2 voxel"))) << statusText().toStdString();
+  EXPECT_TRUE(statusText().endsWith(QStringLiteral("GLSL")));
+  EXPECT_TRUE(labelSays(QStringLiteral("of 255 levels"))) << "where everybody can read it";
+  Scene moved = scene();
+  moved.camera = orbited(moved.camera, 0.3, 0.0);
+  window->session().setCamera(moved.camera);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !view().pictureState().resting; }, 5000));
+  QCoreApplication::processEvents();
+  EXPECT_GT(statedLevels(), 0.0) << "what was known of the former view is scaled: "
+                                 << statusText().toStdString();
+}
+
+TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {
+  window->setCompareLayout(CompareLayout::single);
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  view().setRefinesAtRest(true);
+  ASSERT_TRUE(refined());
+  const std::optional<Image> shown = view().restingImage(0);
+  window->writePicture(pathTo("saved.exr"));
+  EXPECT_TRUE(samplesOf(pathTo("saved.exr")) == samplesOf(*shown));
+  const LoadedScene inside = loadScene((folder.path() / "saved.exr").string(), {}, {});
+  EXPECT_EQ(inside.scene.quality.stepVoxels, view().pictureState().sides[0].stepVoxels);
+  EXPECT_LT(inside.scene.quality.stepVoxels, scene().quality.stepVoxels);
+}
+
+TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
+  EXPECT_TRUE(Settings().refinesAtRest()) << "at first";
+  QAction* refine = action(QStringLiteral("Refine at &rest"));
+  ASSERT_NE(refine, nullptr);
+  refine->trigger();
+  EXPECT_FALSE(Settings().refinesAtRest());
+  EXPECT_FALSE(view().refinesAtRest());
+  refine->trigger();
+  EXPECT_TRUE(view().refinesAtRest());
+}
+
+TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(idle());
+  PictureStatus& status = *window->findChild<PictureStatus*>();
+  const auto partSaying = [&](const char* text) -> QLabel* {
+    for (QLabel* part : status.findChildren<QLabel*>())
+      if (part->isVisible() && part->text().contains(QLatin1String(text)))
+        return part;
+    return nullptr;
+  };
+  status.resize(status.sizeHint());
+  ASSERT_NE(partSaying("ms"), nullptr);
+  const int place = partSaying("ms")->x();
+  AccuracyText text = status.text();
+  text.estimate = QStringLiteral("not resolved");
+  text.step = QStringLiteral("step 1/8 voxel, refining");
+  status.setText(text);
+  EXPECT_EQ(partSaying("ms")->x(), place);
+  status.resize(status.minimumSizeHint());
+  EXPECT_NE(partSaying("not resolved"), nullptr);
+  EXPECT_EQ(partSaying("GLSL"), nullptr);
+}
+
+} // namespace
+} // namespace limn

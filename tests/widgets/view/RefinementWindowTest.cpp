@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ViewHost.h"
+#include "gl/HeadlessContext.h"
+#include "raycaster/RayCaster.h"
+#include "support/Heart.h"
+#include "widgets/view/Refinement.h"
+
+#include <QColorSpace>
+
+#include <cmath>
+#include <cstdio>
+
+// How resting pictures go on to smaller steps, in a real window.
+
+namespace limn {
+namespace {
+
+using test::ViewHost;
+
+struct RefiningHost : ViewHost {
+  explicit RefiningHost(const QSize& size = {240, 160}) : ViewHost(size) { view.setRefinesAtRest(true); }
+  [[nodiscard]] bool refined() {
+    return QTest::qWaitFor([this] { return view.isIdle() && view.pictureState().refinementEnd; }, 120000);
+  }
+  [[nodiscard]] bool firstPass() {
+    return QTest::qWaitFor(
+        [this] {
+          const PictureState& state = view.pictureState();
+          return state.resting && state.sides[0].stepVoxels < scene.quality.stepVoxels;
+        },
+        60000);
+  }
+};
+
+// What the command line draws: another context without a window.
+Image rendered(const Scene& scene, const glm::ivec2& size) {
+  const HeadlessContext context;
+  RayCaster caster;
+  return caster.render(scene, size);
+}
+
+TEST(Refinement, halvesTheStepUntilHalfALevelOrTheSmallestAndShowsThatVeryPicture) {
+  RefiningHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.refined());
+  const PictureState state = host.view.pictureState();
+  const SideState& side = state.sides[0];
+  ASSERT_TRUE(side.estimate);
+  EXPECT_FALSE(side.isRough);
+  std::printf("estimate %.3f levels at step 1/%g\n", side.estimate->p99_9, 1.0 / side.stepVoxels);
+  const double halvings = std::log2(host.scene.quality.stepVoxels / side.stepVoxels);
+  EXPECT_GE(halvings, 1.0);
+  EXPECT_EQ(halvings, std::floor(halvings));
+  if (*state.refinementEnd == RefinementEnd::withinHalfALevel)
+    EXPECT_LE(side.estimate->p99_9, halfALevel);
+  else
+    EXPECT_LT(side.stepVoxels / 2.0, Refinement::smallestStepVoxels);
+  const std::optional<Image> shown = host.view.restingImage(0);
+  const Scene asShown = host.view.sceneOfRestingImage(0);
+  EXPECT_EQ(asShown.quality.stepVoxels, side.stepVoxels);
+  EXPECT_EQ(host.view.scene().quality.stepVoxels, 0.5) << "the step that the user chose";
+  host.view.doneCurrent(); // makes room for the other context
+  ASSERT_TRUE(shown);
+  EXPECT_TRUE(rendered(asShown, {240, 160}) == *shown);
+}
+
+TEST(Refinement, takesBothSidesToOneStep) {
+  RefiningHost host;
+  host.view.setCompareLayout(CompareLayout::sideBySide);
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.refined());
+  const PictureState state = host.view.pictureState();
+  ASSERT_EQ(state.sides.size(), 2u);
+  EXPECT_EQ(state.sides[0].stepVoxels, state.sides[1].stepVoxels);
+  const std::optional<Image> right = host.view.restingImage(1);
+  const Scene asShown = host.view.sceneOfRestingImage(1);
+  EXPECT_EQ(asShown.shading.model, ShadingModel::enhanced);
+  host.view.doneCurrent();
+  EXPECT_TRUE(rendered(asShown, right->size) == *right);
+}
+
+TEST(Refinement, showsTheNewRowsAboveTheOldPictureWhileItDraws) {
+  RefiningHost host({300, 300});
+  host.view.setOverlayVisible(false);
+  host.showPhantom(3.0);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.pictureState().refinementFraction > 0.3; }, 60000));
+  const QImage before = host.view.currentPicture(0);
+  const QImage shown = host.view.grabFramebuffer();
+  ASSERT_FALSE(before.isNull()) << "the last complete picture can be saved all the time";
+  // The lowest rows are those of the last complete picture.
+  const QRect lowest(0, 290, 300, 10);
+  QImage kept = before.convertToFormat(QImage::Format_RGB888).copy(lowest);
+  QImage seen = shown.convertToFormat(QImage::Format_RGB888).copy(lowest);
+  kept.setColorSpace({});
+  seen.setColorSpace({});
+  EXPECT_EQ(seen, kept);
+}
+
+TEST(Refinement, givesWayToAnyChangeAtOnceAndBeginsAnew) {
+  RefiningHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.firstPass());
+  host.scene.camera = orbited(host.scene.camera, 0.2, 0.0);
+  host.view.setScene(host.scene);
+  EXPECT_FALSE(host.view.pictureState().resting);
+  EXPECT_FALSE(host.view.pictureState().refines);
+  EXPECT_FALSE(host.view.restingImage(0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.pictureState().resting; }, 30000));
+  EXPECT_EQ(host.view.sceneOfRestingImage(0).quality.stepVoxels, 0.5) << "first the scene's own step";
+  ASSERT_TRUE(host.refined());
+  EXPECT_LT(host.view.sceneOfRestingImage(0).quality.stepVoxels, 0.5);
+}
+
+TEST(Refinement, canBeSwitchedOffAndOnAtRest) {
+  RefiningHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.firstPass());
+  host.view.setRefinesAtRest(false);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000));
+  const double step = host.view.sceneOfRestingImage(0).quality.stepVoxels;
+  EXPECT_FALSE(host.view.pictureState().refines);
+  EXPECT_LT(step, 0.5) << "what was drawn stays";
+  host.view.setRefinesAtRest(true);
+  ASSERT_TRUE(host.refined());
+  EXPECT_LE(host.view.sceneOfRestingImage(0).quality.stepVoxels, step);
+}
+
+TEST(Refinement, leavesTheEventLoopFree) {
+  RefiningHost host({640, 400});
+  host.view.setCompareLayout(CompareLayout::sideBySide);
+  host.showPhantom(4.0);
+  ASSERT_TRUE(host.show());
+  // Shaders are compiled in one piece, by a driver in its own time; from the first finer picture on it is
+  // ours.
+  ASSERT_TRUE(host.firstPass());
+  const test::Heart heart;
+  ASSERT_TRUE(host.refined());
+  EXPECT_GT(heart.beats(), 10);
+  std::printf("longest turn of the event loop %.0f ms, down to step 1/%g\n", heart.longestMs(),
+              1.0 / host.view.pictureState().sides[0].stepVoxels);
+  EXPECT_LE(heart.longestMs(), 100.0);
+}
+
+TEST(Refinement, ofAFunctionWithANeedleSaysThatItIsNotResolvedUntilItIs) {
+  RefiningHost host;
+  host.showPhantom();
+  host.view.setRefinesAtRest(false);
+  host.scene.quality.preintegrated = Preintegration::never;
+  host.scene.transferFunction.points = {
+      {100.0, {1.0, 0.2, 0.2}, 0.0}, {110.0, {1.0, 0.2, 0.2}, 0.8}, {120.0, {1.0, 0.2, 0.2}, 0.0}};
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  EXPECT_FALSE(host.view.pictureState().sides[0].isResolved);
+  // Pre-integrated steps pass through the needle.
+  host.scene.quality.preintegrated = Preintegration::always;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.view.pictureState().resting; }, 5000));
+  ASSERT_TRUE(host.rest());
+  EXPECT_TRUE(host.view.pictureState().sides[0].isResolved);
+}
+
+TEST(Refinement, estimatesWhatMovesFromSmallPictures) {
+  ViewHost host;
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000));
+  const int programs = host.view.compiledPrograms();
+  for (int frame = 0; frame < 10; ++frame) {
+    host.scene.camera = orbited(host.scene.camera, 0.05, 0.0);
+    host.view.setScene(host.scene);
+    QTest::qWait(20);
+    const SideState& side = host.view.pictureState().sides[0];
+    ASSERT_TRUE(side.estimate) << "frame " << frame;
+    EXPECT_TRUE(side.isRough);
+    EXPECT_GT(side.estimate->p99_9, 0.0);
+  }
+  EXPECT_EQ(host.view.compiledPrograms(), programs) << "a hand must not wait for a shader";
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+
+#include <QImage>
+
+#include <memory>
+
+namespace limn {
+
+/// A complete picture of a side as everybody wants it: as drawn, and as shown and saved.
+struct FinishedPicture {
+  std::shared_ptr<const Image> image;
+  QImage bytes;   ///< over the background, rounded as a file is
+  QImage upwards; ///< the same with rows from bottom to top, as OpenGL wants them
+  double contrast = 0.0;
+};
+
+/// Makes everything of a picture that was read back. Takes time with every pixel; needs no OpenGL, so that it
+/// may run beside the event loop.
+FinishedPicture finished(std::shared_ptr<const Image> image, const glm::dvec3& background);
+
+} // namespace limn

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "widgets/view/Refinement.h"
+
+#include "accuracy/Resolution.h"
+
+#include <QThreadPool>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+
+namespace limn {
+
+struct Refinement::Job {
+  std::shared_ptr<const Image> before, image;
+  Scene scene;
+  FinishedPicture picture;
+  ImageError halving, earlyEnds;
+  std::exception_ptr problem;
+  std::atomic<bool> isDone = false;
+
+  void run() {
+    try {
+      halving = imageError(*image, *before);
+      earlyEnds = errorOfEarlyEnds(*image, scene);
+      picture = finished(image, scene.image.background);
+    } catch (...) {
+      problem = std::current_exception();
+    }
+    isDone = true;
+  }
+};
+
+Scene withStep(Scene scene, double stepVoxels) {
+  scene.quality.stepVoxels = stepVoxels;
+  return scene;
+}
+
+bool isResolved(RayCaster& caster, const Scene& scene) {
+  const bool isPreintegrated = caster.plan(scene).effects.has(Effect::preintegration);
+  return stepSeesFunction(scene, caster.steepestPerMm(scene), isPreintegrated);
+}
+
+void Refinement::reset() {
+  *this = Refinement();
+}
+
+RestTurn Refinement::step(RayCaster& caster, std::span<SidePicture> sides, double budgetMs) {
+  if (m_end || sides.empty())
+    return RestTurn::nothing;
+  if (!sides.front().isFiner())
+    return begin(caster, sides);
+  if (compileOne(caster, sides) || drawStrips(caster, sides, budgetMs) || readOne(sides))
+    return RestTurn::worked;
+  if (!std::all_of(m_sides.begin(), m_sides.end(), [](const Side& side) { return side.job->isDone.load(); }))
+    return RestTurn::waiting;
+  return adoptAll(sides);
+}
+
+// Halve the step, unless the pictures are good enough or nothing would be gained.
+RestTurn Refinement::begin(RayCaster& caster, std::span<SidePicture> sides) {
+  if (m_sides.empty())
+    for (const SidePicture& side : sides)
+      m_lastMs += side.completeMs().value_or(0.0);
+  m_sides.resize(sides.size());
+  const double step = sides.front().finishedStepVoxels() / 2.0;
+  m_end = endBefore(caster, sides, step);
+  if (m_end)
+    return RestTurn::finished;
+  for (SidePicture& side : sides)
+    side.beginFiner(step);
+  m_compiled = 0;
+  return RestTurn::worked;
+}
+
+std::optional<RefinementEnd> Refinement::endBefore(RayCaster& caster, std::span<SidePicture> sides,
+                                                   double step) const {
+  if (isWithinTarget(caster, sides))
+    return RefinementEnd::withinHalfALevel;
+  if (step < smallestStepVoxels)
+    return RefinementEnd::smallestStep;
+  for (const SidePicture& side : sides)
+    if (!caster.takesAllSamples(withStep(side.scene(), step)))
+      return RefinementEnd::sampleLimit;
+  if (m_spentMs + 2.0 * m_lastMs > patienceMs)
+    return RefinementEnd::patience;
+  return std::nullopt;
+}
+
+bool Refinement::isWithinTarget(RayCaster& caster, std::span<SidePicture> sides) const {
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (!m_sides[i].halving || m_sides[i].steps.p99_9 > halfALevel ||
+        !isResolved(caster, withStep(sides[i].scene(), sides[i].finishedStepVoxels())))
+      return false;
+  return true;
+}
+
+// A smaller step may call for another program: some drivers compile when something is drawn, so one pixel is
+// drawn in a turn of its own.
+bool Refinement::compileOne(RayCaster& caster, std::span<SidePicture> sides) {
+  if (m_compiled == sides.size())
+    return false;
+  sides[m_compiled++].prepareFiner(caster);
+  return true;
+}
+
+bool Refinement::drawStrips(RayCaster& caster, std::span<SidePicture> sides, double budgetMs) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  bool hasDrawn = false;
+  for (;;) {
+    SidePicture& next = *std::min_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) {
+      return a.finerSchedule().fraction() < b.finerSchedule().fraction();
+    });
+    if (next.finerSchedule().complete())
+      return hasDrawn;
+    const double spentMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (hasDrawn && spentMs + next.finerSchedule().predictedMs() > budgetMs)
+      return true;
+    next.drawFinerStrip(caster);
+    hasDrawn = true;
+  }
+}
+
+bool Refinement::readOne(std::span<SidePicture> sides) {
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (m_sides[i].job)
+      continue;
+    auto job = std::make_shared<Job>();
+    job->before = sides[i].picture().image;
+    job->image = std::make_shared<const Image>(sides[i].readFiner());
+    job->scene = sides[i].scene();
+    m_sides[i].job = job;
+    QThreadPool::globalInstance()->start([job] { job->run(); });
+    return true;
+  }
+  return false;
+}
+
+RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
+  m_lastMs = 0.0;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const std::shared_ptr<Job> job = std::move(m_sides[i].job);
+    if (job->problem)
+      std::rethrow_exception(job->problem);
+    m_sides[i].steps = errorAfterHalving(job->halving, m_sides[i].halving);
+    m_sides[i].whole = withEarlyEnds(m_sides[i].steps, job->earlyEnds);
+    m_sides[i].halving = job->halving;
+    m_lastMs += sides[i].finerSchedule().spentMs();
+    sides[i].adoptFiner(std::move(job->picture));
+  }
+  m_spentMs += m_lastMs;
+  return RestTurn::finished;
+}
+
+void Refinement::leavePass(std::span<SidePicture> sides) {
+  for (SidePicture& side : sides)
+    side.leaveFiner();
+  for (Side& side : m_sides)
+    side.job.reset();
+}
+
+std::optional<ErrorEstimate> Refinement::estimate(int side) const {
+  const auto index = static_cast<std::size_t>(side);
+  if (index >= m_sides.size() || !m_sides[index].halving)
+    return std::nullopt;
+  return m_sides[index].whole;
+}
+
+} // namespace limn
