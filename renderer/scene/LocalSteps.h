@@ -36,8 +36,8 @@ std::optional<int> finenessOf(const Quality& quality);
 /// The fineness that a tolerance commonly needs.
 int usualFineness(double toleranceLevels);
 
-/// The largest change, from one sample to the next, of the light that a step adds to a channel of the pixel;
-/// beyond it the step is taken again with a smaller one.
+/// The largest difference, from one sample to the next, of the light that a step adds to a channel of the pixel
+/// (0..1) if it is all like the one or like the other; beyond it the step is taken again with a smaller one.
 double mostChange(int fineness);
 
 /// By how many levels a block may be sampled more coarsely behind what leaves this transmittance: its error
