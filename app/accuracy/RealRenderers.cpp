@@ -149,6 +149,12 @@ DrawPrecisely RealRenderers::precisely() {
   };
 }
 
+Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {
+  m_parts->picture.reset();
+  m_parts->drawRays(scene, {}, size);
+  return readBack(size);
+}
+
 std::string RealRenderers::name() const {
   return rendererName();
 }
@@ -163,18 +169,25 @@ AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, cons
       progress(from + fraction * (to - from), doing);
     };
   };
+  const ConvergedPicture converged = convergedPicture(scene, size, renderers.precisely(), part(0.0, 0.3));
+  const double end = withDecisions == Decide::each ? 0.7 : 1.0;
+  AccuracyReport report = measureAccuracy(name, scene, size, points, converged, renderers, part(0.3, end));
+  if (withDecisions == Decide::each)
+    report.decisions = measureDecisions(scene, size, converged.pixels, part(end, 1.0));
+  return report;
+}
+
+AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
+                               const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
+                               RealRenderers& renderers, const ReportProgress& progress) {
   AccuracyReport report;
   report.scene = name;
   report.renderer = renderers.name();
   report.machine = machineName();
   report.size = size;
   report.smallestSpacingMm = smallestSpacingMm(scene.volume->grid());
-  const ConvergedPicture converged = convergedPicture(scene, size, renderers.precisely(), part(0.0, 0.3));
   report.reference = converged.facts;
-  const double end = withDecisions == Decide::each ? 0.7 : 1.0;
-  measurePoints(report, scene, points, converged.pixels, renderers.forSweep(), part(0.3, end));
-  if (withDecisions == Decide::each)
-    report.decisions = measureDecisions(scene, size, converged.pixels, part(end, 1.0));
+  measurePoints(report, scene, points, converged.pixels, renderers.forSweep(), progress);
   return report;
 }
 
