@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/PictureMaker.h"
 
+#include "accuracy/Tolerance.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
@@ -13,12 +14,28 @@
 namespace limn {
 namespace {
 
+// Draws a scene with the steps that keep its tolerance.
+MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
+                       const std::string& engine) {
+  if (!needsSteps(scene))
+    return {draw(scene, size), scene, engine, {}};
+  const WithinTolerance found = withinTolerance(scene, size, draw, control);
+  MadePicture picture{draw(found.scene, size), found.scene, engine, {}};
+  picture.notes.push_back("The picture is " + describe(found) + ".");
+  if (!found.holds)
+    picture.notes.push_back(found.sentence);
+  return picture;
+}
+
 template <class Renderer>
 std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
-                                  const glm::ivec2& size) {
+                                  const glm::ivec2& size, StepControl control) {
   std::vector<MadePicture> pictures;
+  const DrawScene draw = [&](const Scene& scene, const glm::ivec2& pixels) {
+    return renderer.render(scene, pixels);
+  };
   for (const Scene& scene : scenes) {
-    MadePicture picture{renderer.render(scene, size), rendererName(), {}};
+    MadePicture picture = makeWithin(scene, size, draw, control, rendererName());
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     pictures.push_back(std::move(picture));
@@ -30,17 +47,20 @@ std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm:
   const HeadlessContext context;
   if (engine == Engine::slices || engine == Engine::slicesBackToFront) {
     SliceRenderer slices(engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
-    return makeWith(slices, scenes, size);
+    return makeWith(slices, scenes, size, StepControl::equal);
   }
   RayCaster caster;
-  return makeWith(caster, scenes, size);
+  return makeWith(caster, scenes, size, StepControl::local);
 }
 
 std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
                                            int threads) {
   std::vector<MadePicture> pictures;
+  const DrawScene draw = [threads](const Scene& scene, const glm::ivec2& pixels) {
+    return toImage(renderReference(scene, pixels, threads));
+  };
   for (const Scene& scene : scenes)
-    pictures.push_back({toImage(renderReference(scene, size, threads)), "reference (double precision)", {}});
+    pictures.push_back(makeWithin(scene, size, draw, StepControl::local, "reference (double precision)"));
   return pictures;
 }
 
@@ -88,6 +108,16 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
     pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");
     return pictures;
   }
+}
+
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
+  if (engine == Engine::slices || engine == Engine::slicesBackToFront)
+    throw Error(Error::Kind::usage,
+                "Slices take the same samples in every pixel; count those of --engine gl or reference.");
+  if (engine == Engine::reference)
+    return renderReference(scene, size, threads).samples;
+  const HeadlessContext context;
+  return RayCaster().sampleCounts(scene, size);
 }
 
 Image sideBySide(const Image& left, const Image& right) {

@@ -18,11 +18,13 @@ enum class Engine { automatic, gl, slices, slicesBackToFront, reference };
 /// A picture and what was noteworthy about making it.
 struct MadePicture {
   Image image;
+  Scene scene;                    ///< with which it was drawn
   std::string engine;             ///< renderer string, or "reference (double precision)"
   std::vector<std::string> notes; ///< one sentence each
 };
 
-/// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core.
+/// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core. A scene
+/// with a tolerance gets the steps that keep it, where it does not have them already (accuracy/Tolerance).
 /// Throws Error.
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
                                       int threads);
@@ -37,6 +39,10 @@ struct PictureFigures {
 
 /// Draws what the figures need (scene/PictureFigures.h). Throws Error.
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+
+/// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
+/// of equal ones. `automatic` is OpenGL. Throws Error, of kind usage for slices, which share their samples.
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
 
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);

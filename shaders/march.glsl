@@ -42,6 +42,25 @@ March marchThrough(Ray ray, vec2 span, int count) {
   return march;
 }
 
+#ifdef EFFECT_LOCAL_STEPS
+// A march whose steps are millimetres, from a place on: for samples that know their own step.
+March marchFrom(Ray ray, float begin) {
+  March march;
+  march.offset = 0.0;
+  march.stepMm = 1.0;
+  march.stride = ray.direction;
+  march.firstIndex = ray.anchor + begin * ray.direction;
+  march.advance = march.stride * u_textureScale;
+  march.first = toTexture(march.firstIndex);
+  march.fromEye = begin - ray.eye;
+  march.units = u_perUnitDistance;
+#ifdef EFFECT_LIGHTING
+  march.light = lightAlong(ray.direction * u_spacing);
+#endif
+  return march;
+}
+#endif
+
 // Texture coordinates `i` steps behind sample 0; clamped, because the field ends at the outermost centres.
 vec3 positionOf(March march, float i) {
   return clamp(march.first + i * march.advance, u_textureLower, u_textureUpper);

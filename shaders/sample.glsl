@@ -18,9 +18,13 @@ Gathered nothingGathered() {
   return Gathered(vec3(0.0), 1.0, 0.0);
 }
 
+float transmittanceOf(Gathered ray) {
+  return ray.transmittance * (1.0 - ray.loss);
+}
+
 bool isFinished(Gathered ray) {
 #ifdef EFFECT_EARLY_TERMINATION
-  return ray.transmittance * (1.0 - ray.loss) <= u_lastTransmittance;
+  return transmittanceOf(ray) <= u_lastTransmittance;
 #else
   return false;
 #endif
@@ -77,7 +81,13 @@ vec4 gradientOf(vec3 position, out float r) {
   return gradient;
 }
 
-void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
+// What a sample says of the piece for which it stands.
+struct Shaded {
+  vec3 color;
+  float extinction; // per unit distance
+};
+
+Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float r;
   vec4 gradient = gradientOf(position, r);
   float extinction = material.extinction;
@@ -86,14 +96,21 @@ void addMaterial(inout Gathered ray, March march, vec3 position, Material materi
   if (factor != 1.0)
     extinction = minusLog1mOpacity(factor * material.opacity);
 #endif
-  float alpha = oneMinusExpNeg(extinction * march.units);
+  return Shaded(shaded(material.color, march, gradient, r, i), extinction);
+}
 
-  // Composite front to back.
+// Composite front to back a piece of so many unit distances, which have the opacity `alpha`.
+void add(inout Gathered ray, Shaded piece, float units, float alpha) {
   float share = (1.0 - ray.loss) * alpha;
-  ray.color += ray.transmittance * share * shaded(material.color, march, gradient, r, i);
+  ray.color += ray.transmittance * share * piece.color;
   ray.loss += share;
   if (ray.loss > smallLoss) {
     ray.transmittance -= ray.transmittance * ray.loss;
     ray.loss = 0.0;
   }
+}
+
+void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
+  Shaded piece = shadedSample(march, position, material, i);
+  add(ray, piece, march.units, oneMinusExpNeg(piece.extinction * march.units));
 }

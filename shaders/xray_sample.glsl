@@ -19,9 +19,28 @@ vec4 pixelOf(Gathered ray) {
   return vec4(oneMinusExpNeg(ray.depth));
 }
 
-void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
-  float term = material.extinction * march.units - ray.lost;
+// What a sample says of the piece for which it stands.
+struct Shaded {
+  vec3 color;       // none
+  float extinction; // per unit distance
+};
+
+Shaded shadedSample(March march, vec3 position, Material material, float i) {
+  return Shaded(vec3(0.0), material.extinction);
+}
+
+float transmittanceOf(Gathered ray) {
+  return exp2(-log2OfE * ray.depth);
+}
+
+// Add a piece of so many unit distances; its opacity says less than they do.
+void add(inout Gathered ray, Shaded piece, float units, float alpha) {
+  float term = piece.extinction * units - ray.lost;
   float sum = ray.depth + term;
   ray.lost = (sum - ray.depth) - term;
   ray.depth = sum;
+}
+
+void addMaterial(inout Gathered ray, March march, vec3 position, Material material, float i) {
+  add(ray, shadedSample(march, position, material, i), march.units, 0.0);
 }

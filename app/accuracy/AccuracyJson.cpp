@@ -56,6 +56,7 @@ Json decisionOf(const DecisionCost& cost, bool isKnown) {
   addErrors(json, cost.error, isKnown);
   addErrors(json["at_an_eighth"], cost.fineError, isKnown);
   json["ms"] = timesOf(cost.ms);
+  json["times_default"] = cost.timesDefault;
   json["extra_mb"] = cost.extraMb;
   json["remark"] = cost.remark;
   return json;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/accuracy/AccuracyText.h"
 
+#include "accuracy/DecisionVerdict.h"
 #include "accuracy/FigureText.h"
 
 namespace limn {
@@ -66,19 +67,22 @@ std::string pointTable(const AccuracyReport& report) {
 
 std::string decisionTable(const AccuracyReport& report) {
   std::string table =
-      "<table>\n" + rowOf({"Decision", "Time, ms", "least – most", "Error, 99.9th percentile", "mean",
-                           "at step 1/8: 99.9th percentile", "mean", "memory, MB more"},
+      "<table>\n" + rowOf({"Decision", "Time, ms", "of Limn’s time", "Error, 99.9th percentile", "mean",
+                           "at step 1/8: 99.9th percentile", "mean", "memory, MB more", "remark"},
                           {}, "th");
   std::string group;
   for (const DecisionCost& cost : report.decisions) {
     if (cost.group != group)
       table += rowOf({group = cost.group}, "group");
     table += rowOf({cost.name + (cost.isDefault ? " (what Limn does)" : ""), threeDigits(cost.ms.median),
-                    timesOf(cost.ms), p99_9Text(cost.error, report.reference),
+                    threeDigits(cost.timesDefault), p99_9Text(cost.error, report.reference),
                     meanText(cost.error, report.reference), p99_9Text(cost.fineError, report.reference),
-                    meanText(cost.fineError, report.reference), threeDigits(cost.extraMb)});
+                    meanText(cost.fineError, report.reference), threeDigits(cost.extraMb), cost.remark});
   }
-  return table + "</table>\n";
+  table += "</table>\n";
+  for (const std::string& sentence : verdictOn(report.decisions))
+    table += "<p>" + escaped(sentence) + "</p>\n";
+  return table;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/accuracy/AccuracyText.h"
 
+#include "accuracy/DecisionVerdict.h"
 #include "accuracy/FigureText.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ Row rowOf(const MeasuredPoint& point, const AccuracyReport& report) {
 Row rowOf(const DecisionCost& cost, const ReferenceFacts& reference) {
   return {cost.group + ": " + cost.name + (cost.isDefault ? " (Limn's)" : ""),
           threeDigits(cost.ms.median),
-          threeDigits(cost.ms.least) + " .. " + threeDigits(cost.ms.most),
+          threeDigits(cost.timesDefault),
           p99_9Text(cost.error, reference),
           meanText(cost.error, reference),
           p99_9Text(cost.fineError, reference),
@@ -69,12 +70,14 @@ std::string accuracyTable(const AccuracyReport& report) {
     rows.push_back(rowOf(point, report));
   text += aligned(rows);
   if (!report.decisions.empty()) {
-    std::vector<Row> costs{{"what each decision costs", "ms", "least .. most", "99.9 %", "mean",
+    std::vector<Row> costs{{"what each decision costs", "ms", "of Limn's time", "99.9 %", "mean",
                             "at 1/8: 99.9 %", "mean", "MB more"}};
     for (const DecisionCost& cost : report.decisions)
       costs.push_back(rowOf(cost, report.reference));
     text += "\n";
     text += aligned(costs);
+    for (const std::string& sentence : verdictOn(report.decisions))
+      text += sentence + "\n";
   }
   for (const std::string& remark : report.remarks)
     text += remark + "\n";

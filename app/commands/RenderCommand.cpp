@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/RenderCommand.h"
 
+#include "accuracy/SamplePicture.h"
 #include "app/PictureMaker.h"
 #include "app/commands/SceneArguments.h"
 #include "io/ImageFile.h"
@@ -21,6 +22,7 @@ struct RenderArguments {
   std::string engine = "auto";
   int threads = 0;
   bool printsFigures = false;
+  std::string samplesSpent; ///< empty: not wanted
 };
 
 const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
@@ -60,12 +62,26 @@ void printFigures(const Scene& scene, const RenderArguments& arguments) {
       100.0 * figures.visibleShare, scene.isovalue, looksLikeHounsfield(*scene.volume) ? " HU" : "");
 }
 
+void writeSamples(const Scene& scene, const RenderArguments& arguments) {
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  const std::vector<int> samples =
+      countSamples(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
+  writeImage(arguments.samplesSpent, pictureOfSamples(samples, size), glm::dvec3(0.0), {});
+  const SampleFigures figures = figuresOf(samples);
+  char line[128];
+  std::snprintf(line, sizeof line, "Samples spent by a ray: %d to %d (pale yellow), %.0f on average.",
+                figures.least, figures.most, figures.mean);
+  note(line);
+}
+
 void runRender(const RenderArguments& arguments) {
   if (arguments.engine == "cpu")
     throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   const bool isComparison = arguments.scene.model == "compare";
   LoadedScene loaded = loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source),
                                  terminalProgress(arguments.scene.source.quiet));
+  if (isComparison && !arguments.samplesSpent.empty())
+    throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
     throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
   Scene scene = adjusted(std::move(loaded.scene), arguments.scene);
@@ -81,7 +97,10 @@ void runRender(const RenderArguments& arguments) {
   const std::string volume = std::filesystem::path(loaded.volumePath).filename().string();
   if (arguments.printsFigures)
     printFigures(scene, arguments);
-  writeImage(arguments.out, picture.image, scene.image.background, sceneToJson(scene, volume));
+  if (!arguments.samplesSpent.empty())
+    writeSamples(picture.scene, arguments);
+  writeImage(arguments.out, picture.image, scene.image.background,
+             sceneToJson(isComparison ? scene : picture.scene, volume));
   if (arguments.scene.source.quiet)
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
@@ -115,6 +134,8 @@ void addRenderCommand(CLI::App& root) {
       "--figures", arguments->printsFigures,
       "print contrast, overflow of highlights, and how much can be seen of what lies at or above the "
       "scene's isovalue (300 if not set)");
+  command->add_option("--samples-spent", arguments->samplesSpent,
+                      "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
   command->footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command->callback([arguments] { runRender(*arguments); });
 }

@@ -31,8 +31,18 @@ Scene adjusted(Scene scene, const SceneArguments& arguments) {
                        true);
   if (!arguments.view.empty())
     scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
-  if (arguments.stepVoxels > 0.0)
+  if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
+    throw Error(Error::Kind::usage,
+                "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");
+  if (arguments.stepVoxels > 0.0) {
     scene.quality.stepVoxels = arguments.stepVoxels;
+    scene.quality.toleranceLevels.reset();
+    scene.quality.fineness.reset();
+  }
+  if (arguments.toleranceLevels > 0.0) {
+    scene.quality.toleranceLevels = arguments.toleranceLevels;
+    scene.quality.fineness.reset();
+  }
   if (!arguments.size.empty()) {
     const glm::ivec2 size = parsedSize(arguments.size);
     scene.image.width = size.x;
@@ -52,6 +62,11 @@ void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::
   command.add_option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
   command.add_option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
       ->check(CLI::Range(1e-4, 1e4));
+  command
+      .add_option(
+          "--tolerance", arguments.toleranceLevels,
+          "error-controlled steps that keep within LEVELS of 255 (99.9th percentile) of the exact picture")
+      ->check(CLI::Range(0.01, 255.0));
 }
 
 } // namespace limn

@@ -15,7 +15,8 @@ struct SceneArguments {
   std::string model;
   std::string preset;
   std::string view;
-  double stepVoxels = 0.0; ///< 0: not given
+  double stepVoxels = 0.0;      ///< 0: not given
+  double toleranceLevels = 0.0; ///< 0: not given
 };
 
 /// Adds SOURCE and the options; `models` says which models `--model` takes.

@@ -27,6 +27,8 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
   scene.quality.preintegrated = point.preintegrated ? Preintegration::always : Preintegration::never;
   scene.quality.earlyTermination = point.earlyTermination;
   scene.quality.jitter = false;
+  scene.quality.toleranceLevels = point.toleranceLevels;
+  scene.quality.fineness.reset();
   return scene;
 }
 

@@ -13,9 +13,12 @@ enum class TableFormat {
   correctedFloats ///< RGBA32F, 256 entries that hold the opacity of a step in place of the unit distance
 };
 
-/// How the scalars lie in their texture. Fixed-point formats hold 0..1 of the volume's range; the apron's
-/// extrapolated texels are clamped to it.
-enum class VolumeFormat { r32f, r16, r8 };
+/// How the scalars lie in their texture.
+enum class VolumeFormat {
+  r32f,
+  r16, ///< fixed point over three times the volume's range, which holds the apron's extrapolated texels too
+  r8   ///< fixed point over the volume's range, to which the apron's texels are clamped: 256 levels are few
+};
 
 /// Where in its step a sample is taken.
 enum class SamplePlace { middle, front };

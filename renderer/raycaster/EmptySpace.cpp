@@ -7,8 +7,6 @@
 namespace limn {
 namespace {
 
-constexpr int farthest = 255;
-
 // By this much of the volume's range may a filtered texel leave the range of its neighbours.
 constexpr float filterRounding = 1e-5f;
 
@@ -75,7 +73,7 @@ int binOf(const PiecewiseTable& function, float scalar, float margin) {
 using Distances = std::vector<std::uint8_t>;
 
 std::uint8_t oneMore(std::uint8_t distance) {
-  return static_cast<std::uint8_t>(std::min(distance + 1, farthest));
+  return static_cast<std::uint8_t>(std::min<int>(distance + 1, farthestBlock));
 }
 
 // Writes to `to` the least of each element of a row and its neighbours.
@@ -137,6 +135,12 @@ BlockRanges blockRanges(const TextureVoxels& voxels) {
   return result;
 }
 
+void spreadDistances(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances) {
+  // Two passes in opposite order: chessboard metric, exact.
+  lowerFrom(-1, blocks, distances);
+  lowerFrom(1, blocks, distances);
+}
+
 std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility) {
   std::vector<int> before;
   if (visibility.function)
@@ -154,11 +158,9 @@ std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibi
     if (visibility.isovalue)
       isEmpty = isEmpty && (*visibility.isovalue < range.x - filterRounding ||
                             *visibility.isovalue > range.y + filterRounding);
-    distances.push_back(isEmpty ? farthest : 0);
+    distances.push_back(isEmpty ? farthestBlock : std::uint8_t{0});
   }
-  // Two passes in opposite order spread the distances: chessboard metric, exact.
-  lowerFrom(-1, ranges.blocks, distances);
-  lowerFrom(1, ranges.blocks, distances);
+  spreadDistances(ranges.blocks, distances);
   return distances;
 }
 

@@ -34,6 +34,12 @@ struct Visibility {
   std::optional<float> isovalue;
 };
 
+/// The largest distance that is told of.
+inline constexpr std::uint8_t farthestBlock = 255;
+
+/// Lowers distances of `farthestBlock` to the Chebyshev distance to the nearest block of distance 0.
+void spreadDistances(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances);
+
 /// For each block the Chebyshev distance, in blocks, to the nearest in which something may show: 0 there, at
 /// most 255. All blocks nearer than it are empty.
 std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility);

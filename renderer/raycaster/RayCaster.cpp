@@ -10,6 +10,7 @@
 #include "raycaster/SceneTextures.h"
 #include "raycaster/SceneUniforms.h"
 #include "raycaster/ShaderVariant.h"
+#include "scene/LocalSteps.h"
 #include "scene/Neighbours.h"
 #include "scene/RayFrame.h"
 
@@ -90,7 +91,7 @@ void RayCaster::Parts::measure(const Scene& scene, EffectSet effects) {
 
 EffectSet RayCaster::Parts::programFor(EffectSet needed, Content content) const {
   if (content == Content::sampleCounts)
-    return {Effect::sampleCounts};
+    return canonical(needed.with(Effect::sampleCounts));
   if (content == Content::unlimitedPicture)
     needed = canonical(needed.with(Effect::unlimited));
   if (leftOut)
@@ -108,7 +109,8 @@ void RayCaster::Parts::draw(const Scene& scene, Content content, const glm::ivec
   scissor(tile, size);
   const float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
   glClearBufferfv(GL_COLOR, 0, nothing);
-  if (!needed.isVisible && content != Content::sampleCounts)
+  const bool countsEqualSteps = content == Content::sampleCounts && !finenessOf(scene.quality);
+  if (!needed.isVisible && !countsEqualSteps)
     return;
   const EffectSet effects = programFor(needed.effects, content);
   scissor(

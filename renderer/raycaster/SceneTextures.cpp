@@ -140,6 +140,8 @@ void SceneTextures::update(const Scene& scene) {
     m_functionShown = scene.transferFunction;
   }
   updateEmptySpace(scene);
+  if (scene.quality.toleranceLevels)
+    m_blockSteps.update(scene);
   const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
   if (m_gradientOpacityShown != curve) {
     m_gradientCurve.upload(tableOf(curve, gradientUnit()));

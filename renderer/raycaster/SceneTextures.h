@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/BlockStepTexture.h"
 #include "raycaster/EmptySpace.h"
 #include "raycaster/PiecewiseTable.h"
 #include "raycaster/VolumeTexture.h"
@@ -66,6 +67,9 @@ public:
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
 
+  /// Valid where the scene of the last update asks for error-controlled steps.
+  const BlockStepTexture& blockSteps() const { return m_blockSteps; }
+
   /// The part of the volume outside which nothing may show, in centred index coordinates.
   IndexBox visibleBox() const;
   const FunctionTexture& function() const { return m_function; }
@@ -100,6 +104,7 @@ private:
   FunctionTexture m_function;
   std::optional<EmptySpaceKey> m_emptySpaceShown;
   EmptySpaceTexture m_emptySpace;
+  BlockStepTexture m_blockSteps;
   double m_emptyShare = 0.0;
   BlockBox m_visibleBlocks;
   std::optional<GradientOpacity> m_gradientOpacityShown;

@@ -2,6 +2,7 @@
 #include "raycaster/SceneUniforms.h"
 
 #include "scene/LightingTerms.h"
+#include "scene/LocalSteps.h"
 #include "scene/RayFrame.h"
 #include "scene/StableMath.h"
 
@@ -101,6 +102,19 @@ void setSurface(const Setter& set, const Scene& scene) {
   set("u_isoColor", classify(scene.transferFunction, scene.isovalue).color);
 }
 
+void setLocalSteps(const Setter& set, const Scene& scene, const BlockStepTexture& blocks) {
+  const std::optional<int> fineness = finenessOf(scene.quality);
+  if (!fineness)
+    return;
+  const Grid& grid = scene.volume->grid();
+  set("u_stepBlockOffset", centreIndex(grid) / double(factCells));
+  set("u_lastStepBlock", glm::dvec3(blocks.blocks() - 1));
+  set("u_fineness", static_cast<double>(*fineness));
+  set("u_mostChange", mostChange(*fineness));
+  set("u_level0Mm", stepOfLevel(0) * smallestSpacingMm(grid));
+  set("u_finestMm", stepOfLevel(finestLevel) * smallestSpacingMm(grid));
+}
+
 void setSamplers(const ShaderProgram& program) {
   const auto unit = [&program](const char* sampler, TextureUnit u) {
     program.set(sampler, static_cast<int>(u));
@@ -110,6 +124,7 @@ void setSamplers(const ShaderProgram& program) {
   unit("u_functionSegments", TextureUnit::functionSegments);
   unit("u_functionOccupancy", TextureUnit::functionOccupancy);
   unit("u_emptyDistance", TextureUnit::emptyDistance);
+  unit("u_blockSteps", TextureUnit::blockSteps);
   unit("u_gradientBins", TextureUnit::gradientBins);
   unit("u_gradientSegments", TextureUnit::gradientSegments);
 }
@@ -129,6 +144,7 @@ glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume) {
 void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
   bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
+  bind(TextureUnit::blockSteps, GL_TEXTURE_3D, textures.blockSteps().name());
   bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());
   bind(TextureUnit::functionSegments, GL_TEXTURE_2D, textures.function().segments());
   bind(TextureUnit::functionOccupancy, GL_TEXTURE_2D, textures.function().occupancy());
@@ -158,6 +174,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setCut(set, scene);
   setFog(set, scene.fog);
   setSurface(set, scene);
+  setLocalSteps(set, scene, textures.blockSteps());
   set("u_jitter", scene.quality.jitter ? 1.0 : 0.0);
   set("u_lastTransmittance", lastTransmittance(scene.quality.earlyTermination));
 }

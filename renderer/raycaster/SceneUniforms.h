@@ -10,6 +10,7 @@ namespace limn {
 enum class TextureUnit {
   volume,
   emptyDistance,
+  blockSteps,
   functionBins,
   functionSegments,
   functionOccupancy,

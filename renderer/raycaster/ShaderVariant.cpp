@@ -35,6 +35,10 @@ void appendBlock(ShaderSource& source, const char* name) {
   source.append(name, embeddedShader(name));
 }
 
+const char* volumeBlock(const Decisions& decisions) {
+  return decisions.volume == VolumeFormat::r16 ? "volume_wide.glsl" : "volume.glsl";
+}
+
 const char* classificationBlock(const Decisions& decisions) {
   return decisions.table == TableFormat::exact ? "classification.glsl" : "function_table.glsl";
 }
@@ -58,6 +62,8 @@ const char* gradientBlock(const Decisions& decisions) {
 }
 
 const char* gatherBlock(EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::localSteps))
+    return "gather_local_steps.glsl";
   if (effects.has(Effect::preintegration))
     return "gather_segments.glsl";
   return decisions.classification == ClassificationOrder::afterInterpolation ? "gather.glsl"
@@ -77,7 +83,7 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
       appendBlock(source, name);
   };
   for (const char* name :
-       {"stable_math.glsl", "volume.glsl", "piecewise.glsl", classificationBlock(decisions)})
+       {"stable_math.glsl", volumeBlock(decisions), "piecewise.glsl", classificationBlock(decisions)})
     appendBlock(source, name);
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
@@ -126,7 +132,7 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
   if (decisions.table == TableFormat::correctedFloats)
     source.append("prelude", "#define DECISION_CORRECTED_TABLE\n");
   appendBlock(source, "ray.glsl");
-  if (effects.has(Effect::sampleCounts)) {
+  if (effects == EffectSet{Effect::sampleCounts}) {
     appendBlock(source, "sample_counts.glsl");
     return source;
   }
@@ -142,6 +148,8 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
     appendBlock(source, "first_hit.glsl");
     return source;
   }
+  if (effects.has(Effect::localSteps))
+    appendBlock(source, "local_steps.glsl");
   appendBlock(source, gatherBlock(effects, decisions));
   appendBlock(source, "composite.glsl");
   return source;

@@ -69,10 +69,12 @@ TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction) {
   return voxels;
 }
 
-void quantise(TextureVoxels& voxels, int parts) {
-  const auto count = static_cast<float>(parts);
-  for (float& texel : voxels.texels)
-    texel = std::round(std::clamp(texel, 0.0f, 1.0f) * count) / count;
+void quantise(TextureVoxels& voxels, const ValueRange& stored, int parts) {
+  const double part = (stored.highest - stored.lowest) / parts;
+  for (float& texel : voxels.texels) {
+    const double place = (std::clamp<double>(texel, stored.lowest, stored.highest) - stored.lowest) / part;
+    texel = static_cast<float>(stored.lowest + std::round(place) * part);
+  }
 }
 
 } // namespace limn

@@ -21,7 +21,7 @@ glm::ivec3 reducedDims(const glm::ivec3& dims, const glm::ivec3& reduction);
 /// Averages boxes of `reduction` voxels, normalises in double and adds the apron.
 TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction);
 
-/// Rounds texels to whole parts of 0..1, `parts` of them, as fixed-point textures hold them.
-void quantise(TextureVoxels& voxels, int parts);
+/// Rounds texels to what a fixed-point texture of so many parts holds whose 0..1 stand for `stored`.
+void quantise(TextureVoxels& voxels, const ValueRange& stored, int parts);
 
 } // namespace limn

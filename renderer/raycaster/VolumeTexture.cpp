@@ -25,13 +25,23 @@ bool fits(const glm::ivec3& size, GLint format) {
   return width == size.x;
 }
 
+// What 16 bits hold (shaders/decisions/volume_wide.glsl): an extrapolated texel 2a - b lies within it.
+constexpr ValueRange wideRange{-1.0, 2.0};
+
 // Uploads into the texture bound; false where the driver has no memory for it.
-bool upload(const TextureVoxels& voxels, GLint format) {
+bool upload(const glm::ivec3& size, const std::vector<float>& texels, GLint format) {
   while (glGetError() != GL_NO_ERROR) {
   }
-  glTexImage3D(GL_TEXTURE_3D, 0, format, voxels.size.x, voxels.size.y, voxels.size.z, 0, GL_RED, GL_FLOAT,
-               voxels.texels.data());
+  glTexImage3D(GL_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, texels.data());
   return glGetError() == GL_NO_ERROR;
+}
+
+bool uploadWide(const TextureVoxels& voxels, GLint format) {
+  std::vector<float> texels;
+  texels.reserve(voxels.texels.size());
+  for (const float texel : voxels.texels)
+    texels.push_back(static_cast<float>((texel - wideRange.lowest) / (wideRange.highest - wideRange.lowest)));
+  return upload(voxels.size, texels, format);
 }
 
 // Halves the resolution along the axis that has most texels.
@@ -54,10 +64,13 @@ VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format)
     while (!fits(reducedDims(m_dims, m_reduction) + 2, stored))
       reduceLongest(m_dims, m_reduction);
     TextureVoxels voxels = textureVoxels(volume, m_reduction);
-    if (format != VolumeFormat::r32f)
-      quantise(voxels, format == VolumeFormat::r16 ? 65535 : 255);
+    if (format == VolumeFormat::r16)
+      quantise(voxels, wideRange, 65535);
+    if (format == VolumeFormat::r8)
+      quantise(voxels, {0.0, 1.0}, 255);
     m_size = voxels.size;
-    if (upload(voxels, stored)) {
+    const bool isWide = format == VolumeFormat::r16;
+    if (isWide ? uploadWide(voxels, stored) : upload(voxels.size, voxels.texels, stored)) {
       m_ranges = blockRanges(voxels);
       break;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/FieldSampler.h"
+#include "reference/LocalMarch.h"
 #include "reference/SampleLighting.h"
 #include "scene/EffectPlan.h"
 #include "scene/MeanMaterial.h"
@@ -12,7 +13,7 @@ namespace limn {
 /// What every ray of a picture shares.
 struct PictureTerms {
   const Scene& scene;
-  EffectSet effects; ///< that the scene calls for; decides on pre-integration only
+  EffectSet effects; ///< that the scene calls for; decides on the steps only
   LightingTerms terms = lightingTerms(scene.shading);
   const Grid& grid = scene.volume->grid();
   IndexBox box = croppedBox(grid, scene.crop);
@@ -27,6 +28,8 @@ struct PictureTerms {
   bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
   bool changesOpacity = hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
   bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
+  std::optional<LocalStepTerms> local =
+      effects.has(Effect::localSteps) ? localStepTerms(scene) : std::nullopt;
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 
@@ -42,6 +45,7 @@ public:
     divide();
   }
 
+  /// Of equal steps as many as the span has, of error-controlled ones those that `pixel` took.
   int samples() const { return m_count; }
 
   /// Premultiplied colour and alpha of the scene's projection.
@@ -71,6 +75,13 @@ private:
     glm::dvec3 color{0.0};
   };
 
+  // What a sample says of the piece for which it stands.
+  struct Piece {
+    double extinction = 0.0; // over the unit distance
+    glm::dvec3 color{0.0};
+    bool operator==(const Piece&) const = default;
+  };
+
   void divide() {
     m_count = sampleCount(m_span.end - m_span.begin, m_terms.step, m_terms.mostSamples);
     m_dt = (m_span.end - m_span.begin) / m_count;
@@ -81,12 +92,13 @@ private:
   Cell cellAt(double place) const { return m_field.cellAt(centredAt(place) + m_terms.centre); }
   double scalarAt(double place) const { return m_field.scalarAt(cellAt(place)); }
 
-  Material materialAt(int i) const {
+  Material materialAt(double place) const {
     if (m_terms.effects.has(Effect::preintegration)) {
-      const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(i), scalarAt(i + 1.0));
+      const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(place - m_offset),
+                                             scalarAt(place + 1.0 - m_offset));
       return {oneMinusExpNeg(mean.extinction), mean.extinction, mean.color};
     }
-    const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(i + m_offset));
+    const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(place));
     return {classified.opacity, minusLog1mOpacity(classified.opacity), classified.color};
   }
 
@@ -114,9 +126,7 @@ private:
     return gradient;
   }
 
-  // Adds a visible step to the colour (rgb) and takes its share from the transmittance (a).
-  void addStep(int i, const Material& material, glm::dvec4& sum) const {
-    const double place = i + m_offset;
+  Piece pieceAt(double place, const Material& material) const {
     double ratio = 0.0;
     const glm::dvec4 gradient = gradientAt(place, ratio);
 
@@ -129,24 +139,64 @@ private:
         opacity *= gradientOpacityAt(*m_terms.scene.gradientOpacity, gradient.w);
       extinction = minusLog1mOpacity(opacity);
     }
-    const double alpha = oneMinusExpNeg(extinction * m_dt / m_terms.scene.transferFunction.unitDistanceMm);
-
-    // Composite front to back.
-    const double weight = sum.a * alpha;
-    sum =
-        glm::dvec4(glm::dvec3(sum) + weight * shaded(material.color, place, gradient, ratio), sum.a - weight);
+    return {extinction, shaded(material.color, place, gradient, ratio)};
   }
 
-  glm::dvec4 composite() const {
+  double alphaOf(const Piece& piece, double lengthMm) const {
+    return oneMinusExpNeg(piece.extinction * lengthMm / m_terms.scene.transferFunction.unitDistanceMm);
+  }
+
+  // Composites front to back: adds a piece to the colour (rgb) and takes its share from the transmittance
+  // (a).
+  void add(const Piece& piece, double lengthMm, glm::dvec4& sum) const {
+    const double weight = sum.a * alphaOf(piece, lengthMm);
+    sum = glm::dvec4(glm::dvec3(sum) + weight * piece.color, sum.a - weight);
+  }
+
+  // Takes error-controlled steps, whose places are in mm; `pieceAt` says what lies at one, and whether the
+  // ray ends is asked behind each. The sum is that of `composite`.
+  template <class PieceOf, class IsEnd>
+  glm::dvec4 marchedLocally(const PieceOf& pieceOf, const IsEnd& isEnd) {
+    m_offset = 0.0;
+    m_dt = 1.0;
+    glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
+    const auto sample = [&](double place) {
+      const Material material = materialAt(place);
+      return material.opacity > 0.0 ? pieceOf(place, material) : Piece{};
+    };
+    const auto change = [&](const Piece& before, const Piece& here, double halfMm) {
+      const double was = alphaOf(before, halfMm);
+      const double is = alphaOf(here, halfMm);
+      const glm::dvec3 color = glm::abs(is * here.color - was * before.color);
+      return 2.0 * sum.a * std::max({color.r, color.g, color.b, std::abs(is - was)});
+    };
+    const auto addPiece = [&](const Piece& piece, double lengthMm) {
+      add(piece, lengthMm, sum);
+      return sum.a;
+    };
+    m_count = marchLocally<Piece>(*m_terms.local, BlockWalk(*m_terms.local, m_ray, m_span), sample, change,
+                                  addPiece, [&] { return isEnd(sum); });
+    return sum;
+  }
+
+  glm::dvec4 composite() {
     const bool endsEarly = m_terms.scene.quality.earlyTermination < 1.0;
     const double last = lastTransmittance(m_terms.scene.quality.earlyTermination);
+    const auto isEnd = [&](const glm::dvec4& sum) {
+      return (endsEarly && sum.a <= last) || sum.a < nothingLeft;
+    };
+    if (m_terms.local) {
+      const glm::dvec4 sum = marchedLocally(
+          [&](double place, const Material& material) { return pieceAt(place, material); }, isEnd);
+      return {glm::dvec3(sum), 1.0 - sum.a};
+    }
     glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
     for (int i = 0; i < m_count; ++i) {
-      const Material material = materialAt(i);
+      const Material material = materialAt(i + m_offset);
       if (!(material.opacity > 0.0))
         continue;
-      addStep(i, material, sum);
-      if ((endsEarly && sum.a <= last) || sum.a < nothingLeft)
+      add(pieceAt(i + m_offset, material), m_dt, sum);
+      if (isEnd(sum))
         break;
     }
     return {glm::dvec3(sum), 1.0 - sum.a};
@@ -203,10 +253,18 @@ private:
     return {glm::dvec3(before) + (1.0 - before.a) * behind, 1.0};
   }
 
-  glm::dvec4 xray() const {
+  glm::dvec4 xray() {
+    if (m_terms.local) {
+      const glm::dvec4 sum = marchedLocally(
+          [](double, const Material& material) {
+            return Piece{material.extinction, glm::dvec3(0.0)};
+          },
+          [](const glm::dvec4&) { return false; });
+      return glm::dvec4(1.0 - sum.a);
+    }
     double depth = 0.0;
     for (int i = 0; i < m_count; ++i)
-      depth += materialAt(i).extinction;
+      depth += materialAt(i + m_offset).extinction;
     return glm::dvec4(oneMinusExpNeg(depth * m_dt / m_terms.scene.transferFunction.unitDistanceMm));
   }
 

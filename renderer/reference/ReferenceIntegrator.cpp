@@ -75,8 +75,8 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
         const bool isJittered = terms.effects.has(Effect::jitter);
         const double offset = isJittered ? jitteredOffset(x, y, size.y) : 0.5;
         RayMarcher<T> marcher(terms, field, ray, span, offset);
-        picture.samples[pixel] = marcher.samples();
         picture.pixels[pixel] = marcher.pixel();
+        picture.samples[pixel] = marcher.samples();
       }
     });
   });

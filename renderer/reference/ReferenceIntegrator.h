@@ -14,7 +14,8 @@ namespace limn {
 struct ReferencePicture {
   glm::ivec2 size{0};
   std::vector<glm::dvec4> pixels; ///< premultiplied RGBA without background, row by row from the top
-  std::vector<int> samples;       ///< the N of each pixel's ray, 0 where it misses the volume
+  std::vector<int>
+      samples; ///< the N of each pixel's ray, or the error-controlled ones it took; 0 where it misses
 };
 
 /// Whether the sum of the light terms is limited (RENDERING section 4) or left as it is, which shows by how

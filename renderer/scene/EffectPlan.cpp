@@ -4,6 +4,7 @@
 #include "scene/Error.h"
 #include "scene/FunctionDetail.h"
 #include "scene/LightingTerms.h"
+#include "scene/LocalSteps.h"
 #include "scene/RayFrame.h"
 #include "scene/StableMath.h"
 
@@ -197,6 +198,10 @@ void explainDropped(EffectPlan& plan, Projection projection) {
     const bool isKept = plan.effects.has(reason.effect);
     if (reason.isNeeded && !isKept)
       reason.reason = !plan.isVisible ? "nothing of the volume can be seen"
+                      : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
+                          ? "error-controlled steps follow the curve themselves"
+                      : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
+                          ? "error-controlled steps leave no sample to shift"
                       : reason.effect == Effect::jitter
                           ? "exact steps (pre-integration) leave no sample to shift"
                       : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
@@ -256,6 +261,9 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
               scene.crop == CropBox{} ? "the crop box keeps the whole volume" : "no light falls on the cuts");
   projectionClauses(plan, scene);
   marchClauses(plan, scene, facts, terms);
+  plan.clause(Effect::localSteps, finenessOf(scene.quality).has_value(),
+              "samples are spent where the picture needs them to keep to the tolerance",
+              "no tolerance is set, so every step is equally long");
   plan.clause(Effect::unlimited, false, "", "only the measure of overflow draws it");
   plan.clause(Effect::sampleCounts, false, "", "only tests draw it");
   plan.plan.isVisible = isAnythingVisible(scene);

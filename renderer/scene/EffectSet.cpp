@@ -40,6 +40,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"empty_space_skipping", "EFFECT_EMPTY_SPACE_SKIPPING", "rays step over blocks that cannot show"},
     {"long_rays", "EFFECT_LONG_RAYS", "one loop over the samples, for very many of them"},
     {"dense_functions", "EFFECT_DENSE_FUNCTIONS", "a search among control points that lie very close"},
+    {"local_steps", "EFFECT_LOCAL_STEPS", "samples are spent where the picture needs them"},
     {"unlimited", "EFFECT_UNLIMITED", "the sum of the light terms before it is limited"},
     {"sample_counts", "EFFECT_SAMPLE_COUNTS", "the number of samples instead of the picture"},
 }};
@@ -74,9 +75,9 @@ const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
 // What a projection cannot use.
 EffectSet withinProjection(EffectSet effects) {
-  const EffectSet marching{Effect::xray,     Effect::preintegration,
-                           Effect::jitter,   Effect::emptySpaceSkipping,
-                           Effect::longRays, Effect::denseFunctions};
+  const EffectSet marching{Effect::xray,      Effect::preintegration, Effect::jitter,
+                           Effect::longRays,  Effect::denseFunctions, Effect::emptySpaceSkipping,
+                           Effect::localSteps};
   if (effects.hasAny(scalarProjections)) {
     const EffectSet kept = scalarProjections.with(EffectSet{Effect::jitter, Effect::denseFunctions});
     return effects.without(effects.without(kept));
@@ -86,7 +87,7 @@ EffectSet withinProjection(EffectSet effects) {
   if (effects.has(Effect::isosurface))
     return effects.without({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity,
                             Effect::preintegration, Effect::earlyTermination, Effect::longRays,
-                            Effect::denseFunctions});
+                            Effect::denseFunctions, Effect::localSteps});
   return effects;
 }
 
@@ -101,14 +102,20 @@ bool usesRatio(EffectSet effects) {
 }
 
 EffectSet canonical(EffectSet effects) {
-  if (effects.has(Effect::sampleCounts))
-    return {Effect::sampleCounts};
+  const bool counts = effects.has(Effect::sampleCounts);
   effects = withinProjection(effects);
+  // Equal steps are counted without taking them; how many error-controlled ones there are shows in the march.
+  if (counts && !effects.has(Effect::localSteps))
+    return {Effect::sampleCounts};
+  if (counts)
+    effects = effects.with(Effect::sampleCounts).without(Effect::unlimited);
   const auto drop = [&effects](bool condition, EffectSet useless) {
     if (condition)
       effects = effects.without(useless);
   };
   const auto has = [&effects](Effect effect) { return effects.has(effect); };
+  drop(has(Effect::localSteps), {Effect::preintegration, Effect::jitter});
+  drop(has(Effect::localSteps) && !has(Effect::hybrid), {Effect::longRays});
   drop(has(Effect::preintegration), {Effect::jitter});
   drop(!has(Effect::lighting), {Effect::diffuse, Effect::specular, Effect::knee, Effect::unlimited});
   drop(has(Effect::unlimited), {Effect::knee});

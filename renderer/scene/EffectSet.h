@@ -44,6 +44,7 @@ enum class Effect : std::uint8_t {
   emptySpaceSkipping,
   longRays,
   denseFunctions,
+  localSteps,
   unlimited,
   sampleCounts
 };

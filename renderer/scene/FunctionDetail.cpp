@@ -49,6 +49,33 @@ double distanceTo(const Profile& profile, std::size_t peak, double level, int si
   return infinite;
 }
 
+// Opacity, and each colour channel weighted by it.
+double heightOf(const ControlPoint& point, int channel) {
+  return channel < 3 ? point.color[channel] * point.opacity : point.opacity;
+}
+
+Profile profileOf(const TransferFunction& function, int channel, double sign) {
+  Profile profile;
+  for (const ControlPoint& point : function.points) {
+    profile.values.push_back(point.value);
+    profile.heights.push_back(sign * heightOf(point, channel));
+  }
+  return profile;
+}
+
+void addPeaks(const Profile& profile, double height, std::vector<FunctionBand>& bands) {
+  for (std::size_t i = 0; i < profile.values.size(); ++i) {
+    const double fall = std::min(fallBeside(profile, i, -1), fallBeside(profile, i, 1));
+    if (fall < height)
+      continue;
+    const double level = profile.heights[i] - 0.5 * fall;
+    const double from = profile.values[i] - distanceTo(profile, i, level, -1);
+    const double to = profile.values[i] + distanceTo(profile, i, level, 1);
+    if (to > from)
+      bands.push_back({{from, to}, to - from});
+  }
+}
+
 double narrowestPeak(const Profile& profile, double height, const ValueRange& range) {
   double narrowest = infinite;
   for (std::size_t i = 0; i < profile.values.size(); ++i) {
@@ -92,6 +119,14 @@ double largestChangeOver(const TransferFunction& function, double width, const V
       largest = std::max(largest, changeBetween(classify(function, from), classify(function, from + width)));
     }
   return largest;
+}
+
+std::vector<FunctionBand> bandsOf(const TransferFunction& function, double height) {
+  std::vector<FunctionBand> bands;
+  for (int channel = 0; channel < 4; ++channel)
+    for (const double sign : {1.0, -1.0})
+      addPeaks(profileOf(function, channel, sign), height, bands);
+  return bands;
 }
 
 double narrowestBand(const TransferFunction& function, double height, const ValueRange& range) {

@@ -40,6 +40,10 @@ struct Quality {
   Preintegration preintegrated = Preintegration::automatic;
   double earlyTermination = 0.998; ///< stop where alpha reaches it, 0 < e ≤ 1; 1 = never
   bool jitter = false;
+  /// The error wished for, in levels, > 0: error-controlled steps (LocalSteps) in place of equal ones where
+  /// the projection integrates. A renderer draws with `fineness`; accuracy/Tolerance finds it for a picture.
+  std::optional<double> toleranceLevels;
+  std::optional<int> fineness; ///< of error-controlled steps; absent: the one that heads commonly need
   bool operator==(const Quality&) const = default;
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What each decision about accuracy costs, isolated one at a time: the table behind the program's defaults.
-// Held fixed: 512 x 512, default camera, enhanced, the built-in presets, the scene's own step; errors in
-// 8-bit levels against the converged picture of the reference. Not part of the test command.
-//   limn_decision_costs VOLUME PRESET
+// Held fixed: 512 x 512, default camera, a built-in preset at the scene's own step, enhanced unless `classic`
+// is asked for; errors in 8-bit levels against the converged picture of the reference. Not part of the test
+// command.
+//   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/ConvergedPicture.h"
+#include "accuracy/DecisionVerdict.h"
 #include "app/BuiltInPresets.h"
 #include "app/accuracy/MeasureDecisions.h"
 #include "gl/HeadlessContext.h"
@@ -19,14 +21,14 @@ namespace {
 
 constexpr glm::ivec2 size{512, 512};
 
-Scene sceneOf(const char* path, const std::string& name) {
+Scene sceneOf(const char* path, const std::string& name, ShadingModel model) {
   Scene scene;
   scene.volume = readVolume(path);
   scene.camera = defaultCamera(scene.volume->grid());
   for (const Preset& preset : builtInPresets())
     if (preset.name == name)
       scene = withPreset(scene, fittedTo(preset, histogramOf(*scene.volume)));
-  scene.shading.model = ShadingModel::enhanced;
+  scene.shading.model = model;
   return scene;
 }
 
@@ -50,16 +52,20 @@ void print(const DecisionCost& cost) {
 
 int main(int argc, char** argv) {
   using namespace limn;
-  if (argc != 3)
+  if (argc < 3)
     return 1;
+  const bool isClassic = argc > 3 && std::string(argv[3]) == "classic";
   const HeadlessContext context;
-  const Scene scene = sceneOf(argv[1], argv[2]);
+  const Scene scene = sceneOf(argv[1], argv[2], isClassic ? ShadingModel::classic : ShadingModel::enhanced);
   const ConvergedPicture exact = convergedPicture(scene, size, drawPrecisely);
   std::printf("%s, %s, step %g; converged at %g voxel, last change %.3f (99.9th percentile), mean %.4f\n",
               rendererName().c_str(), argv[2], scene.quality.stepVoxels, exact.facts.stepVoxels,
               exact.facts.lastChangeLevels, exact.facts.lastMeanChange);
   std::printf("%-63s %7s %7s %7s %7s %8s %5s %6s\n", "* the program's own", "mean", "p99.9", "m 1/8", "p 1/8",
               "ms", "times", "MB");
-  for (const DecisionCost& cost : measureDecisions(scene, size, exact.pixels))
+  const std::vector<DecisionCost> costs = measureDecisions(scene, size, exact.pixels);
+  for (const DecisionCost& cost : costs)
     print(cost);
+  for (const std::string& sentence : verdictOn(costs))
+    std::printf("%s\n", sentence.c_str());
 }

@@ -9,6 +9,7 @@
 #include "support/Orders.h"
 #include "support/TestData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -166,42 +167,54 @@ TEST_F(DecisionPixels, onlyBytesCoarsenWhatLiesBetweenVoxels) {
   }
 }
 
-// Scalars i² along x: at voxel i the central difference is 2i a voxel, the forward one 2i + 1. The curve of
-// opacity over the gradient rises to 1 at 16, and the ray's way is the unit distance, so alpha is
-// gradient/16. At the first and the last voxel differences are one-sided: 1 and 15, the largest, of which
-// modulus bytes hold parts.
-TEST_F(DecisionPixels, gradientFormatsShowTheDifferencesTheyAreMadeOf) {
-  constexpr int count = 9;
+constexpr int squareCount = 9;
+
+// The alphas of a row of pixels through scalars i² along an axis, i from 0 on. The curve of opacity over the
+// gradient rises to 1 at 16, and the ray's way is the unit distance, so alpha is gradient/16.
+std::vector<double> gradientsAlong(int axis, GradientFormat format) {
   Grid grid;
-  grid.dims = {count, 1, 1};
+  grid.dims = glm::ivec3(1);
+  grid.dims[axis] = squareCount;
   std::vector<float> squares;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < squareCount; ++i)
     squares.push_back(static_cast<float>(i * i));
-  Scene scene =
-      test::rayThrough(std::make_shared<const Volume>(grid, squares, Rescale{}, std::nullopt, VolumeInfo{}));
+  // A picture's rows run along x and y under these cameras, its columns downwards along z.
+  const glm::dvec3 direction = axis == 1 ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
+  Scene scene = test::rayThrough(
+      std::make_shared<const Volume>(grid, squares, Rescale{}, std::nullopt, VolumeInfo{}), direction);
+  scene.camera.heightMm = axis == 2 ? squareCount : 1.0;
   scene.transferFunction = test::constantFunction(1.0, glm::dvec3(1.0));
   scene.gradientOpacity = GradientOpacity{{{0.0, 0.0}, {16.0, 1.0}}};
+  const glm::ivec2 size = axis == 2 ? glm::ivec2(1, squareCount) : glm::ivec2(squareCount, 1);
+  std::vector<double> alphas;
+  for (const glm::vec4& pixel : casterWith({.gradients = format}).render(scene, size).pixels)
+    alphas.push_back(pixel.a);
+  if (axis == 2)
+    std::reverse(alphas.begin(), alphas.end());
+  return alphas;
+}
+
+// At voxel i the central difference is 2i a voxel, the forward one 2i + 1; at the first and the last voxel
+// differences are one-sided, 1 and 15. Of the latter, the largest, modulus bytes hold parts.
+TEST_F(DecisionPixels, gradientFormatsShowTheDifferencesTheyAreMadeOf) {
   constexpr double largest = 15.0;
-  const auto alphas = [&](GradientFormat format) {
-    std::vector<double> row;
-    for (const glm::vec4& pixel : casterWith({.gradients = format}).render(scene, {count, 1}).pixels)
-      row.push_back(pixel.a);
-    return row;
-  };
-  const std::vector<double> onTheFly = alphas(GradientFormat::onTheFly);
-  const std::vector<double> forward = alphas(GradientFormat::forward);
-  const std::vector<double> halves = alphas(GradientFormat::halves);
-  const std::vector<double> directions = alphas(GradientFormat::directions);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double index = static_cast<double>(i);
-    const double central = i == 0 ? 1.0 : i + 1 == count ? largest : 2.0 * index;
-    EXPECT_NEAR(onTheFly[i], central / 16.0, rounding) << i;
-    EXPECT_NEAR(forward[i], (i + 1 == count ? largest : 2.0 * index + 1.0) / 16.0, rounding) << i;
-    // Halves have eleven binary digits: half of the last is 2^-12 of numbers just below a power of two and
-    // 2^-11 just above one.
-    EXPECT_NEAR(halves[i], central / 16.0, central / 16.0 * 0x1p-11 + rounding) << i;
-    // Half a step of storing and as much of an 8-bit filter.
-    EXPECT_NEAR(directions[i], central / 16.0, largest / 16.0 / 255.0 + rounding) << i;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double> onTheFly = gradientsAlong(axis, GradientFormat::onTheFly);
+    const std::vector<double> forward = gradientsAlong(axis, GradientFormat::forward);
+    const std::vector<double> halves = gradientsAlong(axis, GradientFormat::halves);
+    const std::vector<double> directions = gradientsAlong(axis, GradientFormat::directions);
+    for (std::size_t i = 0; i < squareCount; ++i) {
+      SCOPED_TRACE("axis " + std::to_string(axis) + ", voxel " + std::to_string(i));
+      const double index = static_cast<double>(i);
+      const bool isLast = i + 1 == squareCount;
+      const double central = i == 0 ? 1.0 : isLast ? largest : 2.0 * index;
+      EXPECT_NEAR(onTheFly[i], central / 16.0, rounding);
+      EXPECT_NEAR(forward[i], (isLast ? largest : 2.0 * index + 1.0) / 16.0, rounding);
+      // Halves have eleven binary digits.
+      EXPECT_NEAR(halves[i], central / 16.0, central / 16.0 * 0x1p-11 + rounding);
+      // Half a step of storing and as much of an 8-bit filter.
+      EXPECT_NEAR(directions[i], central / 16.0, largest / 16.0 / 255.0 + rounding);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #include "io/scenefile/SceneFile.h"
 
 #include "scene/Error.h"
+#include "scene/LocalSteps.h"
 
 #include <fstream>
 
@@ -224,6 +225,17 @@ bool readProjection(JsonFields& fields, Projection& projection) {
                         {"composite_isosurface", Projection::compositeIsosurface}});
 }
 
+// A fineness belongs to the tolerance for which it was found.
+void readTolerance(JsonFields& fields, Quality& quality) {
+  if (fields.has("tolerance_levels"))
+    fields.number("tolerance_levels", quality.toleranceLevels.emplace(), {0.0, 255.0, true});
+  if (!fields.has("fineness"))
+    return;
+  if (!quality.toleranceLevels)
+    fields.fail("fineness", "needs a tolerance_levels beside it");
+  fields.integer("fineness", quality.fineness.emplace(), Fineness::least, Fineness::most);
+}
+
 Quality readQuality(JsonFields fields) {
   Quality quality;
   fields.number("step_voxels", quality.stepVoxels, {0.0, 1e6, true});
@@ -233,8 +245,7 @@ Quality readQuality(JsonFields fields) {
                  {"never", Preintegration::never}});
   fields.number("early_termination", quality.earlyTermination, {0.0, 1.0, true});
   fields.boolean("jitter", quality.jitter);
-  if (fields.has("tolerance_levels"))
-    fields.fail("tolerance_levels", "is not supported yet; use step_voxels");
+  readTolerance(fields, quality);
   fields.finish();
   return quality;
 }

@@ -108,10 +108,15 @@ Json toJson(const Fog& fog) {
 
 Json toJson(const Quality& quality) {
   static constexpr const char* preintegration[] = {"auto", "always", "never"};
-  return {{"step_voxels", quality.stepVoxels},
-          {"preintegrated", preintegration[static_cast<int>(quality.preintegrated)]},
-          {"early_termination", quality.earlyTermination},
-          {"jitter", quality.jitter}};
+  Json json = {{"step_voxels", quality.stepVoxels},
+               {"preintegrated", preintegration[static_cast<int>(quality.preintegrated)]},
+               {"early_termination", quality.earlyTermination},
+               {"jitter", quality.jitter}};
+  if (quality.toleranceLevels)
+    json["tolerance_levels"] = *quality.toleranceLevels;
+  if (quality.fineness)
+    json["fineness"] = *quality.fineness;
+  return json;
 }
 
 } // namespace

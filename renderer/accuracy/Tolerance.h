@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Image.h"
+#include "scene/Scene.h"
+
+#include <functional>
+#include <string>
+
+namespace limn {
+
+/// Draws a scene with the settings of its own quality, in so many pixels.
+using DrawScene = std::function<Image(const Scene& scene, const glm::ivec2& size)>;
+
+/// By what a renderer can become more accurate.
+enum class StepControl {
+  local, ///< error-controlled steps, where the projection integrates
+  equal  ///< the same step everywhere
+};
+
+/// A scene drawn with which keeps a tolerance, as far as pictures of other steps tell.
+struct WithinTolerance {
+  Scene scene;                 ///< its quality has what was found: the tolerance with its fineness or, where
+                               ///< steps are equal, a step without tolerance; and the early termination that
+                               ///< the tolerance allows
+  double estimateLevels = 0.0; ///< of its 99.9th percentile (RENDERING section 9)
+  bool holds = false;
+  std::string sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
+};
+
+/// Finds the coarsest steps that keep `scene.quality.toleranceLevels`, which must be set, for a picture of
+/// `size`. Draws smaller pictures of the same view, whose rays are a sample of its own: of each candidate and
+/// of one with half its steps. MIP, MinIP, averages, isosurfaces and renderers without error-controlled steps
+/// get equal ones. Throws what `draw` throws.
+WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,
+                                StepControl control = StepControl::local);
+
+/// Whether a scene asks for a tolerance for which nothing has been found yet.
+inline bool needsSteps(const Scene& scene) {
+  return scene.quality.toleranceLevels && !scene.quality.fineness;
+}
+
+/// What was found, in words: "estimated within 0.8 levels, with error-controlled steps of fineness 5".
+std::string describe(const WithinTolerance& found);
+
+/// Whether samples along a ray add up to its pixel, so that error-controlled steps can be taken.
+bool integrates(Projection projection);
+
+} // namespace limn

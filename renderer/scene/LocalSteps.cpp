@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/LocalSteps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int levelsPerHalving = 2;
+constexpr double muchMore = 8.0;
+constexpr double muchLess = 0.25;
+
+} // namespace
+
+double stepOfLevel(int level) {
+  return 2.0 * std::exp2(-0.5 * level);
+}
+
+std::optional<int> finenessOf(const Quality& quality) {
+  if (!quality.toleranceLevels)
+    return std::nullopt;
+  return quality.fineness.value_or(usualFineness(*quality.toleranceLevels));
+}
+
+Quality withSteps(Quality quality, double stepVoxels) {
+  if (const std::optional<int> fineness = finenessOf(quality)) {
+    const double halvings = std::log2(quality.stepVoxels / stepVoxels);
+    const int finer = *fineness + static_cast<int>(std::lround(levelsPerHalving * halvings));
+    quality.fineness = std::clamp(finer, Fineness::least, Fineness::most);
+  }
+  quality.stepVoxels = stepVoxels;
+  return quality;
+}
+
+int usualFineness(double toleranceLevels) {
+  // An error of one level at 4, and errors fall with the square of the step: one level of it halves them.
+  const double wanted = 4.0 - std::log2(toleranceLevels);
+  return static_cast<int>(std::clamp(std::ceil(wanted), double(Fineness::least), double(Fineness::most)));
+}
+
+double mostChange(int fineness) {
+  return 0.075 * std::exp2(-fineness);
+}
+
+int coarserBehind(double transmittance) {
+  return static_cast<int>(std::floor(-2.0 / 3.0 * std::log2(std::max(transmittance, 1e-6))));
+}
+
+int refinedLevel(int level, double change, double limit) {
+  const int halvings = change > muchMore * limit ? 2 : 1;
+  return std::min(level + halvings * levelsPerHalving, finestLevel);
+}
+
+int relaxedLevel(int level, int blockLevel, double change, double limit) {
+  return change < muchLess * limit ? std::max(level - levelsPerHalving, blockLevel) : level;
+}
+
+double pieceOf(double rest, double step) {
+  if (rest <= step)
+    return rest;
+  return rest < 1.5 * step ? 0.5 * rest : step;
+}
+
+} // namespace limn

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error-controlled steps: the shader takes the steps of the reference, and neither leaps nor tiles show.
+#include "scene/LocalSteps.h"
+#include "accuracy/ImageError.h"
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+#include "support/SceneVariations.h"
+
+#include <numeric>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 pictureSize{48, 48};
+
+Scene baseScene(int fineness = 4) {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 6.0});
+  Scene scene = test::headScene(volume, ShadingModel::robust);
+  scene.quality.earlyTermination = 0.998;
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = fineness;
+  return scene;
+}
+
+double sumOf(const std::vector<int>& samples) {
+  return std::accumulate(samples.begin(), samples.end(), 0.0);
+}
+
+using LocalSteps = test::GlTest;
+
+TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
+  RayCaster caster;
+  for (const test::Variation& variation : test::switches())
+    for (const int fineness : {2, 6}) {
+      SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
+      Scene scene = baseScene(fineness);
+      variation.apply(scene);
+      const ReferencePicture reference = renderReference(scene, pictureSize);
+      const ImageError error = imageError(caster.render(scene, pictureSize), reference.pixels);
+      // Where float and double fall on different sides of a limit, a ray takes other steps, a few in a
+      // thousand rays: that is a picture as good, not the same one. The rest differ by rounding, 1e-4 of a
+      // level each.
+      EXPECT_LT(error.mean, 0.005);
+      EXPECT_LT(error.p99_9, 0.1);
+      // The reference also ends where less than a double can tell is left of the light.
+      if (scene.quality.earlyTermination == 1.0)
+        continue;
+      const std::vector<int> samples = caster.sampleCounts(scene, pictureSize);
+      EXPECT_NEAR(sumOf(samples), sumOf(reference.samples), 1e-3 * sumOf(reference.samples));
+    }
+}
+
+TEST_F(LocalSteps, neitherLeapsNorTilesNorAStandInShow) {
+  RayCaster caster;
+  RayCaster walking(RayCaster::EmptySpace::sampled);
+  RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
+  for (const test::Variation& variation : test::switches()) {
+    SCOPED_TRACE(variation.what);
+    Scene scene = baseScene();
+    variation.apply(scene);
+    const Image image = caster.render(scene, pictureSize);
+    EXPECT_EQ(image, walking.render(scene, pictureSize));
+    EXPECT_EQ(image, all.render(scene, pictureSize));
+  }
+}
+
+TEST_F(LocalSteps, theyChangeWithTheFinenessWithoutANewProgram) {
+  RayCaster caster;
+  const Image coarse = caster.render(baseScene(2), pictureSize);
+  EXPECT_NE(coarse, caster.render(baseScene(5), pictureSize));
+  EXPECT_EQ(coarse, caster.render(baseScene(2), pictureSize));
+  EXPECT_EQ(caster.compiledPrograms(), 1);
+}
+
+TEST_F(LocalSteps, aNewFunctionGetsANewMapOfSteps) {
+  RayCaster used;
+  used.render(baseScene(), pictureSize);
+  Scene scene = baseScene();
+  scene.transferFunction = test::boneOnly();
+  RayCaster fresh;
+  EXPECT_EQ(used.render(scene, pictureSize), fresh.render(scene, pictureSize));
+}
+
+TEST_F(LocalSteps, aProjectionThatDoesNotIntegrateKeepsItsEqualSteps) {
+  RayCaster caster;
+  for (const Projection projection :
+       {Projection::mip, Projection::minip, Projection::average, Projection::isosurface}) {
+    Scene scene = baseScene();
+    scene.projection = projection;
+    Scene equal = scene;
+    equal.quality.toleranceLevels.reset();
+    EXPECT_EQ(caster.render(scene, pictureSize), caster.render(equal, pictureSize));
+    EXPECT_EQ(caster.sampleCounts(scene, pictureSize), caster.sampleCounts(equal, pictureSize));
+  }
+}
+
+} // namespace
+} // namespace limn
