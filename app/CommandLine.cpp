@@ -2,8 +2,8 @@
 #include "app/CommandLine.h"
 
 #include "app/WindowProgram.h"
-#include "app/commands/Arguments.h"
 #include "app/commands/AccuracyCommand.h"
+#include "app/commands/Arguments.h"
 #include "app/commands/BenchCommand.h"
 #include "app/commands/EffectsCommand.h"
 #include "app/commands/InfoCommand.h"

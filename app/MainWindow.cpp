@@ -29,6 +29,8 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   connectView();
   connectPanels();
   connectEffects();
+  connectAccuracy();
+  connectMeasurer();
   connectSceneSections();
   connectGradientCurve();
   connectLoader();
@@ -68,6 +70,7 @@ void MainWindow::layOut() {
   m_shadingDock =
       addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
   makeEffectsDock();
+  makeAccuracyDock();
   m_curveDock =
       addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
   resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
@@ -137,6 +140,7 @@ void MainWindow::showModels() {
   // A comparison names its models on the pictures; the buttons then only offer to leave it.
   for (QAction* action : m_modelActions->actions())
     action->setChecked(isSingle && action->data().toInt() == static_cast<int>(single));
+  showAccuracyScene();
 }
 
 void MainWindow::setCompareLayout(CompareLayout layout) {

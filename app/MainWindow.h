@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/AccuracyMeasurer.h"
 #include "app/GradientMeasurer.h"
 #include "app/PresetStore.h"
 #include "app/Session.h"
 #include "app/Settings.h"
 #include "app/VolumeLoader.h"
+#include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/view/CompareView.h"
 
 #include <QMainWindow>
@@ -19,6 +21,7 @@ namespace limn {
 
 class CurvePanel;
 class EffectsPanel;
+class ErrorMapOverlay;
 class MessageBar;
 class PictureStatus;
 class PresetBrowser;
@@ -51,6 +54,9 @@ public:
   /// one at rest.
   void writeScene(const QString& path);
   void writePicture(const QString& path);
+
+  /// Writes what was measured: a chart (.png), a table (.csv) or a page with both (.html), by the name.
+  void writeAccuracy(const QString& path);
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -110,6 +116,23 @@ private:
   void connectEffects();
   void showRightDocks(bool shown);
 
+  // MainWindowAccuracy.cpp
+  void makeAccuracyDock();
+  void connectAccuracy();
+  void connectMeasurer();
+  void measureAccuracy();
+  void findSteps(const Quality& quality, const Gesture& gesture);
+  void useSteps(const WithinTolerance& found);
+  void showErrorMap(bool shown);
+  void takeErrorMapBack();
+  void showCompared(const ComparedPicture& picture);
+  void showAccuracyScene();
+  void setAccuracyWork(AccuracyWork work);
+  void saveAccuracy();
+  int sideMeasured() const;
+  glm::ivec2 shownSize() const;
+  glm::ivec2 measuredSize() const;
+
   // MainWindowPresets.cpp
   void refreshPresets();
   void applyPreset(const QString& name);
@@ -136,6 +159,7 @@ private:
   Session m_session;
   VolumeLoader m_loader;
   GradientMeasurer m_gradients;
+  AccuracyMeasurer m_accuracyMeasurer;
   Histogram m_histogram;
   Preset m_preset; ///< the one last used, marked in the list while its curves are on screen
   ShadingModel m_leftModel = ShadingModel::classic;
@@ -159,7 +183,12 @@ private:
   QDockWidget* m_shadingDock = nullptr;
   EffectsPanel* m_effects = nullptr;
   QDockWidget* m_effectsDock = nullptr;
-  bool m_effectsWereOnTop = false; ///< of the properties, when both were hidden
+  AccuracyPanel* m_accuracy = nullptr;
+  QDockWidget* m_accuracyDock = nullptr;
+  QDockWidget* m_rightDockOnTop = nullptr; ///< when they were hidden
+  ErrorMapOverlay* m_errorMap = nullptr;
+  Gesture m_toleranceGesture; ///< for which steps are looked for
+  Scene m_comparedScene;      ///< of which the map of errors is shown or under way
   QDockWidget* m_curveDock = nullptr;
 
   QLabel* m_volumeLabel = nullptr;

@@ -5,6 +5,8 @@
 
 #include <QDockWidget>
 
+#include <array>
+
 // What the picture calls for, and what that costs.
 
 namespace limn {
@@ -14,7 +16,6 @@ void MainWindow::makeEffectsDock() {
   m_effectsDock = addDock(tr("Effects"), QStringLiteral("effectsDock"), m_effects, Qt::RightDockWidgetArea);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   tabifyDockWidget(m_shadingDock, m_effectsDock);
-  m_shadingDock->raise();
 }
 
 void MainWindow::connectEffects() {
@@ -23,14 +24,17 @@ void MainWindow::connectEffects() {
   connect(m_effects, &EffectsPanel::measureRequested, m_view, &CompareView::measureEffects);
 }
 
-// Both lie in one place; what lay on top does so again.
+// They lie in one place; what lay on top does so again.
 void MainWindow::showRightDocks(bool shown) {
+  const std::array docks{m_shadingDock, m_effectsDock, m_accuracyDock};
   if (!shown)
-    m_effectsWereOnTop = !m_effects->visibleRegion().isEmpty();
-  m_shadingDock->setVisible(shown);
-  m_effectsDock->setVisible(shown);
-  if (shown)
-    (m_effectsWereOnTop ? m_effectsDock : m_shadingDock)->raise();
+    for (QDockWidget* dock : docks)
+      if (!dock->widget()->visibleRegion().isEmpty())
+        m_rightDockOnTop = dock;
+  for (QDockWidget* dock : docks)
+    dock->setVisible(shown);
+  if (shown && m_rightDockOnTop)
+    m_rightDockOnTop->raise();
 }
 
 } // namespace limn

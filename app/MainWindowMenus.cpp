@@ -115,7 +115,7 @@ void MainWindow::makeViewMenu() {
   menu->addAction(withIcon(makeCropBoxAction(), "crop-box"));
   addRefineAction(*menu);
   menu->addSeparator();
-  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_effectsDock, m_curveDock})
+  for (QDockWidget* dock : {m_presetDock, m_shadingDock, m_effectsDock, m_accuracyDock, m_curveDock})
     menu->addAction(dock->toggleViewAction());
   m_focusAction = menu->addAction(tr("&Picture and curve only"));
   m_focusAction->setCheckable(true);

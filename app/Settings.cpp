@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
+#include "widgets/view/InteractionQuality.h"
+
 namespace limn {
 namespace {
 
@@ -10,6 +12,7 @@ const QString recentKey = QStringLiteral("recent");
 const QString themeKey = QStringLiteral("theme");
 const QString refineKey = QStringLiteral("refineAtRest");
 const QString patientKey = QStringLiteral("showPatient");
+const QString movingKey = QStringLiteral("movingMs");
 constexpr int mostRecent = 10;
 
 } // namespace
@@ -50,6 +53,15 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
   m_settings.setValue(themeKey, theme);
+}
+
+double Settings::movingMs() const {
+  const double ms = m_settings.value(movingKey, InteractionQuality::usualTargetMs).toDouble();
+  return ms > 0.0 ? ms : InteractionQuality::usualTargetMs;
+}
+
+void Settings::setMovingMs(double ms) {
+  m_settings.setValue(movingKey, ms);
 }
 
 bool Settings::refinesAtRest() const {

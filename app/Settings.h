@@ -23,6 +23,10 @@ public:
   QString theme() const;
   void setTheme(const QString& theme);
 
+  /// The drawing time of a picture aimed at while something moves, ms; 40 at first.
+  double movingMs() const;
+  void setMovingMs(double ms);
+
   /// Whether resting pictures go on to smaller steps; true at first.
   bool refinesAtRest() const;
   void setRefinesAtRest(bool refines);

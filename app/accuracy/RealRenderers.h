@@ -22,6 +22,9 @@ public:
   SweepRenderers forSweep();
   DrawPrecisely precisely();
 
+  /// A picture of a scene as it is, drawn by the ray caster.
+  Image render(const Scene& scene, const glm::ivec2& size);
+
   /// E.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   std::string name() const;
 
@@ -38,6 +41,11 @@ enum class Decide { none, each };
 /// their times and have no errors to be told.
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
                                const std::vector<OperatingPoint>& points, Decide withDecisions,
+                               RealRenderers& renderers, const ReportProgress& progress);
+
+/// The points alone, against a converged picture of this scene and size that is known already.
+AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
+                               const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
                                RealRenderers& renderers, const ReportProgress& progress);
 
 } // namespace limn

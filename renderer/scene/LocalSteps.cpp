@@ -23,6 +23,16 @@ std::optional<int> finenessOf(const Quality& quality) {
   return quality.fineness.value_or(usualFineness(*quality.toleranceLevels));
 }
 
+Quality withSteps(Quality quality, double stepVoxels) {
+  if (const std::optional<int> fineness = finenessOf(quality)) {
+    const double halvings = std::log2(quality.stepVoxels / stepVoxels);
+    const int finer = *fineness + static_cast<int>(std::lround(levelsPerHalving * halvings));
+    quality.fineness = std::clamp(finer, Fineness::least, Fineness::most);
+  }
+  quality.stepVoxels = stepVoxels;
+  return quality;
+}
+
 int usualFineness(double toleranceLevels) {
   // An error of one level at 4, and errors fall with the square of the step: one level of it halves them.
   const double wanted = 4.0 - std::log2(toleranceLevels);

@@ -32,6 +32,9 @@ struct Fineness {
 /// found for this picture (accuracy/Tolerance) takes the one that heads commonly need.
 std::optional<int> finenessOf(const Quality& quality);
 
+/// A quality with another step; error-controlled ones change by the same ratio, as far as they can.
+Quality withSteps(Quality quality, double stepVoxels);
+
 /// The fineness that a tolerance commonly needs.
 int usualFineness(double toleranceLevels);
 

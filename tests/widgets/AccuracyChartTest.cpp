@@ -21,6 +21,7 @@ namespace {
 struct ShownChart {
   explicit ShownChart(const AccuracyReport& report) {
     scene.addItem(chart);
+    chart->setLegendAtRight(true);
     chart->setReport(report);
     chart->resize(600.0, 400.0);
     QImage drawn(600, 400, QImage::Format_RGB32);
@@ -129,6 +130,19 @@ TEST(CurveLook, tellsEightCurvesApartByColourAndFurtherOnesByMarkAndDashes) {
     }
     EXPECT_EQ(looks.size(), 16u);
   }
+}
+
+TEST(LegendBelow, breaksRowsBeforeNamesLeaveItsWidth) {
+  const QFont font;
+  const std::vector<LegendEntry> entries(5, {QStringLiteral("a family of points"), Qt::red});
+  const double needed = legendLayout({entries[0], entries[1]}, font, 1e4).places[1].x();
+  const LegendLayout one = legendLayout(entries, font, 5.0 * needed);
+  const LegendLayout two = legendLayout(entries, font, 3.0 * needed);
+  EXPECT_EQ(one.places.back().y(), 0.0);
+  EXPECT_EQ(two.places[2].y(), 0.0);
+  EXPECT_GT(two.places[3].y(), 0.0);
+  EXPECT_EQ(two.places[3].x(), 0.0);
+  EXPECT_NEAR(two.height, 2.0 * one.height, 1e-9);
 }
 
 TEST(AccuracyChartPicture, hasItsSizeAndMoreThanOneColour) {

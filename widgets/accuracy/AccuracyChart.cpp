@@ -3,6 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/ChartNotes.h"
+#include "widgets/accuracy/PointText.h"
 
 #include <QCategoryAxis>
 #include <QGraphicsLayout>
@@ -21,6 +22,10 @@ constexpr double ringSize = 1.4; ///< of a mark, in text sizes
 constexpr double markSize = 0.85;
 // A clock may tell 0 ms; a logarithm cannot.
 constexpr double leastShownMs = 0.001;
+
+QString ringsName() {
+  return AccuracyChart::tr("best trade-offs");
+}
 
 QCategoryAxis* categoryAxis(const LogAxis& axis, const QString& title) {
   auto* shown = new QCategoryAxis;
@@ -48,7 +53,8 @@ void AccuracyChart::setTextSize(double pixels) {
 }
 
 void AccuracyChart::setLegendAtRight(bool atRight) {
-  legend()->setAlignment(atRight ? Qt::AlignRight : Qt::AlignBottom);
+  m_legendAtRight = atRight;
+  legend()->setAlignment(Qt::AlignRight);
 }
 
 void AccuracyChart::setMostTicks(int timeTicks, int errorTicks) {
@@ -64,7 +70,7 @@ void AccuracyChart::setReport(const AccuracyReport& report) {
     removeAxis(axis);
     delete axis;
   }
-  legend()->setVisible(!m_curves.empty());
+  legend()->setVisible(m_legendAtRight && !m_curves.empty());
   if (!m_curves.empty()) {
     addAxes();
     const std::vector<QPointF> best = bestTradeOffs();
@@ -74,11 +80,19 @@ void AccuracyChart::setReport(const AccuracyReport& report) {
     addTradeOffRings(best);
   }
   dress();
+  arrange();
   m_notes->update();
 }
 
 void AccuracyChart::setCurrent(std::optional<std::size_t> point) {
   m_current = point;
+  m_notes->update();
+}
+
+void AccuracyChart::setHovered(std::optional<std::size_t> point) {
+  if (point == m_hovered)
+    return;
+  m_hovered = point;
   m_notes->update();
 }
 
@@ -125,7 +139,7 @@ void AccuracyChart::addTradeOffLine(const std::vector<QPointF>& best) {
 
 void AccuracyChart::addTradeOffRings(const std::vector<QPointF>& best) {
   auto* rings = new QScatterSeries;
-  rings->setName(tr("best trade-offs"));
+  rings->setName(ringsName());
   rings->setMarkerSize(ringSize * m_textSize);
   rings->setColor(Qt::transparent);
   rings->setPen(QPen(chartColors(m_style).secondaryText, 0.06 * m_textSize));
@@ -147,7 +161,7 @@ void AccuracyChart::addCurve(const ChartCurve& curve, const CurveLook& look) {
                                      [](const ChartMark& mark) { return mark.isBelowFloor; });
   for (const ChartMark& mark : curve.marks)
     (mark.isBelowFloor ? hollow : filled)->append(placeOf(mark));
-  (allHollow ? hollow : filled)->setName(QString::fromStdString(curve.family));
+  (allHollow ? hollow : filled)->setName(nameOf(curve));
   attach(hollow, allHollow);
   attach(filled, !allHollow);
 }
@@ -174,8 +188,6 @@ void AccuracyChart::dress() {
   setBackgroundBrush(colors.background);
   setBackgroundPen(Qt::NoPen);
   layout()->setContentsMargins(0, 0, 0, 0);
-  const int margin = qRound(0.6 * m_textSize);
-  setMargins(QMargins(margin, margin, qRound(1.2 * margin), margin));
   setTitleFont(textFont(1.05));
   setTitleBrush(colors.text);
   legend()->setFont(textFont(0.95));
@@ -189,6 +201,44 @@ void AccuracyChart::dress() {
     axis->setLinePen(QPen(colors.border, 1.0));
     axis->setTruncateLabels(false);
   }
+}
+
+void AccuracyChart::resizeEvent(QGraphicsSceneResizeEvent* event) {
+  QChart::resizeEvent(event);
+  arrange();
+}
+
+void AccuracyChart::arrange() {
+  const double margin = 0.6 * m_textSize;
+  setMargins(QMarginsF(margin, margin, 1.2 * margin, margin + legendRect().height()).toMargins());
+}
+
+// Of the legend below the plot; empty where it stands at the right.
+QRectF AccuracyChart::legendRect() const {
+  if (m_legendAtRight)
+    return {};
+  const double margin = m_textSize;
+  const double width = size().width() - 2.0 * margin;
+  const double height = legendLayout(legendEntries(), legend()->font(), width).height;
+  return {margin, size().height() - height - 0.3 * margin, width, height};
+}
+
+std::vector<LegendEntry> AccuracyChart::legendEntries() const {
+  std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i < m_curves.size(); ++i) {
+    const CurveLook look = curveLook(m_style, static_cast<int>(i));
+    entries.push_back({nameOf(m_curves[i]), look.color, look.shape, markSize * m_textSize, true});
+  }
+  if (!bestTradeOffs().empty())
+    entries.push_back({ringsName(), chartColors(m_style).secondaryText, QScatterSeries::MarkerShapeCircle,
+                       ringSize * m_textSize, false});
+  return entries;
+}
+
+// All points of a curve belong to one family.
+QString AccuracyChart::nameOf(const ChartCurve& curve) const {
+  const OperatingPoint& point = m_report.points[curve.marks.front().index].point;
+  return m_plainNames ? familyText(point) : QString::fromStdString(curve.family);
 }
 
 QFont AccuracyChart::textFont(double scale) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/accuracy/ChartLegend.h"
 #include "widgets/accuracy/ChartLook.h"
 #include "widgets/accuracy/ChartValues.h"
 
@@ -29,8 +30,11 @@ public:
   /// Sizes of text and marks, logical pixels.
   void setTextSize(double pixels);
 
-  /// Where families are named: at the right of the plot or below it.
+  /// Where families are named: at the right of the plot, or below it in as many rows as they need.
   void setLegendAtRight(bool atRight);
+
+  /// Names families as the window does, not as reports do; takes effect with the next report.
+  void setPlainNames(bool plain) { m_plainNames = plain; }
 
   /// At most so many labelled places along each axis.
   void setMostTicks(int timeTicks, int errorTicks);
@@ -42,11 +46,17 @@ public:
   /// Marks the points of the report that the pictures on screen use; out of range marks none.
   void setCurrent(std::optional<std::size_t> point);
 
+  /// Lifts the point under the pointer, or the one that keys walked to.
+  void setHovered(std::optional<std::size_t> point);
+
   /// Where a point of the report stands, in the chart's coordinates; absent where it is not shown.
   std::optional<QPointF> positionOf(std::size_t point) const;
 
   /// The point nearest to a position within so many pixels of it.
   std::optional<std::size_t> pointNear(const QPointF& position, double radius) const;
+
+protected:
+  void resizeEvent(QGraphicsSceneResizeEvent* event) override;
 
 private:
   friend class ChartNotes;
@@ -59,6 +69,10 @@ private:
   QScatterSeries* addMarks(const CurveLook& look, bool filled);
   void attach(QXYSeries* series, bool isInLegend);
   void dress();
+  void arrange();
+  std::vector<LegendEntry> legendEntries() const;
+  QRectF legendRect() const;
+  QString nameOf(const ChartCurve& curve) const;
   QFont textFont(double scale = 1.0) const;
   QPointF placeOf(const ChartMark& mark) const;
   QPointF positionAt(double ms, double levels) const;
@@ -66,6 +80,8 @@ private:
   ChartStyle m_style = ChartStyle::light;
   ErrorMeasure m_measure = ErrorMeasure::p99_9;
   double m_textSize = 12.0;
+  bool m_legendAtRight = false;
+  bool m_plainNames = false;
   int m_timeTicks = 6;
   int m_errorTicks = 8;
   AccuracyReport m_report;
@@ -73,6 +89,7 @@ private:
   LogAxis m_timeAxis;
   LogAxis m_errorAxis;
   std::optional<std::size_t> m_current;
+  std::optional<std::size_t> m_hovered;
   ChartNotes* m_notes;
 };
 

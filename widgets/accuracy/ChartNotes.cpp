@@ -24,6 +24,7 @@ void ChartNotes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setFont(m_chart.textFont(0.92));
+  paintLegendBelow(*painter);
   painter->setClipRect(m_chart.plotArea());
   if (m_chart.curves().empty()) {
     paintEmpty(*painter);
@@ -37,9 +38,20 @@ void ChartNotes::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         if (mark.isBelowFloor)
           paintFloor(*painter, mark, color);
       }
-    paintCurrent(*painter);
+    paintChosen(*painter);
   }
   painter->restore();
+}
+
+void ChartNotes::paintLegendBelow(QPainter& painter) const {
+  const QRectF place = m_chart.legendRect();
+  if (place.isEmpty())
+    return;
+  painter.setFont(m_chart.legend()->font());
+  const std::vector<LegendEntry> entries = m_chart.legendEntries();
+  paintLegend(painter, entries, legendLayout(entries, painter.font(), place.width()), place.topLeft(),
+              chartColors(m_chart.m_style).text);
+  painter.setFont(m_chart.textFont(0.92));
 }
 
 void ChartNotes::paintEmpty(QPainter& painter) const {
@@ -53,22 +65,34 @@ void ChartNotes::paintEmpty(QPainter& painter) const {
                    Qt::AlignCenter | Qt::TextWordWrap, why);
 }
 
-// The label stands where it covers no curve, as far to the right as possible, or else at the right end.
+// The label stands where it covers no curve, as far to the right as possible; where there is no such place, a
+// shorter one does.
 void ChartNotes::paintOneLevel(QPainter& painter) const {
   const QRectF plot = m_chart.plotArea();
   const double y = m_chart.positionAt(1.0, 1.0).y();
   painter.setPen(QPen(chartColors(m_chart.m_style).text, 1.0, Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-  const QString text = AccuracyChart::tr("1 level: accurate to the screen");
   const QFontMetricsF metrics(painter.font());
-  const QSizeF size(metrics.horizontalAdvance(text) + 4.0, metrics.height());
-  const QRectF atRight(QPointF(plot.right() - size.width() - 6.0, y - size.height() - 2.0), size);
-  std::optional<QRectF> place;
-  for (double x = atRight.left(); !place && x > plot.left() + 6.0; x -= 0.5 * m_chart.m_textSize)
+  for (const QString& text :
+       {AccuracyChart::tr("1 level: accurate to the screen"), AccuracyChart::tr("1 level")}) {
+    const QSizeF size(metrics.horizontalAdvance(text) + 4.0, metrics.height());
+    const std::optional<QPointF> corner = freeCorner(size, y);
+    if (!corner)
+      continue;
+    painter.drawText(QRectF(*corner, size), Qt::AlignCenter, text);
+    break;
+  }
+}
+
+// Where a label of this size can stand above or below the line at `y`.
+std::optional<QPointF> ChartNotes::freeCorner(const QSizeF& size, double y) const {
+  const QRectF plot = m_chart.plotArea();
+  const double step = 0.5 * m_chart.m_textSize;
+  for (double x = plot.right() - size.width() - 6.0; x > plot.left() + 6.0; x -= step)
     for (const double top : {y - size.height() - 2.0, y + 2.0})
-      if (!place && isFree(QRectF(QPointF(x, top), size)))
-        place = QRectF(QPointF(x, top), size);
-  painter.drawText(place.value_or(atRight), Qt::AlignCenter, text);
+      if (isFree(QRectF(QPointF(x, top), size)))
+        return QPointF(x, top);
+  return std::nullopt;
 }
 
 bool ChartNotes::isFree(const QRectF& place) const {
@@ -118,16 +142,20 @@ void ChartNotes::paintFloor(QPainter& painter, const ChartMark& mark, const QCol
                    AccuracyChart::tr("< %1").arg(QString::number(mark.error, 'g', 2)));
 }
 
-void ChartNotes::paintCurrent(QPainter& painter) const {
-  const std::optional<QPointF> place =
-      m_chart.m_current ? m_chart.positionOf(*m_chart.m_current) : std::nullopt;
-  if (!place)
-    return;
+void ChartNotes::paintChosen(QPainter& painter) const {
   QColor accent = chartColors(m_chart.m_style).accent;
-  painter.setPen(QPen(accent, 2.0));
-  accent.setAlphaF(0.25f);
-  painter.setBrush(accent);
-  painter.drawEllipse(*place, m_chart.m_textSize, m_chart.m_textSize);
+  const auto ring = [&](std::optional<std::size_t> point, double radius, double filling) {
+    const std::optional<QPointF> place = point ? m_chart.positionOf(*point) : std::nullopt;
+    if (!place)
+      return;
+    accent.setAlphaF(1.0f);
+    painter.setPen(QPen(accent, 2.0));
+    accent.setAlphaF(static_cast<float>(filling));
+    painter.setBrush(accent);
+    painter.drawEllipse(*place, radius, radius);
+  };
+  ring(m_chart.m_current, m_chart.m_textSize, 0.25);
+  ring(m_chart.m_hovered, 0.8 * m_chart.m_textSize, 0.0);
 }
 
 } // namespace limn

@@ -3,6 +3,8 @@
 
 #include <QGraphicsItem>
 
+#include <optional>
+
 namespace limn {
 
 class AccuracyChart;
@@ -18,11 +20,13 @@ public:
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
+  void paintLegendBelow(QPainter& painter) const;
   void paintEmpty(QPainter& painter) const;
   void paintOneLevel(QPainter& painter) const;
   void paintSpread(QPainter& painter, const ChartMark& mark, const QColor& color) const;
   void paintFloor(QPainter& painter, const ChartMark& mark, const QColor& color) const;
-  void paintCurrent(QPainter& painter) const;
+  void paintChosen(QPainter& painter) const;
+  std::optional<QPointF> freeCorner(const QSizeF& size, double y) const;
   bool isFree(const QRectF& place) const;
 
   AccuracyChart& m_chart;

@@ -72,8 +72,10 @@ QString previewText(const SideState& side) {
   return translated("preview at %1 resolution").arg(fractionText(side.imageScale));
 }
 
-QString restingText(const PictureState& state) {
-  const QString step = stepText(state.sides.front().stepVoxels);
+// Under a tolerance there is no one step to tell.
+QString restingText(const PictureState& state, const Scene& scene) {
+  const QString step = scene.quality.toleranceLevels ? translated("chosen by error")
+                                                     : stepText(state.sides.front().stepVoxels);
   if (!state.refinementEnd)
     return (state.refines ? translated("step %1, refining") : translated("step %1")).arg(step);
   switch (*state.refinementEnd) {
@@ -129,7 +131,10 @@ QString endText(const PictureState& state) {
 QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
-  if (scene.volume) {
+  if (scene.quality.toleranceLevels) {
+    parts << translated("error-controlled steps (--tolerance %1)")
+                 .arg(exactNumber(*scene.quality.toleranceLevels));
+  } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
     parts << translated("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
                  .arg(fractionText(side.stepVoxels))
@@ -169,7 +174,7 @@ AccuracyText accuracyText(const PictureState& state, const Scene& scene) {
     return {};
   AccuracyText text;
   text.estimate = estimateText(state);
-  text.step = state.resting ? restingText(state) : previewText(state.sides.front());
+  text.step = state.resting ? restingText(state, scene) : previewText(state.sides.front());
   double ms = 0.0;
   for (const SideState& side : state.sides)
     ms += side.shownMs;

@@ -62,6 +62,13 @@ public:
   void setWipePosition(double fraction);
   double wipePosition() const { return m_wipe; }
 
+  /// The drawing time of a frame aimed at while something moves, ms, > 0.
+  void setMovingMs(double ms) { m_quality.setTargetMs(ms); }
+  double movingMs() const { return m_quality.targetMs(); }
+
+  /// Where the picture at `position` (0 left, 1 right) lies, logical pixels.
+  QRectF logicalRect(int position) const;
+
   /// What the left button does.
   void setTool(ViewTool tool);
   ViewTool tool() const { return m_tool; }
@@ -218,7 +225,6 @@ private:
   SideLabel differenceTitle() const;
   QRectF differenceTitleRect() const;
   Note differenceNote() const;
-  QRectF logicalRect(int position) const;
   SideLabel labelOf(int position) const;
   QRectF labelRect(int position) const;
 

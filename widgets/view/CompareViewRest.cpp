@@ -3,6 +3,7 @@
 
 #include "widgets/view/CompareView.h"
 
+#include "scene/LocalSteps.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/ViewPictures.h"
 
@@ -29,7 +30,7 @@ void CompareView::measureEffects() {
 Scene CompareView::sceneOfRestingImage(int side) const {
   Scene scene = sceneOfSide(side);
   if (m_state.resting && side < m_pictures->count())
-    scene.quality.stepVoxels = m_pictures->side(side).finishedStepVoxels();
+    scene.quality = withSteps(scene.quality, m_pictures->side(side).finishedStepVoxels());
   return scene;
 }
 

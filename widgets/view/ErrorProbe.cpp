@@ -3,6 +3,7 @@
 
 #include "widgets/view/ErrorProbe.h"
 
+#include "scene/LocalSteps.h"
 #include "widgets/view/RestWork.h"
 
 #include <cmath>
@@ -17,7 +18,7 @@ bool areAkin(const Scene& one, const Scene& other) {
 }
 
 Scene atStep(Scene scene, double stepVoxels) {
-  scene.quality.stepVoxels = stepVoxels;
+  scene.quality = withSteps(scene.quality, stepVoxels);
   return scene;
 }
 
@@ -64,7 +65,7 @@ ErrorProbe::Measured ErrorProbe::measure(RayCaster& caster, const Scene& scene) 
 }
 
 Image ErrorProbe::draw(RayCaster& caster, Scene scene, double stepVoxels) {
-  scene.quality.stepVoxels = stepVoxels;
+  scene.quality = withSteps(scene.quality, stepVoxels);
   m_target.bind();
   caster.draw(scene, m_size, {{0, 0}, m_size});
   return m_target.read();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/InteractionQuality.h"
+#include "scene/LocalSteps.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ int InteractionQuality::levelFor(double pixels) const {
   if (!m_msPerPixel)
     return levelCount - 1;
   for (int index = 0; index < levelCount; ++index) {
-    const double allowed = index < m_lastLevel ? marginToFiner * targetMs : targetMs;
+    const double allowed = index < m_lastLevel ? marginToFiner * m_targetMs : m_targetMs;
     if (*m_msPerPixel * pixels * relativeCost(index) <= allowed)
       return index;
   }
@@ -59,7 +60,7 @@ glm::ivec2 sizeAt(const QualityLevel& level, const glm::ivec2& size) {
 
 Scene withQualityLevel(const Scene& scene, const QualityLevel& level) {
   Scene coarser = scene;
-  coarser.quality.stepVoxels *= level.stepFactor;
+  coarser.quality = withSteps(scene.quality, level.stepFactor * scene.quality.stepVoxels);
   return coarser;
 }
 

@@ -19,9 +19,12 @@ struct QualityLevel {
 /// enough to steer by. Knows neither OpenGL nor clock.
 class InteractionQuality {
 public:
-  /// The drawing time of one frame aimed at, ms: with showing it, 15 frames per second.
-  static constexpr double targetMs = 40.0;
+  /// The drawing time of one frame aimed at unless set otherwise, ms: with showing it, 15 frames per second.
+  static constexpr double usualTargetMs = 40.0;
   static constexpr int levelCount = 8;
+
+  void setTargetMs(double ms) { m_targetMs = ms; } ///< > 0
+  double targetMs() const { return m_targetMs; }
 
   static QualityLevel levelAt(int index); ///< 0 is full quality, levelCount - 1 the coarsest
 
@@ -38,6 +41,7 @@ public:
   void forget() { m_msPerPixel.reset(); }
 
 private:
+  double m_targetMs = usualTargetMs;
   std::optional<double> m_msPerPixel; ///< at full quality, averaged
   int m_lastLevel = levelCount - 1;
 };

@@ -4,6 +4,7 @@
 #include "widgets/view/Refinement.h"
 
 #include "accuracy/Resolution.h"
+#include "scene/LocalSteps.h"
 
 #include <QThreadPool>
 
@@ -35,7 +36,7 @@ struct Refinement::Job {
 };
 
 Scene withStep(Scene scene, double stepVoxels) {
-  scene.quality.stepVoxels = stepVoxels;
+  scene.quality = withSteps(scene.quality, stepVoxels);
   return scene;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <epoxy/gl.h> // before any OpenGL header of Qt
 
+#include "scene/LocalSteps.h"
 #include "widgets/view/SidePicture.h"
 
 #include <algorithm>
@@ -133,7 +134,7 @@ void SidePicture::beginFiner(double stepVoxels) {
 
 void SidePicture::prepareFiner(RayCaster& caster) {
   Scene scene = m_scene;
-  scene.quality.stepVoxels = m_finer->stepVoxels;
+  scene.quality = withSteps(scene.quality, m_finer->stepVoxels);
   m_full.bind();
   // One pixel in the middle, which is drawn again before the strips reach it.
   caster.draw(scene, m_size, {m_size / 2, {1, 1}});
@@ -142,7 +143,7 @@ void SidePicture::prepareFiner(RayCaster& caster) {
 
 void SidePicture::drawFinerStrip(RayCaster& caster) {
   Scene scene = m_scene;
-  scene.quality.stepVoxels = m_finer->stepVoxels;
+  scene.quality = withSteps(scene.quality, m_finer->stepVoxels);
   TileSchedule& schedule = m_finer->schedule;
   m_full.bind();
   schedule.finished(timedMs([&] { caster.draw(scene, m_size, schedule.next()); }));

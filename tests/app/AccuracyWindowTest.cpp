@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/accuracy/RealRenderers.h"
+#include "support/Heart.h"
+#include "widgets/accuracy/AccuracyChart.h"
+#include "widgets/accuracy/AccuracyChartView.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/StopSlider.h"
+#include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/NumberField.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QImage>
+#include <QPushButton>
+
+#include <future>
+#include <set>
+
+// Accuracy in the program's window, with real renderers and real mouse events.
+
+namespace limn {
+namespace {
+
+// The error of a scene's picture with renderers of its own, on a thread where the window has no context.
+std::pair<ReferenceFacts, ImageError> measuredAgain(const Scene& scene, const glm::ivec2& size) {
+  return std::async(std::launch::async,
+                    [&] {
+                      RealRenderers renderers;
+                      const ConvergedPicture exact = convergedPicture(scene, size, renderers.precisely());
+                      return std::pair(exact.facts, imageError(renderers.render(scene, size), exact.pixels));
+                    })
+      .get();
+}
+
+class AccuracyWindowTest : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    window->resize(800, 560); // small pictures converge soon
+    window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
+    ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+    ASSERT_TRUE(rest());
+  }
+
+  AccuracyPanel& panel() { return *window->findChild<AccuracyPanel*>(); }
+  ErrorMapOverlay& map() { return *window->findChild<ErrorMapOverlay*>(); }
+
+  void click(QWidget* control) {
+    panel().ensureWidgetVisible(control);
+    QCoreApplication::processEvents();
+    QTest::mouseClick(control, Qt::LeftButton);
+  }
+
+  void click(const OperatingPoint& point) {
+    AccuracyChartView& chart = *panel().measuredSection()->chartView();
+    const std::optional<std::size_t> index = indexOf(point, panel().measured()->report.points);
+    ASSERT_TRUE(index);
+    panel().ensureWidgetVisible(&chart);
+    QCoreApplication::processEvents();
+    QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, chart.positionOf(*index)->toPoint());
+  }
+
+  [[nodiscard]] bool workEnds() {
+    return QTest::qWaitFor([this] { return panel().work() == AccuracyWork::none; }, 240000);
+  }
+
+  [[nodiscard]] bool measure() {
+    click(panel().measuredSection()->measureButton());
+    return panel().work() == AccuracyWork::measuring && workEnds() && panel().measured().has_value();
+  }
+};
+
+TEST_F(AccuracyWindowTest, measuringGivesPointsOfEveryPositionWithoutBlockingTheWindow) {
+  click(panel().measuredSection()->measureButton());
+  ASSERT_EQ(panel().work(), AccuracyWork::measuring);
+  test::Heart heart;
+  ASSERT_TRUE(workEnds());
+  EXPECT_LT(heart.longestMs(), 1000.0) << "the reference uses every core, but the window goes on";
+  ASSERT_TRUE(panel().measured());
+  const MeasuredAccuracy& measured = *panel().measured();
+  EXPECT_TRUE(measured.report.reference.converged);
+  for (const OperatingPoint& point : dialPoints(measured.scene, measured.steepestPerMm))
+    EXPECT_TRUE(indexOf(point, measured.report.points)) << point.stepVoxels;
+  EXPECT_TRUE(panel().dialSection()->sentence().contains(QStringLiteral("within")));
+  std::set<std::string> families;
+  for (const MeasuredPoint& point : measured.report.points)
+    families.insert(familyOf(point.point));
+  EXPECT_EQ(panel().measuredSection()->chartView()->chartShown().curves().size(), families.size());
+}
+
+TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) {
+  ASSERT_TRUE(measure());
+  OperatingPoint point = *pointOf(panel().measured()->scene, panel().measured()->steepestPerMm);
+  const double before = scene().quality.stepVoxels;
+  point.stepVoxels = 0.125;
+  point.preintegrated = false;
+  const int steps = undo().count();
+  click(point);
+  EXPECT_EQ(undo().count(), steps + 1);
+  EXPECT_EQ(scene().quality.stepVoxels, 0.125);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("use step 1/8 voxel"));
+
+  // Measured again from scratch, the scene as it stands keeps the error that the point promised.
+  const MeasuredAccuracy& measured = *panel().measured();
+  const double promised = measured.report.points[*indexOf(point, measured.report.points)].error.p99_9;
+  Scene used = measured.scene;
+  used.quality = scene().quality;
+  const auto [exact, error] = measuredAgain(used, measured.report.size);
+  ASSERT_TRUE(exact.converged);
+  EXPECT_NEAR(error.p99_9, promised, 0.05 * promised + leastP99_9(exact))
+      << "as close as two exact pictures are certain";
+
+  undo().undo();
+  EXPECT_EQ(scene().quality.stepVoxels, before);
+}
+
+TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
+  ASSERT_TRUE(measure());
+  WishSection& wish = *panel().wishSection();
+  // What the finest equal steps keep with a hundredth to spare, some point keeps.
+  const std::vector<MeasuredPoint>& points = panel().measured()->report.points;
+  const double limit = 1.01 * points[*indexOf(fewPoints().back(), points)].error.p99_9;
+  wish.levelsField()->setNumber(limit);
+  const MeasuredPoint* fastest = fastestWithin(points, limit);
+  ASSERT_TRUE(fastest);
+  const OperatingPoint wished = fastest->point;
+  click(wish.levelsButton());
+  EXPECT_EQ(scene().quality.stepVoxels, wished.stepVoxels);
+  EXPECT_TRUE(wish.answer().startsWith(QStringLiteral("In use: "))) << wish.answer().toStdString();
+  const Quality used = scene().quality;
+  wish.msField()->setNumber(0.001);
+  wish.levelsField()->setNumber(1e-6);
+  click(wish.levelsButton());
+  EXPECT_EQ(scene().quality, used);
+  EXPECT_TRUE(wish.answer().contains(QStringLiteral("Closest:"))) << wish.answer().toStdString();
+}
+
+TEST_F(AccuracyWindowTest, cancellingLeavesNothingHalf) {
+  click(panel().measuredSection()->measureButton());
+  QSignalSpy progress(&panel(), &AccuracyPanel::cancelRequested);
+  ASSERT_EQ(panel().work(), AccuracyWork::measuring);
+  click(panel().measuredSection()->work()->cancelButton());
+  EXPECT_EQ(panel().work(), AccuracyWork::none);
+  EXPECT_FALSE(panel().measured());
+  EXPECT_TRUE(panel().measuredSection()->measureButton()->isEnabled());
+  ASSERT_TRUE(measure()) << "and it can be measured anew";
+  EXPECT_FALSE(panel().measured()->report.points.empty());
+}
+
+TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges) {
+  click(panel().mapSection()->check());
+  ASSERT_EQ(panel().work(), AccuracyWork::comparing);
+  ASSERT_TRUE(workEnds());
+  EXPECT_TRUE(map().isVisible());
+  EXPECT_TRUE(panel().mapSection()->sentence().contains(QStringLiteral("999 of 1000")));
+  EXPECT_TRUE(QRectF(view().rect()).contains(map().legendRect()));
+  const QPoint centre = view().rect().center();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, centre);
+  QTest::mouseMove(&view(), centre + QPoint(30, 10));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, centre + QPoint(30, 10));
+  EXPECT_FALSE(map().isVisible());
+  EXPECT_FALSE(panel().mapSection()->check()->isChecked());
+  clickTool(QStringLiteral("Wipe"));
+  EXPECT_FALSE(panel().mapSection()->check()->isEnabled()) << "two pictures lie over each other";
+}
+
+TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
+  ASSERT_TRUE(measure());
+  window->writeAccuracy(pathTo("chart.png"));
+  EXPECT_EQ(QImage(pathTo("chart.png")).size(), QSize(1200, 750));
+  window->writeAccuracy(pathTo("table.csv"));
+  QFile table(pathTo("table.csv"));
+  ASSERT_TRUE(table.open(QIODevice::ReadOnly));
+  const auto lines = QString::fromUtf8(table.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  EXPECT_EQ(lines.size(), 1 + static_cast<int>(panel().measured()->report.points.size()));
+  window->writeAccuracy(pathTo("page.html"));
+  QFile page(pathTo("page.html"));
+  ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+  const QByteArray text = page.readAll();
+  const QByteArray start = "data:image/png;base64,";
+  const auto from = text.indexOf(start) + start.size();
+  const QByteArray chart = QByteArray::fromBase64(text.mid(from, text.indexOf('"', from) - from));
+  EXPECT_EQ(QImage::fromData(chart).size(), QSize(1200, 750)) << "the page carries its chart";
+}
+
+TEST_F(AccuracyWindowTest, theTimeWhileMovingIsKeptForTheNextRun) {
+  EXPECT_EQ(view().movingMs(), 40.0);
+  QComboBox* box = panel().dialSection()->movingChoice()->box();
+  panel().ensureWidgetVisible(box);
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_End);
+  EXPECT_EQ(view().movingMs(), 100.0);
+  EXPECT_EQ(Settings().movingMs(), 100.0);
+}
+
+} // namespace
+} // namespace limn

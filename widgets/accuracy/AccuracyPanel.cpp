@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/accuracy/AccuracyPanel.h"
+
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/PointText.h"
+#include "widgets/accuracy/WishSection.h"
+
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace limn {
+
+AccuracyPanel::AccuracyPanel(QWidget* parent)
+    : QScrollArea(parent), m_dial(new DialSection), m_wish(new WishSection), m_chart(new MeasuredSection),
+      m_map(new MapSection) {
+  layOut();
+  connectSections();
+  setAccessibleName(tr("Accuracy"));
+  showScene();
+  m_wish->setMeasured(nullptr);
+}
+
+void AccuracyPanel::layOut() {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (FoldingSection* section : std::initializer_list<FoldingSection*>{m_dial, m_wish, m_chart, m_map})
+    layout->addWidget(section);
+  layout->addStretch(1);
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Nothing may hide under the scroll bar.
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+}
+
+void AccuracyPanel::connectSections() {
+  connect(m_dial, &DialSection::pointPicked, this, &AccuracyPanel::useStep);
+  connect(m_dial, &DialSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
+  connect(m_dial, &DialSection::movingMsPicked, this, &AccuracyPanel::movingMsPicked);
+  connect(m_wish, &WishSection::levelsWished, this,
+          [this](double levels) { answer(wishForLevels(m_measured->report, levels)); });
+  connect(m_wish, &WishSection::msWished, this,
+          [this](double ms) { answer(wishForMs(m_measured->report, ms)); });
+  connect(m_chart, &MeasuredSection::measureRequested, this, &AccuracyPanel::measureRequested);
+  connect(m_chart, &MeasuredSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
+  connect(m_chart, &MeasuredSection::saveRequested, this, &AccuracyPanel::saveRequested);
+  connect(m_chart, &MeasuredSection::pointPicked, this,
+          [this](std::size_t point) { use(m_measured->report.points[point].point); });
+  connect(m_map, &MapSection::mapRequested, this, &AccuracyPanel::mapRequested);
+  connect(m_map, &MapSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
+}
+
+void AccuracyPanel::setScene(const Scene& scene) {
+  const bool isOther = scene != m_scene;
+  m_scene = scene;
+  // Numbers of another volume are no reason to keep that in memory.
+  if (m_measured && m_measured->scene.volume != scene.volume)
+    m_measured->scene.volume.reset();
+  showScene();
+  if (isOther) {
+    setCompared(std::nullopt);
+    m_wish->showAnswer({});
+    m_wish->setMeasured(holding());
+  }
+}
+
+void AccuracyPanel::setMovingMs(double ms) {
+  m_dial->setMovingMs(ms);
+}
+
+void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
+  m_measured = measured;
+  m_chart->setMeasured(&*m_measured);
+  m_wish->setMeasured(holding());
+  showScene();
+}
+
+void AccuracyPanel::setWork(AccuracyWork work) {
+  m_work = work;
+  showProgress(0.0, {});
+  showScene();
+}
+
+void AccuracyPanel::showProgress(double fraction, const QString& doing) {
+  const auto progressOf = [&](AccuracyWork kind) {
+    return m_work == kind ? std::optional(fraction) : std::nullopt;
+  };
+  m_dial->setProgress(progressOf(AccuracyWork::findingSteps), doing);
+  m_chart->setProgress(progressOf(AccuracyWork::measuring), doing);
+  m_map->setProgress(progressOf(AccuracyWork::comparing), doing);
+}
+
+void AccuracyPanel::setMapUnavailable(const QString& reason) {
+  m_mapUnavailable = reason;
+  showScene();
+}
+
+void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) {
+  m_map->setCompared(compared ? &*compared : nullptr);
+}
+
+void AccuracyPanel::showScene() {
+  const MeasuredAccuracy* holds = holding();
+  m_dial->show(m_scene, holds);
+  const std::optional<OperatingPoint> point = pointOf(m_scene, steepestPerMm());
+  m_chart->setCurrent(holds && point ? indexOf(*point, holds->report.points) : std::nullopt);
+  if (m_measured)
+    m_chart->setRelation(!holds                                       ? MeasuredFor::earlierPicture
+                         : m_measured->scene.camera != m_scene.camera ? MeasuredFor::otherCamera
+                                                                      : MeasuredFor::thisPicture);
+  m_chart->setCanMeasure(m_scene.volume && m_work == AccuracyWork::none);
+  m_map->setUnavailable(!m_scene.volume                     ? tr("Open a volume first.")
+                        : m_work == AccuracyWork::measuring ? tr("Wait until the measuring is done.")
+                                                            : m_mapUnavailable);
+}
+
+// The measured accuracy where it holds for what is shown.
+const MeasuredAccuracy* AccuracyPanel::holding() const {
+  return m_scene.volume && m_measured && holdsFor(m_measured->scene, m_scene) ? &*m_measured : nullptr;
+}
+
+double AccuracyPanel::steepestPerMm() const {
+  const MeasuredAccuracy* holds = holding();
+  return holds ? holds->steepestPerMm : 0.0;
+}
+
+// The dial changes the step and leaves how it is taken as it is.
+void AccuracyPanel::useStep(const OperatingPoint& point) {
+  OperatingPoint plain = point;
+  plain.preintegrated = false;
+  Quality quality = qualityAt(point, m_scene, steepestPerMm());
+  quality.preintegrated = m_scene.quality.preintegrated;
+  ask(quality, tr("use %1").arg(pointText(plain)));
+}
+
+void AccuracyPanel::use(const OperatingPoint& point) {
+  if (isOfTheWindow(point))
+    ask(qualityAt(point, m_scene, steepestPerMm()), tr("use %1").arg(pointText(point)));
+}
+
+void AccuracyPanel::ask(const Quality& quality, const QString& undoText) {
+  if (quality.toleranceLevels)
+    emit toleranceWished(quality, {nextGestureId(), undoText});
+  else
+    emit qualityEdited(quality, {nextGestureId(), undoText});
+}
+
+void AccuracyPanel::answer(const WishAnswer& answer) {
+  if (answer.point)
+    use(m_measured->report.points[*answer.point].point);
+  // After the edit, which takes answers to earlier wishes away.
+  m_wish->showAnswer(answer.sentence);
+}
+
+} // namespace limn

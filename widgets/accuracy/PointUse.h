@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/AccuracySweep.h"
+
+#include <optional>
+#include <vector>
+
+namespace limn {
+
+/// What was measured, and of what.
+struct MeasuredAccuracy {
+  AccuracyReport report;
+  Scene scene;                ///< as measured; its quality does not matter
+  double steepestPerMm = 0.0; ///< of its volume (SceneFacts), which decides on automatic pre-integration
+};
+
+/// The tolerance at the dial's exact end, levels.
+inline constexpr double exactToleranceLevels = 0.5;
+
+/// The points that the dial offers, from fast to exact, with everything but the step as the scene has it. The
+/// last one has error-controlled steps where the projection integrates.
+std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm);
+
+/// The points that the window measures for a scene: those of its dial, finer steps, and where that makes a
+/// difference the same steps with the curve averaged between samples or not.
+std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestPerMm);
+
+/// At which point a scene is drawn; absent with jitter, which no point has.
+std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm);
+
+/// Whether a scene can be drawn at a point in the window: by rays, with as many pixels as it has.
+bool isOfTheWindow(const OperatingPoint& point);
+
+/// The quality with which a scene is drawn at a point of the window. What was automatic stays so where it
+/// leads to the same. Under a tolerance the fineness is still to be found (accuracy/Tolerance).
+Quality qualityAt(const OperatingPoint& point, const Scene& scene, double steepestPerMm);
+
+/// Whether errors measured for one scene hold for another: they differ in nothing but camera, size of the
+/// written picture and quality.
+bool holdsFor(const Scene& measured, const Scene& shown);
+
+/// The index of a point among measured ones.
+std::optional<std::size_t> indexOf(const OperatingPoint& point, const std::vector<MeasuredPoint>& points);
+
+} // namespace limn
