@@ -162,9 +162,6 @@ Scene CompareView::sceneOfSide(int side) const {
   Scene scene = m_scene;
   if (m_layout != CompareLayout::single)
     scene.shading.model = m_models[side];
-  // The view comes within its own tolerance by equal steps that shrink at rest.
-  scene.quality.toleranceLevels.reset();
-  scene.quality.fineness.reset();
   return scene;
 }
 
