@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error-controlled steps: the shader takes the steps of the reference, and neither leaps nor tiles show.
+// Error-controlled steps: the shader takes the steps of the reference, and leaps do not show.
 #include "scene/LocalSteps.h"
 #include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
@@ -53,7 +53,7 @@ TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
     }
 }
 
-TEST_F(LocalSteps, neitherLeapsNorTilesNorAStandInShow) {
+TEST_F(LocalSteps, neitherLeapsNorAStandInShow) {
   RayCaster caster;
   RayCaster walking(RayCaster::EmptySpace::sampled);
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
