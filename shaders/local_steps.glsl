@@ -38,10 +38,10 @@ struct Walk {
   int spent; // samples
 };
 
-// A piece of a chord.
+// A piece of a chord, with a sample at either end.
 struct Piece {
-  float length;
-  float middle;
+  float mm;
+  float end; // where the sample behind it lies
   bool isLast; // of its chord
 };
 
@@ -116,14 +116,14 @@ Piece nextPiece(Walk walk) {
   float step = walk.spent < mostLocalSamples ? walk.step : rest;
   Piece piece;
   piece.isLast = rest <= step;
-  piece.length = piece.isLast ? rest : rest < 1.5 * step ? 0.5 * rest : step;
-  piece.middle = walk.entry + (walk.within + 0.5 * piece.length);
+  piece.mm = piece.isLast ? rest : rest < 1.5 * step ? 0.5 * rest : step;
+  piece.end = piece.isLast ? walk.exit : walk.entry + (walk.within + piece.mm);
   return piece;
 }
 
 // Goes on behind a piece. Where little changed over it, the next is twice as long.
 void accept(Piece piece, float change, inout Walk walk) {
-  walk.within = piece.isLast ? walk.exit - walk.entry : walk.within + piece.length;
+  walk.within = piece.isLast ? walk.exit - walk.entry : walk.within + piece.mm;
   if (change < muchLess * u_mostChange)
     walk.step = min(2.0 * walk.step, walk.blockStep);
   walk.spent += 1;

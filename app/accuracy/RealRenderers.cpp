@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/accuracy/RealRenderers.h"
 
+#include "accuracy/Tolerance.h"
 #include "app/accuracy/MeasureDecisions.h"
 #include "app/bench/ProcessCost.h"
 #include "gl/FloatTarget.h"
@@ -12,6 +13,7 @@
 
 #include <epoxy/gl.h>
 
+#include <map>
 #include <optional>
 
 namespace limn {
@@ -36,15 +38,18 @@ struct RealRenderers::Parts {
   std::optional<FloatTarget> target;
   glm::ivec2 targetSize{0};
   std::optional<Image> picture; ///< absent: still in the target
+  Scene toleranceScene;         ///< whose steps were found
+  std::map<double, Scene> withinTolerances;
 
   void draw(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
+  Scene withSteps(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   double peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void forget();
 };
 
 void RealRenderers::Parts::draw(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
-  const Scene drawn = atPoint(scene, point);
+  const Scene drawn = point.toleranceLevels ? withSteps(scene, point, size) : atPoint(scene, point);
   picture.reset();
   switch (point.renderer) {
   case PointRenderer::rays:
@@ -78,6 +83,25 @@ void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& po
       glFlush();
     }
   glFinish();
+}
+
+// The steps that keep the point's tolerance, found when the scene is first drawn at it.
+Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& point,
+                                      const glm::ivec2& size) {
+  if (scene != toleranceScene) {
+    withinTolerances.clear();
+    toleranceScene = scene;
+  }
+  auto known = withinTolerances.find(*point.toleranceLevels);
+  if (known == withinTolerances.end()) {
+    RayCaster caster;
+    const auto draw = [&caster](const Scene& tried, const glm::ivec2& pixels) {
+      return caster.render(tried, pixels);
+    };
+    const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw);
+    known = withinTolerances.emplace(*point.toleranceLevels, found.scene).first;
+  }
+  return known->second;
 }
 
 void RealRenderers::Parts::forget() {

@@ -69,9 +69,8 @@ void writeSamples(const Scene& scene, const RenderArguments& arguments) {
   writeImage(arguments.samplesSpent, pictureOfSamples(samples, size), glm::dvec3(0.0), {});
   const SampleFigures figures = figuresOf(samples);
   char line[128];
-  std::snprintf(line, sizeof line,
-                "Samples spent by a ray: %d (dark blue) to %d (pale yellow), %.0f on average.", figures.least,
-                figures.most, figures.mean);
+  std::snprintf(line, sizeof line, "Samples spent by a ray: %d to %d (pale yellow), %.0f on average.",
+                figures.least, figures.most, figures.mean);
   note(line);
 }
 

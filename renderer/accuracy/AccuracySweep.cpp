@@ -30,6 +30,13 @@ OperatingPoint withStep(OperatingPoint point, double stepVoxels) {
   return point;
 }
 
+void addTolerances(std::vector<OperatingPoint>& points, const std::vector<double>& levels) {
+  for (const double tolerance : levels) {
+    points.emplace_back();
+    points.back().toleranceLevels = tolerance;
+  }
+}
+
 void addSteps(std::vector<OperatingPoint>& points, const OperatingPoint& point,
               const std::vector<double>& steps) {
   for (const double step : steps)
@@ -111,6 +118,7 @@ std::vector<OperatingPoint> usualPoints() {
   std::vector<OperatingPoint> points;
   OperatingPoint point;
   addSteps(points, point, all);
+  addTolerances(points, {8.0, 4.0, 2.0, 1.0, 0.5});
   point.preintegrated = true;
   addSteps(points, point, some);
   point = {};
@@ -135,6 +143,7 @@ std::vector<OperatingPoint> usualPoints() {
 std::vector<OperatingPoint> fewPoints() {
   std::vector<OperatingPoint> points;
   addSteps(points, {}, {2.0, 1.0, 0.5, 0.25, 0.125, 0.0625});
+  addTolerances(points, {2.0, 0.5});
   return points;
 }
 

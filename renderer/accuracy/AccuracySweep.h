@@ -24,7 +24,7 @@ struct DecisionCost {
   ImageError error;     ///< at the scene's step
   ImageError fineError; ///< at 1/8 voxel, where the step hides less
   Timing ms;
-  double timesDefault = 1.0; ///< the least time over that of the program's own decisions, drawn in turn
+  double timesDefault = 1.0; ///< the time over that of the program's own decisions, drawn in turn with it
   double extraMb = 0.0;      ///< of memory beside the default's
   std::string remark;        ///< empty, or a sentence
   bool operator==(const DecisionCost&) const = default;

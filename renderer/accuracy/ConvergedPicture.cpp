@@ -30,6 +30,8 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   finer.quality.earlyTermination = 1.0;
   finer.quality.jitter = false;
   finer.quality.toleranceLevels.reset();
+  finer.quality.fineness.reset();
+  finer.quality.toleranceLevels.reset();
   const double first = std::min(firstStep, scene.quality.stepVoxels);
   const double smallest = std::min(smallestStep, std::ldexp(first, -leastHalvings));
   finer.quality.stepVoxels = first;

@@ -29,7 +29,8 @@ struct OperatingPoint {
   bool operator==(const OperatingPoint&) const = default;
 };
 
-/// The scene drawn at a point. Renderer, gradients and image scale are no part of a scene.
+/// The scene drawn at a point; under a tolerance its fineness is still to be found (accuracy/Tolerance).
+/// Renderer, gradients and image scale are no part of a scene.
 Scene atPoint(Scene scene, const OperatingPoint& point);
 
 /// What stays when only the step or the tolerance changes, in words: a curve of the chart.

@@ -48,20 +48,18 @@ glm::dvec3 colorOfShare(double share) {
   // From blue (280 degrees) over red to yellow (100 degrees), with most colour in the middle.
   const double hue = (280.0 + 180.0 * x) * std::numbers::pi / 180.0;
   const double chroma = 0.04 + 0.16 * std::sin(std::numbers::pi * std::min(x, 0.85));
-  const glm::dvec3 linear = linearOfOklab(0.25 + 0.7 * x, chroma * std::cos(hue), chroma * std::sin(hue));
+  const glm::dvec3 linear = linearOfOklab(0.15 + 0.8 * x, chroma * std::cos(hue), chroma * std::sin(hue));
   return {encoded(linear.r), encoded(linear.g), encoded(linear.b)};
 }
 
 Image pictureOfSamples(const std::vector<int>& samples, const glm::ivec2& size) {
   assert(samples.size() == static_cast<std::size_t>(size.x) * size.y);
   const SampleFigures figures = figuresOf(samples);
-  const double doublings =
-      figures.most > figures.least ? std::log2(static_cast<double>(figures.most) / figures.least) : 1.0;
   Image image(size);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     glm::dvec3 color(0.0);
     if (samples[i] > 0)
-      color = colorOfShare(std::log2(static_cast<double>(samples[i]) / figures.least) / doublings);
+      color = colorOfShare(static_cast<double>(samples[i]) / figures.most);
     image.pixels[i] = glm::vec4(glm::vec3(color), 1.0f);
   }
   return image;

@@ -17,8 +17,8 @@ struct SampleFigures {
 
 SampleFigures figuresOf(const std::vector<int>& samples);
 
-/// Samples per pixel as a picture, opaque: black for none, then from dark blue over red to pale yellow,
-/// equally many steps of brightness for each doubling between the least and the most.
+/// Samples per pixel as a picture, opaque: from black for none over blue and red to pale yellow for the most,
+/// the lightness in proportion.
 Image pictureOfSamples(const std::vector<int>& samples, const glm::ivec2& size);
 
 /// The colour of a share 0..1 on that scale, whose lightness as people see it (Oklab, Ottosson 2020) grows

@@ -20,7 +20,7 @@ constexpr double comparedPixels = 128.0 * 128.0;
 
 // What an estimate from so few may lie below the error of the whole picture, measured on the shared data sets
 // and the analytic scenes (tests/accuracy/ToleranceTest.cpp).
-constexpr double safety = 1.25;
+constexpr double safety = 1.1;
 
 // The share of the tolerance that rays which end early may take.
 constexpr double shareOfTermination = 0.125;

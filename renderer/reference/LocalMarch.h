@@ -42,18 +42,18 @@ private:
   double m_exit = 0.0;
 };
 
-/// Takes the pieces of a ray one after the other. `sample(place)` gives what a piece with its middle there is
-/// made of, `changeOver(before, here, lengthMm)` how much the light that it adds to a channel of the pixel
-/// differs from the piece before (RENDERING section 9: 1 is 255 levels), `add(piece, lengthMm)` composites it
+/// Takes the pieces of a ray one after the other, with a sample at either end of each. `sample(place)` gives
+/// what lies there, `changeOver(before, here, halfMm)` how much the light that the two halves of a piece add
+/// to a channel of the pixel (0..1) differs, as if either were the whole; `add(half, halfMm)` composites one
 /// and gives the transmittance behind it; `isEnd()` ends the ray. Returns how many samples were taken.
-template <class Piece, class Sample, class Change, class Add, class IsEnd>
+template <class Half, class Sample, class Change, class Add, class IsEnd>
 int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& sample, const Change& changeOver,
                  const Add& add, const IsEnd& isEnd) {
   const double limit = mostChange(terms.fineness);
-  int spent = 0;
   int level = 0;
   double transmittance = 1.0;
-  Piece before{};
+  Half before = sample(0.0);
+  int spent = before == Half{} ? 0 : 1;
   while (walk.enterNext()) {
     if (walk.levels().isEmpty) {
       before = {};
@@ -67,18 +67,20 @@ int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& samp
       const bool hasSpentAll = spent >= mostLocalSamples;
       const double rest = chord - within;
       const double length = hasSpentAll ? rest : pieceOf(rest, stepOfLevel(level) * terms.smallestMm);
-      const Piece here = sample(walk.entry() + (within + 0.5 * length));
-      const double change = changeOver(before, here, length);
+      const bool isLast = length == rest;
+      const Half here = sample(isLast ? walk.exit() : walk.entry() + (within + length));
+      const double change = changeOver(before, here, 0.5 * length);
       ++spent;
       if (!hasSpentAll && isToBeRefined(change, limit, level)) {
         level = refinedLevel(level, change, limit);
         continue;
       }
-      transmittance = add(here, length);
+      add(before, 0.5 * length);
+      transmittance = add(here, 0.5 * length);
       if (isEnd())
         return spent;
       level = relaxedLevel(level, blockLevel, change, limit);
-      within = length == rest ? chord : within + length;
+      within = isLast ? chord : within + length;
       before = here;
     }
   }

@@ -164,11 +164,11 @@ private:
       const Material material = materialAt(place);
       return material.opacity > 0.0 ? pieceOf(place, material) : Piece{};
     };
-    const auto change = [&](const Piece& before, const Piece& here, double lengthMm) {
-      const double was = alphaOf(before, lengthMm);
-      const double is = alphaOf(here, lengthMm);
+    const auto change = [&](const Piece& before, const Piece& here, double halfMm) {
+      const double was = alphaOf(before, halfMm);
+      const double is = alphaOf(here, halfMm);
       const glm::dvec3 color = glm::abs(is * here.color - was * before.color);
-      return sum.a * std::max({color.r, color.g, color.b, std::abs(is - was)});
+      return 2.0 * sum.a * std::max({color.r, color.g, color.b, std::abs(is - was)});
     };
     const auto addPiece = [&](const Piece& piece, double lengthMm) {
       add(piece, lengthMm, sum);

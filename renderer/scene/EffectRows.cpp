@@ -67,6 +67,7 @@ constexpr Technical technicalEffects[] = {
     {Effect::xray, "a choice between projections, each of which replaces the picture"},
     {Effect::longRays, "another order of the same work, for drivers that limit loops"},
     {Effect::denseFunctions, "another way to look up the same transfer function"},
+    {Effect::localSteps, "another way to spend samples on the same picture"},
     {Effect::unlimited, "drawn to measure the overflow, never shown"},
     {Effect::sampleCounts, "drawn to measure, never shown"},
 };

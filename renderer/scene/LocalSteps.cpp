@@ -40,7 +40,7 @@ int usualFineness(double toleranceLevels) {
 }
 
 double mostChange(int fineness) {
-  return 0.05 * std::exp2(-fineness);
+  return 0.075 * std::exp2(-fineness);
 }
 
 int coarserBehind(double transmittance) {

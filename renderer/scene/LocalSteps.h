@@ -9,8 +9,7 @@ namespace limn {
 // all of them from one discrete set, the levels: facts of each block say with which step to begin
 // (BlockSteps); behind what already hides it a block may be sampled more coarsely; and a step over which the
 // light that it adds changes by more than a limit is taken again with a smaller one. One number makes all of
-// them finer. Measured on heads under CT and MR presets, against 1/128 voxel: shaders/README.md has the
-// figures.
+// them finer. ARCHITECTURE.md says what that gains.
 
 /// The step of a level, in units of the smallest spacing: 2 at level 0, shorter by √2 from each to the next.
 double stepOfLevel(int level);
@@ -39,8 +38,8 @@ Quality withSteps(Quality quality, double stepVoxels);
 /// The fineness that a tolerance commonly needs.
 int usualFineness(double toleranceLevels);
 
-/// The largest change, from one sample to the next, of the light that a step adds to a channel of the pixel;
-/// beyond it the step is taken again with a smaller one.
+/// The largest difference, from one sample to the next, of the light that a step adds to a channel of the pixel
+/// (0..1) if it is all like the one or like the other; beyond it the step is taken again with a smaller one.
 double mostChange(int fineness);
 
 /// By how many levels a block may be sampled more coarsely behind what leaves this transmittance: its error

@@ -70,6 +70,21 @@ TEST_F(CommandLine, infoPrintsTheGridOfThePhantomAsOneJsonObject) {
   EXPECT_GT(json["gradient"]["max"].get<double>(), json["gradient"]["p99_5"].get<double>());
 }
 
+TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
+  const std::string first = file("within.png").string();
+  const std::string second = file("again.png").string();
+  const std::string samples = file("samples.png").string();
+  const Outcome outcome =
+      run("render phantom:6 --size 48x48 --tolerance 1 --samples-spent " + samples + " -o " + first);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("estimated within"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("Samples spent"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::exists(samples));
+  ASSERT_EQ(run("render " + first + " -o " + second).status, 0);
+  EXPECT_EQ(contentOf(first), contentOf(second));
+  EXPECT_EQ(run("render phantom:6 --tolerance 1 --step 0.5 -o x.png").status, 2);
+}
+
 TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   const std::string first = file("a.png").string();
   const std::string second = file("b.png").string();

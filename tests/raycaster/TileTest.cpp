@@ -49,9 +49,8 @@ Scene robustPhantom() {
 
 using Tiles = test::GlTest;
 
-TEST_F(Tiles, anyTilingGivesTheWholePictureToTheBit) {
+void expectTilingChangesNothing(const Scene& scene) {
   RayCaster caster;
-  const Scene scene = robustPhantom();
   const Image whole = caster.render(scene, pictureSize);
   EXPECT_EQ(caster.render(scene, pictureSize), whole) << "the second time";
   for (const glm::ivec2& tile :
@@ -62,6 +61,17 @@ TEST_F(Tiles, anyTilingGivesTheWholePictureToTheBit) {
         caster.draw(scene, pictureSize, {{x, y}, glm::min(tile, pictureSize - glm::ivec2(x, y))});
     EXPECT_EQ(canvas.read(), whole) << "tiles of " << tile.x << " x " << tile.y;
   }
+}
+
+TEST_F(Tiles, anyTilingGivesTheWholePictureToTheBit) {
+  expectTilingChangesNothing(robustPhantom());
+}
+
+TEST_F(Tiles, anyTilingOfErrorControlledStepsGivesTheWholePictureToTheBit) {
+  Scene scene = robustPhantom();
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = 4;
+  expectTilingChangesNothing(scene);
 }
 
 TEST_F(Tiles, aTileChangesNothingBesideItself) {

@@ -36,7 +36,7 @@ Scene unusualScene() {
   scene.crop = {{0.1, 0, 0}, {1, 0.5, 0.75}};
   scene.projection = Projection::compositeIsosurface;
   scene.isovalue = 255.5;
-  scene.quality = {0.125, Preintegration::never, 1.0, false};
+  scene.quality = {0.125, Preintegration::never, 1.0, false, 0.75, 7};
   scene.image = {640, 480, {0, 0, 0}};
   return scene;
 }
@@ -48,6 +48,19 @@ TEST(SceneFile, whatIsWrittenIsReadBackToTheLastBit) {
   EXPECT_EQ(document.volume, "a folder/b.nii.gz");
   EXPECT_TRUE(document.hasCamera);
   EXPECT_TRUE(document.hasTransferFunction);
+}
+
+TEST(SceneFile, aToleranceNeedsNoFinenessButAFinenessATolerance) {
+  const auto withQuality = [](const std::string& quality) {
+    return R"({"limn_scene": 1, "volume": "v", "quality": )" + quality + "}";
+  };
+  const Quality read = parseScene(withQuality(R"({"tolerance_levels": 0.5})"), "test.json").scene.quality;
+  EXPECT_EQ(read.toleranceLevels, 0.5);
+  EXPECT_FALSE(read.fineness);
+  EXPECT_NE(refusalOf(withQuality(R"({"fineness": 4})")).find("tolerance_levels"), std::string::npos);
+  EXPECT_NE(refusalOf(withQuality(R"({"tolerance_levels": 0})")).find("tolerance_levels"), std::string::npos);
+  EXPECT_NE(refusalOf(withQuality(R"({"tolerance_levels": 1, "fineness": 99})")).find("24"),
+            std::string::npos);
 }
 
 TEST(SceneFile, missingKeysTakeTheDefaultsOfTheDefinition) {
