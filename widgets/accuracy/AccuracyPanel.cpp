@@ -86,12 +86,10 @@ void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
   showProgress(0.0, {});
   showScene();
-  WorkRow* row = work == AccuracyWork::measuring   ? m_chart->work()
-                 : work == AccuracyWork::comparing ? m_map->work()
-                                                   : nullptr;
-  // What was begun is seen, once it has its place.
-  if (row)
-    QTimer::singleShot(0, row, [this, row] { ensureWidgetVisible(row); });
+  if (work == AccuracyWork::measuring)
+    bringIntoView(m_chart->work());
+  if (work == AccuracyWork::comparing)
+    bringIntoView(m_map);
 }
 
 void AccuracyPanel::showProgress(double fraction, const QString& doing) {
@@ -110,6 +108,13 @@ void AccuracyPanel::setMapUnavailable(const QString& reason) {
 
 void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) {
   m_map->setCompared(compared ? &*compared : nullptr);
+  if (compared)
+    bringIntoView(m_map);
+}
+
+// What was begun or found is seen, once it has its place.
+void AccuracyPanel::bringIntoView(QWidget* part) {
+  QTimer::singleShot(0, part, [this, part] { ensureWidgetVisible(part); });
 }
 
 void AccuracyPanel::showScene() {
