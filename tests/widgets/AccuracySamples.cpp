@@ -44,7 +44,7 @@ AccuracyReport sampleReport(const std::vector<OperatingPoint>& points) {
     double ms = factors.time * (12.0 + 9.0 / point.stepVoxels);
     if (point.toleranceLevels) {
       levels = 0.8 * *point.toleranceLevels;
-      ms = 12.0 + 20.0 / *point.toleranceLevels;
+      ms = 30.0 + 20.0 / *point.toleranceLevels;
     }
     measured.error = {6.0 * levels, levels, 0.05 * levels, 0.2 * levels, 0.01 * levels};
     measured.ms = {ms, 0.95 * ms, 1.1 * ms};

@@ -66,8 +66,11 @@ void AccuracyPanel::setScene(const Scene& scene) {
   showScene();
   if (isOther) {
     setCompared(std::nullopt);
-    m_wish->showAnswer({});
-    m_wish->setMeasured(holding());
+    // An answer stands until something else than it is in use.
+    if (!m_answered || !holding() || pointOf(scene, steepestPerMm()) != m_answered) {
+      m_answered.reset();
+      m_wish->setMeasured(holding());
+    }
   }
 }
 
@@ -164,10 +167,12 @@ void AccuracyPanel::ask(const Quality& quality, const QString& undoText) {
 }
 
 void AccuracyPanel::answer(const WishAnswer& answer) {
+  m_answered.reset();
   if (answer.point)
-    use(m_measured->report.points[*answer.point].point);
-  // After the edit, which takes answers to earlier wishes away.
+    m_answered = m_measured->report.points[*answer.point].point;
   m_wish->showAnswer(answer.sentence);
+  if (m_answered)
+    use(OperatingPoint(*m_answered));
 }
 
 } // namespace limn

@@ -73,6 +73,7 @@ private:
 
   Scene m_scene;
   std::optional<MeasuredAccuracy> m_measured;
+  std::optional<OperatingPoint> m_answered; ///< what a wish chose, while its answer stands
   AccuracyWork m_work = AccuracyWork::none;
   QString m_mapUnavailable;
   DialSection* m_dial;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double unit = 4.0; ///< of a grid
 constexpr double barWidth = 3 * unit;
-constexpr double barHeight = 40 * unit;
+constexpr double mostBarHeight = 40 * unit;
+constexpr double leastBarHeight = 20 * unit;
 const QColor plateColor(0, 0, 0, 190); ///< light text stays legible over any picture
 
 QString tickText(std::size_t tick) {
@@ -27,12 +28,15 @@ QString title() {
 }
 
 // Wide enough for the title and for the longest label beside the bar.
-QSizeF legendSize(const QFontMetricsF& metrics) {
+// A low picture has a short bar.
+QSizeF legendSize(const QFontMetricsF& metrics, double pictureHeight) {
   double beside = 0.0;
   for (std::size_t tick = 0; tick < errorScaleTicks.size(); ++tick)
     beside = std::max(beside, metrics.horizontalAdvance(tickText(tick)));
   const double width = std::max(metrics.horizontalAdvance(title()), barWidth + 2 * unit + beside);
-  return {width + 4 * unit, barHeight + 2 * metrics.height() + 5 * unit};
+  const double besides = 2 * metrics.height() + 5 * unit;
+  const double bar = std::clamp(pictureHeight - besides - 6 * unit, leastBarHeight, mostBarHeight);
+  return {width + 4 * unit, bar + besides};
 }
 
 } // namespace
@@ -63,7 +67,7 @@ void ErrorMapOverlay::showMap(const ErrorMap& map, const QRectF& picture) {
 }
 
 QRectF ErrorMapOverlay::legendRect() const {
-  const QSizeF size = legendSize(QFontMetricsF(font()));
+  const QSizeF size = legendSize(QFontMetricsF(font()), m_picture.height());
   // Over the picture's upper right corner, but never out of the view.
   const double left = std::max(m_picture.right() - size.width() - 3 * unit, 3 * unit);
   return {QPointF(left, m_picture.top() + 3 * unit), size};
@@ -82,6 +86,7 @@ void ErrorMapOverlay::paintEvent(QPaintEvent*) {
   const QPointF corner = plate.topLeft() + QPointF(2 * unit, unit);
   painter.setPen(Qt::white);
   painter.drawText(QRectF(corner, QSizeF(plate.width(), metrics.height())), Qt::AlignLeft, title());
+  const double barHeight = plate.height() - 2 * metrics.height() - 5 * unit;
   const QRectF bar(corner.x(), corner.y() + 1.5 * metrics.height() + unit, barWidth, barHeight);
   for (double y = 0.0; y < barHeight; ++y)
     painter.fillRect(QRectF(bar.left(), bar.bottom() - y - 1.0, barWidth, 1.0),

@@ -27,7 +27,7 @@ WishAnswer answerOf(const AccuracyReport& report, const MeasuredPoint* best, con
                     const QString& missed) {
   if (best)
     return {indexOf(best->point, report.points),
-            WishSection::tr("In use: %1").arg(pointSentence(*best, report.reference))};
+            WishSection::tr("Chosen: %1").arg(pointSentence(*best, report.reference))};
   if (!closest)
     return {std::nullopt, WishSection::tr("Nothing is measured yet.")};
   return {std::nullopt, missed.arg(pointSentence(*closest, report.reference))};
