@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace limn {
+namespace {
+
+// Between 1 and 2: the order trusted where few pictures tell.
+constexpr double carefulOrder = 1.5;
+
+// Orders that differ by less are one. Measured on the CT head from four sides with three models and two
+// functions, 96² pixels, steps 1/2 to 1/32: the lowest of 240 estimates rose from 0.40 to 1.0 of the truth.
+constexpr double agreement = 0.1;
+
+} // namespace
 
 double observedOrder(double coarseDifference, double fineDifference) {
   if (!(coarseDifference > 0.0) || !(fineDifference > 0.0))
@@ -16,11 +26,6 @@ ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<I
   const double order = before ? observedOrder(before->p99_9, halving.p99_9) : 1.0;
   const double gain = std::exp2(order) - 1.0;
   return {halving.p99_9 / gain, halving.mean / gain, order};
-}
-
-ErrorEstimate errorBeforeHalving(const ImageError& halving, double order) {
-  const double share = std::exp2(order) / (std::exp2(order) - 1.0);
-  return {share * halving.p99_9, share * halving.mean, order};
 }
 
 ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before) {
@@ -45,6 +50,32 @@ ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene) {
 
 ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEnds) {
   return {std::max(ofSteps.p99_9, ofEnds.p99_9), ofSteps.mean + ofEnds.mean, ofSteps.order};
+}
+
+ErrorEstimate errorAfterHalvings(const std::vector<ImageError>& halvings) {
+  const std::size_t count = halvings.size();
+  const ImageError& last = halvings.back();
+  if (count == 1)
+    return errorAfterHalving(last);
+  const ImageError& before = halvings[count - 2];
+  const double newer = observedOrder(before.p99_9, last.p99_9);
+  const double older = count > 2 ? observedOrder(halvings[count - 3].p99_9, before.p99_9) : carefulOrder;
+  const double order = std::min(newer, older);
+  const double gain = std::exp2(order) - 1.0;
+  ErrorEstimate estimate{last.p99_9 / gain, last.mean / gain, order};
+  if (count == 2 || std::abs(newer - older) > agreement) {
+    const double left = std::exp2(carefulOrder) * (std::exp2(carefulOrder) - 1.0);
+    estimate.p99_9 = std::max(estimate.p99_9, before.p99_9 / left);
+    estimate.mean = std::max(estimate.mean, before.mean / left);
+  }
+  return estimate;
+}
+
+ErrorEstimate errorBeforeHalvings(const ImageError& first, const ImageError& second) {
+  const double order = observedOrder(first.p99_9, second.p99_9);
+  const double share = std::exp2(order) / (std::exp2(order) - 1.0);
+  return {std::max(share * first.p99_9, 4.0 * second.p99_9), std::max(share * first.mean, 4.0 * second.mean),
+          order};
 }
 
 } // namespace limn

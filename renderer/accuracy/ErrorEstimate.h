@@ -5,6 +5,7 @@
 #include "scene/Scene.h"
 
 #include <optional>
+#include <vector>
 
 namespace limn {
 
@@ -26,11 +27,18 @@ double observedOrder(double coarseDifference, double fineDifference);
 /// `before` of the halving before it, where there was one; without it the order is taken to be 1.
 ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
 
-/// The error of the picture of step h, given the order.
-ErrorEstimate errorBeforeHalving(const ImageError& halving, double order);
-
 /// The error of the picture of step h: 2^p times that after the halving.
 ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
+
+/// The error of the last of many pictures whose steps halve, from the differences between them, the newest
+/// last; at least one. Careful where data have edges, whose differences can fall by chance: the order is the
+/// smaller of the last two observed (1.5 at most where only one was), and unless these two agree, the error
+/// is at least what the difference before the last leaves at order 1.5.
+ErrorEstimate errorAfterHalvings(const std::vector<ImageError>& halvings);
+
+/// The error of the picture of step h, from the differences to that of h/2 and from there to that of h/4: at
+/// least four times the second, which at order 1 is all that is left.
+ErrorEstimate errorBeforeHalvings(const ImageError& first, const ImageError& second);
 
 /// Half a level as the default early termination counts it (RENDERING section 7): what it leaves out of a
 /// picture however small the step, 255 · (1 - 0.998).

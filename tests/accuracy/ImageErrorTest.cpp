@@ -80,6 +80,30 @@ TEST(ErrorEstimate, staysCarefulWhereNoOrderShows) {
   EXPECT_DOUBLE_EQ(errorBeforeHalving(difference(0.5)).p99_9, 1.0);
 }
 
+TEST(ErrorEstimate, ofManyHalvingsTrustsAnOrderThatTwoOfThemShow) {
+  // Differences of order 2, then of order 1.
+  EXPECT_NEAR(errorAfterHalvings({difference(16), difference(4), difference(1)}).p99_9, 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(errorAfterHalvings({difference(4), difference(2), difference(1)}).p99_9, 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(errorAfterHalvings({difference(0.5)}).p99_9, 0.5) << "no order yet";
+}
+
+TEST(ErrorEstimate, ofManyHalvingsMistrustsADifferenceThatFellByChance) {
+  // Order 1 before, then a fall to a tenth: the order stays 1, and 2/(2^1.5 (2^1.5 - 1)) is left of the one
+  // before.
+  const ErrorEstimate fell = errorAfterHalvings({difference(4), difference(2), difference(0.2)});
+  EXPECT_DOUBLE_EQ(fell.order, 1.0);
+  EXPECT_NEAR(fell.p99_9, 2.0 / (std::exp2(1.5) * (std::exp2(1.5) - 1.0)), 1e-12);
+  // A single order counts as 1.5 at most: 1/(2^1.5 - 1), and here the difference before says more.
+  const ErrorEstimate single = errorAfterHalvings({difference(4), difference(1)});
+  EXPECT_DOUBLE_EQ(single.order, 1.5);
+  EXPECT_NEAR(single.p99_9, 4.0 / (std::exp2(1.5) * (std::exp2(1.5) - 1.0)), 1e-12);
+}
+
+TEST(ErrorEstimate, beforeTwoHalvingsIsAtLeastWhatOrderOneLeaves) {
+  EXPECT_NEAR(errorBeforeHalvings(difference(4), difference(1)).p99_9, 4.0 * 4.0 / 3.0, 1e-12);
+  EXPECT_NEAR(errorBeforeHalvings(difference(1), difference(2)).p99_9, 8.0, 1e-12);
+}
+
 TEST(EarlyEnds, costTheRestOfTheRaysThatEndedEarly) {
   Scene scene;
   scene.quality.earlyTermination = 0.99;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
+#include "support/Heart.h"
 #include "support/TestData.h"
 #include "widgets/view/PictureStatus.h"
 #include "widgets/view/SideText.h"
@@ -83,8 +84,16 @@ protected:
     clock.start();
     dragAPoint();
     ASSERT_NE(scene(), before);
+    // Before the first finer picture programs are compiled and the light's overflow is measured.
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return view().pictureState().resting && view().pictureState().sides[0].stepVoxels < step; },
+        patienceMs));
+    const test::Heart heart;
     ASSERT_TRUE(refined());
-    std::printf("%.1f s: %s\n", 1e-3 * static_cast<double>(clock.elapsed()), qPrintable(statusText()));
+    std::printf("%.1f s, longest turn of the event loop %.0f ms: %s\n",
+                1e-3 * static_cast<double>(clock.elapsed()), heart.longestMs(), qPrintable(statusText()));
+    // A turn aims at 30 ms of drawing and a few of showing.
+    EXPECT_LE(heart.longestMs(), 100.0);
     const bool isClose = statedLevels() >= 0.0 && statedLevels() <= 0.5;
     EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
     EXPECT_EQ(scene().quality.stepVoxels, step) << "the step that the user chose stays";

@@ -109,6 +109,19 @@ TEST(BlockSteps, aBlockWhoseValuesAreTransparentIsEmpty) {
   EXPECT_FALSE(steps.levels[1].isEmpty);
 }
 
+TEST(LocalSteps, changeWithTheStepByTheSameRatio) {
+  Quality quality;
+  quality.stepVoxels = 0.5;
+  EXPECT_EQ(withSteps(quality, 0.125).fineness, std::nullopt) << "equal steps have none";
+  quality.toleranceLevels = 0.5;
+  quality.fineness = 5;
+  EXPECT_EQ(withSteps(quality, 0.125).fineness, 9) << "two levels halve every step";
+  EXPECT_EQ(withSteps(quality, 0.125).stepVoxels, 0.125);
+  EXPECT_EQ(withSteps(quality, 2.0).fineness, 1);
+  EXPECT_EQ(withSteps(quality, 16.0).fineness, Fineness::least);
+  EXPECT_EQ(withSteps(withSteps(quality, 0.25), 0.5), quality);
+}
+
 TEST(BlockSteps, eightTimesTheExtinctionHalvesTheStep) {
   const BlockFacts facts = blockFacts(volumeOf({9, 5, 5}, [](const glm::ivec3& i) { return 3.0 * i.x; }));
   const auto plainAt = [&](double extinctionPerMm) {

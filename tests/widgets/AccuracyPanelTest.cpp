@@ -20,6 +20,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace limn {
 namespace {
 
@@ -91,7 +93,8 @@ TEST_F(AccuracyPanelTest, theDialObeysKeysAndStandsBetweenPositionsWhereTheStepI
   dial().setFocus();
   QTest::keyClick(&dial(), Qt::Key_Left);
   EXPECT_EQ(scene.quality.stepVoxels, 1.0);
-  QTest::keyClick(&dial(), Qt::Key_End);
+  for (int stop = 0; stop < 3; ++stop)
+    QTest::keyClick(&dial(), Qt::Key_Right);
   EXPECT_EQ(scene.quality.stepVoxels, 0.125);
   scene.quality.stepVoxels = 0.4;
   panel.setScene(scene);
@@ -100,6 +103,30 @@ TEST_F(AccuracyPanelTest, theDialObeysKeysAndStandsBetweenPositionsWhereTheStepI
   QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().stopCentre(2).toPoint());
   EXPECT_EQ(edits, 1) << "the nearest position is another step";
   EXPECT_EQ(scene.quality.stepVoxels, 0.5);
+}
+
+TEST_F(AccuracyPanelTest, theExactEndAsksForStepsWithinHalfALevelAndComesBackFromThere) {
+  std::optional<Quality> wished;
+  QObject::connect(&panel, &AccuracyPanel::toleranceWished,
+                   [&](const Quality& quality, const Gesture&) { wished = quality; });
+  measure();
+  dial().setFocus();
+  QTest::keyClick(&dial(), Qt::Key_End);
+  EXPECT_EQ(edits, 0) << "the steps are still to be found";
+  ASSERT_TRUE(wished);
+  EXPECT_EQ(wished->toleranceLevels, 0.5);
+  scene.quality = *wished;
+  scene.quality.fineness = 7;
+  scene.quality.earlyTermination = 0.9999; // as the tolerance needs it
+  panel.setScene(scene);
+  EXPECT_EQ(sentence(), QStringLiteral("Exact to half a level: within 0.4 levels, 52 ms."));
+  EXPECT_EQ(dial().place(), 5.0);
+  QTest::keyClick(&dial(), Qt::Key_Left);
+  EXPECT_EQ(edits, 1);
+  EXPECT_FALSE(scene.quality.toleranceLevels);
+  EXPECT_FALSE(scene.quality.fineness);
+  EXPECT_EQ(scene.quality.earlyTermination, Quality{}.earlyTermination);
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/8 voxel: within 0.17 levels, 84 ms."));
 }
 
 TEST_F(AccuracyPanelTest, aClickOnAPointUsesItAsOneEdit) {

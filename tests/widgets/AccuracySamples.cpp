@@ -40,9 +40,13 @@ AccuracyReport sampleReport(const std::vector<OperatingPoint>& points) {
     const Factors factors = factorsOf(point);
     MeasuredPoint measured;
     measured.point = point;
-    const double levels = factors.leastError + factors.error * 10.4 * point.stepVoxels * point.stepVoxels;
+    double levels = factors.leastError + factors.error * 10.4 * point.stepVoxels * point.stepVoxels;
+    double ms = factors.time * (12.0 + 9.0 / point.stepVoxels);
+    if (point.toleranceLevels) {
+      levels = 0.8 * *point.toleranceLevels;
+      ms = 12.0 + 20.0 / *point.toleranceLevels;
+    }
     measured.error = {6.0 * levels, levels, 0.05 * levels, 0.2 * levels, 0.01 * levels};
-    const double ms = factors.time * (12.0 + 9.0 / point.stepVoxels);
     measured.ms = {ms, 0.95 * ms, 1.1 * ms};
     report.points.push_back(measured);
   }

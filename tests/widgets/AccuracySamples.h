@@ -6,8 +6,9 @@
 namespace limn {
 
 /// A report whose errors and times follow simple laws, so that tests can say what to expect: rays err by
-/// 8 · step² · 1.3 levels and take 12 + 9 / step ms, every other family differs by a factor of each. Spreads
-/// are -5 % and +10 %. The exact picture has converged to 0.004 level.
+/// 8 · step² · 1.3 levels and take 12 + 9 / step ms, every other family differs by a factor of each, but
+/// tolerances, which are kept with a fifth to spare in 12 + 20 / tolerance ms. Spreads are -5 % and +10 %.
+/// The exact picture has converged to 0.004 level.
 AccuracyReport sampleReport(const std::vector<OperatingPoint>& points);
 
 } // namespace limn

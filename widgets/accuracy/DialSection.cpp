@@ -68,7 +68,13 @@ DialSection::DialSection(QWidget* parent)
          "The figures are the error of 999 in 1000 colour values, in levels of 255, and the time of a "
          "picture, both measured here.</p>"));
   m_sentence->setWordWrap(true);
-  contents()->addWidget(m_sentence);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(4);
+  text->addWidget(m_sentence);
+  QLabel* note = endLabel(tr("From there it refines while nothing moves."));
+  note->setWordWrap(true);
+  text->addWidget(note);
+  contents()->addLayout(text);
   contents()->addWidget(m_work);
   connect(m_work, &WorkRow::cancelled, this, &DialSection::cancelRequested);
   QStringList choices;

@@ -107,6 +107,9 @@ QString explanationOf(const PictureState& state) {
           .arg(levelsText(worstOf(state).estimate->p99_9));
   if (worstOf(state).isRough)
     text += QLatin1Char(' ') + translated("Estimated from a smaller picture.");
+  if (state.sides.front().imageScale < 1.0)
+    text += QLatin1Char(' ') +
+            translated("The preview also has fewer pixels than the window; that comes on top.");
   return text;
 }
 

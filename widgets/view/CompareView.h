@@ -180,8 +180,9 @@ private:
     Gesture gesture;
   };
 
-  static constexpr double budgetMs = 30.0; // of drawing in one turn of the event loop
-  static constexpr int showEveryMs = 200;  // while refining: showing costs as much as a turn of it
+  static constexpr double budgetMs = 30.0;     // of drawing in one turn of the event loop
+  static constexpr double restBudgetMs = 20.0; // of drawing what nobody waits for
+  static constexpr int showEveryMs = 200;      // while refining: showing costs as much as a turn of it
 
   // Drawing (CompareView.cpp)
   void makePanels();

@@ -95,7 +95,7 @@ RestTurn CompareView::restTurn() {
   RestTurn turn = RestTurn::nothing;
   makeCurrent();
   try {
-    turn = m_pictures->workAtRest(m_refinesAtRest, budgetMs);
+    turn = m_pictures->workAtRest(m_refinesAtRest, restBudgetMs);
   } catch (const std::exception& error) {
     // The picture is complete: it stays, only what was to be measured or refined is missing.
     m_pictures->giveUpRefinement();

@@ -60,8 +60,7 @@ ErrorProbe::Measured ErrorProbe::measure(RayCaster& caster, const Scene& scene) 
   const Image quarter = draw(caster, scene, step / 4.0);
   const ImageError first = imageError(half, shown);
   const ImageError second = imageError(quarter, half);
-  return {step, errorBeforeHalving(first, observedOrder(first.p99_9, second.p99_9)),
-          errorOfEarlyEnds(shown, scene)};
+  return {step, errorBeforeHalvings(first, second), errorOfEarlyEnds(shown, scene)};
 }
 
 Image ErrorProbe::draw(RayCaster& caster, Scene scene, double stepVoxels) {

@@ -33,8 +33,12 @@ void PictureStatus::setText(const AccuracyText& text) {
     return;
   m_text = text;
   const Texts shown = partsOf(text);
-  for (std::size_t i = 0; i < m_parts.size(); ++i)
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
     m_parts[i]->setText(shown[i]);
+    const int advance = m_parts[i]->fontMetrics().horizontalAdvance(shown[i]);
+    if (!shown[i].isEmpty())
+      m_padding = std::max(m_padding, m_parts[i]->sizeHint().width() - advance);
+  }
   setToolTip(text.toolTip);
   setAccessibleDescription(text.line());
   updateGeometry();
@@ -46,12 +50,10 @@ std::array<int, 4> PictureStatus::widths() const {
   std::array<int, 4> widths{};
   for (std::size_t i = 0; i < widths.size(); ++i) {
     const QFontMetrics metrics = m_parts[i]->fontMetrics();
-    const int shown = metrics.horizontalAdvance(m_parts[i]->text());
-    int widest = shown;
+    int widest = metrics.horizontalAdvance(m_parts[i]->text());
     for (const AccuracyText& common : commonAccuracyTexts())
       widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
-    // The style adds its padding.
-    widths[i] = m_parts[i]->sizeHint().width() - shown + widest + gap;
+    widths[i] = widest + m_padding + gap;
   }
   return widths;
 }

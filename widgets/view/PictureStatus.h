@@ -35,6 +35,7 @@ private:
 
   AccuracyText m_text;
   std::array<QLabel*, 4> m_parts{}; ///< estimate, step, time, engine
+  int m_padding = 0;                ///< that the style gives to a part
 };
 
 } // namespace limn

@@ -93,7 +93,7 @@ std::optional<RefinementEnd> Refinement::endBefore(RayCaster& caster, std::span<
 
 bool Refinement::isWithinTarget(RayCaster& caster, std::span<SidePicture> sides) const {
   for (std::size_t i = 0; i < sides.size(); ++i)
-    if (!m_sides[i].halving || m_sides[i].steps.p99_9 > halfALevel ||
+    if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 > halfALevel ||
         !isResolved(caster, withStep(sides[i].scene(), sides[i].finishedStepVoxels())))
       return false;
   return true;
@@ -147,9 +147,9 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     const std::shared_ptr<Job> job = std::move(m_sides[i].job);
     if (job->problem)
       std::rethrow_exception(job->problem);
-    m_sides[i].steps = errorAfterHalving(job->halving, m_sides[i].halving);
+    m_sides[i].halvings.push_back(job->halving);
+    m_sides[i].steps = errorAfterHalvings(m_sides[i].halvings);
     m_sides[i].whole = withEarlyEnds(m_sides[i].steps, job->earlyEnds);
-    m_sides[i].halving = job->halving;
     m_lastMs += sides[i].finerSchedule().spentMs();
     sides[i].adoptFiner(std::move(job->picture));
   }
@@ -166,7 +166,7 @@ void Refinement::leavePass(std::span<SidePicture> sides) {
 
 std::optional<ErrorEstimate> Refinement::estimate(int side) const {
   const auto index = static_cast<std::size_t>(side);
-  if (index >= m_sides.size() || !m_sides[index].halving)
+  if (index >= m_sides.size() || m_sides[index].halvings.empty())
     return std::nullopt;
   return m_sides[index].whole;
 }

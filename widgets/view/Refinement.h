@@ -46,7 +46,7 @@ private:
   // What is computed of a pass beside the event loop.
   struct Job;
   struct Side {
-    std::optional<ImageError> halving; ///< the difference that the last pass made
+    std::vector<ImageError> halvings; ///< the differences that the passes made
     ErrorEstimate steps;
     ErrorEstimate whole;
     std::shared_ptr<Job> job;

@@ -117,6 +117,7 @@ unsigned SidePicture::finerTexture() const {
 void SidePicture::finish() {
   adopt(limn::finished(std::make_shared<const Image>(m_full.read()), m_scene.image.background),
         m_scene.quality.stepVoxels);
+  m_finishedRowMs = m_schedule.rowMs();
 }
 
 void SidePicture::adopt(FinishedPicture picture, double stepVoxels) {
@@ -127,9 +128,12 @@ void SidePicture::adopt(FinishedPicture picture, double stepVoxels) {
   m_finished = true;
 }
 
-// The full picture was read back: its place is free.
+// The full picture was read back: its place is free. Its rows take as much longer as the steps are smaller.
 void SidePicture::beginFiner(double stepVoxels) {
-  m_finer = Finer{stepVoxels, TileSchedule(m_size)};
+  std::vector<double> expectedMs = m_finishedRowMs;
+  for (double& ms : expectedMs)
+    ms *= m_finishedStepVoxels / stepVoxels;
+  m_finer = Finer{stepVoxels, TileSchedule(m_size, std::move(expectedMs))};
 }
 
 void SidePicture::prepareFiner(RayCaster& caster) {
@@ -152,6 +156,7 @@ void SidePicture::drawFinerStrip(RayCaster& caster) {
 void SidePicture::adoptFiner(FinishedPicture picture) {
   adopt(std::move(picture), m_finer->stepVoxels);
   m_completeMs = m_finer->schedule.spentMs();
+  m_finishedRowMs = m_finer->schedule.rowMs();
   m_finer.reset();
 }
 

@@ -97,6 +97,7 @@ private:
   ByteTexture m_bytesTexture;
   FinishedPicture m_picture;
   double m_finishedStepVoxels = 0.0;
+  std::vector<double> m_finishedRowMs; ///< what each of its rows took
   std::optional<Finer> m_finer;
 };
 

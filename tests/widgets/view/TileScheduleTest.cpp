@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace limn {
 namespace {
 
@@ -25,7 +28,7 @@ TEST(TileSchedule, stripsOfSteadyCostSettleAtTheTarget) {
   TileSchedule schedule({300, 1000});
   double ms = 0.0;
   for (int i = 0; i < 8; ++i) {
-    ms = 0.8 * schedule.next().size.y; // 0.8 ms a row: 15 rows take 12 ms
+    ms = 0.75 * schedule.next().size.y; // 0.75 ms a row: 16 rows take 12 ms
     schedule.finished(ms);
   }
   EXPECT_LE(ms, TileSchedule::targetMs);
@@ -81,6 +84,62 @@ TEST(TileSchedule, cutStripsOfSteadyCostSettleAtTheTarget) {
       EXPECT_LE(ms, TileSchedule::targetMs + 1e-9);
     }
   }
+}
+
+// Rows of a head between rows of air: 0.01 ms each, then 6 ms each.
+std::vector<double> headBetweenAir() {
+  std::vector<double> rows(300, 0.01);
+  std::fill(rows.begin() + 100, rows.begin() + 200, 6.0);
+  return rows;
+}
+
+TEST(TileSchedule, stripsBeforeRowsThatAreKnownToBeSlowAreLowInTime) {
+  const std::vector<double> rows = headBetweenAir();
+  TileSchedule schedule({400, 300}, rows);
+  double longest = 0.0;
+  int strips = 0;
+  for (; !schedule.complete(); ++strips) {
+    const PixelRect strip = schedule.next();
+    double ms = 0.0;
+    for (int y = strip.topLeft.y; y < strip.topLeft.y + strip.size.y; ++y)
+      ms += rows[static_cast<std::size_t>(y)] * strip.size.x / 400.0;
+    EXPECT_GE(schedule.predictedMs(), ms - 1e-9);
+    longest = std::max(longest, ms);
+    schedule.finished(ms);
+  }
+  EXPECT_LE(longest, TileSchedule::targetMs + 1e-9);
+  EXPECT_LE(strips, 140) << "the head takes 600 ms";
+  double all = 0.0;
+  for (const double ms : schedule.rowMs())
+    all += ms;
+  EXPECT_NEAR(all, 602.0, 1e-9);
+  EXPECT_NEAR(schedule.rowMs()[150], 6.0, 1e-9);
+}
+
+TEST(TileSchedule, stripsEndWhereWholeBlocksOfTheRendererAreLeftBelow) {
+  TileSchedule schedule({300, 203});
+  for (int i = 0; !schedule.complete(); ++i) {
+    if (i > 1) {
+      EXPECT_EQ((203 - schedule.next().topLeft.y) % TileSchedule::leastRows, 0) << "strip " << i;
+    }
+    schedule.finished(0.3 * i);
+  }
+}
+
+TEST(TileSchedule, learnsThatAllTakesLongerThanExpected) {
+  TileSchedule schedule({400, 300}, std::vector<double>(300, 1.0));
+  double ms = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    ms = 3.0 * schedule.next().size.y;
+    schedule.finished(ms);
+  }
+  EXPECT_LE(ms, 1.2 * TileSchedule::targetMs);
+}
+
+TEST(TileSchedule, aPictureDrawnAtOnceIsExpectedToBeEven) {
+  TileSchedule schedule({10, 20});
+  schedule.finishedWhole(8.0);
+  EXPECT_EQ(schedule.rowMs(), std::vector<double>(20, 0.4));
 }
 
 TEST(TileSchedule, sumsTheTimeSpent) {
