@@ -7,6 +7,9 @@
 
 #include <QMetaObject>
 
+#include <algorithm>
+#include <tuple>
+
 namespace limn {
 namespace {
 
@@ -14,6 +17,15 @@ namespace {
 Scene withoutQuality(Scene scene) {
   scene.quality = {};
   return scene;
+}
+
+// One that cannot keep its tolerance comes first: that is to be told.
+bool needsFinerSteps(const WithinTolerance& a, const WithinTolerance& b) {
+  const auto rank = [](const WithinTolerance& found) {
+    const Quality& quality = found.scene.quality;
+    return std::tuple(found.holds, -quality.fineness.value_or(0), quality.stepVoxels);
+  };
+  return rank(a) < rank(b);
 }
 
 } // namespace
@@ -122,19 +134,23 @@ void AccuracyMeasurer::compare(const Scene& scene, const glm::ivec2& size) {
   });
 }
 
-void AccuracyMeasurer::findSteps(const Scene& scene, const glm::ivec2& size) {
-  start([scene, size](Job& job) {
+void AccuracyMeasurer::findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size) {
+  start([scenes, size](Job& job) {
     const ReportProgress progress = job.progress(0.0, 1.0);
+    const double usualPictures = 8.0 * static_cast<double>(scenes.size());
     int pictures = 0;
-    // Some eight small pictures are commonly needed; how many is not known before.
+    // Some eight small pictures of each are commonly needed; how many is not known before.
     const DrawScene draw = [&](const Scene& tried, const glm::ivec2& pixels) {
-      progress(1.0 - 8.0 / (8.0 + pictures++), "Looking for the steps that are needed");
+      progress(1.0 - usualPictures / (usualPictures + pictures++), "Looking for the steps that are needed");
       return job.renderers().render(tried, pixels);
     };
-    const WithinTolerance found = withinTolerance(scene, size, draw);
-    job.tell([found](AccuracyMeasurer& owner) {
+    std::vector<WithinTolerance> found;
+    for (const Scene& scene : scenes)
+      found.push_back(withinTolerance(scene, size, draw));
+    const WithinTolerance finest = *std::min_element(found.begin(), found.end(), needsFinerSteps);
+    job.tell([finest](AccuracyMeasurer& owner) {
       owner.m_work.reset();
-      emit owner.stepsFound(found);
+      emit owner.stepsFound(finest);
     });
   });
 }

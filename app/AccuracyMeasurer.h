@@ -32,8 +32,9 @@ public:
   /// Compares the picture of a scene with the exact one.
   void compare(const Scene& scene, const glm::ivec2& size);
 
-  /// Finds the steps with which a picture of `size` keeps the tolerance of its scene (accuracy/Tolerance).
-  void findSteps(const Scene& scene, const glm::ivec2& size);
+  /// Finds the steps with which pictures of `size` keep the tolerance of their scenes (accuracy/Tolerance);
+  /// the scenes differ in their light, and what is told is the one that needs the finest steps.
+  void findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
   void cancel();
 

@@ -99,10 +99,13 @@ void MainWindow::measureAccuracy() {
 
 void MainWindow::findSteps(const Quality& quality, const Gesture& gesture) {
   takeErrorMapBack();
-  Scene scene = m_view->sceneOfSide(sideMeasured());
-  scene.quality = quality;
+  std::vector<Scene> scenes;
+  for (int side = 0; side < pictureCount(m_view->compareLayout()); ++side) {
+    scenes.push_back(m_view->sceneOfSide(side));
+    scenes.back().quality = quality;
+  }
   m_toleranceGesture = gesture;
-  m_accuracyMeasurer.findSteps(scene, shownSize());
+  m_accuracyMeasurer.findSteps(scenes, shownSize());
   setAccuracyWork(AccuracyWork::findingSteps);
 }
 

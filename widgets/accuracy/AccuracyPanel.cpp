@@ -6,8 +6,10 @@
 #include "widgets/accuracy/MeasuredSection.h"
 #include "widgets/accuracy/PointText.h"
 #include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
 
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -84,6 +86,10 @@ void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
   showProgress(0.0, {});
   showScene();
+  if (work == AccuracyWork::measuring)
+    bringIntoView(m_chart->work());
+  if (work == AccuracyWork::comparing)
+    bringIntoView(m_map);
 }
 
 void AccuracyPanel::showProgress(double fraction, const QString& doing) {
@@ -102,6 +108,13 @@ void AccuracyPanel::setMapUnavailable(const QString& reason) {
 
 void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) {
   m_map->setCompared(compared ? &*compared : nullptr);
+  if (compared)
+    bringIntoView(m_map);
+}
+
+// What was begun or found is seen, once it has its place.
+void AccuracyPanel::bringIntoView(QWidget* part) {
+  QTimer::singleShot(0, part, [this, part] { ensureWidgetVisible(part); });
 }
 
 void AccuracyPanel::showScene() {

@@ -67,6 +67,7 @@ private:
   void ask(const Quality& quality, const QString& undoText);
   void answer(const WishAnswer& answer);
   void showScene();
+  void bringIntoView(QWidget* part);
   const MeasuredAccuracy* holding() const;
   double steepestPerMm() const;
 
