@@ -10,8 +10,9 @@ namespace {
 // Between 1 and 2: the order trusted where few pictures tell.
 constexpr double carefulOrder = 1.5;
 
-// Orders that differ by less are one. Measured on the CT head from four sides with three models and two
-// functions, 96² pixels, steps 1/2 to 1/32: the lowest of 240 estimates rose from 0.40 to 1.0 of the truth.
+// Orders that differ by less are one. On the CT head (two views, two models, two functions, steps 1/2 to
+// 1/32) the lowest of 50 estimates of 96² pixels is 1.0 of the truth, of 64² pixels 0.58; the last order alone
+// gave 0.37.
 constexpr double agreement = 0.1;
 
 } // namespace

@@ -38,8 +38,9 @@ Quality withSteps(Quality quality, double stepVoxels);
 /// The fineness that a tolerance commonly needs.
 int usualFineness(double toleranceLevels);
 
-/// The largest difference, from one sample to the next, of the light that a step adds to a channel of the pixel
-/// (0..1) if it is all like the one or like the other; beyond it the step is taken again with a smaller one.
+/// The largest difference, from one sample to the next, of the light that a step adds to a channel of the
+/// pixel (0..1) if it is all like the one or like the other; beyond it the step is taken again with a smaller
+/// one.
 double mostChange(int fineness);
 
 /// By how many levels a block may be sampled more coarsely behind what leaves this transmittance: its error
