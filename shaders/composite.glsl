@@ -5,7 +5,7 @@ out vec4 fragColor;
 
 #ifndef EFFECT_LOCAL_STEPS
 // The ray in equal steps; where nothing is left of it, there is no sample.
-Gathered gather(Ray ray, vec2 span, out int spent) {
+Gathered gatherAlong(Ray ray, vec2 span, out int spent) {
   spent = span.y > span.x ? sampleCount(span.y - span.x) : 0;
   return gather(marchThrough(ray, span, max(spent, 1)), spent);
 }
@@ -29,11 +29,11 @@ void main() {
     surface = surfaceColor(march, hit);
     span.y = span.x + (hit + march.offset) * march.stepMm;
   }
-  fragColor = pixelOf(gather(ray, span, spent));
+  fragColor = pixelOf(gatherAlong(ray, span, spent));
   if (isHit)
     fragColor = vec4(fragColor.rgb + (1.0 - fragColor.a) * surface, 1.0);
 #else
-  fragColor = pixelOf(gather(ray, span, spent));
+  fragColor = pixelOf(gatherAlong(ray, span, spent));
 #endif
 #ifdef EFFECT_SAMPLE_COUNTS
   fragColor = vec4(float(spent));

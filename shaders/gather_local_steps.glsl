@@ -43,7 +43,7 @@ Shaded sampleAt(March march, vec3 position, float scalar, float place) {
 }
 
 // Find the next piece that may be seen, then take pieces until one cannot.
-Gathered gather(Ray ray, vec2 span, out int spent) {
+Gathered gatherAlong(Ray ray, vec2 span, out int spent) {
   March march = marchFrom(ray, span.x);
   BlockPath path = blockPath(march.firstIndex, ray.direction);
   Walk walk = walkThrough(path, span.y - span.x);

@@ -11,8 +11,8 @@ namespace {
 constexpr double carefulOrder = 1.5;
 
 // Orders that differ by less are one. On the CT head (two views, two models, two functions, steps 1/2 to
-// 1/32) the lowest of 50 estimates of 96² pixels is 1.0 of the truth, of 64² pixels 0.58; the last order alone
-// gave 0.37.
+// 1/32) the lowest of 50 estimates of 96² pixels is 1.0 of the truth, of 64² pixels 0.58; the last order
+// alone gave 0.37.
 constexpr double agreement = 0.1;
 
 } // namespace

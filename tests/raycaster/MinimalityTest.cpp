@@ -27,6 +27,8 @@ std::string preprocessed(const std::string& text) {
     words >> directive >> name;
     if (directive == "#ifdef")
       active.push_back(active.back() && defined.contains(name));
+    else if (directive == "#ifndef")
+      active.push_back(active.back() && !defined.contains(name));
     else if (directive == "#else")
       active.back() = !active.back() && active[active.size() - 2];
     else if (directive == "#endif")
