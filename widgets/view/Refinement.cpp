@@ -63,17 +63,19 @@ RestTurn Refinement::step(RayCaster& caster, std::span<SidePicture> sides, doubl
 
 // Halve the step, unless the pictures are good enough or nothing would be gained.
 RestTurn Refinement::begin(RayCaster& caster, std::span<SidePicture> sides) {
-  if (m_sides.empty())
+  const double step = sides.front().finishedStepVoxels() / 2.0;
+  if (m_sides.empty()) {
     for (const SidePicture& side : sides)
       m_lastMs += side.completeMs().value_or(0.0);
+    for (double later = step; later >= smallestStepVoxels; later /= 2.0)
+      m_toPrepare.push_back(later);
+  }
   m_sides.resize(sides.size());
-  const double step = sides.front().finishedStepVoxels() / 2.0;
   m_end = endBefore(caster, sides, step);
   if (m_end)
     return RestTurn::finished;
   for (SidePicture& side : sides)
     side.beginFiner(step);
-  m_compiled = 0;
   return RestTurn::worked;
 }
 
@@ -100,12 +102,13 @@ bool Refinement::isWithinTarget(RayCaster& caster, std::span<SidePicture> sides)
 }
 
 // A smaller step may call for another program: some drivers compile when something is drawn, so one pixel is
-// drawn in a turn of its own.
+// drawn in a turn of its own. For all passes before the first, so that none of them stalls in its middle.
 bool Refinement::compileOne(RayCaster& caster, std::span<SidePicture> sides) {
-  if (m_compiled == sides.size())
-    return false;
-  sides[m_compiled++].prepareFiner(caster);
-  return true;
+  for (; !m_toPrepare.empty(); m_toPrepare.pop_back())
+    for (SidePicture& side : sides)
+      if (side.prepareFiner(caster, m_toPrepare.back()))
+        return true;
+  return false;
 }
 
 bool Refinement::drawStrips(RayCaster& caster, std::span<SidePicture> sides, double budgetMs) {

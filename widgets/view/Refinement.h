@@ -62,9 +62,9 @@ private:
 
   std::vector<Side> m_sides;
   std::optional<RefinementEnd> m_end;
-  std::size_t m_compiled = 0; ///< sides whose program of this pass is ready
-  double m_spentMs = 0.0;     ///< by all passes
-  double m_lastMs = 0.0;      ///< by the last one; at first by the pictures of the scenes' step
+  std::vector<double> m_toPrepare; ///< steps whose programs may not be compiled yet
+  double m_spentMs = 0.0;          ///< by all passes
+  double m_lastMs = 0.0;           ///< by the last one; at first by the pictures of the scenes' step
 };
 
 /// Whether a picture of the scene sees its transfer function (accuracy/Resolution).

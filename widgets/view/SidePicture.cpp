@@ -136,13 +136,16 @@ void SidePicture::beginFiner(double stepVoxels) {
   m_finer = Finer{stepVoxels, TileSchedule(m_size, std::move(expectedMs))};
 }
 
-void SidePicture::prepareFiner(RayCaster& caster) {
+bool SidePicture::prepareFiner(RayCaster& caster, double stepVoxels) {
   Scene scene = m_scene;
-  scene.quality = withSteps(scene.quality, m_finer->stepVoxels);
+  scene.quality = withSteps(scene.quality, stepVoxels);
+  if (caster.isReady(scene))
+    return false;
   m_full.bind();
   // One pixel in the middle, which is drawn again before the strips reach it.
   caster.draw(scene, m_size, {m_size / 2, {1, 1}});
   glFinish();
+  return true;
 }
 
 void SidePicture::drawFinerStrip(RayCaster& caster) {

@@ -47,7 +47,8 @@ public:
   void beginFiner(double stepVoxels);
   bool isFiner() const { return m_finer.has_value(); } ///< begun and not adopted yet
   void leaveFiner() { m_finer.reset(); }
-  void prepareFiner(RayCaster& caster); ///< lets the driver compile what the step needs
+  /// Lets the driver compile what a step needs; false where it has. Only while a finer picture is begun.
+  bool prepareFiner(RayCaster& caster, double stepVoxels);
   void drawFinerStrip(RayCaster& caster);
   const TileSchedule& finerSchedule() const { return m_finer->schedule; }
   /// The picture of the step begun, once its schedule is complete; waits for the drawing to end.
