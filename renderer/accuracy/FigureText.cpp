@@ -44,7 +44,8 @@ std::string meanText(const ImageError& error, const ReferenceFacts& reference) {
 }
 
 std::string referenceSentence(const ReferenceFacts& reference) {
-  const std::string step = std::string("1/") + threeDigits(1.0 / reference.stepVoxels) + " voxel";
+  const std::string step =
+      std::string("1/") + std::to_string(std::lround(1.0 / reference.stepVoxels)) + " voxel";
   if (!reference.converged)
     return "Not converged: at a step of " + step + " the exact picture still changed by " +
            threeDigits(reference.lastChangeLevels) + " levels (99.9th percentile), so no error is told.";

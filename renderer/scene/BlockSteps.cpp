@@ -71,6 +71,7 @@ private:
   static std::vector<double> opacities(const TransferFunction& function, const ValueRange& range) {
     const double width = (range.highest - range.lowest) / binCount;
     std::vector<double> values;
+    values.reserve(binCount);
     for (int i = 0; i < binCount; ++i)
       values.push_back(
           largestOpacityWithin(function, range.lowest + i * width, range.lowest + (i + 1) * width));

@@ -17,7 +17,8 @@ constexpr glm::ivec2 pictureSize{96, 80};
 Scene phantomScene(ShadingModel model) {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0});
   Scene scene = test::headScene(volume, model);
-  scene.quality = {.stepVoxels = 0.5};
+  scene.quality = Quality{};
+  scene.quality.stepVoxels = 0.5;
   return scene;
 }
 

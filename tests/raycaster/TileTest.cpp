@@ -43,7 +43,8 @@ struct Canvas {
 Scene robustPhantom() {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 5.0});
   Scene scene = test::headScene(volume, ShadingModel::robust);
-  scene.quality = {.stepVoxels = 0.5};
+  scene.quality = Quality{};
+  scene.quality.stepVoxels = 0.5;
   return scene;
 }
 

@@ -87,7 +87,8 @@ Scene waveScene() {
   scene.camera.heightMm = 30.0;
   // No kink of the function inside the range of the values.
   scene.transferFunction = {1.0, {{0.0, {1.0, 0.3, 0.2}, 0.0}, {1.0, {0.2, 0.7, 1.0}, 0.6}}};
-  scene.quality = {.earlyTermination = 1.0};
+  scene.quality = Quality{};
+  scene.quality.earlyTermination = 1.0;
   return scene;
 }
 

@@ -68,7 +68,9 @@ TEST_F(ShadingPanelTest, settingEmitsNothing) {
   QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel, [&] { ++quality; });
   m_panel.setShading(unusual());
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::robust});
-  m_panel.setQuality({.stepVoxels = 0.123});
+  Quality fine;
+  fine.stepVoxels = 0.123;
+  m_panel.setQuality(fine);
   m_panel.setShading({});
   EXPECT_TRUE(m_edits.empty());
   EXPECT_EQ(quality, 0);
