@@ -94,9 +94,10 @@ Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& 
   }
   auto known = withinTolerances.find(*point.toleranceLevels);
   if (known == withinTolerances.end()) {
-    RayCaster caster;
-    const auto draw = [&caster](const Scene& tried, const glm::ivec2& pixels) {
-      return caster.render(tried, pixels);
+    if (!rays)
+      rays.emplace();
+    const auto draw = [this](const Scene& tried, const glm::ivec2& pixels) {
+      return rays->render(tried, pixels);
     };
     const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw);
     known = withinTolerances.emplace(*point.toleranceLevels, found.scene).first;
@@ -114,6 +115,9 @@ void RealRenderers::Parts::forget() {
 }
 
 double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
+  // The search for steps is no part of drawing with them.
+  if (point.toleranceLevels)
+    withSteps(scene, point, size);
   forget();
   forgetPeak();
   const double before = residentMb();
