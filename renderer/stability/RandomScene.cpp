@@ -126,6 +126,15 @@ TransferFunction gentleFunction(Dice& dice, const Volume& volume) {
   return normalised(function);
 }
 
+// Where pictures are compared, the box is at most 64 unit distances long: what the rounding of a scalar
+// changes of an opacity counts as often.
+double randomUnitDistance(Dice& dice, const Recipe& recipe, const Grid& grid) {
+  const double diagonal = boxDiagonalMm(grid);
+  if (recipe.isComparable)
+    return diagonal * dice.octaves(-6, 4);
+  return (dice.oneIn(2) ? smallestSpacingMm(grid) : diagonal) * dice.octaves(-20, 20);
+}
+
 Fog randomFog(Dice& dice, Fog::Mode mode, const Scene& scene) {
   const double size = boxDiagonalMm(scene.volume->grid());
   const double away = glm::length(scene.camera.position - boxCentreMm(scene.volume->grid()));
@@ -219,9 +228,7 @@ RandomScene randomScene(std::uint64_t seed) {
   scene.camera = camera.camera;
   scene.transferFunction =
       recipe.isComparable ? gentleFunction(dice, *scene.volume) : randomFunction(dice, *scene.volume);
-  const double size = dice.oneIn(2) ? smallestSpacingMm(grid) : boxDiagonalMm(grid);
-  scene.transferFunction.unitDistanceMm =
-      size * (recipe.isComparable ? dice.octaves(-3, 6) : dice.octaves(-20, 20));
+  scene.transferFunction.unitDistanceMm = randomUnitDistance(dice, recipe, grid);
   scene.shading = randomShading(dice, recipe.light, scene.volume->range(), grid);
   if (recipe.hasGradientOpacity)
     scene.gradientOpacity = randomGradientOpacity(dice, scene.volume->range(), grid);
