@@ -148,10 +148,11 @@ double randomUnitDistance(Dice& dice, const Recipe& recipe, const Grid& grid) {
 
 Fog randomFog(Dice& dice, Fog::Mode mode, const Scene& scene) {
   const double size = boxDiagonalMm(scene.volume->grid());
-  const double away = glm::length(scene.camera.position - boxCentreMm(scene.volume->grid()));
+  const glm::dvec3 eye = scene.camera.position - boxCentreMm(scene.volume->grid());
+  const double away = std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z);
   Fog fog{mode, randomColor(dice), 0.0, 0.0, 0.0};
   fog.densityPerMm = dice.oneIn(8) ? 0.0 : dice.octaves(-6, 6) / size;
-  fog.startMm = dice.oneIn(4) ? 0.0 : away + size * dice.between(-1.0, 1.0);
+  fog.startMm = dice.oneIn(4) ? 0.0 : away * dice.between(0.5, 1.0) + size * dice.between(-1.0, 1.0);
   fog.endMm = dice.oneIn(6) ? fog.startMm : fog.startMm + size * dice.between(-0.2, 2.0);
   if (dice.oneIn(16))
     fog.densityPerMm = dice.octaves(-1000, 1000);
