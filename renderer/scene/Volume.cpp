@@ -60,6 +60,9 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
     throw Error(Error::Kind::input,
                 "The volume's values are not finite after rescaling; its slope or intercept "
                 "is damaged.");
+  if (!std::isfinite(result.range.highest - result.range.lowest))
+    throw Error(Error::Kind::input, "The volume's values span more than a number can hold; divide them by a "
+                                    "constant in the program that wrote the file.");
   return result;
 }
 
