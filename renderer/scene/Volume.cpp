@@ -56,13 +56,11 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
   const double atSmallest = rescale.slope * static_cast<double>(smallest) + rescale.intercept;
   const double atLargest = rescale.slope * static_cast<double>(largest) + rescale.intercept;
   result.range = rising ? ValueRange{atSmallest, atLargest} : ValueRange{atLargest, atSmallest};
-  if (!std::isfinite(result.range.lowest) || !std::isfinite(result.range.highest))
-    throw Error(Error::Kind::input,
-                "The volume's values are not finite after rescaling; its slope or intercept "
-                "is damaged.");
+  // Differences of values must be numbers too, or nothing lies between them.
   if (!std::isfinite(result.range.highest - result.range.lowest))
-    throw Error(Error::Kind::input, "The volume's values span more than a number can hold; divide them by a "
-                                    "constant in the program that wrote the file.");
+    throw Error(Error::Kind::input,
+                "The volume's values, or the differences between them, are not finite after rescaling; "
+                "its slope, its intercept or its voxels are damaged.");
   return result;
 }
 

@@ -44,6 +44,13 @@ TEST(Volume, refusesAnArrayThatDoesNotMatchItsDimensions) {
   EXPECT_THROW(Volume(gridOf(2, 2, 2), std::vector<std::uint8_t>(7), {}, {}, {}), Error);
 }
 
+TEST(Volume, refusesValuesWhoseDifferenceIsNoNumber) {
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_THROW(Volume(gridOf(2, 1, 1), std::vector<double>{-largest, largest}, {}, {}, {}), Error);
+  const float most = std::numeric_limits<float>::max();
+  EXPECT_EQ(Volume(gridOf(2, 1, 1), std::vector<float>{-most, most}, {}, {}, {}).range().highest, most);
+}
+
 TEST(Volume, interpolatesBetweenCentresAndClampsBeyondThem) {
   const Volume volume(gridOf(2, 2, 1), std::vector<std::uint8_t>{0, 10, 20, 30}, {}, {}, {});
   EXPECT_DOUBLE_EQ(valueAt(volume, {0.5, 0.5, 0.0}), 15.0);
