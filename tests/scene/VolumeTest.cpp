@@ -84,5 +84,12 @@ TEST(Histogram, ofAConstantVolumeIsOneBin) {
   EXPECT_EQ(histogramOf(volume).counts, std::vector<std::uint64_t>{4});
 }
 
+TEST(Volume, valuesWhoseRangeIsNoNumberAreRefused) {
+  Grid grid;
+  grid.dims = {2, 1, 1};
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_THROW(Volume(grid, std::vector<double>{-most, most}, Rescale{}, std::nullopt, VolumeInfo{}), Error);
+}
+
 } // namespace
 } // namespace limn
