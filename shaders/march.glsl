@@ -7,7 +7,7 @@ struct March {
   vec3 advance;    // per sample
   vec3 firstIndex; // centred index of sample 0
   vec3 stride;     // per sample
-  float fromEye;   // of sample 0
+  float depth;     // the distance of sample 0 from the eye less that of the anchor plane
   float stepLength;
   float units;     // step in unit distances
   float offset;    // of sample 0 behind the entry, in steps
@@ -31,7 +31,7 @@ March marchThrough(Ray ray, vec2 span, int count) {
   march.firstIndex = ray.anchor + span.x * ray.direction + march.offset * march.stride;
   march.advance = march.stride * u_textureScale;
   march.first = toTexture(ray.anchor + span.x * ray.direction) + march.offset * march.advance;
-  march.fromEye = span.x - ray.eye + march.offset * march.stepLength;
+  march.depth = span.x + ray.aside + march.offset * march.stepLength;
   march.units = march.stepLength * u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
   march.light = lightAlong(ray.direction * u_spacing);
@@ -52,7 +52,7 @@ March marchFrom(Ray ray, float begin) {
   march.firstIndex = ray.anchor + begin * ray.direction;
   march.advance = march.stride * u_textureScale;
   march.first = toTexture(march.firstIndex);
-  march.fromEye = begin - ray.eye;
+  march.depth = begin + ray.aside;
   march.units = u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
   march.light = lightAlong(ray.direction * u_spacing);

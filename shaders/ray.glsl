@@ -21,6 +21,7 @@ struct Ray {
   vec3 anchor;
   vec3 direction; // voxels per length
   float eye;      // t of the eye
+  float aside;    // by which t = 0 lies farther from the eye than the anchor plane does
 };
 
 Ray rayThrough(vec2 fragment) {
@@ -31,6 +32,7 @@ Ray rayThrough(vec2 fragment) {
   ray.anchor = u_anchor + c.x * u_anchorX + c.y * u_anchorY;
   ray.direction = (u_direction + c.x * u_directionX + c.y * u_directionY) / length;
   ray.eye = -u_anchorDistance * length;
+  ray.aside = u_anchorDistance * (dot(tangent, tangent) / (1.0 + length)); // length - 1, without cancellation
   return ray;
 }
 

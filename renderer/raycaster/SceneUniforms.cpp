@@ -8,6 +8,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -16,12 +17,21 @@ namespace {
 // No colour and no distance reaches it.
 constexpr double beyondAll = 1e30;
 
+// Scenes may hold any double. What a float cannot is limited here: an infinity times 0 would be no number.
+constexpr double mostOfFloat = 1e37;
+
 // Sets uniforms from doubles.
 struct Setter {
   const ShaderProgram& program;
-  void operator()(const char* name, double value) const { program.set(name, static_cast<float>(value)); }
-  void operator()(const char* name, const glm::dvec2& value) const { program.set(name, glm::vec2(value)); }
-  void operator()(const char* name, const glm::dvec3& value) const { program.set(name, glm::vec3(value)); }
+  void operator()(const char* name, double value) const {
+    program.set(name, static_cast<float>(std::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
+  void operator()(const char* name, const glm::dvec2& value) const {
+    program.set(name, glm::vec2(glm::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
+  void operator()(const char* name, const glm::dvec3& value) const {
+    program.set(name, glm::vec3(glm::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
 };
 
 void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int most) {
@@ -73,7 +83,9 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_specular", terms.specular);
   set("u_exponent", glm::dvec2(terms.exponent.atFlat, terms.exponent.atBoundary));
   set("u_opacity", glm::dvec2(terms.opacity.atFlat, terms.opacity.atBoundary));
-  set("u_curve", terms.curve.parameter);
+  // So near 0 a logarithmic curve is a line, and so small a number no 0 yet.
+  const bool isLog = terms.curve.type == GradientCurve::Type::log;
+  set("u_curve", isLog ? std::max(terms.curve.parameter, 1e-30) : terms.curve.parameter);
   set("u_energyWeight", terms.energyFactor ? 1.0 : 0.0);
   // What the scene does not use gets its neutral value, for programs that have more than it needs.
   set("u_knee", terms.knee.value_or(beyondAll));
@@ -90,11 +102,14 @@ void setCut(const Setter& set, const Scene& scene) {
   set("u_cutDepth", 1.0);
 }
 
-void setFog(const Setter& set, const Fog& fog, double unit) {
-  const bool isOn = fog.mode != Fog::Mode::none;
+// Distances count from the anchor plane and not from the eye, so that fog about a volume seen from afar loses
+// no digits. A fog that cannot show is set as none: the program may hold another one.
+void setFog(const Setter& set, const Fog& fog, double anchorDistanceMm, double unit) {
+  const bool isLinear = fog.mode == Fog::Mode::linear;
+  const bool isOn = isLinear || (fog.mode != Fog::Mode::none && fog.densityPerMm > 0.0);
   set("u_fogColor", fog.color);
-  set("u_fogStart", isOn ? fog.startMm / unit : beyondAll);
-  set("u_fogEnd", isOn ? fog.endMm / unit : 2.0 * beyondAll);
+  set("u_fogStart", isOn ? (fog.startMm - anchorDistanceMm) / unit : beyondAll);
+  set("u_fogEnd", isOn ? (fog.endMm - anchorDistanceMm) / unit : 2.0 * beyondAll);
   set("u_fogDensity", isOn ? fog.densityPerMm * unit : 0.0);
 }
 
@@ -173,12 +188,15 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setRays(set, scene, size, sampleLimit(scene, textures));
   setVolume(set, textures.volume());
   set("u_functionDomain", glm::dvec3(textures.function().domain()));
-  const double unit = lengthUnitMm(scene.volume->grid());
-  set("u_perUnitDistance", unit / scene.transferFunction.unitDistanceMm);
+  const Grid& grid = scene.volume->grid();
+  const double unit = lengthUnitMm(grid);
+  // So many unit distances hide everything; the whole box must not have more than a float holds.
+  set("u_perUnitDistance",
+      std::min(unit / scene.transferFunction.unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit)));
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);
-  setFog(set, scene.fog, unit);
+  setFog(set, scene.fog, rayFrame(scene.camera, grid, size).anchorDistanceMm, unit);
   setSurface(set, scene);
   setLocalSteps(set, scene, textures.blockSteps());
   set("u_jitter", scene.quality.jitter ? 1.0 : 0.0);

@@ -53,9 +53,9 @@ glm::dvec3 randomUp(Dice& dice, const Grid& grid, const glm::dvec3& forward) {
   }
 }
 
-enum class Stand { outside, face, edge, corner, inside, voxel, far };
+enum class Stand { outside, face, edge, corner, inside, voxel, far, beyond };
 constexpr std::array standNames{"outside", "on a face",  "on an edge", "on a corner",
-                                "inside",  "on a voxel", "far"};
+                                "inside",  "on a voxel", "far",        "beyond all"};
 
 glm::dvec3 eyeAt(Dice& dice, const Grid& grid, Stand stand) {
   glm::dvec3 place = dice.vector(0.0, 1.0);
@@ -95,11 +95,12 @@ void setLens(Dice& dice, const Grid& grid, double diagonalsAway, Camera& camera)
 RandomCamera randomCamera(Dice& dice, const Grid& grid) {
   static constexpr std::array stands{Stand::outside, Stand::outside, Stand::outside, Stand::outside,
                                      Stand::face,    Stand::edge,    Stand::corner,  Stand::inside,
-                                     Stand::voxel,   Stand::far};
+                                     Stand::voxel,   Stand::far,     Stand::far,     Stand::beyond};
   const Stand stand = dice.oneOf(stands);
-  const double diagonalsAway = stand == Stand::outside ? dice.octaves(0, 3)
-                               : stand == Stand::far   ? dice.octaves(6, 30)
-                                                       : 0.0;
+  const double diagonalsAway = stand == Stand::outside  ? dice.octaves(0, 3)
+                               : stand == Stand::far    ? dice.octaves(6, 30)
+                               : stand == Stand::beyond ? dice.octaves(30, 900)
+                                                        : 0.0;
   Camera camera;
   if (diagonalsAway > 0.0) {
     camera = standingOff(dice, grid, diagonalsAway);

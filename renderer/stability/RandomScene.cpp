@@ -71,6 +71,15 @@ Recipe recipeOf(std::uint64_t seed) {
   return recipe;
 }
 
+// Any colour, often with channels of exactly 0 or 1.
+glm::dvec3 randomColor(Dice& dice) {
+  glm::dvec3 color = dice.vector(0.0, 1.0);
+  for (int channel = 0; channel < 3; ++channel)
+    if (dice.oneIn(4))
+      color[channel] = dice.upTo(2);
+  return color;
+}
+
 double randomOpacity(Dice& dice) {
   return dice.oneIn(3) ? 0.0 : dice.oneIn(8) ? 1.0 : dice.oneIn(3) ? dice.octaves(-40, 0) : dice.fraction();
 }
@@ -104,7 +113,7 @@ TransferFunction randomFunction(Dice& dice, const Volume& volume) {
       value = function.points.back().value;
     if (i > 0 && dice.oneIn(8))
       value = std::nextafter(function.points.back().value, 1e300);
-    function.points.push_back({value, dice.vector(0.0, 1.0), randomOpacity(dice)});
+    function.points.push_back({value, randomColor(dice), randomOpacity(dice)});
   }
   return normalised(function);
 }
@@ -118,7 +127,7 @@ TransferFunction gentleFunction(Dice& dice, const Volume& volume) {
     if (dice.oneIn(3)) {
       const double value = range.lowest + (range.highest - range.lowest) * place / places;
       const double opacity = dice.oneIn(4) ? 0.0 : 0.98 * dice.fraction();
-      function.points.push_back({value, dice.vector(0.0, 1.0), opacity});
+      function.points.push_back({value, randomColor(dice), opacity});
     }
   // A constant volume has one value: points at one place would be a step.
   if (!(range.highest > range.lowest) && function.points.size() > 1)
@@ -132,16 +141,23 @@ double randomUnitDistance(Dice& dice, const Recipe& recipe, const Grid& grid) {
   const double diagonal = boxDiagonalMm(grid);
   if (recipe.isComparable)
     return diagonal * dice.octaves(-6, 4);
+  if (dice.oneIn(16))
+    return dice.octaves(-1000, 1000);
   return (dice.oneIn(2) ? smallestSpacingMm(grid) : diagonal) * dice.octaves(-20, 20);
 }
 
 Fog randomFog(Dice& dice, Fog::Mode mode, const Scene& scene) {
   const double size = boxDiagonalMm(scene.volume->grid());
-  const double away = glm::length(scene.camera.position - boxCentreMm(scene.volume->grid()));
-  Fog fog{mode, dice.vector(0.0, 1.0), 0.0, 0.0, 0.0};
+  const glm::dvec3 eye = scene.camera.position - boxCentreMm(scene.volume->grid());
+  const double away = std::abs(eye.x) + std::abs(eye.y) + std::abs(eye.z);
+  Fog fog{mode, randomColor(dice), 0.0, 0.0, 0.0};
   fog.densityPerMm = dice.oneIn(8) ? 0.0 : dice.octaves(-6, 6) / size;
-  fog.startMm = dice.oneIn(4) ? 0.0 : away + size * dice.between(-1.0, 1.0);
+  fog.startMm = dice.oneIn(4) ? 0.0 : away * dice.between(0.5, 1.0) + size * dice.between(-1.0, 1.0);
   fog.endMm = dice.oneIn(6) ? fog.startMm : fog.startMm + size * dice.between(-0.2, 2.0);
+  if (dice.oneIn(16))
+    fog.densityPerMm = dice.octaves(-1000, 1000);
+  if (dice.oneIn(16))
+    fog.startMm = dice.sign() * dice.octaves(-1000, 1000);
   return fog;
 }
 

@@ -98,7 +98,7 @@ Shading randomShading(Dice& dice, const LightChoices& choices, const ValueRange&
   const double least = randomFactor(dice);
   shading.opacityRange = ordered(dice, least, randomFactor(dice));
   shading.gradientReference = randomReference(dice, range, grid);
-  shading.gradientCurve = {choices.curve, dice.oneIn(8) ? dice.octaves(-100, 100) : dice.octaves(-3, 6)};
+  shading.gradientCurve = {choices.curve, dice.oneIn(8) ? dice.octaves(-1000, 1000) : dice.octaves(-3, 6)};
   setRobust(dice, shading);
   // A light along the view, against it, on an axis, or with a length far from 1.
   if (choices.isFixed)

@@ -44,7 +44,7 @@ TEST(Volume, refusesAnArrayThatDoesNotMatchItsDimensions) {
   EXPECT_THROW(Volume(gridOf(2, 2, 2), std::vector<std::uint8_t>(7), {}, {}, {}), Error);
 }
 
-TEST(Volume, refusesValuesWhoseDifferenceIsNoNumber) {
+TEST(Volume, refusesValuesWhoseDifferencesAreNoNumbers) {
   const double largest = std::numeric_limits<double>::max();
   EXPECT_THROW(Volume(gridOf(2, 1, 1), std::vector<double>{-largest, largest}, {}, {}, {}), Error);
   const float most = std::numeric_limits<float>::max();
