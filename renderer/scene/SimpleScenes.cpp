@@ -53,6 +53,14 @@ Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& directi
   return scene;
 }
 
+Scene pixelPerVoxel(std::shared_ptr<const Volume> volume) {
+  Scene scene = rayThrough(std::move(volume));
+  const Grid& grid = scene.volume->grid();
+  scene.camera.heightMm = grid.dims.z * grid.spacingMm.z;
+  scene.quality.stepVoxels = grid.spacingMm.y / smallestSpacingMm(grid);
+  return scene;
+}
+
 double stepFor(const Scene& scene, double lengthMm, double samples) {
   return lengthMm / samples / smallestSpacingMm(scene.volume->grid());
 }

@@ -25,6 +25,11 @@ std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0
 /// spacing, without early termination: meant for pictures of one pixel.
 Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
 
+/// A slice of one voxel along y in `rows` rows along z, seen along y by a pixel per voxel, the first row at
+/// the bottom: meant for pictures of its size. In steps of its thickness each pixel takes one sample at a
+/// voxel's centre.
+Scene pixelPerVoxel(std::shared_ptr<const Volume> volume);
+
 /// The step in voxels that gives `samples` samples over `lengthMm`.
 double stepFor(const Scene& scene, double lengthMm, double samples);
 
