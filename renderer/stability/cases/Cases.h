@@ -15,5 +15,8 @@ std::vector<HardCase> voxelCases();    ///< voxels that are no numbers, huge, ti
 std::vector<HardCase> functionCases(); ///< transfer functions and how they are stored: H20, H24, H26, H27
 std::vector<HardCase> volumeShapeCases(); ///< few voxels, interpolation between them: H21, H29, H30
 std::vector<HardCase> gradientCases();    ///< normals, borders, gradient opacity: H22, H23, H28, H33
+std::vector<HardCase> samplingCases();    ///< jitter, early termination: H31, H32
+std::vector<HardCase> reuseCases();       ///< caches, empty space, tiles: H34, H35, H46
+std::vector<HardCase> preintegrationCases(); ///< H25, H36, H37
 
 } // namespace limn
