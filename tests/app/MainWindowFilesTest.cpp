@@ -92,7 +92,6 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
   window->writeScene(pathTo("scene.json"));
   window->writePicture(pathTo("picture.png"));
   window->close();
-  QSettings().sync();
   window.reset();
   std::filesystem::remove_all(folder.path() / "series");
   EXPECT_EQ(test::entriesOf(folder.path() / "settings"), 1u);
