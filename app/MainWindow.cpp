@@ -52,8 +52,10 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // The view's last words must not reach a window half gone.
+  // Last words must not reach a window half gone.
   m_view->disconnect(this);
+  for (QDockWidget* dock : findChildren<QDockWidget*>())
+    dock->disconnect(this);
   qApp->disconnect(this);
 }
 

@@ -67,6 +67,7 @@ CompareLayout layoutOf(SessionDocument::Layout layout) {
 
 void MainWindow::addSessionActions(QMenu& menu) {
   m_unsavedMenu = menu.addMenu(tr("Open &unsaved session"));
+  m_unsavedMenu->setObjectName(QStringLiteral("unsavedSessions"));
   m_unsavedMenu->setToolTip(tr("Sessions that were left with unsaved changes."));
   connect(&menu, &QMenu::aboutToShow, this, &MainWindow::refreshUnsavedMenu);
   menu.addSeparator();

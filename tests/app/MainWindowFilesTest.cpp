@@ -94,7 +94,7 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
   window->close();
   window.reset();
   std::filesystem::remove_all(folder.path() / "series");
-  EXPECT_EQ(test::entriesOf(folder.path() / "settings"), 1u);
+  EXPECT_EQ(test::entriesOf(folder.path() / "settings"), 2u); // and their lock
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
     if (!entry.is_regular_file())
