@@ -17,5 +17,5 @@ vec3 fogged(vec3 color, float z) {
 #ifdef EFFECT_FOG_EXP2
   float f = fogExp2(z, u_fogStart, u_fogDensity);
 #endif
-  return f * color + (1.0 - f) * u_fogColor;
+  return color + (1.0 - f) * (u_fogColor - color);
 }

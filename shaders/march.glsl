@@ -7,7 +7,7 @@ struct March {
   vec3 advance;    // per sample
   vec3 firstIndex; // centred index of sample 0
   vec3 stride;     // per sample
-  float depth;     // the distance of sample 0 from the eye less that of the anchor plane
+  float depth;     // of sample 0: its distance from the eye less that of the anchor plane
   float stepLength;
   float units;     // step in unit distances
   float offset;    // of sample 0 behind the entry, in steps

@@ -21,7 +21,7 @@ struct Ray {
   vec3 anchor;
   vec3 direction; // voxels per length
   float eye;      // t of the eye
-  float aside;    // by which t = 0 lies farther from the eye than the anchor plane does
+  float aside;    // how much farther from the eye t = 0 lies than the anchor plane
 };
 
 Ray rayThrough(vec2 fragment) {

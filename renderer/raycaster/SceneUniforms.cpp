@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/SceneUniforms.h"
 
+#include "scene/EffectPlan.h"
 #include "scene/LightingTerms.h"
 #include "scene/LocalSteps.h"
 #include "scene/RayFrame.h"
@@ -103,14 +104,14 @@ void setCut(const Setter& set, const Scene& scene) {
 }
 
 // Distances count from the anchor plane and not from the eye, so that fog about a volume seen from afar loses
-// no digits. A fog that cannot show is set as none: the program may hold another one.
-void setFog(const Setter& set, const Fog& fog, double anchorDistanceMm, double unit) {
-  const bool isLinear = fog.mode == Fog::Mode::linear;
-  const bool isOn = isLinear || (fog.mode != Fog::Mode::none && fog.densityPerMm > 0.0);
+// no digits. A fog that does not show is set as none: the program may have another one.
+void setFog(const Setter& set, const Scene& scene, double anchorDistanceMm, double unit) {
+  const Fog& fog = scene.fog;
+  const bool shows = fogShows(scene);
   set("u_fogColor", fog.color);
-  set("u_fogStart", isOn ? (fog.startMm - anchorDistanceMm) / unit : beyondAll);
-  set("u_fogEnd", isOn ? (fog.endMm - anchorDistanceMm) / unit : 2.0 * beyondAll);
-  set("u_fogDensity", isOn ? fog.densityPerMm * unit : 0.0);
+  set("u_fogStart", shows ? (fog.startMm - anchorDistanceMm) / unit : beyondAll);
+  set("u_fogEnd", shows ? (fog.endMm - anchorDistanceMm) / unit : 2.0 * beyondAll);
+  set("u_fogDensity", shows ? fog.densityPerMm * unit : 0.0);
 }
 
 void setSurface(const Setter& set, const Scene& scene) {
@@ -196,7 +197,7 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);
-  setFog(set, scene.fog, rayFrame(scene.camera, grid, size).anchorDistanceMm, unit);
+  setFog(set, scene, rayFrame(scene.camera, grid, size).anchorDistanceMm, unit);
   setSurface(set, scene);
   setLocalSteps(set, scene, textures.blockSteps());
   set("u_jitter", scene.quality.jitter ? 1.0 : 0.0);

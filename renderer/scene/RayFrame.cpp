@@ -23,7 +23,7 @@ glm::dvec3 withoutRounding(glm::dvec3 direction, double lengthMm) {
 // lost.
 double anchorDistance(const Camera& camera, const CameraBasis& basis, const glm::dvec3& eye,
                       double diagonalMm) {
-  const bool isClose = glm::length(eye) <= 0.5 * diagonalMm;
+  const bool isClose = glm::length(eye) <= 0.6 * diagonalMm; // beyond the corners, by more than rounding
   if (isClose && camera.projection == Camera::Projection::perspective)
     return 0.0;
   return std::max(0.0, -glm::dot(eye, basis.forward));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slices/SliceRenderer.h"
 
+#include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
@@ -142,9 +143,12 @@ SliceRenderer& SliceRenderer::operator=(SliceRenderer&&) noexcept = default;
 Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
   requireSliceable(scene);
   m_parts->noteStepLimit(scene, size);
+  forgetDriverErrors();
   const FloatTarget target(size);
   m_parts->draw(scene, size);
-  return readBack(size);
+  Image image = readBack(size);
+  requireHealthyDriver("drawing a picture of slices");
+  return image;
 }
 
 const GradientScale& SliceRenderer::gradientScale() const {
