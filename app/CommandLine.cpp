@@ -9,6 +9,7 @@
 #include "app/commands/InfoCommand.h"
 #include "app/commands/PresetsCommand.h"
 #include "app/commands/RenderCommand.h"
+#include "app/commands/StabilityCommand.h"
 #include "scene/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -90,6 +91,7 @@ int runCommandLine(int argc, char** argv) {
   addEffectsCommand(program);
   addPresetsCommand(program);
   addAccuracyCommand(program);
+  addStabilityCommand(program);
   addBenchCommand(program);
   return parseAndRun(program, argc, argv, arguments);
 }

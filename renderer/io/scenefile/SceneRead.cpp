@@ -97,7 +97,8 @@ void readLightDirection(JsonFields& fields, Shading& shading) {
   }
   glm::dvec3 direction(0.0);
   fields.vector("light_direction", direction);
-  if (!(glm::length(direction) > 0.0))
+  // However short, a direction is one; the square of its length may be 0.
+  if (direction == glm::dvec3(0.0))
     fields.fail("light_direction", "must be \"headlight\" or a direction that is not zero");
   shading.lightDirection = direction;
 }

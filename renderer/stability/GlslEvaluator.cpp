@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 
 #include "gl/ShaderProgram.h"
 #include "raycaster/EmbeddedShaders.h"
@@ -9,7 +9,7 @@
 
 #include <epoxy/gl.h>
 
-namespace limn::test {
+namespace limn {
 namespace {
 
 // The last of the units that every driver of OpenGL 3.0 has: no sampler of the ray caster uses it.
@@ -94,4 +94,4 @@ std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
   return drawn(program, arguments);
 }
 
-} // namespace limn::test
+} // namespace limn
