@@ -194,9 +194,10 @@ void MainWindow::updateTitle() {
     QString what = m_shown.source == QStringLiteral("sample") ? tr("Sample head")
                    : showsPatient                             ? QFileInfo(path).fileName()
                                                               : shareableName(path, *volume);
-    if (!m_sessionFile.isEmpty())
-      what.prepend(QFileInfo(m_sessionFile).fileName() + QStringLiteral(" · "));
     const PatientLabel& patient = volume->info().patient;
+    const QString session = QFileInfo(m_sessionFile).fileName();
+    if (!session.isEmpty() && (showsPatient || !mayNameThePatient(session, patient)))
+      what.prepend(session + QStringLiteral(" · "));
     if (showsPatient)
       for (const std::string& part : {patient.name, patient.id, patient.studyDate})
         if (!part.empty())

@@ -46,7 +46,10 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
-  startReading({source, options}, tr("Opening %1").arg(QFileInfo(source).fileName()));
+  // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
+  startReading({source, options}, m_patientAction->isChecked()
+                                      ? tr("Opening %1").arg(QFileInfo(source).fileName())
+                                      : tr("Opening the volume"));
 }
 
 // A decoder that crashes takes the window along; so what is shown is put on the disk before one begins.
@@ -70,7 +73,7 @@ void MainWindow::locateVolume(const QString& scene) {
   Request request = m_requested;
   request.source = scene;
   request.options.volume = path.toStdString();
-  startReading(request, tr("Opening %1").arg(QFileInfo(path).fileName()));
+  startReading(request, tr("Opening the volume"));
 }
 
 void MainWindow::openFile() {

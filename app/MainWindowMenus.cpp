@@ -44,6 +44,7 @@ void MainWindow::makeFileMenu() {
   menu->addAction(tr("Open &DICOM folder…"), QKeySequence(tr("Ctrl+Shift+O")), this, &MainWindow::openFolder);
   menu->addAction(tr("Open the sample &head"), this, [this] { openSource(QStringLiteral("sample")); });
   m_recentMenu = menu->addMenu(tr("Open &recent"));
+  m_recentMenu->setObjectName(QStringLiteral("recentSources"));
   connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::refreshRecentMenu);
   refreshRecentMenu();
   addSessionActions(*menu);

@@ -14,6 +14,7 @@ MessageBar::MessageBar(QWidget* parent)
       m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)) {
   setObjectName(QStringLiteral("messageBar"));
   setAutoFillBackground(true);
+  m_action->setObjectName(QStringLiteral("messageAction")); // stands out (theme.qss)
   for (QLabel* label : {m_sentence, m_details}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);

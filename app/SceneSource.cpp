@@ -54,7 +54,10 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
   const bool isPhantom = source == "phantom" || source.starts_with("phantom:");
   if (isPhantom && !fs::exists(source))
     return {phantomNamed(source, progress), source};
-  return {readVolume(source, options, progress), fs::absolute(source).lexically_normal().string()};
+  fs::path path = fs::absolute(source).lexically_normal();
+  if (!path.has_filename()) // a folder written with a slash behind it
+    path = path.parent_path();
+  return {readVolume(source, options, progress), path.string()};
 }
 
 bool isJsonFile(const fs::path& path) {

@@ -209,8 +209,8 @@ TEST_F(SessionWindow, beforeAVolumeIsReadTheSessionIsOnTheDisk) {
     if (const std::vector<fs::path> files = autosaved(); !files.empty())
       onDisk = readSessionFile(files.front());
   };
-  QMetaObject::Connection once = QObject::connect(
-      &window->loader(), &VolumeLoader::progressed, window.get(), [&](double, const QString&) { look(); });
+  QMetaObject::Connection once = QObject::connect(&window->loader(), &VolumeLoader::progressed, window.get(),
+                                                  [&](double, const QString&) { look(); });
   const TransferFunction edited = scene().transferFunction;
   window->openSource(QStringLiteral("phantom:5"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk.isUnsaved || !window->loader().isLoading(); }, 30000));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "io/NiftiBytes.h"
 #include "support/FileBytes.h"
 
 #include <sys/wait.h>
@@ -21,18 +20,19 @@ namespace fs = std::filesystem;
 const char* const folderVariable = "LIMN_TEST_VICTIM_FOLDER";
 const char* const killVariable = "LIMN_TEST_VICTIM_KILLS_ITSELF";
 
-// 16 MiB of values that do not compress into a few blocks.
-void writeCompressedVolume(const fs::path& path) {
-  test::NiftiFields fields;
-  fields.dim = {3, 256, 256, 128, 1, 1, 1, 1};
-  std::string bytes = test::NiftiWriter(fields).bytes();
-  bytes.resize(352, '\0');
+// An NRRD header and 16 MiB of values that do not compress into a few blocks.
+void writeCompressedVolume(const fs::path& folder) {
+  test::writeBytes(folder / "volume.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: 256 256 128\n"
+                                           "spacings: 1 1 1\nendian: little\nencoding: gzip\n"
+                                           "data file: values.gz\n");
+  std::string bytes;
   std::uint32_t state = 1;
-  for (std::size_t i = 0; i < std::size_t{256} * 256 * 128 * 2; ++i) {
+  for (std::size_t i = 0; i < std::size_t{256} * 256 * 128; ++i) {
     state = state * 1664525u + 1013904223u; // Numerical Recipes
-    bytes += i % 2 ? '\0' : static_cast<char>(state >> 24);
+    bytes += static_cast<char>(state >> 24);
+    bytes += '\0';
   }
-  gzFile file = gzopen(path.c_str(), "wb1");
+  gzFile file = gzopen((folder / "values.gz").c_str(), "wb1");
   ASSERT_EQ(gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size())), static_cast<int>(bytes.size()));
   gzclose(file);
 }
@@ -59,7 +59,7 @@ TEST_F(CrashVictim, DISABLED_editsAndReadsUntilItDies) {
                        if (fraction > 0.2)
                          ::kill(::getpid(), SIGKILL);
                      });
-  window->openSource(QString::fromStdString((own / "volume.nii.gz").string()));
+  window->openSource(QString::fromStdString((own / "volume.nhdr").string()));
   EXPECT_FALSE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
 }
 
@@ -99,7 +99,7 @@ protected:
 };
 
 TEST_F(Crash, aDecoderThatCrashesTakesNoUnsavedWorkAlong) {
-  writeCompressedVolume(folder.path() / "volume.nii.gz");
+  writeCompressedVolume(folder.path());
   const int status =
       statusOfVictim({{folderVariable, folder.path().string()}, {"LD_PRELOAD", LIMN_CRASHING_INFLATE}});
   ASSERT_TRUE(WIFSIGNALED(status)) << "exit status " << WEXITSTATUS(status);
@@ -108,7 +108,7 @@ TEST_F(Crash, aDecoderThatCrashesTakesNoUnsavedWorkAlong) {
 }
 
 TEST_F(Crash, aProcessKilledWhileItReadsLosesNothing) {
-  writeCompressedVolume(folder.path() / "volume.nii.gz");
+  writeCompressedVolume(folder.path());
   const int status = statusOfVictim({{folderVariable, folder.path().string()}, {killVariable, "1"}});
   ASSERT_TRUE(WIFSIGNALED(status)) << "exit status " << WEXITSTATUS(status);
   EXPECT_EQ(WTERMSIG(status), SIGKILL);

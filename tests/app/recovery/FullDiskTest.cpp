@@ -179,12 +179,15 @@ TEST(ReadOnlyFolder, theOldPresetStaysAndTheReasonIsSaid) {
   const test::TemporaryFolder folder;
   const PresetStore store(folder.path() / "presets");
   store.save(mine("old"));
-  fs::permissions(folder.path(), fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
-  fs::permissions(folder.path() / "presets", fs::perms::owner_read | fs::perms::owner_exec |
-                                                 fs::perms::others_read | fs::perms::others_exec);
+  // Everybody may look, only the owner may write; then nobody may.
+  const fs::perms look = fs::perms(0555);
+  fs::permissions(folder.path(), look | fs::perms::owner_write);
+  fs::permissions(folder.path() / "presets", look);
   const Ordinary user;
   EXPECT_NE(sentenceOf([&] { store.save(mine("new")); }).find("Permission denied"), std::string::npos);
-  EXPECT_EQ(store.read().presets.front().note, "old");
+  const PresetStore::Contents contents = store.read();
+  ASSERT_EQ(contents.presets.size(), 1u);
+  EXPECT_EQ(contents.presets.front().note, "old");
 }
 
 } // namespace
