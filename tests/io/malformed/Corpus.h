@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -28,6 +29,7 @@ struct MalformedInput {
   std::string says;              ///< part of the refusal or of a warning
   bool hasGoodDimensions = true; ///< a volume that comes of it is 2 × 3 × 4
   bool hasGoodVoxels = true;     ///< its voxels have the values 0 … 23 in order
+  std::uint64_t heldBytes = 0;   ///< what the file truly decodes to where that is no volume
 };
 
 /// Collects the inputs of one format, each in a folder of its own.

@@ -52,8 +52,7 @@ void addBits(Corpus& corpus) {
   corpus.addFile("vector or colour", "a.dcm", palette.bytes(), {warned}, "luminance").hasGoodVoxels = false;
   for (const char* slope : {"0", "1e400", "nan", "x", "1e300\\2"})
     addWhole(corpus, "contradiction", whole().text(0x00281053, "DS", slope), {refused, warned});
-  addWhole(corpus, "contradiction", whole().pixels(std::vector<std::int16_t>(60, 0)), {warned},
-           "more pixels");
+  addWhole(corpus, "contradiction", whole().pixels(rising<std::int16_t>(60)), {warned}, "more pixels");
 }
 
 void addPlaces(Corpus& corpus) {
@@ -107,8 +106,8 @@ void addStructures(Corpus& corpus) {
   for (const int depth : {40, 5000})
     for (const bool isKnown : {true, false}) {
       std::string deep = bytes;
-      corpus.addFile("endless or cyclic", "a.dcm", deep.insert(at, nested(depth, isKnown)), {refused},
-                     "deeply");
+      corpus.addFile("endless or cyclic", "a.dcm", deep.insert(at, nested(depth, isKnown)),
+                     isKnown ? Outcomes{correct} : Outcomes{refused}, isKnown ? "" : "deeply");
     }
   // A sequence that never ends, of items without length.
   std::string endless = bytes;

@@ -112,7 +112,7 @@ void addPlaces(Corpus& corpus) {
                           [](int number, DicomBuilder s) {
                             return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e20");
                           }),
-                   {refused}));
+                   {warned, refused}));
 }
 
 void addFiles(Corpus& corpus) {

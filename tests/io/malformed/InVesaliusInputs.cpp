@@ -129,7 +129,7 @@ void addInVesaliusInputs(Corpus& corpus) {
   corpus.addSound("a.inv3", good);
   corpus.addSound("a.inv3", archive(project));
   corpus.addCuts("a.inv3", good, good.size() - 60);
-  corpus.addCuts("a.inv3", archive(project), 1024 + 1024 + 48);
+  corpus.addCuts("a.inv3", archive(project), 3 * 512 + goodVoxels().size());
   addProjects(corpus);
   addArchives(corpus);
 }

@@ -11,7 +11,7 @@ namespace limn::test {
 namespace {
 
 // Damaged copies of each format in the test command; `limn_malformed_table` tries any number.
-constexpr int mutationsPerFormat = 400;
+constexpr int mutationsPerFormat = 300;
 constexpr std::uint32_t mutationSeed = 20251;
 
 class Malformed : public testing::TestWithParam<Format> {};

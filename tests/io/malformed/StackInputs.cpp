@@ -21,17 +21,23 @@ fs::path pngStack(Corpus& corpus, int number = -1, const std::string& bytes = ""
   return folder;
 }
 
-void addPng(Corpus& corpus, const std::string& flaw, const std::string& bytes, const Outcomes& allowed,
-            const std::string& says = "") {
-  corpus.add(flaw, pngStack(corpus, 2, bytes), allowed, says);
+MalformedInput& addPng(Corpus& corpus, const std::string& flaw, const std::string& bytes,
+                       const Outcomes& allowed, const std::string& says = "") {
+  return corpus.add(flaw, pngStack(corpus, 2, bytes), allowed, says);
 }
 
 // The slices of a folder replaced by one picture each.
-void addAll(Corpus& corpus, const std::string& flaw, const std::string& bytes, const Outcomes& allowed) {
+MalformedInput& addAll(Corpus& corpus, const std::string& flaw, const std::string& bytes,
+                       const Outcomes& allowed) {
   const fs::path folder = corpus.newFolder();
   for (const char* name : {"1.png", "2.png"})
     writeBytes(folder / name, bytes);
-  corpus.add(flaw, folder, allowed);
+  return corpus.add(flaw, folder, allowed);
+}
+
+// An input whose volume is not the good one.
+void other(MalformedInput& input) {
+  input.hasGoodDimensions = input.hasGoodVoxels = false;
 }
 
 void addPngSizes(Corpus& corpus) {
@@ -58,24 +64,22 @@ void addPngSizes(Corpus& corpus) {
 }
 
 void addPngBombs(Corpus& corpus) {
-  addAll(corpus, "decompression bomb", pngOf(16384, 16384, 8, 0, bomb("", 64, 15)), {refused});
-  addAll(corpus, "decompression bomb", pngOf(16384, 16384, 16, 6, bomb("", 64, 15)), {refused});
-  addPng(corpus, "decompression bomb", pngOf(2, 3, 8, 0, bomb(std::string(9, '\0'), 512, 15)), anyOutcome);
-  corpus.add("decompression bomb", corpus.inputs().back().path, anyOutcome).hasGoodVoxels = false;
+  addAll(corpus, "decompression bomb", pngOf(16384, 16384, 8, 0, bomb("", 64, 15)), {refused}).heldBytes =
+      64u << 20;
+  addAll(corpus, "decompression bomb", pngOf(16384, 16384, 16, 6, bomb("", 64, 15)), {refused}).heldBytes =
+      64u << 20;
+  const std::string rows("\0\14\15\0\16\17\0\20\21", 9); // of the third slice
+  addPng(corpus, "decompression bomb", pngOf(2, 3, 8, 0, bomb(rows, 512, 15)), {correct, refused});
   const std::string text = pngChunk("zTXt", std::string("Comment\0\0", 9) + bomb("", 512, 15));
-  addPng(corpus, "decompression bomb",
-         pngOf(2, 3, 8, 0, deflated(std::string("\0\14\15\0\16\17\0\20\21", 9), false), text),
-         {correct, refused});
+  addPng(corpus, "decompression bomb", pngOf(2, 3, 8, 0, deflated(rows, false), text), {correct, refused});
   const std::string profile = pngChunk("iCCP", std::string("profile\0\0", 9) + bomb("", 512, 15));
-  addPng(corpus, "decompression bomb",
-         pngOf(2, 3, 8, 0, deflated(std::string("\0\14\15\0\16\17\0\20\21", 9), false), profile),
-         {correct, refused});
+  addPng(corpus, "decompression bomb", pngOf(2, 3, 8, 0, deflated(rows, false), profile), {correct, refused});
 }
 
 void addPngFolders(Corpus& corpus) {
   fs::path folder = pngStack(corpus);
   fs::remove(folder / "slice1.png");
-  corpus.add("missing slices", folder, {warned}, "slices may be missing").hasGoodDimensions = false;
+  other(corpus.add("missing slices", folder, {warned}, "slices may be missing"));
   folder = pngStack(corpus);
   fs::create_symlink("b.png", folder / "a.png");
   fs::create_symlink("a.png", folder / "b.png");
@@ -90,8 +94,7 @@ void addPngFolders(Corpus& corpus) {
   writeBytes(folder / "note.txt", "no picture");
   corpus.add("not an image", folder, {correct});
   corpus.addFile("not an image", "one.png", goodPng(0), {refused}, "single picture");
-  addPng(corpus, "wrong magic", "\x89PNX" + goodPng(2).substr(4), {warned}, "slices may be missing");
-  corpus.add("wrong magic", corpus.inputs().back().path, {warned}).hasGoodDimensions = false;
+  other(addPng(corpus, "wrong magic", "\x89PNX" + goodPng(2).substr(4), {warned}, "slices may be missing"));
 }
 
 // The bytes of a JPEG picture, made in a process of its own because the library starts threads.

@@ -83,7 +83,7 @@ void addPictures(Corpus& corpus) {
     page.entries[256] = page.entries[257] = page.entries[278] = {4, 1, 16384};
     page.entries[279] = {4, 1, static_cast<std::uint32_t>(page.picture.size())};
   }
-  corpus.addFile("decompression bomb", "a.tif", tiffOf(vast), {refused});
+  corpus.addFile("decompression bomb", "a.tif", tiffOf(vast), {refused}).heldBytes = 64u << 20;
   // A strip of 3 pixels' rows that inflates to 512 MiB.
   std::vector<TiffPage> surplus = {goodPage(0, true), goodPage(1, true), goodPage(2, true),
                                    goodPage(3, true)};
