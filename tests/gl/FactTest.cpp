@@ -10,7 +10,7 @@
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 
 namespace limn {
 namespace {
@@ -95,7 +95,7 @@ void checkNormalisation(const json& one, test::CaseLedger& ledger) {
 // M2: one ulp below 1 the power is right, and above 1 the cosine is limited.
 void checkPower(const json& one, test::CaseLedger& ledger) {
   const double exponent = one["parameters"]["SP"];
-  const test::GlslEvaluator evaluate({"stable_math.glsl"});
+  const GlslEvaluator evaluate({"stable_math.glsl"});
   for (const auto& [cosine, expected] :
        {std::pair{1.0 - 0x1p-24, figure(one, "one_ulp_below")}, {1.0 + 0x1p-23, 1.0}}) {
     ledger.expectNear(one["id"], "C++", blinnTerm(cosine, exponent), expected, 1e-12);

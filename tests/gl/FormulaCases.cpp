@@ -6,7 +6,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/StableMath.h"
 #include "support/AnalyticScenes.h"
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 
 #include <numbers>
 

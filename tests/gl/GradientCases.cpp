@@ -5,7 +5,7 @@
 
 #include "scene/Gradient.h"
 #include "support/AnalyticScenes.h"
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 #include "support/MarschnerLobb.h"
 #include "support/Orders.h"
 

@@ -6,7 +6,7 @@
 #include "scene/MeanMaterial.h"
 #include "scene/StableMath.h"
 #include "support/AnalyticScenes.h"
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 #include "support/Orders.h"
 
 namespace limn::test {

@@ -3,7 +3,7 @@
 // fragment program draws one value per pixel into a target of floats.
 #include "scene/StableMath.h"
 #include "support/GlTest.h"
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 
 #include <functional>
 
@@ -44,7 +44,7 @@ protected:
   }
 
 private:
-  test::GlslEvaluator m_evaluate{{"stable_math.glsl"}};
+  GlslEvaluator m_evaluate{{"stable_math.glsl"}};
 };
 
 TEST_F(StableMath, oneMinusExpNegKeepsItsDigitsFromTinyToLarge) {

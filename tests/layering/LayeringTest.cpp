@@ -81,9 +81,15 @@ TEST(Layering, accuracyTakesRenderersAsFunctions) {
                    "a sweep measures any renderer");
 }
 
+TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
+  expectNoIncludes("renderer/stability", "^(io|accuracy|widgets|app)/", "hard cases are scenes, not files");
+  for (const char* folder : {"renderer/raycaster", "renderer/slices", "renderer/reference", "renderer/gl"})
+    expectNoIncludes(folder, "^stability/", "renderers do not know their examiner");
+}
+
 TEST(Layering, onlyIoTalksToFileLibraries) {
   for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference",
-                             "renderer/accuracy", "widgets"})
+                             "renderer/accuracy", "renderer/stability", "widgets"})
     expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
                      "files are read and written in io");
 }

@@ -131,47 +131,6 @@ std::vector<AnalyticRay> opaquePaths(const json& one) {
 
 } // namespace
 
-std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm) {
-  Grid grid;
-  grid.dims = {1, static_cast<int>(values.size()), 1};
-  grid.spacingMm = glm::dvec3(spacingMm);
-  grid.originMm.y = -0.5 * spacingMm * (static_cast<double>(values.size()) - 1.0);
-  return std::make_shared<const Volume>(grid, values, Rescale{}, std::nullopt, VolumeInfo{});
-}
-
-std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value) {
-  Grid grid;
-  grid.dims = glm::ivec3(1);
-  grid.spacingMm = sizeMm;
-  return std::make_shared<const Volume>(grid, std::vector<double>{value}, Rescale{}, std::nullopt,
-                                        VolumeInfo{});
-}
-
-Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction) {
-  Scene scene;
-  scene.camera.projection = Camera::Projection::orthographic;
-  scene.camera.target = boxCentreMm(volume->grid());
-  scene.camera.position = scene.camera.target - boxDiagonalMm(volume->grid()) * direction;
-  scene.camera.heightMm = smallestSpacingMm(volume->grid());
-  scene.shading.model = ShadingModel::none;
-  scene.quality.earlyTermination = 1.0;
-  scene.quality.preintegrated = Preintegration::never;
-  scene.volume = std::move(volume);
-  return scene;
-}
-
-double stepFor(const Scene& scene, double lengthMm, double samples) {
-  return lengthMm / samples / smallestSpacingMm(scene.volume->grid());
-}
-
-TransferFunction constantFunction(double opacity, const glm::dvec3& color, double unitDistanceMm) {
-  return {unitDistanceMm, {{0.0, color, opacity}}};
-}
-
-ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color) {
-  return {scalar, color, -std::expm1(-extinction * smallUnitMm)};
-}
-
 AnalyticRay rayOf(const json& one, std::string what, Scene scene) {
   const json& tolerance = one["tolerance"];
   AnalyticRay ray;

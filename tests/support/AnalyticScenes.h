@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Scene.h"
+#include "scene/SimpleScenes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +11,14 @@
 #include <vector>
 
 namespace limn::test {
+
+using limn::boxOf;
+using limn::columnOf;
+using limn::constantFunction;
+using limn::extinctionPoint;
+using limn::rayThrough;
+using limn::smallUnitMm;
+using limn::stepFor;
 
 /// One ray of a scene with a closed form: mostly a picture of one pixel whose ray runs through the box's
 /// centre.
@@ -62,30 +70,8 @@ std::vector<AnalyticRay> shadingRays(const nlohmann::json& one);
 std::vector<AnalyticRay> projectionRays(const nlohmann::json& one);
 std::vector<AnalyticRay> preintegratedRays(const nlohmann::json& one);
 
-/// A volume from values along y, one voxel wide, centred on the origin.
-std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm);
-
-/// A homogeneous box of one voxel centred on the origin.
-std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0);
-
-/// An unlit scene of one pixel seen orthographically along `direction`, without early termination.
-Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
-
 /// The largest of samples of 1 - 4(t - top)² at the centres of as many voxels over 1 mm.
 Scene parabolaUnderMip(double top, int samples);
-
-/// The step in voxels that gives `samples` samples over `lengthMm`.
-double stepFor(const Scene& scene, double lengthMm, double samples);
-
-/// A function of one point: the same colour and opacity everywhere.
-TransferFunction constantFunction(double opacity, const glm::dvec3& color, double unitDistanceMm = 1.0);
-
-/// The unit distance of the scenes whose extinction is linear between control points: over it an opacity
-/// a = κ·u is an extinction κ up to a relative κ·u/2.
-inline constexpr double smallUnitMm = 1e-9;
-
-/// A control point of an extinction per mm, for functions over smallUnitMm.
-ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color);
 
 /// A ray with the id and the tolerances of its case.
 AnalyticRay rayOf(const nlohmann::json& one, std::string what, Scene scene);

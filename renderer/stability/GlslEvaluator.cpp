@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/GlslEvaluator.h"
+#include "stability/GlslEvaluator.h"
 
 #include "gl/ShaderProgram.h"
 #include "raycaster/EmbeddedShaders.h"
@@ -9,7 +9,7 @@
 
 #include <epoxy/gl.h>
 
-namespace limn::test {
+namespace limn {
 namespace {
 
 // The last of the units that every driver of OpenGL 3.0 has: no sampler of the ray caster uses it.
@@ -62,6 +62,7 @@ std::vector<glm::vec4> drawn(const ShaderProgram& program, const std::vector<glm
   std::vector<glm::vec4> values(arguments.size());
   glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT, values.data());
   glActiveTexture(GL_TEXTURE0);
+  glUseProgram(0); // it goes with this call
   return values;
 }
 
@@ -94,4 +95,4 @@ std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
   return drawn(program, arguments);
 }
 
-} // namespace limn::test
+} // namespace limn

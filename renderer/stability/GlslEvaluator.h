@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace limn::test {
+namespace limn {
 
 /// Evaluates GLSL expressions in a fragment program, one value per pixel of a target of floats. Needs a
 /// current context.
@@ -31,4 +31,4 @@ private:
   std::string m_functions;
 };
 
-} // namespace limn::test
+} // namespace limn

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "raycaster/RayCaster.h"
+#include "slices/SliceRenderer.h"
+#include "stability/Finding.h"
+
+#include <functional>
+#include <optional>
+
+namespace limn {
+
+/// The renderers of the program: double precision, the ray caster in GLSL, slices in GLSL.
+enum class Engine { reference, gl, slices };
+
+std::string nameOf(Engine engine);
+
+/// A picture as any engine draws it: premultiplied RGBA without background, rows from the top.
+struct DrawnPicture {
+  glm::ivec2 size{0};
+  std::vector<glm::dvec4> pixels;
+  bool operator==(const DrawnPicture&) const = default;
+
+  const glm::dvec4& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * size.x + x]; }
+};
+
+/// The renderers, kept from one case to the next as in the window: state left behind by one picture would
+/// show in the next. Needs a current OpenGL context of at least 3.0 while it lives.
+class Workbench {
+public:
+  DrawnPicture draw(Engine engine, const Scene& scene, const glm::ivec2& size);
+
+  RayCaster& rays();
+  SliceRenderer& slices();
+
+private:
+  std::optional<RayCaster> m_rays;
+  std::optional<SliceRenderer> m_slices;
+};
+
+/// What each engine's figure must not exceed.
+struct Bounds {
+  double reference = 0.0;
+  double gl = 0.0;
+  double slices = 0.0;
+};
+
+/// Draws with the engine that is being measured.
+using Draw = std::function<DrawnPicture(const Scene& scene, const glm::ivec2& size)>;
+
+/// One finding per engine: `figure` draws what it needs and returns what must not exceed the engine's bound.
+/// An engine that refuses the scene by name (Error, usage) does not apply, with that sentence. The first two
+/// pictures of at least 16 pixels each way are kept for the report.
+std::vector<Finding> inEachEngine(Workbench& bench, const std::string& what, const Bounds& bounds,
+                                  const std::string& reason,
+                                  const std::function<double(const Draw& draw)>& figure);
+
+/// The same for the engines named.
+std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engines, const std::string& what,
+                               const Bounds& bounds, const std::string& reason,
+                               const std::function<double(const Draw& draw)>& figure);
+
+/// Appends findings to others.
+void append(std::vector<Finding>& findings, std::vector<Finding> more);
+
+} // namespace limn

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stability/Measures.h"
+#include "stability/cases/Cases.h"
+
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+constexpr int edge = 32;
+constexpr glm::ivec3 spoilt{13, 17, 20};
+
+// Along y with a pixel per voxel: pixel (x, y) sees the column i = x, k = edge - 1 - y.
+Scene alongY(std::shared_ptr<const Volume> volume) {
+  Scene scene = wholeVolume(std::move(volume), ShadingModel::enhanced, 0.0, 100.0);
+  scene.camera.heightMm = edge;
+  scene.shading.gradientReference = FixedReference{10.0}; // else the voxel could change every pixel's r
+  return scene;
+}
+
+double besideSpoiltVoxel(const Draw& draw, float value) {
+  const auto clean = smoothVolume(edge);
+  std::vector<float> voxels;
+  for (const double v : std::get<std::vector<double>>(clean->stored()))
+    voxels.push_back(static_cast<float>(v));
+  const auto volumeOfFloats = [&] {
+    return std::make_shared<const Volume>(clean->grid(), voxels, Rescale{}, std::nullopt, VolumeInfo{});
+  };
+  const DrawnPicture expected = draw(alongY(volumeOfFloats()), glm::ivec2(edge));
+  voxels[voxelOffset(clean->grid().dims, spoilt.x, spoilt.y, spoilt.z)] = value;
+  const DrawnPicture picture = draw(alongY(volumeOfFloats()), glm::ivec2(edge));
+  double largest = unsoundPixels(picture);
+  for (int y = 0; y < edge; ++y)
+    for (int x = 0; x < edge; ++x) {
+      const bool isNear = std::abs(x - spoilt.x) <= 2 && std::abs(edge - 1 - y - spoilt.z) <= 2;
+      for (int channel = 0; !isNear && channel < 4; ++channel)
+        largest = std::max(
+            largest, finiteOrInfinite(std::abs(picture.at(x, y)[channel] - expected.at(x, y)[channel])));
+    }
+  return largest;
+}
+
+std::vector<Finding> notNumbers(Workbench& bench) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::vector<Finding> findings;
+  for (const auto& [name, value] : {std::pair{"one voxel is NaN", std::numeric_limits<float>::quiet_NaN()},
+                                    {"one voxel is +Inf", infinity},
+                                    {"one voxel is -Inf", -infinity}})
+    append(findings,
+           inEachEngine(bench, name, {},
+                        "largest difference of pixels two voxels away from the clean picture, or pixels "
+                        "that are unsound: the voxel takes the smallest valid value on loading",
+                        [value = value](const Draw& draw) { return besideSpoiltVoxel(draw, value); }));
+  return findings;
+}
+
+// The picture of a volume times `scale` against that of the volume itself.
+double scaledDifference(const Draw& draw, double scale) {
+  const auto at = [&](double s) {
+    return draw(wholeVolume(smoothVolume(12, s), ShadingModel::enhanced, 0.0, 100.0 * s), {24, 24});
+  };
+  return largestDifference(at(1.0), at(scale));
+}
+
+const char* const scaledReason =
+    "largest difference from the unscaled picture: to the bit for powers of two, because "
+    "values are normalised in double, otherwise roundings";
+
+std::vector<Finding> hugeValues(Workbench& bench) {
+  std::vector<Finding> findings;
+  for (const auto& [name, scale, bounds] : {std::tuple{"values times 2^100", 0x1p100, Bounds{}},
+                                            {"values times 2^-100", 0x1p-100, Bounds{}},
+                                            {"values times 1e30", 1e30, Bounds{1e-6, 1e-6, 1e-6}}})
+    append(findings, inEachEngine(bench, name, bounds, scaledReason, [scale = scale](const Draw& draw) {
+             return scaledDifference(draw, scale);
+           }));
+  const float largest = std::numeric_limits<float>::max();
+  append(findings,
+         inEachEngine(bench, "values from the most negative float to the largest", {2e-6, 2e-6, 2e-6},
+                      "largest difference from a volume of -1 and 1; their range exceeds a float's",
+                      [largest](const Draw& draw) {
+                        const auto at = [&](double s) {
+                          const auto volume =
+                              volumeOf(centredGrid(glm::ivec3(6), glm::dvec3(1.0)),
+                                       [s](int i, int j, int k) { return (i + j + k) % 2 == 0 ? s : -s; });
+                          return draw(wholeVolume(volume, ShadingModel::enhanced, -s, s), {24, 24});
+                        };
+                        return largestDifference(at(largest), at(1.0));
+                      }));
+  return findings;
+}
+
+std::vector<Finding> denormals(Workbench& bench) {
+  std::vector<Finding> findings =
+      inEachEngine(bench, "denormal doubles, 0x1p-1060", {1e-3, 1e-3, 1e-3},
+                   "largest difference from the unscaled picture; such numbers have 14 bits left, so values "
+                   "are off by 1e-4",
+                   [](const Draw& draw) { return scaledDifference(draw, 0x1p-1060); });
+  append(
+      findings,
+      inEachEngine(bench, "multiples of the smallest float", {},
+                   "difference from the same multiples of 1: none", [](const Draw& draw) {
+                     const auto at = [&](double unit) {
+                       std::vector<float> voxels;
+                       for (int i = 0; i < 125; ++i)
+                         voxels.push_back(static_cast<float>(unit * (i * 37 % 101)));
+                       const auto volume =
+                           std::make_shared<const Volume>(centredGrid(glm::ivec3(5), glm::dvec3(1.0)), voxels,
+                                                          Rescale{}, std::nullopt, VolumeInfo{});
+                       return draw(wholeVolume(volume, ShadingModel::enhanced, 0.0, 100.0 * unit), {24, 24});
+                     };
+                     return largestDifference(at(0x1p-149), at(1.0));
+                   }));
+  return findings;
+}
+
+// Without a gradient r = 0: opacity 0.1 times Omin 0.2 over 20 unit distances, 1 - (1 - 0.02)^20.
+std::vector<Finding> constantVolumes(Workbench& bench) {
+  std::vector<Finding> findings;
+  for (const double value : {0.0, 1.0, -1024.0, 1e30, 1e-30})
+    append(
+        findings,
+        inEachEngine(bench,
+                     "every voxel is " + std::string(value == 0.0   ? "0"
+                                                     : value == 1.0 ? "1"
+                                                     : value < 0.0  ? "-1024"
+                                                     : value > 1.0  ? "1e30"
+                                                                    : "1e-30"),
+                     {1e-12, 2e-6, 2e-6}, "alpha against 1 - (1 - 0.1 · 0.2)^20 of the enhanced model",
+                     [value](const Draw& draw) {
+                       const auto volume = volumeOf(centredGrid(glm::ivec3(4), glm::dvec3(5.0)),
+                                                    [value](int, int, int) { return value; });
+                       Scene scene = rayThrough(volume);
+                       scene.transferFunction = constantFunction(0.1, glm::dvec3(1.0));
+                       scene.shading.model = ShadingModel::enhanced;
+                       scene.shading.opacityRange = {0.2, 1.0};
+                       return largestAlphaError(draw(scene, {1, 1}), -std::expm1(20.0 * std::log1p(-0.02)));
+                     }));
+  return findings;
+}
+
+// A ball of 300 in air of -1000, and beyond a cylinder along z either air or padding, declared as such.
+std::shared_ptr<const Volume> ballInRing(std::int16_t beyond, std::optional<PaddingRange> padding) {
+  const Grid grid = centredGrid(glm::ivec3(24), glm::dvec3(1.0));
+  std::vector<std::int16_t> voxels;
+  for (int k = 0; k < 24; ++k)
+    for (int j = 0; j < 24; ++j)
+      for (int i = 0; i < 24; ++i) {
+        const glm::dvec3 p = glm::dvec3(i, j, k) - 11.5;
+        voxels.push_back(glm::length(p) < 7.0          ? std::int16_t(300)
+                         : std::hypot(p.x, p.y) < 11.0 ? std::int16_t(-1000)
+                                                       : beyond);
+      }
+  return std::make_shared<const Volume>(grid, voxels, Rescale{}, padding, VolumeInfo{});
+}
+
+std::vector<Finding> declaredPadding(Workbench& bench) {
+  std::vector<Finding> findings;
+  for (const int padding : {-32768, -3024, -2000})
+    append(
+        findings,
+        inEachEngine(bench, "padding of " + std::to_string(padding), {},
+                     "largest difference from the picture with air in its place: padding takes the smallest "
+                     "valid value and counts neither for the range nor for gradients",
+                     [padding](const Draw& draw) {
+                       const auto picture = [&](std::shared_ptr<const Volume> volume) {
+                         return draw(wholeVolume(std::move(volume), ShadingModel::enhanced, -900.0, 300.0,
+                                                 {0.6, 0.64, 0.48}),
+                                     {32, 32});
+                       };
+                       const auto value = static_cast<std::int16_t>(padding);
+                       return largestDifference(
+                           picture(ballInRing(value, PaddingRange{double(padding), double(padding)})),
+                           picture(ballInRing(-1000, std::nullopt)));
+                     }));
+  return findings;
+}
+
+} // namespace
+
+std::vector<HardCase> voxelCases() {
+  return {{"H15", "A voxel that is no number harms only its neighbourhood", notNumbers},
+          {"H16", "Values at the ends of float give the picture of their scaled copy", hugeValues},
+          {"H17", "Denormal values are not lost", denormals},
+          {"H18", "A constant volume has a range of nothing and still its closed form", constantVolumes},
+          {"H19", "Padding outside a scanner's circle changes nothing", declaredPadding}};
+}
+
+} // namespace limn
