@@ -9,6 +9,7 @@
 #include "app/commands/InfoCommand.h"
 #include "app/commands/PresetsCommand.h"
 #include "app/commands/RenderCommand.h"
+#include "app/commands/StabilityCommand.h"
 #include "scene/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -78,7 +79,7 @@ int runCommandLine(int argc, char** argv) {
   RootArguments arguments;
   WindowArguments& window = arguments.window;
   program.add_option("PATH", window.path,
-                     "open the window on this volume, DICOM folder, scene or Limn picture");
+                     "open the window on this volume, DICOM folder, session, scene or Limn picture");
   program.add_option("--screenshot", window.screenshot,
                      "save a PNG of the window once its picture rests, then quit");
   program.add_option("--theme", window.theme, "light or dark, for this run")
@@ -90,6 +91,7 @@ int runCommandLine(int argc, char** argv) {
   addEffectsCommand(program);
   addPresetsCommand(program);
   addAccuracyCommand(program);
+  addStabilityCommand(program);
   addBenchCommand(program);
   return parseAndRun(program, argc, argv, arguments);
 }

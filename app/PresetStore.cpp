@@ -38,7 +38,7 @@ PresetStore::Contents PresetStore::read() const {
   Contents contents;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(m_folder, missing)) {
-    if (entry.path().extension() != ".json")
+    if (entry.path().extension() != ".json" || isTemporary(entry.path()))
       continue;
     try {
       contents.presets.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));

@@ -27,7 +27,7 @@ void main() {
   bool isHit = hit < noHit;
   if (isHit) {
     surface = surfaceColor(march, hit);
-    span.y = span.x + (hit + march.offset) * march.stepMm;
+    span.y = span.x + (hit + march.offset) * march.stepLength;
   }
   fragColor = pixelOf(gatherAlong(ray, span, spent));
   if (isHit)

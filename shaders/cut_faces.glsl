@@ -3,7 +3,7 @@
 
 uniform vec3 u_cutLower; // centred index; far outside where the crop does not cut
 uniform vec3 u_cutUpper;
-uniform float u_cutDepth; // mm
+uniform float u_cutDepth;
 
 // Which of an axis's two faces is nearer, -1 or 1. Where rounding would decide, as in the middle of a slab that
 // takes a single sample, it is the face through which a ray along `direction` enters.

@@ -8,8 +8,8 @@ uniform vec3 u_stepBlockOffset;
 uniform vec3 u_lastStepBlock;
 uniform float u_fineness;
 uniform float u_mostChange;
-uniform float u_level0Mm;  // the step of level 0
-uniform float u_finestMm;
+uniform float u_level0Length;  // the step of level 0
+uniform float u_finestLength;
 
 const int mostLocalSamples = 12000;
 const float muchMore = 8.0;
@@ -105,7 +105,7 @@ bool enterNext(BlockPath path, float transmittance, inout Walk walk) {
   walk.exit = max(min(exit, walk.end), walk.entry);
   walk.within = isEmpty ? walk.exit - walk.entry : 0.0;
   float level = max(facts.g - 128.0 + u_fineness - coarserBehind(transmittance), facts.b);
-  walk.blockStep = max(u_level0Mm * exp2(-0.5 * max(level, 0.0)), u_finestMm);
+  walk.blockStep = max(u_level0Length * exp2(-0.5 * max(level, 0.0)), u_finestLength);
   walk.step = isEmpty ? beyondAll : min(walk.step, walk.blockStep);
   return isEmpty;
 }
@@ -131,11 +131,11 @@ void accept(Piece piece, float change, inout Walk walk) {
 
 // Whether a piece over which so much changed is to be taken again with a smaller step.
 bool isToBeRefined(Walk walk, float change) {
-  return change > u_mostChange && walk.step > u_finestMm && walk.spent < mostLocalSamples;
+  return change > u_mostChange && walk.step > u_finestLength && walk.spent < mostLocalSamples;
 }
 
 void refine(float change, inout Walk walk) {
-  walk.step = max((change > muchMore * u_mostChange ? 0.25 : 0.5) * walk.step, u_finestMm);
+  walk.step = max((change > muchMore * u_mostChange ? 0.25 : 0.5) * walk.step, u_finestLength);
   walk.spent += 1;
 }
 

@@ -7,8 +7,8 @@ struct March {
   vec3 advance;    // per sample
   vec3 firstIndex; // centred index of sample 0
   vec3 stride;     // per sample
-  float fromEye;   // mm, of sample 0
-  float stepMm;
+  float depth;     // of sample 0: its distance from the eye less that of the anchor plane
+  float stepLength;
   float units;     // step in unit distances
   float offset;    // of sample 0 behind the entry, in steps
 #ifdef EFFECT_LIGHTING
@@ -26,13 +26,13 @@ March marchThrough(Ray ray, vec2 span, int count) {
 #else
   march.offset = 0.5;
 #endif
-  march.stepMm = (span.y - span.x) / float(count);
-  march.stride = march.stepMm * ray.direction;
+  march.stepLength = (span.y - span.x) / float(count);
+  march.stride = march.stepLength * ray.direction;
   march.firstIndex = ray.anchor + span.x * ray.direction + march.offset * march.stride;
   march.advance = march.stride * u_textureScale;
   march.first = toTexture(ray.anchor + span.x * ray.direction) + march.offset * march.advance;
-  march.fromEye = span.x - ray.eye + march.offset * march.stepMm;
-  march.units = march.stepMm * u_perUnitDistance;
+  march.depth = span.x + ray.aside + march.offset * march.stepLength;
+  march.units = march.stepLength * u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
   march.light = lightAlong(ray.direction * u_spacing);
 #endif
@@ -43,16 +43,16 @@ March marchThrough(Ray ray, vec2 span, int count) {
 }
 
 #ifdef EFFECT_LOCAL_STEPS
-// A march whose steps are millimetres, from a place on: for samples that know their own step.
+// A march whose steps are lengths of 1, from a place on: for samples that know their own step.
 March marchFrom(Ray ray, float begin) {
   March march;
   march.offset = 0.0;
-  march.stepMm = 1.0;
+  march.stepLength = 1.0;
   march.stride = ray.direction;
   march.firstIndex = ray.anchor + begin * ray.direction;
   march.advance = march.stride * u_textureScale;
   march.first = toTexture(march.firstIndex);
-  march.fromEye = begin - ray.eye;
+  march.depth = begin + ray.aside;
   march.units = u_perUnitDistance;
 #ifdef EFFECT_LIGHTING
   march.light = lightAlong(ray.direction * u_spacing);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays, affine in the pixel, in centred index coordinates (renderer/scene/RayFrame.h); t in mm.
+// Rays, affine in the pixel, in centred index coordinates (renderer/scene/RayFrame.h). Lengths, t
+// among them, are in units of the smallest spacing: a picture's bits do not depend on the unit of its world.
 
 uniform vec2 u_pictureCentre;
 uniform vec3 u_anchor;
@@ -12,14 +13,15 @@ uniform float u_tangentPerPixel;
 uniform float u_anchorDistance;
 uniform vec3 u_boxLower;
 uniform vec3 u_boxUpper;
-uniform vec3 u_spacing; // mm per voxel
-uniform float u_stepsPerMm;
+uniform vec3 u_spacing; // 1 or larger
+uniform float u_stepsPerLength;
 uniform float u_mostSamples;
 
 struct Ray {
   vec3 anchor;
-  vec3 direction; // voxels per mm
+  vec3 direction; // voxels per length
   float eye;      // t of the eye
+  float aside;    // how much farther from the eye t = 0 lies than the anchor plane
 };
 
 Ray rayThrough(vec2 fragment) {
@@ -30,6 +32,7 @@ Ray rayThrough(vec2 fragment) {
   ray.anchor = u_anchor + c.x * u_anchorX + c.y * u_anchorY;
   ray.direction = (u_direction + c.x * u_directionX + c.y * u_directionY) / length;
   ray.eye = -u_anchorDistance * length;
+  ray.aside = u_anchorDistance * (dot(tangent, tangent) / (1.0 + length)); // length - 1, without cancellation
   return ray;
 }
 
@@ -51,6 +54,6 @@ vec2 spanInBox(Ray ray) {
 }
 
 // A chord of a whole number of steps must not get one more by rounding: stepCountGuard of RayFrame.h.
-int sampleCount(float lengthMm) {
-  return int(clamp(ceil(lengthMm * u_stepsPerMm * (1.0 - 1e-6)), 1.0, u_mostSamples));
+int sampleCount(float chord) {
+  return int(clamp(ceil(chord * u_stepsPerLength * (1.0 - 1e-6)), 1.0, u_mostSamples));
 }

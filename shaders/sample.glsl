@@ -63,7 +63,7 @@ vec3 shaded(vec3 color, March march, vec4 gradient, float r, float i) {
   color = lit(color, march.light, normal, r);
 #endif
 #ifdef EFFECT_FOG
-  color = fogged(color, march.fromEye + i * march.stepMm);
+  color = fogged(color, march.depth + i * march.stepLength);
 #endif
   return color;
 }

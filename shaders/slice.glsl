@@ -2,7 +2,7 @@
 // One slice of the integral of RENDERING 7: the piece of the ray between two planes as one step, to be blended
 // with over.
 
-flat in vec2 v_planes; // mm along the view from the anchor plane
+flat in vec2 v_planes; // lengths along the view from the anchor plane
 
 out vec4 fragColor;
 
@@ -10,9 +10,9 @@ out vec4 fragColor;
 // angle to the view has more of every slab, and less of those that the box's faces cut.
 vec2 pieceOf(Ray ray) {
   vec2 tangent = (gl_FragCoord.xy - u_pictureCentre) * u_tangentPerPixel;
-  float mmPerDepth = sqrt(1.0 + dot(tangent, tangent));
+  float lengthPerDepth = sqrt(1.0 + dot(tangent, tangent));
   vec2 span = spanInBox(ray);
-  return vec2(max(span.x, v_planes.x * mmPerDepth), min(span.y, v_planes.y * mmPerDepth));
+  return vec2(max(span.x, v_planes.x * lengthPerDepth), min(span.y, v_planes.y * lengthPerDepth));
 }
 
 // What the piece holds. Where that cannot be seen the fragment ends here: drivers skip what follows.

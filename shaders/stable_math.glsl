@@ -50,10 +50,13 @@ vec4 safeNormal(vec3 v) {
 }
 
 float blinnTerm(float cosine, float exponent) {
-  // 1 - cosine is exact near 1, where the power is sensitive; no pow, whose edge cases differ between drivers.
+  // The logarithm keeps its digits near 1, where the power is sensitive, and near 0, where 1 - cosine has none left;
+  // no pow, whose edge cases differ between drivers.
   if (!(cosine > 0.0))
     return 0.0;
-  return exp2(-exponent * log2OfE * minusLog1mOpacity(1.0 - min(cosine, 1.0)));
+  float c = min(cosine, 1.0);
+  float depth = c < 0.5 ? -log(c) : logOfRatio((1.0 - c) / (1.0 + c));
+  return exp2(-exponent * log2OfE * depth);
 }
 
 vec3 knee(vec3 color, float k) {

@@ -41,6 +41,18 @@ EGLDisplay openDisplay() {
   refuse("no EGL display could be opened");
 }
 
+// Where it can, the driver tells of its resets instead of drawing nothing from then on.
+EGLContext makeContext(EGLDisplay display, EGLConfig config) {
+  if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) {
+    const EGLint robust[] = {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                             EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, robust);
+    if (context != EGL_NO_CONTEXT)
+      return context;
+  }
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+}
+
 } // namespace
 
 struct HeadlessContext::Handles {
@@ -59,7 +71,7 @@ HeadlessContext::HeadlessContext() : m_handles(std::make_unique<Handles>()) {
   EGLint count = 0;
   if (!eglChooseConfig(m_handles->display, wanted, &config, 1, &count) || count < 1)
     refuse("the driver has no configuration for OpenGL");
-  m_handles->context = eglCreateContext(m_handles->display, config, EGL_NO_CONTEXT, nullptr);
+  m_handles->context = makeContext(m_handles->display, config);
   if (m_handles->context == EGL_NO_CONTEXT)
     refuse("the driver could not make an OpenGL context");
   if (!eglMakeCurrent(m_handles->display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_handles->context)) {

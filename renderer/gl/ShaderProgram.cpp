@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/ShaderProgram.h"
 
-#include "scene/Error.h"
+#include "gl/DriverHealth.h"
 
 #include <epoxy/gl.h>
 
@@ -47,10 +47,10 @@ void requireCompiled(const Shader& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
-    throw Error(Error::Kind::openGl,
-                "The graphics driver refused a shader; please report this with the driver's name and this "
-                "message: " +
-                    withFileLines(shaderLog(shader.name), source));
+    throw DriverError(
+        "The graphics driver refused a shader; update the driver or use --engine reference, and "
+        "please report it with `limn info --system`.",
+        withFileLines(shaderLog(shader.name), source));
 }
 
 } // namespace
@@ -128,10 +128,10 @@ void ShaderProgram::finish() {
   glDetachShader(m_program.name(), m_pending->vertex.name);
   glDetachShader(m_program.name(), m_pending->fragment.name);
   if (isLinked != GL_TRUE)
-    throw Error(Error::Kind::openGl,
-                "The graphics driver could not link a shader program; please report this with the driver's "
-                "name and this message: " +
-                    programLog(m_program.name()));
+    throw DriverError(
+        "The graphics driver could not link a shader program; update the driver or use --engine "
+        "reference, and please report it with `limn info --system`.",
+        programLog(m_program.name()));
   m_pending.reset();
 }
 

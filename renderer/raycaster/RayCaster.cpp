@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
@@ -140,13 +141,16 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
 }
 
 Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::ivec2& size) {
+  forgetDriverErrors();
   const FloatTarget target(size);
   for (int y = 0; y < size.y; y += tileSize)
     for (int x = 0; x < size.x; x += tileSize) {
       draw(scene, content, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
       glFlush();
     }
-  return readBack(size);
+  Image image = readBack(size);
+  requireHealthyDriver("drawing a picture");
+  return image;
 }
 
 // Some drivers compile only when something is drawn: one pixel is enough.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/SceneUniforms.h"
 
+#include "scene/EffectPlan.h"
 #include "scene/LightingTerms.h"
 #include "scene/LocalSteps.h"
 #include "scene/RayFrame.h"
@@ -8,6 +9,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -16,12 +18,21 @@ namespace {
 // No colour and no distance reaches it.
 constexpr double beyondAll = 1e30;
 
+// Scenes may hold any double. What a float cannot is limited here: an infinity times 0 would be no number.
+constexpr double mostOfFloat = 1e37;
+
 // Sets uniforms from doubles.
 struct Setter {
   const ShaderProgram& program;
-  void operator()(const char* name, double value) const { program.set(name, static_cast<float>(value)); }
-  void operator()(const char* name, const glm::dvec2& value) const { program.set(name, glm::vec2(value)); }
-  void operator()(const char* name, const glm::dvec3& value) const { program.set(name, glm::vec3(value)); }
+  void operator()(const char* name, double value) const {
+    program.set(name, static_cast<float>(std::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
+  void operator()(const char* name, const glm::dvec2& value) const {
+    program.set(name, glm::vec2(glm::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
+  void operator()(const char* name, const glm::dvec3& value) const {
+    program.set(name, glm::vec3(glm::clamp(value, -mostOfFloat, mostOfFloat)));
+  }
 };
 
 void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int most) {
@@ -32,15 +43,16 @@ void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int 
   set("u_anchor", frame.anchor);
   set("u_anchorX", frame.anchorX);
   set("u_anchorY", frame.anchorY);
-  set("u_direction", frame.direction);
-  set("u_directionX", frame.directionX);
-  set("u_directionY", frame.directionY);
+  const double unit = lengthUnitMm(grid);
+  set("u_direction", frame.direction * unit);
+  set("u_directionX", frame.directionX * unit);
+  set("u_directionY", frame.directionY * unit);
   set("u_tangentPerPixel", frame.tangentPerPixel);
-  set("u_anchorDistance", frame.anchorDistanceMm);
+  set("u_anchorDistance", frame.anchorDistanceMm / unit);
   set("u_boxLower", box.lower);
   set("u_boxUpper", box.upper);
-  set("u_spacing", grid.spacingMm);
-  set("u_stepsPerMm", 1.0 / stepMm(scene));
+  set("u_spacing", grid.spacingMm / unit);
+  set("u_stepsPerLength", 1.0 / scene.quality.stepVoxels);
   set("u_mostSamples", static_cast<double>(most));
 }
 
@@ -72,7 +84,9 @@ void setLighting(const Setter& set, const Scene& scene) {
   set("u_specular", terms.specular);
   set("u_exponent", glm::dvec2(terms.exponent.atFlat, terms.exponent.atBoundary));
   set("u_opacity", glm::dvec2(terms.opacity.atFlat, terms.opacity.atBoundary));
-  set("u_curve", terms.curve.parameter);
+  // So near 0 a logarithmic curve is a line, and so small a number no 0 yet.
+  const bool isLog = terms.curve.type == GradientCurve::Type::log;
+  set("u_curve", isLog ? std::max(terms.curve.parameter, 1e-30) : terms.curve.parameter);
   set("u_energyWeight", terms.energyFactor ? 1.0 : 0.0);
   // What the scene does not use gets its neutral value, for programs that have more than it needs.
   set("u_knee", terms.knee.value_or(beyondAll));
@@ -86,15 +100,18 @@ void setCut(const Setter& set, const Scene& scene) {
   const CutPlanes cut = cutPlanes(scene.volume->grid(), scene.crop);
   set("u_cutLower", cut.lower);
   set("u_cutUpper", cut.upper);
-  set("u_cutDepth", smallestSpacingMm(scene.volume->grid()));
+  set("u_cutDepth", 1.0);
 }
 
-void setFog(const Setter& set, const Fog& fog) {
-  const bool isOn = fog.mode != Fog::Mode::none;
+// Distances count from the anchor plane and not from the eye, so that fog about a volume seen from afar loses
+// no digits. A fog that does not show is set as none: the program may have another one.
+void setFog(const Setter& set, const Scene& scene, double anchorDistanceMm, double unit) {
+  const Fog& fog = scene.fog;
+  const bool shows = fogShows(scene);
   set("u_fogColor", fog.color);
-  set("u_fogStart", isOn ? fog.startMm : beyondAll);
-  set("u_fogEnd", isOn ? fog.endMm : 2.0 * beyondAll);
-  set("u_fogDensity", isOn ? fog.densityPerMm : 0.0);
+  set("u_fogStart", shows ? (fog.startMm - anchorDistanceMm) / unit : beyondAll);
+  set("u_fogEnd", shows ? (fog.endMm - anchorDistanceMm) / unit : 2.0 * beyondAll);
+  set("u_fogDensity", shows ? fog.densityPerMm * unit : 0.0);
 }
 
 void setSurface(const Setter& set, const Scene& scene) {
@@ -111,8 +128,8 @@ void setLocalSteps(const Setter& set, const Scene& scene, const BlockStepTexture
   set("u_lastStepBlock", glm::dvec3(blocks.blocks() - 1));
   set("u_fineness", static_cast<double>(*fineness));
   set("u_mostChange", mostChange(*fineness));
-  set("u_level0Mm", stepOfLevel(0) * smallestSpacingMm(grid));
-  set("u_finestMm", stepOfLevel(finestLevel) * smallestSpacingMm(grid));
+  set("u_level0Length", stepOfLevel(0));
+  set("u_finestLength", stepOfLevel(finestLevel));
 }
 
 void setSamplers(const ShaderProgram& program) {
@@ -135,6 +152,10 @@ void bind(TextureUnit unit, unsigned target, unsigned texture) {
 }
 
 } // namespace
+
+double lengthUnitMm(const Grid& grid) {
+  return smallestSpacingMm(grid);
+}
 
 glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume) {
   const glm::dvec3 texelMm = grid.spacingMm * glm::dvec3(volume.reduction());
@@ -168,11 +189,15 @@ void setUniforms(const ShaderProgram& program, const Scene& scene, const glm::iv
   setRays(set, scene, size, sampleLimit(scene, textures));
   setVolume(set, textures.volume());
   set("u_functionDomain", glm::dvec3(textures.function().domain()));
-  set("u_perUnitDistance", 1.0 / scene.transferFunction.unitDistanceMm);
+  const Grid& grid = scene.volume->grid();
+  const double unit = lengthUnitMm(grid);
+  // So many unit distances hide everything; the whole box must not have more than a float holds.
+  set("u_perUnitDistance",
+      std::min(unit / scene.transferFunction.unitDistanceMm, beyondAll / (boxDiagonalMm(grid) / unit)));
   setGradient(set, scene, textures);
   setLighting(set, scene);
   setCut(set, scene);
-  setFog(set, scene.fog);
+  setFog(set, scene, rayFrame(scene.camera, grid, size).anchorDistanceMm, unit);
   setSurface(set, scene);
   setLocalSteps(set, scene, textures.blockSteps());
   set("u_jitter", scene.quality.jitter ? 1.0 : 0.0);

@@ -28,6 +28,10 @@ void bindTextures(const SceneTextures& textures);
 /// transfer function, because drivers limit the iterations of all loops together.
 int sampleLimit(const Scene& scene, const SceneTextures& textures);
 
+/// The unit of every length in the shaders, mm: the smallest spacing. Floats round the same whatever unit a
+/// file has.
+double lengthUnitMm(const Grid& grid);
+
 /// What leads from a difference over two texels of a volume to the unit of gradients in the shaders, along
 /// each axis.
 glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/VolumeTexture.h"
 
-#include "scene/Error.h"
+#include "gl/DriverHealth.h"
 
 #include <epoxy/gl.h>
 
@@ -30,8 +30,7 @@ constexpr ValueRange wideRange{-1.0, 2.0};
 
 // Uploads into the texture bound; false where the driver has no memory for it.
 bool upload(const glm::ivec3& size, const std::vector<float>& texels, GLint format) {
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  forgetDriverErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, texels.data());
   return glGetError() == GL_NO_ERROR;
 }

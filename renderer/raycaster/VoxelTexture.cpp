@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/VoxelTexture.h"
 
-#include "scene/Error.h"
+#include "gl/DriverHealth.h"
 
 #include <epoxy/gl.h>
 
@@ -14,8 +14,7 @@ VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const char* wh
   m_bytes = texels * (format == Format::halves ? 8 : 4);
   const GLint stored = format == Format::halves ? GL_RGBA16F : GL_RGBA8;
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  forgetDriverErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, stored, size.x, size.y, size.z, 0, GL_RGBA, GL_FLOAT, nullptr);
   if (glGetError() != GL_NO_ERROR)
     throw Error(Error::Kind::openGl, std::string("The graphics driver has no room for ") + what + ", " +

@@ -123,16 +123,22 @@ double farthestDepthMm(const Scene& scene) {
   return farthest;
 }
 
+bool isThin(const Fog& fog) {
+  const bool isExponential = fog.mode == Fog::Mode::exp || fog.mode == Fog::Mode::exp2;
+  return isExponential && !(fog.densityPerMm > 0.0);
+}
+
+// By a hair beyond the corner: the shaders' distances are floats.
+bool beginsBehindVolume(const Scene& scene) {
+  return scene.fog.startMm >= farthestDepthMm(scene) * (1.0 + 1e-5);
+}
+
 void fogClauses(Plan& plan, const Scene& scene) {
   const Fog& fog = scene.fog;
-  const bool isExponential = fog.mode == Fog::Mode::exp || fog.mode == Fog::Mode::exp2;
-  const bool isThin = isExponential && !(fog.densityPerMm > 0.0);
-  // A hair beyond the corner: the shaders' distances are floats.
-  const bool isBehind = fog.startMm >= farthestDepthMm(scene) * (1.0 + 1e-5);
-  const bool shows = fog.mode != Fog::Mode::none && !isThin && !isBehind;
+  const bool shows = fogShows(scene);
   const char* why = fog.mode == Fog::Mode::none ? "fog is off"
-                    : isThin                    ? "the density of the fog is 0"
-                    : isBehind                  ? "the fog begins behind the volume"
+                    : isThin(fog)               ? "the density of the fog is 0"
+                    : beginsBehindVolume(scene) ? "the fog begins behind the volume"
                                                 : "another fog is chosen";
   plan.clause(Effect::fogLinear, shows && fog.mode == Fog::Mode::linear, "linear fog is on", why);
   plan.clause(Effect::fogExp, shows && fog.mode == Fog::Mode::exp, "exponential fog is on", why);
@@ -234,6 +240,10 @@ bool readsSteepness(const Scene& scene) {
   const double most =
       std::sqrt(3.0) * (range.highest - range.lowest) / smallestSpacingMm(scene.volume->grid());
   return scene.quality.preintegrated == Preintegration::automatic && !stepResolvesFunction(scene, most);
+}
+
+bool fogShows(const Scene& scene) {
+  return scene.fog.mode != Fog::Mode::none && !isThin(scene.fog) && !beginsBehindVolume(scene);
 }
 
 bool isAnythingVisible(const Scene& scene) {

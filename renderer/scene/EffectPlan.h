@@ -49,6 +49,9 @@ bool stepResolvesFunction(const Scene& scene, double steepestPerMm);
 /// Whether the plan depends on `steepestPerMm`: only then need it be measured.
 bool readsSteepness(const Scene& scene);
 
+/// Whether fog changes any colour: it has a density, and it begins before the volume ends.
+bool fogShows(const Scene& scene);
+
 /// Whether anything of the volume could show: the transfer function is opaque somewhere in its range, or the
 /// isovalue of a picture with a surface is reached.
 bool isAnythingVisible(const Scene& scene);

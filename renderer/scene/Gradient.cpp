@@ -15,11 +15,20 @@
 namespace limn {
 namespace {
 
+// The power of two, value/mm, in which moduli are computed: about the steepest that the volume can hold, so
+// that neither squares nor floats overflow or vanish, however large or small its values. Multiplying by it is
+// exact.
+double modulusUnit(const Volume& volume) {
+  const double steepest = (volume.range().highest - volume.range().lowest) / smallestSpacingMm(volume.grid());
+  return std::ldexp(1.0, std::clamp(std::ilogb(steepest), -1000, 1000));
+}
+
 // Voxels of one volume in their stored type, with differences in scalar units.
 template <class T>
 struct Stencil {
   const Volume& volume;
   const std::vector<T>& stored;
+  double perUnit = 1.0 / modulusUnit(volume);
   glm::ivec3 dims = volume.grid().dims;
   std::size_t stride[3] = {1, static_cast<std::size_t>(dims.x), static_cast<std::size_t>(dims.x) * dims.y};
 
@@ -39,6 +48,9 @@ struct Stencil {
     const std::size_t offset = voxelOffset(dims, i, j, k);
     return {derivative(offset, i, 0), derivative(offset, j, 1), derivative(offset, k, 2)};
   }
+
+  // In units of `modulusUnit`.
+  double modulus(int i, int j, int k) const { return glm::length(alongAxes(i, j, k) * perUnit); }
 
   bool isEligible(int i, int j, int k) const {
     const std::vector<bool>& invalid = volume.invalidMask();
@@ -61,11 +73,12 @@ void forEachModulusOfSlice(const Stencil<T>& stencil, int k, Function&& function
   for (int j = 0; j < stencil.dims.y; ++j)
     for (int i = 0; i < stencil.dims.x; ++i)
       if (stencil.isEligible(i, j, k))
-        function(glm::length(stencil.alongAxes(i, j, k)));
+        function(stencil.modulus(i, j, k));
 }
 
-// Feeds the moduli of all eligible voxels to one collector per core, each a copy of `empty`, and returns the
-// collectors. Which voxel goes to which is left open: collect only what does not depend on it.
+// Feeds the moduli, in units of `modulusUnit`, of all eligible voxels to one collector per core, each a copy
+// of `empty`, and returns the collectors. Which voxel goes to which is left open: collect only what does not
+// depend on it.
 template <class Collector>
 std::vector<Collector> collected(const Volume& volume, const Collector& empty) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
@@ -165,7 +178,7 @@ double largestGradient(const Volume& volume) {
   double largest = 0.0;
   for (const LargestCollector& collector : collected(volume, LargestCollector{}))
     largest = std::max(largest, collector.largest);
-  return largest;
+  return largest * modulusUnit(volume);
 }
 
 double gradientPercentile(const Volume& volume, double percent) {
@@ -182,14 +195,14 @@ double gradientPercentile(const Volume& volume, double percent) {
   LowBitsCollector empty;
   empty.high = binOfRank(highCounts, rank);
   const std::uint32_t low = binOfRank(countsOf(collected(volume, empty)), rank);
-  return std::bit_cast<float>(empty.high << lowBits | low);
+  return std::bit_cast<float>(empty.high << lowBits | low) * modulusUnit(volume);
 }
 
 Histogram gradientHistogram(const Volume& volume, int bins) {
   assert(bins > 0);
   const double largest = largestGradient(volume);
   BinCollector empty;
-  const double binsPerModulus = bins / largest;
+  const double binsPerModulus = bins / (largest / modulusUnit(volume));
   const bool isFlat = !std::isfinite(binsPerModulus);
   empty.binsPerModulus = isFlat ? 0.0 : binsPerModulus;
   empty.counts.assign(isFlat ? 1 : static_cast<std::size_t>(bins), 0);
@@ -207,14 +220,14 @@ double steepness(const Volume& volume) {
       for (int j = stride.y / 2; j < dims.y; j += stride.y)
         for (int i = stride.x / 2; i < dims.x; i += stride.x)
           if (stencil.isEligible(i, j, k))
-            moduli.push_back(glm::length(stencil.alongAxes(i, j, k)));
+            moduli.push_back(stencil.modulus(i, j, k));
   });
   if (moduli.empty())
     return 0.0;
   const auto rank =
       moduli.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(moduli.size() - 1));
   std::nth_element(moduli.begin(), rank, moduli.end());
-  return *rank;
+  return *rank * modulusUnit(volume);
 }
 
 GradientReference resolvedReference(const Shading& shading) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/LightingTerms.h"
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -27,6 +29,12 @@ LightingTerms withoutUnused(LightingTerms terms) {
   return terms;
 }
 
+// The weight of a term. One so large drives every channel that is not 0 to full brightness; an infinite one
+// would make no number of a 0.
+double limitedProduct(double coefficient, double intensity) {
+  return std::min(coefficient * intensity, 1e30);
+}
+
 } // namespace
 
 LightingTerms lightingTerms(const Shading& shading) {
@@ -34,9 +42,9 @@ LightingTerms lightingTerms(const Shading& shading) {
   if (shading.model == ShadingModel::none)
     return terms;
   terms.isLit = true;
-  terms.ambient = shading.ambient * shading.ambientIntensity;
-  terms.diffuse = shading.diffuse * shading.lightIntensity;
-  terms.specular = shading.specular * shading.lightIntensity;
+  terms.ambient = limitedProduct(shading.ambient, shading.ambientIntensity);
+  terms.diffuse = limitedProduct(shading.diffuse, shading.lightIntensity);
+  terms.specular = limitedProduct(shading.specular, shading.lightIntensity);
   terms.exponent = {shading.exponent, shading.exponent};
   terms.specularColor = shading.specularColor;
   terms.reflection = shading.reflection;

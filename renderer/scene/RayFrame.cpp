@@ -18,6 +18,17 @@ glm::dvec3 withoutRounding(glm::dvec3 direction, double lengthMm) {
   return direction;
 }
 
+// How far from the eye rays are anchored. Perspective eyes close to the box anchor them themselves: rays at
+// the edge of a wide picture meet the plane through the centre so far away that a float's digits would be
+// lost.
+double anchorDistance(const Camera& camera, const CameraBasis& basis, const glm::dvec3& eye,
+                      double diagonalMm) {
+  const bool isClose = glm::length(eye) <= 0.6 * diagonalMm; // beyond the corners, by more than rounding
+  if (isClose && camera.projection == Camera::Projection::perspective)
+    return 0.0;
+  return std::max(0.0, -glm::dot(eye, basis.forward));
+}
+
 } // namespace
 
 glm::dvec3 centreIndex(const Grid& grid) {
@@ -31,7 +42,7 @@ RayFrame rayFrame(const Camera& camera, const Grid& grid, const glm::ivec2& size
   const auto toIndex = [&grid](const glm::dvec3& v) { return worldVectorToIndex(grid, v); };
 
   RayFrame frame;
-  frame.anchorDistanceMm = std::max(0.0, -glm::dot(eye, basis.forward));
+  frame.anchorDistanceMm = anchorDistance(camera, basis, eye, boxDiagonalMm(grid));
   frame.anchor = toIndex(eye + frame.anchorDistanceMm * basis.forward);
   frame.direction = withoutRounding(toIndex(basis.forward), boxDiagonalMm(grid));
   if (camera.projection == Camera::Projection::orthographic) {

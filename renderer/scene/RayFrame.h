@@ -8,7 +8,8 @@ namespace limn {
 /// All rays of a picture as functions that are affine in the pixel, in *centred index* coordinates (voxel
 /// index minus the index of the box's centre). Built in double and read by the reference in double, by the
 /// shaders in float. A ray is measured from an anchor plane through the box's centre and not from the eye, so
-/// that a far camera loses no digits.
+/// that a far camera loses no digits; an eye of a perspective camera within the sphere around the box is its
+/// own anchor, so that neither a near one loses any.
 ///
 /// With c = (x+½-W/2, H/2-(y+½)), y down: anchor = anchor + c.x·anchorX + c.y·anchorY; direction likewise, to
 /// be divided by `sqrt(1 + |c|²·tangentPerPixel²)`.

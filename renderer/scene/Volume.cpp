@@ -11,6 +11,9 @@
 namespace limn {
 namespace {
 
+// Differences, sums and gradients of scalars must be numbers, too.
+constexpr double largestScalar = 1e300;
+
 struct Sanitised {
   ValueRange range;
   std::size_t invalidVoxels = 0;
@@ -56,10 +59,11 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
   const double atSmallest = rescale.slope * static_cast<double>(smallest) + rescale.intercept;
   const double atLargest = rescale.slope * static_cast<double>(largest) + rescale.intercept;
   result.range = rising ? ValueRange{atSmallest, atLargest} : ValueRange{atLargest, atSmallest};
-  if (!std::isfinite(result.range.lowest) || !std::isfinite(result.range.highest))
-    throw Error(Error::Kind::input,
-                "The volume's values are not finite after rescaling; its slope or intercept "
-                "is damaged.");
+  if (!(result.range.lowest >= -largestScalar && result.range.highest <= largestScalar))
+    throw Error(
+        Error::Kind::input,
+        "The volume's values are not finite or beyond 1e300 after rescaling; its slope, its intercept "
+        "or its voxels are damaged.");
   return result;
 }
 

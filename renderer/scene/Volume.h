@@ -63,7 +63,7 @@ public:
   /// Takes the stored voxels and sanitises them: NaN, ±Inf and declared padding are replaced by the voxel
   /// of the smallest valid scalar, counted, and remembered.
   /// Throws Error (input) where the array does not match `grid.dims`, where a dimension or spacing is not
-  /// positive and finite, or where no voxel is valid.
+  /// positive and finite, where no voxel is valid, or where a scalar lies beyond ±1e300.
   Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info);
 
   const Grid& grid() const { return m_grid; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slices/SliceRenderer.h"
 
+#include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
@@ -25,13 +26,13 @@ constexpr std::size_t fragmentsPerDraw = std::size_t(1) << 25;
 
 // The triangles of all slabs in the order of blending, and where each slab's begin.
 struct Triangles {
-  std::vector<glm::vec4> corners; // place in the viewport, near and far plane in mm
+  std::vector<glm::vec4> corners; // place in the viewport, near and far plane in shader lengths
   std::vector<int> starts{0};
 };
 
-void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, Triangles& triangles) {
+void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, double unitMm, Triangles& triangles) {
   const auto corner = [&](std::size_t i) {
-    return glm::vec4(glm::vec2(slab.polygon[i] / halfSize), slab.nearMm, slab.farMm);
+    return glm::vec4(glm::vec2(slab.polygon[i] / halfSize), slab.nearMm / unitMm, slab.farMm / unitMm);
   };
   for (std::size_t i = 2; i < slab.polygon.size(); ++i)
     for (const std::size_t k : {std::size_t(0), i - 1, i})
@@ -39,11 +40,13 @@ void appendSlab(const ProxySlab& slab, const glm::dvec2& halfSize, Triangles& tr
   triangles.starts.push_back(static_cast<int>(triangles.corners.size()));
 }
 
-Triangles trianglesOf(const std::vector<ProxySlab>& slabs, const glm::ivec2& size, BlendOrder order) {
+Triangles trianglesOf(const Scene& scene, const glm::ivec2& size, BlendOrder order) {
+  const std::vector<ProxySlab> slabs = proxySlabs(scene, size);
+  const double unitMm = lengthUnitMm(scene.volume->grid());
   Triangles triangles;
   for (std::size_t i = 0; i < slabs.size(); ++i)
     appendSlab(slabs[order == BlendOrder::frontToBack ? i : slabs.size() - 1 - i], glm::dvec2(size) / 2.0,
-               triangles);
+               unitMm, triangles);
   return triangles;
 }
 
@@ -120,7 +123,7 @@ void SliceRenderer::Parts::draw(const Scene& scene, const glm::ivec2& size) {
   setUniforms(shader, scene, size, textures);
   bindTextures(textures);
   glViewport(0, 0, size.x, size.y);
-  const Triangles triangles = trianglesOf(proxySlabs(scene, size), size, order);
+  const Triangles triangles = trianglesOf(scene, size, order);
   glBindVertexArray(vertexArray.name());
   glBindBuffer(GL_ARRAY_BUFFER, corners.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.corners.size() * sizeof(glm::vec4)),
@@ -140,9 +143,12 @@ SliceRenderer& SliceRenderer::operator=(SliceRenderer&&) noexcept = default;
 Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
   requireSliceable(scene);
   m_parts->noteStepLimit(scene, size);
+  forgetDriverErrors();
   const FloatTarget target(size);
   m_parts->draw(scene, size);
-  return readBack(size);
+  Image image = readBack(size);
+  requireHealthyDriver("drawing a picture of slices");
+  return image;
 }
 
 const GradientScale& SliceRenderer::gradientScale() const {

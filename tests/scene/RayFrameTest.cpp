@@ -56,6 +56,20 @@ TEST(RayFrame, aCameraInsideTheBoxOrBehindItStartsAtItsEye) {
   }
 }
 
+// Rounded to floats, a ray's place in the box is as good as its anchor is near: where a picture of 170° is
+// taken from within, its corner's ray (86° off the axis for a square) meets a plane half a box ahead 8 boxes
+// aside.
+TEST(RayFrame, wideRaysFromWithinTheBoxAreAnchoredInIt) {
+  const Grid grid = tiltedGrid();
+  Camera camera = defaultCamera(grid);
+  camera.fovYDeg = 170.0;
+  camera.position = boxCentreMm(grid) + glm::dvec3(3.0, -7.0, 2.0);
+  const glm::ivec2 size(16, 16);
+  const FramedRay ray = framedRay(rayFrame(camera, grid, size), 0, 0, size);
+  EXPECT_TRUE(glm::all(glm::lessThan(glm::abs(ray.anchor), glm::dvec3(grid.dims))));
+  EXPECT_LT(glm::distance(pointFromEye(ray, grid, 0.0), camera.position), 1e-10);
+}
+
 TEST(RayFrame, theBoxIsHalfOpenForRaysInItsFaces) {
   const IndexBox box{glm::dvec3(-2.0), glm::dvec3(2.0)};
   const auto isHit = [&box](const glm::dvec3& anchor) {

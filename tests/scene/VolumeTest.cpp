@@ -44,6 +44,13 @@ TEST(Volume, refusesAnArrayThatDoesNotMatchItsDimensions) {
   EXPECT_THROW(Volume(gridOf(2, 2, 2), std::vector<std::uint8_t>(7), {}, {}, {}), Error);
 }
 
+TEST(Volume, refusesValuesWhoseDifferencesAreNoNumbers) {
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_THROW(Volume(gridOf(2, 1, 1), std::vector<double>{-largest, largest}, {}, {}, {}), Error);
+  const float most = std::numeric_limits<float>::max();
+  EXPECT_EQ(Volume(gridOf(2, 1, 1), std::vector<float>{-most, most}, {}, {}, {}).range().highest, most);
+}
+
 TEST(Volume, interpolatesBetweenCentresAndClampsBeyondThem) {
   const Volume volume(gridOf(2, 2, 1), std::vector<std::uint8_t>{0, 10, 20, 30}, {}, {}, {});
   EXPECT_DOUBLE_EQ(valueAt(volume, {0.5, 0.5, 0.0}), 15.0);
@@ -75,6 +82,13 @@ TEST(Histogram, ofIntegersHasNoComb) {
 TEST(Histogram, ofAConstantVolumeIsOneBin) {
   const Volume volume(gridOf(2, 2, 1), std::vector<float>(4, 3.0f), {}, {}, {});
   EXPECT_EQ(histogramOf(volume).counts, std::vector<std::uint64_t>{4});
+}
+
+TEST(Volume, valuesWhoseRangeIsNoNumberAreRefused) {
+  Grid grid;
+  grid.dims = {2, 1, 1};
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_THROW(Volume(grid, std::vector<double>{-most, most}, Rescale{}, std::nullopt, VolumeInfo{}), Error);
 }
 
 } // namespace

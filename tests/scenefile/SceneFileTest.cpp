@@ -50,6 +50,16 @@ TEST(SceneFile, whatIsWrittenIsReadBackToTheLastBit) {
   EXPECT_TRUE(document.hasTransferFunction);
 }
 
+TEST(SceneFile, aLightDirectionMayHaveAnyLengthButNone) {
+  Scene scene = unusualScene();
+  for (const double length : {1e-300, 1e300}) {
+    scene.shading.lightDirection = glm::dvec3(0.0, length, 0.0);
+    EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "test.json").scene, scene);
+  }
+  scene.shading.lightDirection = glm::dvec3(0.0);
+  EXPECT_NE(refusalOf(sceneToJson(scene, "v")).find("light_direction"), std::string::npos);
+}
+
 TEST(SceneFile, aToleranceNeedsNoFinenessButAFinenessATolerance) {
   const auto withQuality = [](const std::string& quality) {
     return R"({"limn_scene": 1, "volume": "v", "quality": )" + quality + "}";

@@ -118,7 +118,7 @@ std::vector<Finding> nearAndFar(Workbench& bench) {
                                         wholeVolume(smoothVolume(8), ShadingModel::classic, 0.0, 100.0);
                                     scene.camera.projection = Camera::Projection::perspective;
                                     scene.camera.fovYDeg = fov;
-                                    const DrawnPicture picture = draw(scene, {24, 24});
+                                    const DrawnPicture picture = draw(scene, {25, 25}); // one sees the middle
                                     return unsoundPixels(picture) + (visiblePixels(picture) == 0 ? 1 : 0);
                                   }));
   return findings;

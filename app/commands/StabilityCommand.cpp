@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/StabilityCommand.h"
+
+#include "app/bench/ProcessCost.h"
+#include "app/commands/Arguments.h"
+#include "app/stability/StabilityReport.h"
+#include "gl/HeadlessContext.h"
+#include "io/AtomicFile.h"
+#include "scene/Error.h"
+#include "stability/Workbench.h"
+
+#include <QString>
+#include <QSysInfo>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+namespace limn {
+namespace {
+
+// Random scenes of a report that asks for no number of them.
+constexpr int usualSeeds = 200;
+
+struct StabilityArguments {
+  std::string folder;
+  std::vector<std::string> only;
+  int seeds = -1; ///< -1: not given
+  std::uint64_t firstSeed = 1;
+  bool quiet = false;
+};
+
+std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
+  std::vector<HardCase> cases = hardCases();
+  if (only.empty())
+    return cases;
+  std::vector<HardCase> chosen;
+  for (const std::string& id : only) {
+    const auto found =
+        std::find_if(cases.begin(), cases.end(), [&](const HardCase& one) { return one.id == id; });
+    if (found == cases.end())
+      throw Error(Error::Kind::usage, "There is no hard case " + id + "; they are called " +
+                                          cases.front().id + " to " + cases.back().id + ".");
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+// How long a job takes of both is roughly known: cases first.
+FuzzReport fuzzed(const StabilityArguments& arguments, int seeds, const Progress& progress, double from) {
+  return runFuzz(seeds, arguments.firstSeed, [&](int done) {
+    if (progress.report && done % 10 == 0)
+      progress.report(from + (1.0 - from) * done / seeds, "random scenes");
+    return true;
+  });
+}
+
+void writeReport(const StabilityReport& report, const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
+                                        failure.message() + "); choose another one with -o.");
+  writeFileAtomically(folder / "stability.json", stabilityJson(report));
+  writeFileAtomically(folder / "stability.html", stabilityPage(report));
+}
+
+void runStability(const StabilityArguments& arguments) {
+  if (arguments.folder.empty() && arguments.seeds < 1 && arguments.only.empty())
+    throw Error(Error::Kind::usage,
+                "Where shall the report go? Give a folder with -o, or --fuzz N or --only H1 for "
+                "figures on the terminal alone.");
+  const Progress progress = terminalProgress(arguments.quiet);
+  const HeadlessContext context;
+  const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
+  const int seeds = arguments.seeds >= 0 ? arguments.seeds : arguments.only.empty() ? usualSeeds : 0;
+  const double share = !hasCases ? 0.0 : seeds == 0 ? 1.0 : 0.5;
+  StabilityReport report{LIMN_VERSION,
+                         rendererName(),
+                         machineName() + ", " + QSysInfo::prettyProductName().toStdString(),
+                         {},
+                         {}};
+  if (hasCases) {
+    Workbench bench;
+    report.cases =
+        measure(chosenCases(arguments.only), bench, [&](double fraction, const std::string& doing) {
+          if (progress.report)
+            progress.report(share * fraction, doing);
+        });
+  }
+  if (seeds > 0)
+    report.fuzz = fuzzed(arguments, seeds, progress, share);
+  if (!arguments.folder.empty())
+    writeReport(report, arguments.folder);
+  std::cout << stabilityTable(report);
+  if (!holds(report))
+    throw Error(Error::Kind::other,
+                "Something above does not hold on this driver; please send the report with your "
+                "next message to the program's makers.");
+}
+
+} // namespace
+
+void addStabilityCommand(CLI::App& root) {
+  auto arguments = std::make_shared<StabilityArguments>();
+  CLI::App* command = root.add_subcommand("stability", "hard cases and random scenes on this driver");
+  command->add_option("-o,--output", arguments->folder, "folder for stability.json and stability.html");
+  command->add_option("--only", arguments->only, "these cases alone, e.g. H9,H12")->delimiter(',');
+  command
+      ->add_option("--fuzz", arguments->seeds,
+                   "how many random scenes to draw (default: 200 beside a report); alone: nothing else")
+      ->check(CLI::Range(0, 100000000));
+  command->add_option("--seed", arguments->firstSeed, "the first random scene (default 1)");
+  command->add_flag("--quiet", arguments->quiet, "no progress");
+  command->footer("Every row has a figure, a bound and a verdict; the exit status is 1 where one fails.\n"
+                  "Example: limn stability -o report");
+  command->callback([arguments] { runStability(*arguments); });
+}
+
+} // namespace limn

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/DriverHealth.h"
+
+#include <epoxy/gl.h>
+
+#include <cstdio>
+
+namespace limn {
+namespace {
+
+// A driver keeps at most a flag for each kind of error, and there are eight.
+constexpr int mostFlags = 16;
+
+constexpr GLenum contextLostError = 0x0507; // GL_CONTEXT_LOST of KHR_robustness
+
+// The function under whichever name the driver has it; none where the driver cannot tell of resets.
+GLenum resetStatus() {
+  if (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness"))
+    return glGetGraphicsResetStatus();
+  if (epoxy_has_gl_extension("GL_ARB_robustness"))
+    return glGetGraphicsResetStatusARB();
+  return GL_NO_ERROR;
+}
+
+std::string hexadecimal(GLenum value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "0x%04x", static_cast<unsigned>(value));
+  return text;
+}
+
+} // namespace
+
+void forgetDriverErrors() {
+  for (int i = 0; i < mostFlags && glGetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
+bool contextIsLost() {
+  return resetStatus() != GL_NO_ERROR;
+}
+
+void requireHealthyDriver(const char* doing) {
+  const GLenum error = glGetError();
+  if (error != GL_NO_ERROR)
+    forgetDriverErrors();
+  if (error == contextLostError || contextIsLost())
+    throw DriverError(
+        std::string("The graphics driver was reset while ") + doing +
+            "; try again, and if it happens often, draw with a larger step, in a smaller picture "
+            "or with --engine reference.",
+        "graphics reset");
+  if (error == GL_OUT_OF_MEMORY)
+    throw DriverError(
+        std::string("The graphics driver ran out of memory while ") + doing +
+            "; close other programs that draw, choose a smaller picture or use --engine reference.",
+        "OpenGL error " + hexadecimal(error));
+  if (error != GL_NO_ERROR)
+    throw DriverError(
+        std::string("The graphics driver refused a command while ") + doing +
+            "; update the driver or use --engine reference, and please report it with `limn info "
+            "--system`.",
+        "OpenGL error " + hexadecimal(error));
+}
+
+} // namespace limn

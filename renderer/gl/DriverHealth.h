@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Error.h"
+
+namespace limn {
+
+/// The driver failed: the sentence is for people, the details are what the driver itself wrote (a compiler's
+/// log), for a report; they may be empty.
+class DriverError : public Error {
+public:
+  DriverError(const std::string& sentence, std::string details)
+      : Error(Kind::openGl, sentence), m_details(std::move(details)) {}
+
+  const std::string& details() const { return m_details; }
+
+private:
+  std::string m_details;
+};
+
+/// Forgets the errors that the driver has noted so far. Returns also where a lost context reports one
+/// forever.
+void forgetDriverErrors();
+
+/// Whether the driver was reset or its context lost since the context was made: nothing drawn with it counts,
+/// and nothing made in it can be used again. False also where the driver cannot say.
+bool contextIsLost();
+
+/// Throws DriverError where the context was lost, or the driver ran out of memory or refused a command since
+/// its errors were forgotten or asked for. `doing` completes "The graphics driver ran out of memory while …".
+void requireHealthyDriver(const char* doing);
+
+} // namespace limn

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 2000 random scenes (NUMERICS 3.3), in parts so that they run beside each other. `limn stability --fuzz N
+// --seed S` draws any others.
+#include "stability/PictureFuzz.h"
+#include "support/GlTest.h"
+
+#include <iostream>
+
+namespace limn {
+namespace {
+
+constexpr int seedsPerPart = 250;
+
+class Fuzz : public test::GlTest, public ::testing::WithParamInterface<int> {};
+
+void print(const FuzzReport& report) {
+  std::cout << report.seeds << " seeds, " << report.refused << " volumes refused, "
+            << report.referenceCompared << " compared with the reference over " << report.pixelsCompared
+            << " pixels (" << report.pixelsUnequal << " of unequal N), worst difference "
+            << report.worstDifference << " (seed " << report.worstSeed << "), " << report.slices
+            << " drawn as slices, " << report.freshlyDrawn << " by a fresh ray caster; slowest "
+            << report.slowestSeconds << " s (seed " << report.slowestSeed << ")\n";
+}
+
+TEST_P(Fuzz, everyInvariantHoldsForEverySeed) {
+  const FuzzReport report = runFuzz(seedsPerPart, static_cast<std::uint64_t>(GetParam()) * seedsPerPart);
+  print(report);
+  EXPECT_EQ(report.seeds, seedsPerPart);
+  for (const FuzzFailure& failure : report.failures)
+    ADD_FAILURE() << lineOf(failure);
+  // The part says something: a third of the seeds is comparable, few volumes hold no valid voxel.
+  EXPECT_GE(report.referenceCompared, seedsPerPart / 4);
+  EXPECT_LE(report.refused, seedsPerPart / 10);
+  EXPECT_GT(report.slices, 0);
+  EXPECT_GT(report.freshlyDrawn, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, Fuzz, ::testing::Range(0, 8));
+
+} // namespace
+} // namespace limn
