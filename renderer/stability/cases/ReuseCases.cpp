@@ -24,9 +24,9 @@ Scene phantomScene() {
 
 // Slices know two projections and end no ray early.
 bool shows(const Scene& scene, Engine engine) {
-  return engine == Engine::gl || ((scene.projection == Projection::composite ||
-                                   scene.projection == Projection::xray) &&
-                                  scene.quality.earlyTermination == phantomScene().quality.earlyTermination);
+  return engine == Engine::gl ||
+         ((scene.projection == Projection::composite || scene.projection == Projection::xray) &&
+          scene.quality.earlyTermination == phantomScene().quality.earlyTermination);
 }
 
 std::vector<Scene> variedScenes(Engine engine) {
@@ -121,10 +121,10 @@ std::vector<Finding> emptySpace(Workbench& bench) {
                largestDifference(skipped, {pictureSize, {sampled.pixels.begin(), sampled.pixels.end()}}), 0.0,
                reason));
   }
-  findings.push_back(atMost(
-      "gl", "something is skipped at all",
-      bench.rays().plan(phantomScene()).effects.has(Effect::emptySpaceSkipping) ? 0.0 : 1.0, 0.0,
-      "1 where the head is drawn without stepping over anything"));
+  findings.push_back(
+      atMost("gl", "something is skipped at all",
+             bench.rays().plan(phantomScene()).effects.has(Effect::emptySpaceSkipping) ? 0.0 : 1.0, 0.0,
+             "1 where the head is drawn without stepping over anything"));
   for (const char* engine : {"reference", "slices"})
     findings.push_back(notApplicable(engine, "", "It steps over nothing: every sample is taken."));
   return findings;
@@ -144,27 +144,31 @@ std::vector<Finding> tiles(Workbench& bench) {
   Scene jittered = phantomScene();
   jittered.quality.jitter = true;
   std::vector<Finding> findings;
-  for (const auto& [what, scene] : {std::pair{"a head in tiles", phantomScene()},
-                                    {"a jittered head in tiles", jittered}}) {
+  for (const auto& [what, scene] :
+       {std::pair{"a head in tiles", phantomScene()}, {"a jittered head in tiles", jittered}}) {
     const Image whole = bench.rays().render(scene, size);
     int different = 0;
-    for (const glm::ivec2& tile : {glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)})
+    for (const glm::ivec2& tile :
+         {glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)})
       different += inTiles(bench.rays(), scene, size, tile) != whole;
-    findings.push_back(atMost("gl", what, different, 0.0,
-                              "tilings of four that differ from the whole picture by any bit"));
+    findings.push_back(
+        atMost("gl", what, different, 0.0, "tilings of four that differ from the whole picture by any bit"));
   }
-  findings.push_back(notApplicable("reference", "", "It runs on the processor, where no driver waits for it."));
+  findings.push_back(
+      notApplicable("reference", "", "It runs on the processor, where no driver waits for it."));
   findings.push_back(notApplicable(
-      "slices", "", "They are handed to the driver one slice at a time, of which each is one sample a pixel."));
+      "slices", "",
+      "They are handed to the driver one slice at a time, of which each is one sample a pixel."));
   return findings;
 }
 
 } // namespace
 
 std::vector<HardCase> reuseCases() {
-  return {{"H34", "A change of any parameter shows at once and whole, whatever was drawn before", staleCaches},
-          {"H35", "Stepping over empty space changes no bit", emptySpace},
-          {"H46", "Pictures drawn in tiles, which no watchdog ends, equal whole ones to the bit", tiles}};
+  return {
+      {"H34", "A change of any parameter shows at once and whole, whatever was drawn before", staleCaches},
+      {"H35", "Stepping over empty space changes no bit", emptySpace},
+      {"H46", "Pictures drawn in tiles, which no watchdog ends, equal whole ones to the bit", tiles}};
 }
 
 } // namespace limn
