@@ -67,12 +67,13 @@ std::vector<Finding> staleCaches(Workbench& bench) {
           staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices)};
 }
 
-// Spheres of one voxel, wide apart, some on the borders of the blocks that are skipped.
+// Cubes of two voxels, wide apart, on both sides of the borders of the blocks that are skipped and across
+// them.
 std::shared_ptr<const Volume> sparseVolume() {
   const Grid grid = centredGrid({33, 26, 23}, {1.0, 0.7, 1.6});
   return volumeOf(grid, [](int i, int j, int k) {
-    const int n = i + 33 * (j + 26 * k);
-    return n == 0 ? 0.0 : n % 3571 == 5 || (i == 16 && j == 12 && k == 8) ? 200.0 : 10.0;
+    const int n = (i + 1) / 2 + 17 * ((j + 1) / 2 + 14 * (k / 2));
+    return i + j + k == 0 ? 0.0 : n % 457 == 5 || n % 641 == 128 ? 200.0 : 10.0;
   });
 }
 
@@ -83,9 +84,11 @@ struct Emptiness {
 
 std::vector<Emptiness> emptyScenes() {
   std::vector<Emptiness> scenes;
-  for (const auto& [what, direction] : {std::pair{"single voxels along an axis", glm::dvec3(0, 1, 0)},
-                                        {"single voxels, oblique", glm::dvec3(0.6, 0.64, 0.48)}}) {
-    scenes.push_back({what, wholeVolume(sparseVolume(), ShadingModel::enhanced, 50.0, 200.0, direction)});
+  for (const auto& [what, lowest, direction] :
+       {std::tuple{"small cubes along an axis", 50.0, glm::dvec3(0, 1, 0)},
+        {"small cubes, oblique", 50.0, glm::dvec3(0.6, 0.64, 0.48)},
+        {"the tips of small cubes", 185.0, glm::dvec3(0.6, 0.64, 0.48)}}) {
+    scenes.push_back({what, wholeVolume(sparseVolume(), ShadingModel::enhanced, lowest, 200.0, direction)});
     scenes.back().scene.quality.stepVoxels = 0.3;
   }
   Scene head = phantomScene();
