@@ -63,6 +63,7 @@ std::vector<glm::vec4> drawn(const ShaderProgram& program, const std::vector<glm
   std::vector<glm::vec4> values(arguments.size());
   glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT, values.data());
   glActiveTexture(GL_TEXTURE0);
+  glUseProgram(0); // it goes with this call
   return values;
 }
 
