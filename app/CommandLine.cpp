@@ -79,7 +79,7 @@ int runCommandLine(int argc, char** argv) {
   RootArguments arguments;
   WindowArguments& window = arguments.window;
   program.add_option("PATH", window.path,
-                     "open the window on this volume, DICOM folder, scene or Limn picture");
+                     "open the window on this volume, DICOM folder, session, scene or Limn picture");
   program.add_option("--screenshot", window.screenshot,
                      "save a PNG of the window once its picture rests, then quit");
   program.add_option("--theme", window.theme, "light or dark, for this run")

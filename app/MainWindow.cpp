@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "app/PrivateNames.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
@@ -12,6 +13,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
 #include <QStatusBar>
@@ -19,8 +21,9 @@
 
 namespace limn {
 
-MainWindow::MainWindow(PresetStore presets, QWidget* parent)
-    : QMainWindow(parent), m_presetStore(std::move(presets)) {
+MainWindow::MainWindow(UserFolders folders, QWidget* parent)
+    : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings),
+      m_presetStore(m_folders.presets) {
   setObjectName(QStringLiteral("limnWindow"));
   setAcceptDrops(true);
   setMinimumSize(800, 560);
@@ -34,28 +37,37 @@ MainWindow::MainWindow(PresetStore presets, QWidget* parent)
   connectSceneSections();
   connectGradientCurve();
   connectLoader();
+  followPanels();
   refreshPresets();
+  m_settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
+  connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
+          [this](bool clean) { setWindowModified(!clean); });
   resize(1440, 900);
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
+  updateTitle();
   setCompareLayout(CompareLayout::sideBySide);
   showScene(m_session.scene());
 }
 
 MainWindow::~MainWindow() {
-  // The view's last words must not reach a window half gone.
+  // Last words must not reach a window half gone.
   m_view->disconnect(this);
+  for (QDockWidget* dock : findChildren<QDockWidget*>())
+    dock->disconnect(this);
   qApp->disconnect(this);
 }
 
 void MainWindow::layOut() {
   auto* centre = new QWidget(this);
+  m_recovery = new MessageBar(centre);
   m_messages = new MessageBar(centre);
   m_view = new CompareView(centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(m_recovery);
   column->addWidget(m_messages);
   column->addWidget(m_view, 1);
   setCentralWidget(centre);
@@ -103,6 +115,7 @@ void MainWindow::connectView() {
   connect(m_view, &CompareView::openFileRequested, this, &MainWindow::openFile);
   connect(m_view, &CompareView::sampleRequested, this, [this] { openSource(QStringLiteral("sample")); });
   connect(m_view, &CompareView::loadingCancelled, &m_loader, &VolumeLoader::cancel);
+  connect(m_view, &CompareView::wipeMoved, this, &MainWindow::noteChange);
   connect(m_view, &CompareView::pinRequested, m_editor, &TransferFunctionEditor::setPinnedValue);
 }
 
@@ -121,13 +134,17 @@ void MainWindow::showScene(const Scene& scene) {
   m_editor->setTransferFunction(scene.transferFunction);
   showGradientCurve(scene);
   m_shading->setScene(scene);
-  const bool showsPreset = scene.volume && scene.transferFunction == m_preset.transferFunction &&
-                           scene.gradientOpacity == m_preset.gradientOpacity;
-  m_presets->setCurrent(showsPreset ? QString::fromStdString(m_preset.name) : QString());
+  m_presets->setCurrent(showsPreset(scene) ? QString::fromStdString(m_preset.name) : QString());
   showModels();
   m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   for (QAction* action : m_sceneActions)
     action->setEnabled(scene.volume != nullptr);
+  noteChange();
+}
+
+bool MainWindow::showsPreset(const Scene& scene) const {
+  return scene.volume && scene.transferFunction == m_preset.transferFunction &&
+         scene.gradientOpacity == m_preset.gradientOpacity;
 }
 
 void MainWindow::showModels() {
@@ -142,6 +159,7 @@ void MainWindow::showModels() {
   for (QAction* action : m_modelActions->actions())
     action->setChecked(isSingle && action->data().toInt() == static_cast<int>(single));
   showAccuracyScene();
+  noteChange();
 }
 
 void MainWindow::setCompareLayout(CompareLayout layout) {
@@ -169,17 +187,24 @@ void MainWindow::showProbe(const std::optional<Probe>& probe) {
 
 void MainWindow::updateTitle() {
   const auto& volume = m_session.scene().volume;
-  QString title = tr("Limn · not for diagnosis");
+  // Where [*] stands, unsaved changes are marked.
+  QString title = tr("Limn · not for diagnosis") + QStringLiteral("[*]");
   if (volume) {
-    QString what = m_shown.source == QStringLiteral("sample") ? tr("Sample head") : QString();
-    if (what.isEmpty())
-      what = QString::fromStdString(std::filesystem::path(m_session.volumePath()).filename().string());
+    const QString path = QString::fromStdString(m_session.volumePath());
+    const bool showsPatient = m_patientAction->isChecked();
+    QString what = m_shown.source == QStringLiteral("sample") ? tr("Sample head")
+                   : showsPatient                             ? QFileInfo(path).fileName()
+                                                              : shareableName(path, *volume);
     const PatientLabel& patient = volume->info().patient;
-    if (m_patientAction->isChecked())
+    const QString session = QFileInfo(m_sessionFile).fileName();
+    if (!session.isEmpty() && (showsPatient || !mayNameThePatient(session, patient)))
+      what.prepend(session + QStringLiteral(" · "));
+    if (showsPatient)
       for (const std::string& part : {patient.name, patient.id, patient.studyDate})
         if (!part.empty())
           what += QStringLiteral(" · ") + QString::fromStdString(part);
-    title = what + QStringLiteral(" — ") + title;
+    title = what.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")) + QStringLiteral("[*] — ") +
+            tr("Limn · not for diagnosis");
   }
   setWindowTitle(title);
 }
@@ -189,10 +214,17 @@ void MainWindow::showError(const QString& sentence) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLeaveScene()) {
+    event->ignore();
+    return;
+  }
   if (m_focusAction->isChecked())
     m_focusAction->trigger();
   m_settings.setWindow(saveGeometry(), saveState());
   m_loader.cancel();
+  if (m_keeper)
+    m_keeper->close();
+  m_keeper.reset();
   event->accept();
 }
 

@@ -6,7 +6,9 @@
 #include "app/PresetStore.h"
 #include "app/Session.h"
 #include "app/Settings.h"
+#include "app/UserFolders.h"
 #include "app/VolumeLoader.h"
+#include "app/recovery/SessionKeeper.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/view/CompareView.h"
 
@@ -34,11 +36,11 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
-  /// `presets` is where own presets are kept.
-  explicit MainWindow(PresetStore presets = PresetStore::ofThisUser(), QWidget* parent = nullptr);
+  /// `folders` is where settings, presets and unsaved sessions are kept.
+  explicit MainWindow(UserFolders folders = UserFolders::ofThisUser(), QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Starts loading a volume, DICOM folder, scene or Limn picture.
+  /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
   void openSource(const QString& source, const SourceOptions& options = {});
 
   const Session& session() const { return m_session; }
@@ -54,6 +56,13 @@ public:
   /// one at rest.
   void writeScene(const QString& path);
   void writePicture(const QString& path);
+  void writeSession(const QString& path);
+
+  /// From now on the session is autosaved, and what an earlier window left behind is offered.
+  void keepSessions();
+
+  /// What a session file of this moment says, but for where its volume is and its own place.
+  SessionDocument sessionDocument() const;
 
   /// Writes what was measured: a chart (.png), a table (.csv) or a page with both (.html), by the name.
   void writeAccuracy(const QString& path);
@@ -65,11 +74,19 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  /// A source as it was asked for, to read it again with other options.
+  struct Request {
+    QString source;
+    SourceOptions options;
+    bool isUnsavedSession = false; ///< one that Limn kept, not a file of the user's
+  };
+
   // MainWindow.cpp
   void layOut();
   void connectView();
   void connectPanels();
   void showScene(const Scene& scene);
+  bool showsPreset(const Scene& scene) const;
   void showModels();
   void showProbe(const std::optional<Probe>& probe);
   void updateTitle();
@@ -100,6 +117,7 @@ private:
 
   // MainWindowFiles.cpp
   void connectLoader();
+  void startReading(const Request& request, const QString& what);
   void openFile();
   void openFolder();
   void closeVolume();
@@ -109,8 +127,26 @@ private:
   void locateVolume(const QString& scene);
   void refreshRecentMenu();
   QString suggestedName() const;
+  QString labelOfShown() const;
+  std::string volumeSeenFrom(const std::filesystem::path& file);
   void saveScene();
   void savePicture();
+
+  // MainWindowSession.cpp
+  void addSessionActions(QMenu& menu);
+  void followPanels();
+  SessionDocument::Panel panelOf(const QDockWidget* dock) const;
+  void saveSession();
+  void saveSessionAs();
+  void showSession(const SessionDocument& session);
+  void settleSession(const LoadedScene& loaded);
+  void noteChange();
+  std::optional<SessionDocument> unsavedSession() const;
+  bool mayLeaveScene();
+  bool askBeforeLosing(const QString& why);
+  void offerAbandoned();
+  void restoreSession(const std::filesystem::path& file);
+  void refreshUnsavedMenu();
 
   // MainWindowEffects.cpp
   void makeEffectsDock();
@@ -155,6 +191,7 @@ private:
 
   void showError(const QString& sentence);
 
+  UserFolders m_folders;
   Settings m_settings;
   PresetStore m_presetStore;
   Session m_session;
@@ -166,15 +203,17 @@ private:
   ShadingModel m_leftModel = ShadingModel::classic;
   ShadingModel m_rightModel = ShadingModel::enhanced;
   bool m_cropIsEdited = false; ///< in its section, or in the view since
-  /// A source as it was asked for, to read it again with other options.
-  struct Request {
-    QString source;
-    SourceOptions options;
-  };
-  Request m_requested; ///< last; it may still load, or have failed
-  Request m_shown;     ///< of the volume on screen
+  Request m_requested;         ///< last; it may still load, or have failed
+  Request m_shown;             ///< of the volume on screen
+
+  QString m_sessionFile;                   ///< to which the session was saved, empty where it was not
+  QDockWidget* m_panel = nullptr;          ///< of those at the right, the one seen last
+  SessionDocument m_settled;               ///< the session when it was opened or saved
+  std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
+  QString m_notKept;                       ///< why they are not, though they should be
 
   CompareView* m_view = nullptr;
+  MessageBar* m_recovery = nullptr; ///< offers what an earlier window left behind
   MessageBar* m_messages = nullptr;
   CurvePanel* m_curves = nullptr;
   TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
@@ -197,6 +236,7 @@ private:
   PictureStatus* m_pictureStatus = nullptr;
 
   QMenu* m_recentMenu = nullptr;
+  QMenu* m_unsavedMenu = nullptr;
   QMenu* m_viewsMenu = nullptr;
   QActionGroup* m_layoutActions = nullptr;
   QActionGroup* m_modelActions = nullptr;

@@ -3,6 +3,7 @@
 
 #include "app/MessageBar.h"
 #include "app/PictureMaker.h"
+#include "app/PrivateNames.h"
 #include "app/SeriesDialog.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
@@ -12,14 +13,17 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
 
-#include <QDir>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QStandardPaths>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace limn {
 
@@ -42,13 +46,23 @@ void MainWindow::connectLoader() {
 }
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
+  // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
+  startReading({source, options}, m_patientAction->isChecked()
+                                      ? tr("Opening %1").arg(QFileInfo(source).fileName())
+                                      : tr("Opening the volume"));
+}
+
+// A decoder that crashes takes the window along; so what is shown is put on the disk before one begins.
+void MainWindow::startReading(const Request& request, const QString& what) {
   m_messages->hide();
-  m_requested = {source, options};
-  SourceOptions known = options;
-  for (const QString& recent : m_settings.recentSources())
-    known.knownVolumes.emplace_back(recent.toStdString());
-  m_view->setLoading(-1.0, tr("Opening %1").arg(QFileInfo(source).fileName()));
-  m_loader.start(source, known);
+  m_requested = request;
+  SourceOptions known = request.options;
+  for (const RecentSource& recent : m_settings.recentSources())
+    known.knownVolumes.emplace_back(recent.path.toStdString());
+  known.references = m_settings.references();
+  m_view->setLoading(-1.0, what);
+  m_loader.start(request.source, known,
+                 m_keeper ? std::function<void()>(m_keeper->autosave().savingOfNow()) : nullptr);
 }
 
 void MainWindow::locateVolume(const QString& scene) {
@@ -56,14 +70,15 @@ void MainWindow::locateVolume(const QString& scene) {
       QFileDialog::getOpenFileName(this, tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()));
   if (path.isEmpty())
     return;
-  SourceOptions options;
-  options.volume = path.toStdString();
-  openSource(scene, options);
+  Request request = m_requested;
+  request.source = scene;
+  request.options.volume = path.toStdString();
+  startReading(request, tr("Opening the volume"));
 }
 
 void MainWindow::openFile() {
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open a volume, scene or Limn picture"), QString(),
+      QFileDialog::getOpenFileName(this, tr("Open a volume, session, scene or Limn picture"), QString(),
                                    tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti "
                                       "*.vtk *.dcm *.inv3 *.hdr *.tif *.tiff "
                                       "*.png *.jpg *.json *.exr);;All files (*)"));
@@ -78,7 +93,10 @@ void MainWindow::openFolder() {
 }
 
 void MainWindow::closeVolume() {
+  if (!mayLeaveScene())
+    return;
   m_messages->hide();
+  m_sessionFile.clear();
   m_session.open({});
   m_editor->setHistogram({});
   measureGradients();
@@ -88,7 +106,10 @@ void MainWindow::closeVolume() {
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram) {
   m_view->clearLoading();
+  if (!mayLeaveScene())
+    return;
   m_shown = m_requested;
+  m_shown.options.read = loaded.read;
   m_histogram = histogram;
   const Volume& volume = *loaded.scene.volume;
   const VolumeInfo& info = volume.info();
@@ -127,7 +148,9 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
                      info.spacingKnown ? MessageBar::Action{}
                                        : MessageBar::Action{tr("Set spacing…"), [this] { askForSpacing(); }});
-  m_settings.addRecentSource(m_shown.source);
+  settleSession(loaded);
+  if (!m_shown.isUnsavedSession)
+    m_settings.addRecentSource(m_shown.source, labelOfShown());
   refreshRecentMenu();
   updateTitle();
 }
@@ -173,18 +196,58 @@ void MainWindow::askForSpacing() {
 
 void MainWindow::refreshRecentMenu() {
   m_recentMenu->clear();
-  for (const QString& source : m_settings.recentSources()) {
+  const QList<RecentSource> recent = m_settings.recentSources();
+  for (const RecentSource& source : recent) {
+    const bool isAlone = std::count_if(recent.begin(), recent.end(), [&](const RecentSource& other) {
+                           return other.label == source.label;
+                         }) == 1;
+    const QDateTime opened = QDateTime::fromString(source.opened, Qt::ISODateWithMs).toLocalTime();
     const QString label =
-        source == QStringLiteral("sample") ? tr("Sample head") : QFileInfo(source).fileName();
-    QAction* action = m_recentMenu->addAction(label, this, [this, source] { openSource(source); });
-    action->setToolTip(QDir::toNativeSeparators(source));
+        isAlone ? source.label
+                : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat));
+    QString text = label;
+    m_recentMenu->addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                            [this, path = source.path] { openSource(path); });
   }
   m_recentMenu->setEnabled(!m_recentMenu->isEmpty());
+  m_recentMenu->addSeparator();
+  m_recentMenu->addAction(tr("&Clear this list"), this, [this] {
+    m_settings.clearRecentSources();
+    m_recentMenu->setEnabled(false);
+  });
+}
+
+// What may stand in a list without naming anybody.
+QString MainWindow::labelOfShown() const {
+  if (m_shown.source == QStringLiteral("sample"))
+    return tr("Sample head");
+  const Volume& volume = *m_session.scene().volume;
+  const QString name = m_shown.isUnsavedSession ? QString() : QFileInfo(m_shown.source).fileName();
+  if (name.isEmpty() || mayNameThePatient(name, volume.info().patient))
+    return plainDescription(volume);
+  return name + QStringLiteral(" · ") + plainDescription(volume);
+}
+
+// How a file at this place names the volume. A relative path survives moving both together; one that may name
+// the patient is kept in the settings, and the file gets a name that stands for it.
+std::string MainWindow::volumeSeenFrom(const std::filesystem::path& file) {
+  const std::filesystem::path volume(m_session.volumePath());
+  if (!volume.is_absolute())
+    return volume.string();
+  const std::string relative =
+      volume.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
+  const Volume& shown = *m_session.scene().volume;
+  if (!pathMayNameThePatient(QString::fromStdString(relative), shown.info().patient))
+    return relative;
+  return m_settings.referenceTo(volume.string(), plainFileName(shown).toStdString());
 }
 
 QString MainWindow::suggestedName() const {
-  const QString name = QFileInfo(QString::fromStdString(m_session.volumePath())).baseName();
-  return name.isEmpty() ? QStringLiteral("limn") : name;
+  const auto& volume = m_session.scene().volume;
+  if (!volume || m_session.volumePath().empty())
+    return QStringLiteral("limn");
+  const QString name = shareableName(QString::fromStdString(m_session.volumePath()), *volume);
+  return QFileInfo(name).baseName();
 }
 
 void MainWindow::saveScene() {
@@ -196,13 +259,8 @@ void MainWindow::saveScene() {
 
 void MainWindow::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
-  const std::filesystem::path volume(m_session.volumePath());
-  // A relative name survives moving scene and volume together.
-  const std::filesystem::path named =
-      volume.is_absolute() ? volume.lexically_relative(std::filesystem::absolute(target).parent_path())
-                           : volume;
   try {
-    writeFileAtomically(target, sceneToJson(m_session.scene(), named.string()));
+    writeFileAtomically(target, sceneToJson(m_session.scene(), volumeSeenFrom(target)));
     statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
   } catch (const Error& error) {
     showError(QString::fromStdString(error.what()));
@@ -230,7 +288,9 @@ void MainWindow::writePicture(const QString& path) {
   }
   const std::optional<Image> right =
       m_view->compareLayout() == CompareLayout::sideBySide ? m_view->restingImage(1) : std::nullopt;
-  const std::string volume = std::filesystem::path(m_session.volumePath()).filename().string();
+  // It may travel: it names the volume without folders.
+  const std::filesystem::path source(m_session.volumePath());
+  const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
   try {
     writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
                m_session.scene().image.background, sceneToJson(m_view->sceneOfRestingImage(0), volume));

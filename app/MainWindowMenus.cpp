@@ -40,13 +40,15 @@ void MainWindow::makeActions() {
 void MainWindow::makeFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   withIcon(menu->addAction(tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile), "open")
-      ->setToolTip(tr("Opens a volume, a scene or a picture that Limn saved."));
+      ->setToolTip(tr("Opens a volume, a session, a scene or a picture that Limn saved."));
   menu->addAction(tr("Open &DICOM folder…"), QKeySequence(tr("Ctrl+Shift+O")), this, &MainWindow::openFolder);
   menu->addAction(tr("Open the sample &head"), this, [this] { openSource(QStringLiteral("sample")); });
   m_recentMenu = menu->addMenu(tr("Open &recent"));
+  m_recentMenu->setObjectName(QStringLiteral("recentSources"));
+  connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::refreshRecentMenu);
   refreshRecentMenu();
-  menu->addSeparator();
-  m_sceneActions << menu->addAction(tr("&Save scene…"), QKeySequence::Save, this, &MainWindow::saveScene);
+  addSessionActions(*menu);
+  m_sceneActions << menu->addAction(tr("Save s&cene…"), this, &MainWindow::saveScene);
   QAction* snapshot =
       menu->addAction(tr("Save &picture…"), QKeySequence(tr("Ctrl+Shift+S")), this, &MainWindow::savePicture);
   snapshot->setIconText(tr("Snapshot"));

@@ -11,9 +11,10 @@ namespace limn {
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_sentence(new QLabel(this)), m_details(new QLabel(this)),
-      m_more(new QToolButton(this)), m_action(new QToolButton(this)) {
+      m_more(new QToolButton(this)), m_action(new QToolButton(this)), m_close(new QToolButton(this)) {
   setObjectName(QStringLiteral("messageBar"));
   setAutoFillBackground(true);
+  m_action->setObjectName(QStringLiteral("messageAction")); // stands out (theme.qss)
   for (QLabel* label : {m_sentence, m_details}) {
     label->setWordWrap(true);
     label->setTextFormat(Qt::PlainText);
@@ -22,12 +23,9 @@ MessageBar::MessageBar(QWidget* parent)
   m_more->setText(tr("Details"));
   m_more->setCheckable(true);
   m_more->setToolTip(tr("Shows every remark about this volume."));
-  auto* close = new QToolButton(this);
-  close->setText(tr("Dismiss"));
-  close->setToolTip(tr("Hides this message."));
   auto* row = new QHBoxLayout;
   row->addWidget(m_sentence, 1);
-  for (QToolButton* button : {m_action, m_more, close}) {
+  for (QToolButton* button : {m_action, m_more, m_close}) {
     button->setAccessibleName(button->text());
     row->addWidget(button, 0, Qt::AlignTop);
   }
@@ -41,12 +39,19 @@ MessageBar::MessageBar(QWidget* parent)
     if (m_run)
       m_run();
   });
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(m_close, &QToolButton::clicked, this, [this] {
+    hide();
+    if (m_dismiss)
+      m_dismiss();
+  });
   hide();
 }
 
-void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const Action& action) {
-  setProperty("kind", kind == Kind::error ? QStringLiteral("error") : QStringLiteral("warning"));
+void MessageBar::show(Kind kind, const QString& sentence, const QStringList& details, const Action& action,
+                      const Action& dismissal) {
+  setProperty("kind", kind == Kind::error     ? QStringLiteral("error")
+                      : kind == Kind::warning ? QStringLiteral("warning")
+                                              : QStringLiteral("question"));
   style()->unpolish(this);
   style()->polish(this);
   m_sentence->setText(sentence);
@@ -58,6 +63,10 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_action->setText(action.text);
   m_action->setAccessibleName(action.text);
   m_action->setVisible(!action.text.isEmpty());
+  m_dismiss = dismissal.run;
+  m_close->setText(dismissal.text.isEmpty() ? tr("Dismiss") : dismissal.text);
+  m_close->setAccessibleName(m_close->text());
+  m_close->setToolTip(dismissal.text.isEmpty() ? tr("Hides this message.") : QString());
   QFrame::show();
 }
 

@@ -19,7 +19,7 @@ class MessageBar : public QFrame {
 public:
   explicit MessageBar(QWidget* parent = nullptr);
 
-  enum class Kind { error, warning };
+  enum class Kind { error, warning, question };
 
   /// A button beside the sentence: what it says and does. Empty: no button.
   struct Action {
@@ -27,8 +27,10 @@ public:
     std::function<void()> run;
   };
 
-  /// Shows a sentence; `details` (may be empty) unfold on demand.
-  void show(Kind kind, const QString& sentence, const QStringList& details = {}, const Action& action = {});
+  /// Shows a sentence; `details` (may be empty) unfold on demand. `dismissal` is what its last button says
+  /// and does before the bar hides.
+  void show(Kind kind, const QString& sentence, const QStringList& details = {}, const Action& action = {},
+            const Action& dismissal = {});
 
   QString sentence() const;
 
@@ -39,7 +41,9 @@ private:
   QLabel* m_details;
   QToolButton* m_more;
   QToolButton* m_action;
+  QToolButton* m_close;
   std::function<void()> m_run;
+  std::function<void()> m_dismiss;
 };
 
 } // namespace limn

@@ -12,6 +12,11 @@
 #include <cctype>
 
 namespace limn {
+namespace {
+
+constexpr std::size_t longestFileName = 255; // of the usual file systems, bytes
+
+} // namespace
 
 PresetStore::PresetStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
@@ -38,7 +43,7 @@ PresetStore::Contents PresetStore::read() const {
   Contents contents;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(m_folder, missing)) {
-    if (entry.path().extension() != ".json")
+    if (entry.path().extension() != ".json" || isTemporary(entry.path()))
       continue;
     try {
       contents.presets.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
@@ -52,6 +57,9 @@ PresetStore::Contents PresetStore::read() const {
 }
 
 void PresetStore::save(const Preset& preset) const {
+  if (fileOf(preset.name).filename().string().size() > longestFileName)
+    throw Error(Error::Kind::usage,
+                "Cannot save the preset: its name is too long for a file; choose a shorter one.");
   std::error_code failed;
   std::filesystem::create_directories(m_folder, failed);
   writeFileAtomically(fileOf(preset.name), presetToJson(preset));

@@ -54,10 +54,13 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
   const bool isPhantom = source == "phantom" || source.starts_with("phantom:");
   if (isPhantom && !fs::exists(source))
     return {phantomNamed(source, progress), source};
-  return {readVolume(source, options, progress), fs::absolute(source).lexically_normal().string()};
+  fs::path path = fs::absolute(source).lexically_normal();
+  if (!path.has_filename()) // a folder written with a slash behind it
+    path = path.parent_path();
+  return {readVolume(source, options, progress), path.string()};
 }
 
-bool isSceneFile(const fs::path& path) {
+bool isJsonFile(const fs::path& path) {
   return lowerExtension(path) == ".json" && fs::is_regular_file(path);
 }
 
@@ -86,6 +89,9 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   const std::string name = fs::path(document.volume).filename().string();
   if (name == "phantom" || name == "sample" || name.starts_with("phantom:"))
     return name;
+  if (const auto referred = options.references.find(name); referred != options.references.end())
+    if (fs::exists(referred->second))
+      return referred->second.string();
   for (const fs::path& known : options.knownVolumes)
     if (known.filename() == name && fs::exists(known))
       return known.string();
@@ -100,6 +106,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
+  loaded.read = options.read;
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
@@ -111,6 +118,17 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   return loaded;
 }
 
+LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progress& progress) {
+  const SessionDocument session = readSessionFile(path);
+  if (!options.read.series)
+    options.read.series = session.series;
+  if (!options.read.spacingMm)
+    options.read.spacingMm = session.spacingMm;
+  LoadedScene loaded = loadDocument(session.scene, options, progress);
+  loaded.session = session;
+  return loaded;
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> installedSampleHead() {
@@ -119,14 +137,16 @@ std::optional<std::filesystem::path> installedSampleHead() {
 }
 
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
-  if (isSceneFile(source))
-    return loadDocument(readSceneFile(source), options, progress);
+  if (isJsonFile(source))
+    return looksLikeSession(readTextFile(source)) ? loadSession(source, options, progress)
+                                                  : loadDocument(readSceneFile(source), options, progress);
   if (auto document = sceneInPicture(source))
     return loadDocument(std::move(*document), options, progress);
   LoadedScene loaded;
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
+  loaded.read = options.read;
   loaded.scene.camera = defaultCamera(opened.volume->grid());
   const Preset preset = bestFitting(builtInPresets(), *opened.volume);
   loaded.scene = withPreset(loaded.scene, preset, true);

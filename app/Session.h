@@ -22,6 +22,9 @@ public:
   const std::string& volumePath() const { return m_volumePath; }
   QUndoStack& undoStack() { return m_undo; }
 
+  /// Whether the scene (but for the camera) differs from the one opened or saved last.
+  bool isEdited() const { return !m_undo.isClean(); }
+
   /// Shows a freshly loaded scene; the history of the former one ends.
   void open(const LoadedScene& loaded);
 

@@ -1,83 +1,236 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
+#include "io/AtomicFile.h"
+#include "io/FileLock.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/Error.h"
 #include "widgets/view/InteractionQuality.h"
+
+#include <QDateTime>
+#include <QRandomGenerator>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
 
-const QString geometryKey = QStringLiteral("window/geometry");
-const QString stateKey = QStringLiteral("window/state");
-const QString recentKey = QStringLiteral("recent");
-const QString themeKey = QStringLiteral("theme");
-const QString refineKey = QStringLiteral("refineAtRest");
-const QString patientKey = QStringLiteral("showPatient");
-const QString movingKey = QStringLiteral("movingMs");
-constexpr int mostRecent = 10;
+namespace fs = std::filesystem;
+
+const std::string geometryKey = "window/geometry";
+const std::string stateKey = "window/state";
+const std::string themeKey = "theme";
+const std::string refineKey = "refineAtRest";
+const std::string patientKey = "showPatient";
+const std::string movingKey = "movingMs";
+const std::string recentPrefix = "recent/";
+const std::string volumePrefix = "volume/";
+const std::string pathSuffix = "/path";
+const std::string labelSuffix = "/label";
+const std::string openedSuffix = "/opened";
+constexpr std::size_t mostRecent = 10;
+
+// The name in the keys PREFIX name /path that holds this path; empty where there is none.
+std::string nameOf(const SettingsDocument& values, const std::string& prefix, const std::string& path) {
+  for (const auto& [key, value] : values)
+    if (value == path && key.starts_with(prefix) && key.ends_with(pathSuffix))
+      return key.substr(prefix.size(), key.size() - prefix.size() - pathSuffix.size());
+  return {};
+}
+
+std::string newName() {
+  return QString::number(QRandomGenerator::system()->generate64(), 36).toStdString();
+}
+
+struct RecentEntry {
+  std::string name;
+  std::string opened;
+};
+
+// The recent ones, latest first. ISO dates sort like texts.
+std::vector<RecentEntry> recentEntries(const SettingsDocument& values) {
+  std::vector<RecentEntry> entries;
+  for (const auto& [key, value] : values)
+    if (key.starts_with(recentPrefix) && key.ends_with(openedSuffix))
+      entries.push_back(
+          {key.substr(recentPrefix.size(), key.size() - recentPrefix.size() - openedSuffix.size()), value});
+  std::sort(entries.begin(), entries.end(),
+            [](const RecentEntry& a, const RecentEntry& b) { return a.opened > b.opened; });
+  return entries;
+}
+
+void forget(SettingsDocument& values, const std::string& name) {
+  for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
+    values.erase(recentPrefix + name + suffix);
+}
+
+QString written(bool flag) {
+  return flag ? QStringLiteral("true") : QStringLiteral("false");
+}
 
 } // namespace
 
+Settings::Settings(fs::path file) : m_file(std::move(file)) {
+  readAgain();
+}
+
+SettingsDocument Settings::readFile() const {
+  std::error_code unknown;
+  if (!fs::exists(m_file, unknown))
+    return {};
+  return parseSettings(readTextFile(m_file), m_file.filename().string());
+}
+
+void Settings::readAgain() {
+  try {
+    if (m_isWritable)
+      m_values = readFile();
+  } catch (const Error&) {
+    // Whoever repairs the file by hand finds it untouched until something is set.
+  }
+}
+
+// A file that somebody else damaged is put aside, not lost.
+void Settings::change(const std::function<void(SettingsDocument&)>& edit) {
+  edit(m_values);
+  try {
+    makePrivateFolder(m_file.parent_path());
+    const FileLock lock = FileLock::waitFor(m_file.parent_path() / ".settings.lock");
+    SettingsDocument values;
+    try {
+      values = readFile();
+    } catch (const Error&) {
+      fs::path aside = m_file;
+      std::error_code failed;
+      fs::rename(m_file, aside += ".damaged", failed);
+    }
+    edit(values);
+    writeFileAtomically(m_file, settingsToJson(values));
+    m_values = std::move(values);
+    m_isWritable = true;
+  } catch (const Error& error) {
+    if (m_isWritable && m_tell)
+      m_tell(QString::fromStdString(error.what()));
+    m_isWritable = false;
+  }
+}
+
+QString Settings::text(const std::string& key, const QString& otherwise) const {
+  const auto found = m_values.find(key);
+  return found == m_values.end() ? otherwise : QString::fromStdString(found->second);
+}
+
+void Settings::set(const std::string& key, const QString& value) {
+  change([&](SettingsDocument& values) { values[key] = value.toStdString(); });
+}
+
 QByteArray Settings::windowGeometry() const {
-  return m_settings.value(geometryKey).toByteArray();
+  return QByteArray::fromBase64(text(geometryKey).toLatin1());
 }
 
 QByteArray Settings::windowState() const {
-  return m_settings.value(stateKey).toByteArray();
+  return QByteArray::fromBase64(text(stateKey).toLatin1());
 }
 
 void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
-  m_settings.setValue(geometryKey, geometry);
-  m_settings.setValue(stateKey, state);
+  change([&](SettingsDocument& values) {
+    values[geometryKey] = geometry.toBase64().toStdString();
+    values[stateKey] = state.toBase64().toStdString();
+  });
 }
 
-QStringList Settings::recentSources() const {
-  return m_settings.value(recentKey).toStringList();
+QList<RecentSource> Settings::recentSources() {
+  readAgain();
+  QList<RecentSource> sources;
+  for (const RecentEntry& entry : recentEntries(m_values))
+    sources << RecentSource{text(recentPrefix + entry.name + pathSuffix),
+                            text(recentPrefix + entry.name + labelSuffix),
+                            QString::fromStdString(entry.opened)};
+  return sources.mid(0, mostRecent);
 }
 
-void Settings::addRecentSource(const QString& source) {
-  QStringList sources = recentSources();
-  sources.removeAll(source);
-  sources.prepend(source);
-  m_settings.setValue(recentKey, sources.mid(0, mostRecent));
+void Settings::addRecentSource(const QString& source, const QString& label) {
+  const std::string path = source.toStdString();
+  const std::string fresh = newName();
+  const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
+  change([&](SettingsDocument& values) {
+    std::string name = nameOf(values, recentPrefix, path);
+    if (name.empty())
+      name = fresh;
+    values[recentPrefix + name + pathSuffix] = path;
+    values[recentPrefix + name + labelSuffix] = label.toStdString();
+    values[recentPrefix + name + openedSuffix] = now.toStdString();
+    const std::vector<RecentEntry> entries = recentEntries(values);
+    for (std::size_t i = mostRecent; i < entries.size(); ++i)
+      forget(values, entries[i].name);
+  });
 }
 
-void Settings::removeRecentSource(const QString& source) {
-  QStringList sources = recentSources();
-  sources.removeAll(source);
-  m_settings.setValue(recentKey, sources);
+void Settings::removeRecentSource(const QString& path) {
+  if (!nameOf(m_values, recentPrefix, path.toStdString()).empty())
+    change(
+        [&](SettingsDocument& values) { forget(values, nameOf(values, recentPrefix, path.toStdString())); });
+}
+
+void Settings::clearRecentSources() {
+  change([](SettingsDocument& values) {
+    for (const RecentEntry& entry : recentEntries(values))
+      forget(values, entry.name);
+  });
+}
+
+std::string Settings::referenceTo(const std::string& path, const std::string& kind) {
+  readAgain();
+  if (const std::string known = nameOf(m_values, volumePrefix, path); !known.empty())
+    return known;
+  const std::string fresh = kind + "-" + newName();
+  change([&](SettingsDocument& values) {
+    if (nameOf(values, volumePrefix, path).empty())
+      values[volumePrefix + fresh + pathSuffix] = path;
+  });
+  return nameOf(m_values, volumePrefix, path);
+}
+
+std::map<std::string, fs::path> Settings::references() {
+  readAgain();
+  std::map<std::string, fs::path> found;
+  for (const auto& [key, value] : m_values)
+    if (key.starts_with(volumePrefix) && key.ends_with(pathSuffix))
+      found[key.substr(volumePrefix.size(), key.size() - volumePrefix.size() - pathSuffix.size())] = value;
+  return found;
 }
 
 QString Settings::theme() const {
-  return m_settings.value(themeKey, QStringLiteral("system")).toString();
+  return text(themeKey, QStringLiteral("system"));
 }
 
 void Settings::setTheme(const QString& theme) {
-  m_settings.setValue(themeKey, theme);
+  set(themeKey, theme);
 }
 
 double Settings::movingMs() const {
-  const double ms = m_settings.value(movingKey, InteractionQuality::usualTargetMs).toDouble();
+  const double ms = text(movingKey).toDouble();
   return ms > 0.0 ? ms : InteractionQuality::usualTargetMs;
 }
 
 void Settings::setMovingMs(double ms) {
-  m_settings.setValue(movingKey, ms);
+  set(movingKey, QString::number(ms, 'g', 17));
 }
 
 bool Settings::refinesAtRest() const {
-  return m_settings.value(refineKey, true).toBool();
+  return text(refineKey) != written(false);
 }
 
 void Settings::setRefinesAtRest(bool refines) {
-  m_settings.setValue(refineKey, refines);
+  set(refineKey, written(refines));
 }
 
 bool Settings::patientIsShown() const {
-  return m_settings.value(patientKey, true).toBool();
+  return text(patientKey) != written(false);
 }
 
 void Settings::setPatientIsShown(bool shown) {
-  m_settings.setValue(patientKey, shown);
+  set(patientKey, written(shown));
 }
 
 } // namespace limn

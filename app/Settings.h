@@ -1,23 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/UserFolders.h"
+#include "io/scenefile/SettingsFile.h"
+
 #include <QByteArray>
-#include <QSettings>
-#include <QStringList>
+#include <QList>
+#include <QString>
+
+#include <functional>
 
 namespace limn {
 
-/// What the program remembers between runs: window, theme, recent files. Nothing about patients.
+/// Something opened before: where it is, and what it is without naming anybody.
+struct RecentSource {
+  QString path;
+  QString label;
+  QString opened; ///< when, ISO 8601 in UTC
+};
+
+/// What the program remembers between runs: window, theme, recent files. The only thing about patients in it
+/// is where their data lie. Every change is written at once: under a lock, the file is read again, one item
+/// changed, and the file replaced; so that of two windows none undoes what the other changed, and whoever is
+/// killed leaves the last state.
 class Settings {
 public:
+  explicit Settings(std::filesystem::path file = UserFolders::ofThisUser().settings);
+
+  /// Called with a sentence where a change cannot be written; it then holds for this run.
+  void setOnProblem(std::function<void(const QString& sentence)> tell) { m_tell = std::move(tell); }
+
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   void setWindow(const QByteArray& geometry, const QByteArray& state);
 
-  /// Most recent first, at most ten.
-  QStringList recentSources() const;
-  void addRecentSource(const QString& source);
-  void removeRecentSource(const QString& source);
+  /// Most recent first, at most ten; those of other windows too.
+  QList<RecentSource> recentSources();
+  void addRecentSource(const QString& path, const QString& label);
+  void removeRecentSource(const QString& path);
+  void clearRecentSources();
+
+  /// A name that stands for a path which must not be written elsewhere, the same each time. A new one begins
+  /// with `kind`.
+  std::string referenceTo(const std::string& path, const std::string& kind);
+  /// Paths by the names that stand for them.
+  std::map<std::string, std::filesystem::path> references();
 
   /// "system", "light" or "dark".
   QString theme() const;
@@ -35,7 +62,16 @@ public:
   void setPatientIsShown(bool shown);
 
 private:
-  QSettings m_settings;
+  QString text(const std::string& key, const QString& otherwise = {}) const;
+  void set(const std::string& key, const QString& value);
+  void change(const std::function<void(SettingsDocument&)>& edit);
+  SettingsDocument readFile() const;
+  void readAgain();
+
+  std::filesystem::path m_file;
+  SettingsDocument m_values;
+  std::function<void(const QString&)> m_tell;
+  bool m_isWritable = true; ///< false: the last change could not be written
 };
 
 } // namespace limn

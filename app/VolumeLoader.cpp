@@ -29,11 +29,13 @@ void VolumeLoader::deliver(const std::shared_ptr<Job>& job, Function&& function)
       Qt::QueuedConnection);
 }
 
-void VolumeLoader::start(const QString& source, const SourceOptions& options) {
+void VolumeLoader::start(const QString& source, const SourceOptions& options, std::function<void()> before) {
   if (m_job)
     m_job->isCancelled = true;
   m_job = std::make_shared<Job>();
-  m_threads.emplace_back([this, job = m_job, source, options] { run(job, source, options); });
+  m_threads.emplace_back([this, job = m_job, source, options, before = std::move(before)] {
+    run(job, source, options, before);
+  });
 }
 
 void VolumeLoader::cancel() {
@@ -44,7 +46,10 @@ void VolumeLoader::cancel() {
   emit cancelled();
 }
 
-void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options) {
+void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options,
+                       const std::function<void()>& before) {
+  if (before)
+    before();
   const auto fail = [&](const QString& sentence, bool volumeIsMissing = false) {
     deliver(job, [this, source, sentence, volumeIsMissing] {
       m_job.reset();

@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -23,7 +24,8 @@ public:
   explicit VolumeLoader(QObject* parent = nullptr);
   ~VolumeLoader() override;
 
-  void start(const QString& source, const SourceOptions& options);
+  /// `before` runs first, on the worker thread.
+  void start(const QString& source, const SourceOptions& options, std::function<void()> before = {});
   void cancel();
   bool isLoading() const { return m_job != nullptr; }
 
@@ -41,7 +43,8 @@ private:
   struct Job {
     std::atomic<bool> isCancelled{false};
   };
-  void run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options);
+  void run(const std::shared_ptr<Job>& job, const QString& source, const SourceOptions& options,
+           const std::function<void()>& before);
   template <class Function>
   void deliver(const std::shared_ptr<Job>& job, Function&& function);
 

@@ -44,6 +44,8 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   }
   MainWindow window;
   window.show();
+  if (arguments.screenshot.empty())
+    window.keepSessions();
   if (!arguments.path.empty())
     window.openSource(QString::fromStdString(arguments.path), arguments.options);
   if (!arguments.screenshot.empty())

@@ -2,6 +2,7 @@
 #include "app/commands/AccuracyCommand.h"
 
 #include "accuracy/FigureText.h"
+#include "app/PrivateNames.h"
 #include "app/accuracy/AccuracyText.h"
 #include "app/accuracy/RealRenderers.h"
 #include "app/commands/SceneArguments.h"
@@ -29,7 +30,9 @@ struct AccuracyArguments {
 constexpr QSize chartSize(1600, 1000);
 
 std::string nameOf(const SceneArguments& arguments, const LoadedScene& loaded) {
-  std::string name = std::filesystem::path(arguments.source.source).stem().stem().string();
+  // The report may travel.
+  const QString file = shareableName(QString::fromStdString(arguments.source.source), *loaded.scene.volume);
+  std::string name = std::filesystem::path(file.toStdString()).stem().stem().string();
   const std::string preset = arguments.preset.empty() ? loaded.preset : arguments.preset;
   if (!preset.empty())
     name += ", " + preset;

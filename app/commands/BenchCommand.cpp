@@ -3,6 +3,7 @@
 
 #include "app/BuiltInPresets.h"
 #include "app/PresetStore.h"
+#include "app/PrivateNames.h"
 #include "app/bench/BenchReport.h"
 #include "app/bench/Contenders.h"
 #include "app/commands/SceneArguments.h"
@@ -49,7 +50,8 @@ std::vector<Preset> presetsFor(const std::vector<std::string>& names) {
 std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
                                  const Progress& progress) {
   const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
-  const std::string stem = std::filesystem::path(source).stem().string();
+  const QString file = shareableName(QString::fromStdString(source), *loaded.scene.volume);
+  const std::string stem = std::filesystem::path(file.toStdString()).stem().string();
   std::vector<BenchScene> scenes;
   for (const Preset& preset : presetsFor(arguments.presets))
     scenes.push_back({stem + ", " + preset.name,

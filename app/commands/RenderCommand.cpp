@@ -3,6 +3,7 @@
 
 #include "accuracy/SamplePicture.h"
 #include "app/PictureMaker.h"
+#include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
@@ -93,8 +94,9 @@ void runRender(const RenderArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const MadePicture picture = pictureOf(scene, arguments);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
-  // The picture may travel: it names its volume without folders.
-  const std::string volume = std::filesystem::path(loaded.volumePath).filename().string();
+  // The picture may travel: it names its volume without folders, and nobody.
+  const std::string volume =
+      shareableName(QString::fromStdString(loaded.volumePath), *scene.volume).toStdString();
   if (arguments.printsFigures)
     printFigures(scene, arguments);
   if (!arguments.samplesSpent.empty())

@@ -53,7 +53,7 @@ Scene adjusted(Scene scene, const SceneArguments& arguments) {
 
 void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::string& models) {
   addSourceArguments(command, arguments.source,
-                     "scene file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+                     "scene or session file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
   command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command.add_option("--model", arguments.model, models);
   command.add_option(

@@ -7,13 +7,16 @@
 #include <QImage>
 
 #include <algorithm>
+#include <array>
 
 namespace limn {
 namespace {
 
 const char* const style = R"(
-td { vertical-align: top; } td.text, th.text { text-align: left; white-space: normal; }
-td.verdict { font-weight: 600; } .pass { color: #1a7f37; } .fail { color: #c4261d; } .none { color: #737b85; }
+td { vertical-align: top; } td.text { text-align: left; white-space: normal; }
+.pass { color: #1a7f37; } .fail { color: #c4261d; font-weight: 600; } .none { color: #737b85; }
+tr.reason td { color: #59626e; font-size: 13px; text-align: left; white-space: normal; padding: 2px 0 6px 0; }
+tr.reason.fail td { color: #c4261d; }
 tr.case td { border-bottom: none; padding-top: 22px; font-weight: 600; font-size: 15px; white-space: normal; text-align: left; }
 tr.shown td { text-align: left; padding: 6px 0 10px; white-space: normal; }
 figure { display: inline-block; margin: 0 10px 0 0; font-size: 12px; color: #59626e; text-align: center; }
@@ -55,37 +58,81 @@ std::string picturesOf(const MeasuredCase& one) {
                    dataOf(picture) + "\">" + escapedHtml(finding.engine) + "</figure>";
         ++shown;
       }
-  return figures.empty() ? "" : "<tr class=\"shown\"><td colspan=\"5\">" + figures + "</td></tr>\n";
+  return figures.empty() ? "" : "<tr class=\"shown\"><td colspan=\"6\">" + figures + "</td></tr>\n";
 }
 
 std::string classOf(Verdict verdict) {
   return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "none";
 }
 
-std::string rowOf(const Finding& finding) {
-  const bool isMeasured = finding.verdict != Verdict::notApplicable;
-  return "<tr><td>" + escapedHtml(finding.engine) + "</td><td class=\"text\">" + escapedHtml(finding.what) +
-         "</td><td>" + (isMeasured ? shortNumber(finding.figure) : "") + "</td><td>" +
-         (isMeasured ? shortNumber(finding.bound) : "") + "</td><td class=\"verdict " +
-         classOf(finding.verdict) + "\">" + verdictText(finding.verdict) + "</td></tr>\n";
+constexpr std::array<const char*, 5> engines = {"reference", "gl", "slices", "cpp", "glsl"};
+constexpr std::array<const char*, 5> engineTitles = {"double precision", "ray caster", "slices", "in C++",
+                                                     "in GLSL"};
+const char* const acrossAll = "<td colspan=\"6\">";
+
+// A row for each setting, a column for each engine.
+std::string rowOf(const std::vector<const Finding*>& sameSetting) {
+  std::string row = "<tr><td class=\"text\">" + escapedHtml(sameSetting.front()->what) + "</td>";
+  for (const char* engine : engines) {
+    std::string cell = "<td></td>";
+    for (const Finding* finding : sameSetting)
+      if (finding->engine == engine)
+        cell = "<td class=\"" + classOf(finding->verdict) + "\">" + figureText(*finding) + "</td>";
+    row += cell;
+  }
+  return row + "</tr>\n";
 }
 
-// A reason that several rows share is told once, behind the last of them.
+// An error that ended the case stands in no column.
+bool isOfAnEngine(const Finding& finding) {
+  return std::find(engines.begin(), engines.end(), finding.engine) != engines.end();
+}
+
+std::string reasonRow(const Finding& finding) {
+  const bool isOfOne = finding.verdict == Verdict::notApplicable || !isOfAnEngine(finding);
+  const std::string text = isOfOne ? finding.engine + ": " + finding.reason : finding.reason;
+  const char* kind = isOfAnEngine(finding) ? "reason" : "reason fail";
+  return std::string("<tr class=\"") + kind + "\">" + acrossAll + escapedHtml(text) + "</td></tr>\n";
+}
+
+// Reasons that several settings share are told once, below the last of them.
 std::string rowsOf(const MeasuredCase& one) {
   std::string rows;
+  std::vector<const Finding*> sameSetting;
+  std::vector<std::string> told;
+  std::string reasons;
   for (std::size_t i = 0; i < one.findings.size(); ++i) {
-    rows += rowOf(one.findings[i]);
-    if (i + 1 == one.findings.size() || one.findings[i + 1].reason != one.findings[i].reason)
-      rows += "<tr><td></td><td class=\"text none\" colspan=\"4\">" + escapedHtml(one.findings[i].reason) +
-              "</td></tr>\n";
+    const Finding& finding = one.findings[i];
+    sameSetting.push_back(&finding);
+    const Finding* next = i + 1 < one.findings.size() ? &one.findings[i + 1] : nullptr;
+    if (next && next->what == finding.what)
+      continue;
+    rows += rowOf(sameSetting);
+    for (const Finding* row : sameSetting)
+      if (std::find(told.begin(), told.end(), row->reason) == told.end()) {
+        reasons += reasonRow(*row);
+        told.push_back(row->reason);
+      }
+    sameSetting.clear();
+    if (!next || std::find(told.begin(), told.end(), next->reason) == told.end()) {
+      rows += reasons;
+      reasons.clear();
+    }
   }
   return rows;
 }
 
 std::string caseRows(const MeasuredCase& one) {
-  return "<tr class=\"case\" id=\"" + one.id + "\"><td colspan=\"5\"><span class=\"" +
+  return "<tr class=\"case\" id=\"" + one.id + "\">" + acrossAll + "<span class=\"" +
          classOf(verdictOf(one)) + "\">" + one.id + "</span> " + escapedHtml(one.title) + "</td></tr>\n" +
          rowsOf(one) + picturesOf(one);
+}
+
+std::string headRow() {
+  std::string row = "<tr><th>Setting</th>";
+  for (const char* title : engineTitles)
+    row += std::string("<th>") + title + "</th>";
+  return row + "</tr>\n";
 }
 
 std::string fuzzText(const FuzzReport& fuzz) {
@@ -106,14 +153,13 @@ std::string stabilityPage(const StabilityReport& report) {
                      " · " + escapedHtml(report.renderer) + " · " + escapedHtml(report.machine) +
                      "</p>\n<p class=\"sum " + (holds(report) ? "pass" : "fail") + "\">" +
                      escapedHtml(stabilitySummary(report)) + "</p>\n";
-  body += "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
-          "reference, "
-          "by the ray caster and by slices, with a figure that must not exceed its bound. Grey lines say "
-          "what the "
-          "figure is and where the bound comes from.</p>\n";
+  body +=
+      "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
+      "reference, "
+      "by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of bound\"). "
+      "Grey lines say what the figures above them are and where the bounds come from.</p>\n";
   if (!report.cases.empty()) {
-    body += "<table>\n<tr><th>Engine</th><th "
-            "class=\"text\">Setting</th><th>Figure</th><th>Bound</th><th>Verdict</th></tr>\n";
+    body += "<table>\n" + headRow();
     for (const MeasuredCase& one : report.cases)
       body += caseRows(one);
     body += "</table>\n";

@@ -33,8 +33,11 @@ std::string lineOf(const MeasuredCase& one) {
   line += verdictText(verdictOf(one)) + (verdictOf(one) == Verdict::notApplicable ? "   " : "  ") +
           one.title + "\n";
   std::string figures;
-  for (const Finding* finding : tightestOfEachEngine(one))
-    figures += (figures.empty() ? "" : " · ") + finding->engine + " " + figureText(*finding);
+  for (const Finding* finding : tightestOfEachEngine(one)) {
+    if (!figures.empty())
+      figures += " · ";
+    figures += finding->engine + " " + figureText(*finding);
+  }
   line += "           " + figures + "\n";
   for (const Finding& finding : one.findings)
     if (finding.verdict == Verdict::fail)
@@ -66,10 +69,12 @@ std::string stabilitySummary(const StabilityReport& report) {
     text = plural(report.cases.size(), "case", "cases") + ", " + plural(rows, "row", "rows") + ": " +
            std::to_string(rows - failed - without) + " hold, " + std::to_string(failed) + " fail, " +
            std::to_string(without) + " cannot apply.";
-  if (report.fuzz)
-    text += (text.empty() ? "" : " ") +
-            plural(static_cast<std::size_t>(report.fuzz->seeds), "random scene", "random scenes") + ": " +
-            plural(report.fuzz->failures.size(), "failure", "failures") + ".";
+  if (report.fuzz) {
+    if (!text.empty())
+      text += " ";
+    text += plural(static_cast<std::size_t>(report.fuzz->seeds), "random scene", "random scenes") + ": ";
+    text += plural(report.fuzz->failures.size(), "failure", "failures") + ".";
+  }
   return text;
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/AtomicFile.h"
 
+#include "io/Descriptor.h"
 #include "scene/Error.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <random>
@@ -23,37 +27,46 @@ namespace fs = std::filesystem;
                                       "; choose another folder or make room, the old file is untouched.");
 }
 
-// A file descriptor that closes itself.
-class Descriptor {
-public:
-  explicit Descriptor(int number) : m_number(number) {}
-  ~Descriptor() {
-    if (m_number >= 0)
-      ::close(m_number);
+const std::string prefix = ".limn-";
+
+// Whether a file has the name that TemporaryFile gives: the prefix, digits, an ending.
+bool isTemporaryName(const std::string& name) {
+  if (!name.starts_with(prefix))
+    return false;
+  const auto rest = std::find_if(name.begin() + static_cast<std::ptrdiff_t>(prefix.size()), name.end(),
+                                 [](unsigned char c) { return !std::isdigit(c); });
+  return rest != name.begin() + static_cast<std::ptrdiff_t>(prefix.size()) &&
+         (rest == name.end() || *rest == '.');
+}
+
+// Whoever writes a temporary file holds a lock on it; one without belongs to a process that was killed.
+void removeAbandoned(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    std::error_code unknown;
+    if (!isTemporaryName(entry->path().filename().string()) || !entry->is_regular_file(unknown))
+      continue;
+    const Descriptor file(::open(entry->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    if (file.number() >= 0 && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0)
+      ::unlink(entry->path().c_str());
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return m_number; }
+}
 
-private:
-  int m_number;
-};
-
-// A new empty file beside the target that is removed unless it took the target's place.
+// A new empty file beside the target that is removed unless it took the target's place; locked meanwhile.
 class TemporaryFile {
 public:
   explicit TemporaryFile(fs::path target) : m_target(std::move(target)) {
     std::random_device random;
     for (int attempt = 0; attempt < 100; ++attempt) {
-      fs::path path = m_target.parent_path() / (".limn-" + std::to_string(random()));
+      fs::path path = m_target.parent_path() / (prefix + std::to_string(random()));
       path += m_target.extension();
-      const Descriptor made(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-      if (made.number() >= 0) {
-        m_path = path;
-        return;
-      }
-      if (errno != EEXIST)
+      m_made = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      if (m_made.number() < 0 && errno != EEXIST)
         break;
+      if (m_made.number() < 0 || !isMine())
+        continue;
+      m_path = path;
+      return;
     }
     failWriting(m_target, errno);
   }
@@ -83,6 +96,13 @@ public:
   }
 
 private:
+  // Locks the new file. Somebody who cleans up may have removed it before that.
+  bool isMine() const {
+    struct stat made {};
+    ::flock(m_made.number(), LOCK_EX);
+    return ::fstat(m_made.number(), &made) == 0 && made.st_nlink > 0;
+  }
+
   static bool flush(const fs::path& path, int flags) {
     const Descriptor opened(::open(path.c_str(), flags | O_CLOEXEC));
     return opened.number() >= 0 && ::fsync(opened.number()) == 0;
@@ -90,6 +110,7 @@ private:
 
   fs::path m_target;
   fs::path m_path;
+  Descriptor m_made;
 };
 
 void writeAll(const fs::path& path, const fs::path& target, std::string_view bytes) {
@@ -109,12 +130,19 @@ void writeAll(const fs::path& path, const fs::path& target, std::string_view byt
 } // namespace
 
 void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write) {
-  if (target.filename().empty() || fs::is_directory(target))
+  std::error_code unknown;
+  if (target.filename().empty() || fs::is_directory(target, unknown))
     failWriting(target, EISDIR);
   // A link stays; what it points to is replaced.
-  TemporaryFile temporary(fs::is_symlink(target) ? fs::weakly_canonical(target) : target);
+  const fs::path file = fs::is_symlink(target, unknown) ? fs::weakly_canonical(target) : target;
+  removeAbandoned(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  TemporaryFile temporary(file);
   write(temporary.path());
   temporary.replaceTarget();
+}
+
+bool isTemporary(const fs::path& file) {
+  return isTemporaryName(file.filename().string());
 }
 
 void writeFileAtomically(const fs::path& target, std::string_view bytes) {

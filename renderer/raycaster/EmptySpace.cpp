@@ -156,8 +156,9 @@ std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibi
       isEmpty = before[static_cast<std::size_t>(last) + 1] == before[static_cast<std::size_t>(first)];
     }
     if (visibility.isovalue)
-      isEmpty = isEmpty && (*visibility.isovalue < range.x - filterRounding ||
-                            *visibility.isovalue > range.y + filterRounding);
+      // A ray that enters the volume at or above the isovalue is hit where it enters, so a block beyond it is
+      // not empty; no ray goes on behind one.
+      isEmpty = isEmpty && *visibility.isovalue > range.y + filterRounding;
     distances.push_back(isEmpty ? farthestBlock : std::uint8_t{0});
   }
   spreadDistances(ranges.blocks, distances);

@@ -28,7 +28,7 @@ struct BlockRanges {
 BlockRanges blockRanges(const TextureVoxels& voxels);
 
 /// What may show in a picture: scalars that the transfer function makes opaque, and the surface of one scalar
-/// (normalised as the texels are). Either may be absent.
+/// (normalised as the texels are), in front of all at or above it. Either may be absent.
 struct Visibility {
   const PiecewiseTable* function = nullptr;
   std::optional<float> isovalue;

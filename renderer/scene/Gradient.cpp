@@ -182,6 +182,8 @@ double largestGradient(const Volume& volume) {
 }
 
 double gradientPercentile(const Volume& volume, double percent) {
+  if (percent >= 100.0)
+    return largestGradient(volume);
   // Count by the upper half of the float's bits, then within the bin of the rank by the lower half: exact
   // selection in two passes over the volume and without a copy of its gradients.
   const std::vector<std::uint64_t> highCounts = countsOf(collected(volume, HighBitsCollector{}));

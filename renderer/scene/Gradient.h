@@ -19,7 +19,7 @@ glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& index);
 double largestGradient(const Volume& volume);
 
 /// The nearest-rank percentile (0..100] of the gradient modulus over the eligible voxels: the exact element,
-/// rounded to float.
+/// rounded to float; at 100 the largest itself.
 double gradientPercentile(const Volume& volume, double percent);
 
 /// What the field commonly changes by at most, value/mm: the 99th percentile of the gradient modulus over a

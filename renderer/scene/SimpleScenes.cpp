@@ -53,6 +53,34 @@ Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& directi
   return scene;
 }
 
+Scene pixelPerVoxel(std::shared_ptr<const Volume> volume) {
+  Scene scene = rayThrough(std::move(volume));
+  const Grid& grid = scene.volume->grid();
+  scene.camera.heightMm = grid.dims.z * grid.spacingMm.z;
+  scene.quality.stepVoxels = grid.spacingMm.y / smallestSpacingMm(grid);
+  return scene;
+}
+
+Scene ballSurface(double b, double voxelMm, const glm::dvec3& shift) {
+  Grid grid;
+  grid.dims = {4, static_cast<int>(std::ceil(0.7 / voxelMm)) + 1, 4};
+  grid.spacingMm = glm::dvec3(voxelMm);
+  grid.originMm = glm::dvec3(b, -0.6, 0.0) - voxelMm * (glm::dvec3(1.0, 0.0, 1.0) + shift);
+  Scene scene = rayThrough(volumeOf(grid, [&](int i, int j, int k) {
+    return -glm::length(indexToWorld(grid, {i, j, k}));
+  }));
+  scene.camera.target = {b, 0.0, 0.0};
+  scene.camera.position = {b, -1.0, 0.0};
+  scene.projection = Projection::isosurface;
+  scene.isovalue = -0.5;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+Fog distanceFog(double startMm, double endMm) {
+  return {Fog::Mode::linear, glm::dvec3(1.0), 0.0, startMm, endMm};
+}
+
 double stepFor(const Scene& scene, double lengthMm, double samples) {
   return lengthMm / samples / smallestSpacingMm(scene.volume->grid());
 }

@@ -25,6 +25,19 @@ std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value = 1.0
 /// spacing, without early termination: meant for pictures of one pixel.
 Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction = {0.0, 1.0, 0.0});
 
+/// A slice of one voxel along y in `rows` rows along z, seen along y by a pixel per voxel, the first row at
+/// the bottom: meant for pictures of its size. In steps of its thickness each pixel takes one sample at a
+/// voxel's centre.
+Scene pixelPerVoxel(std::shared_ptr<const Volume> volume);
+
+/// The isosurface -1/2 of f = -r, a ball of radius 1/2 mm around the origin, along the ray at distance b in x
+/// that runs along y from y = -1: columns of 4 x n x 4 voxels between y = -0.6 and 0.1, whose lattice is
+/// shifted by a part (0..1) of a voxel.
+Scene ballSurface(double b, double voxelMm, const glm::dvec3& shift = glm::dvec3(0.0));
+
+/// Fog that turns black into the share of the way from `startMm` to `endMm`, both from the eye.
+Fog distanceFog(double startMm, double endMm);
+
 /// The step in voxels that gives `samples` samples over `lengthMm`.
 double stepFor(const Scene& scene, double lengthMm, double samples);
 

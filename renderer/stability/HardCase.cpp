@@ -20,7 +20,10 @@ Finding notApplicable(std::string engine, std::string what, std::string reason) 
 
 std::vector<HardCase> hardCases() {
   std::vector<HardCase> cases;
-  for (const auto& group : {formulaCases, opacityCases, stepCases, rayCases, cameraCases, voxelCases}) {
+  for (const auto& group :
+       {formulaCases, opacityCases, stepCases, rayCases, cameraCases, voxelCases, functionCases,
+        volumeShapeCases, gradientCases, samplingCases, reuseCases, preintegrationCases, blendingCases,
+        highlightCases, projectionCases, driverCases}) {
     std::vector<HardCase> more = group();
     std::move(more.begin(), more.end(), std::back_inserter(cases));
   }

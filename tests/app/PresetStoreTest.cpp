@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/PresetStore.h"
 #include "app/BuiltInPresets.h"
+#include "scene/Error.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -37,6 +38,30 @@ TEST(PresetStore, keepsPresetsUnderAnyName) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
     EXPECT_TRUE(entry.path() == folder.path() / "presets" ||
                 entry.path().parent_path() == folder.path() / "presets");
+}
+
+// A byte beside letters and digits takes three in the file's name: 83 of them and ".json" are 254.
+TEST(PresetStore, aNameThatIsTooLongIsSaid) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  store.save(named(std::string(83, '.')));
+  try {
+    store.save(named(std::string(84, '.')));
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("too long"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(store.read().presets.size(), 1u);
+}
+
+TEST(PresetStore, aHalfWrittenFileIsNoPreset) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  store.save(named("Good"));
+  std::ofstream(folder.path() / ".limn-123.json") << "{\"limn_preset\": 1, ";
+  const PresetStore::Contents contents = store.read();
+  EXPECT_EQ(contents.presets.size(), 1u);
+  EXPECT_TRUE(contents.problems.empty());
 }
 
 TEST(PresetStore, replacesAPresetOfTheSameNameAndRemovesIt) {

@@ -31,5 +31,49 @@ TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
   EXPECT_FALSE(loaded.hasOwnCamera);
 }
 
+SessionDocument sessionOfPhantom() {
+  SessionDocument session;
+  session.scene.volume = "phantom:8";
+  session.scene.hasCamera = session.scene.hasTransferFunction = true;
+  session.scene.scene.camera.position = {1, 2, 3};
+  session.scene.scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {1, {1, 1, 1}, 1}};
+  session.layout = SessionDocument::Layout::difference;
+  return session;
+}
+
+TEST(SceneSource, aSessionIsASourceLikeAScene) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  const SessionDocument session = sessionOfPhantom();
+  std::ofstream(path) << sessionToJson(session);
+  const LoadedScene loaded = loadScene(path.string(), {}, {});
+  EXPECT_EQ(loaded.volumePath, "phantom:8");
+  EXPECT_TRUE(loaded.hasOwnCamera);
+  EXPECT_EQ(loaded.scene.camera, session.scene.scene.camera);
+  ASSERT_TRUE(loaded.session);
+  EXPECT_EQ(loaded.session->layout, SessionDocument::Layout::difference);
+}
+
+TEST(SceneSource, aVolumeThatMayNotBeNamedIsFoundByWhatStandsForIt) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  SessionDocument session = sessionOfPhantom();
+  session.scene.volume = "ct-64x64x64-abc";
+  std::ofstream(path) << sessionToJson(session);
+  EXPECT_THROW(loadScene(path.string(), {}, {}), VolumeMissing);
+  SourceOptions options;
+  options.references["ct-64x64x64-abc"] = folder.path() / "moved"; // nor there
+  EXPECT_THROW(loadScene(path.string(), options, {}), VolumeMissing);
+  std::ofstream(folder.path() / "moved") << "not a volume, but there";
+  try {
+    loadScene(path.string(), options, {});
+    FAIL() << "nothing was thrown";
+  } catch (const VolumeMissing&) {
+    FAIL() << "it was not looked for";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("moved"), std::string::npos) << error.what();
+  }
+}
+
 } // namespace
 } // namespace limn

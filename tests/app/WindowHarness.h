@@ -10,7 +10,6 @@
 
 #include <QAction>
 #include <QLabel>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolBar>
@@ -29,8 +28,7 @@ protected:
   WindowHarness() {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));
     QCoreApplication::setApplicationName(QStringLiteral("limn"));
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, pathTo("settings"));
-    window = std::make_unique<MainWindow>(PresetStore(folder.path() / "presets"));
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
     window->resize(900, 640);
     // Pictures rest at the scene's own step unless a test is about what comes after.
     window->view().setRefinesAtRest(false);

@@ -5,9 +5,9 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Phantom.h"
+#include "stability/SceneVariations.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
-#include "support/SceneVariations.h"
 
 #include <numeric>
 
@@ -33,7 +33,7 @@ using LocalSteps = test::GlTest;
 
 TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
   RayCaster caster;
-  for (const test::Variation& variation : test::switches())
+  for (const Variation& variation : switches())
     for (const int fineness : {2, 6}) {
       SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
       Scene scene = baseScene(fineness);
@@ -57,7 +57,7 @@ TEST_F(LocalSteps, neitherLeapsNorAStandInShow) {
   RayCaster caster;
   RayCaster walking(RayCaster::EmptySpace::sampled);
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
-  for (const test::Variation& variation : test::switches()) {
+  for (const Variation& variation : switches()) {
     SCOPED_TRACE(variation.what);
     Scene scene = baseScene();
     variation.apply(scene);

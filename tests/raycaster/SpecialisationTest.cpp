@@ -2,9 +2,9 @@
 // Simulating only what a scene calls for loses nothing (NUMERICS 4.3).
 #include "raycaster/RayCaster.h"
 #include "scene/Phantom.h"
+#include "stability/SceneVariations.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
-#include "support/SceneVariations.h"
 
 #include <iostream>
 #include <set>
@@ -35,13 +35,13 @@ using Specialisation = test::GlTest;
 
 TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
-  const auto& switches = test::switches();
+  const auto& switches = limn::switches();
   int compared = 0;
   std::set<std::string> shaders;
   // Each switch alone and with two others, so that each meets neighbours of every kind.
   for (std::size_t i = 0; i < switches.size(); ++i)
     for (const std::size_t distance : {std::size_t{0}, std::size_t{5}, std::size_t{12}}) {
-      const test::Variation& second = switches[(i + distance) % switches.size()];
+      const Variation& second = switches[(i + distance) % switches.size()];
       Scene scene = baseScene();
       switches[i].apply(scene);
       second.apply(scene);
@@ -58,7 +58,7 @@ TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
 }
 
 TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
-  for (const test::Neutral& neutral : test::neutralValues()) {
+  for (const Neutral& neutral : neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();
@@ -78,7 +78,7 @@ TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
 
 TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
   RayCaster caster;
-  for (const test::Neutral& neutral : test::neutralValues()) {
+  for (const Neutral& neutral : neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();
@@ -115,7 +115,7 @@ TEST_F(Specialisation, everyParameterShowsInAUsedCasterAsInAFreshOne) {
   const Scene base = baseScene();
   RayCaster used;
   const Image before = used.render(base, pictureSize);
-  for (const test::Variation& variation : test::everyParameter()) {
+  for (const Variation& variation : everyParameter()) {
     SCOPED_TRACE(variation.what);
     Scene scene = base;
     variation.apply(scene);

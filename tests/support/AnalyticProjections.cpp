@@ -71,11 +71,6 @@ std::vector<AnalyticRay> meanOfRamp(const json& one) {
   return rays;
 }
 
-// Fog that turns black into the share of the way from `startMm` to `endMm` along the ray, both from the eye.
-Fog distanceFog(double startMm, double endMm) {
-  return {Fog::Mode::linear, white, 0.0, startMm, endMm};
-}
-
 // J4: where the ramp reaches the isovalue, at the entry and at the exit too.
 std::vector<AnalyticRay> hitOnRamp(const json& one) {
   std::vector<AnalyticRay> rays;
@@ -94,30 +89,8 @@ std::vector<AnalyticRay> hitOnRamp(const json& one) {
   return rays;
 }
 
-// The ray of J5 along y at distance b through voxels of -r in 4×n×4 columns, which the gradient needs,
-// between y = -0.6 and 0.1, where the surface lies. (The case's f = r is above its isovalue where the ray
-// enters, which is a hit there; -r and -iso are the same sphere seen from outside.)
-Scene sphere(double b, double voxelMm, const glm::dvec3& shift) {
-  Grid grid;
-  grid.dims = {4, static_cast<int>(std::ceil(0.7 / voxelMm)) + 1, 4};
-  grid.spacingMm = glm::dvec3(voxelMm);
-  grid.originMm = glm::dvec3(b, -0.6, 0.0) - voxelMm * (glm::dvec3(1.0, 0.0, 1.0) + shift);
-  std::vector<double> voxels;
-  voxels.reserve(16 * static_cast<std::size_t>(grid.dims.y));
-  for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < grid.dims.y; ++j)
-      for (int i = 0; i < 4; ++i)
-        voxels.push_back(-glm::length(grid.originMm + voxelMm * glm::dvec3(i, j, k)));
-  Scene scene =
-      rayThrough(std::make_shared<const Volume>(grid, voxels, Rescale{}, std::nullopt, VolumeInfo{}));
-  scene.camera.target = {b, 0.0, 0.0};
-  scene.camera.position = {b, -1.0, 0.0};
-  scene.projection = Projection::isosurface;
-  scene.isovalue = -0.5;
-  scene.quality.stepVoxels = 0.5;
-  return scene;
-}
-
+// The case's f = r is above its isovalue where the ray enters, which is a hit there; -r and -iso are the same
+// sphere seen from outside.
 RefinedRay refinedSphere(const json& one, const char* what, double expected,
                          const std::function<void(Scene&)>& shown) {
   RefinedRay ray;
@@ -126,7 +99,7 @@ RefinedRay refinedSphere(const json& one, const char* what, double expected,
   ray.channel = 0;
   ray.expected = expected;
   ray.scene = [b = one["parameters"]["b"].get<double>(), shown](double voxelMm, const glm::dvec3& shift) {
-    Scene scene = sphere(b, voxelMm, shift);
+    Scene scene = ballSurface(b, voxelMm, shift);
     shown(scene);
     return scene;
   };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/PicturePresenter.h"
 #include "scene/Gradient.h"
 #include "widgets/view/FinishedPicture.h"
 #include "widgets/view/InteractionQuality.h"
-#include "widgets/view/PicturePresenter.h"
 #include "widgets/view/PictureTarget.h"
 #include "widgets/view/TileSchedule.h"
 

@@ -16,6 +16,7 @@ struct SceneDocument {
   Scene scene;                      ///< `scene.volume` is empty
   bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
+  bool operator==(const SceneDocument&) const = default;
 };
 
 /// Reads the text of a scene file. `name` is how errors call it. Unknown keys are refused by name, numbers

@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/JsonFields.h"
 #include "io/scenefile/SceneFile.h"
+#include "io/scenefile/SceneJson.h"
 
-#include "scene/Error.h"
 #include "scene/LocalSteps.h"
-
-#include <fstream>
 
 namespace limn {
 namespace {
 
 constexpr Limits exponentLimits{0.0, 1024.0, true};
 constexpr Limits coefficientLimits{0.0, 8.0};
-
-nlohmann::json parsed(std::string_view text, const std::string& name) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw Error(Error::Kind::input, name + " is not valid JSON (the mistake is near byte " +
-                                        std::to_string(error.byte) +
-                                        "); open it in a text editor to repair it.");
-  }
-}
 
 void readRange(JsonFields& fields, const std::string& key, CoefficientRange& range, const Limits& limits) {
   if (fields.pair(key, range.atFlat, range.atBoundary, limits) && range.atFlat > range.atBoundary)
@@ -139,11 +127,7 @@ void readRobustFields(JsonFields& fields, Shading& shading) {
 
 Shading readShading(JsonFields fields) {
   Shading shading;
-  fields.choice("model", shading.model,
-                {{"none", ShadingModel::none},
-                 {"classic", ShadingModel::classic},
-                 {"enhanced", ShadingModel::enhanced},
-                 {"robust", ShadingModel::robust}});
+  readModel(fields, "model", shading.model);
   fields.number("ambient", shading.ambient, notNegative);
   fields.number("diffuse", shading.diffuse, notNegative);
   fields.number("specular", shading.specular, notNegative);
@@ -269,20 +253,17 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
   return isGiven;
 }
 
-void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
-  int version = 0;
-  if (!fields.integer(key, version, 1, 1000000))
-    fields.fail(key, "is missing, so this is not a Limn " + what);
-  if (version != 1)
-    fields.fail(key,
-                "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
-}
-
 } // namespace
 
-SceneDocument parseScene(std::string_view text, const std::string& name) {
-  const nlohmann::json json = parsed(text, name);
-  JsonFields fields(json, name, "");
+void readModel(JsonFields& fields, const std::string& key, ShadingModel& model) {
+  fields.choice(key, model,
+                {{"none", ShadingModel::none},
+                 {"classic", ShadingModel::classic},
+                 {"enhanced", ShadingModel::enhanced},
+                 {"robust", ShadingModel::robust}});
+}
+
+SceneDocument readScene(JsonFields fields) {
   requireVersion(fields, "limn_scene", "scene");
   SceneDocument document;
   Scene& scene = document.scene;
@@ -312,6 +293,11 @@ SceneDocument parseScene(std::string_view text, const std::string& name) {
   return document;
 }
 
+SceneDocument parseScene(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsedJson(text, name);
+  return readScene(JsonFields(json, name, ""));
+}
+
 SceneDocument readSceneFile(const std::filesystem::path& path) {
   SceneDocument document = parseScene(readTextFile(path), path.filename().string());
   document.volume =
@@ -320,7 +306,7 @@ SceneDocument readSceneFile(const std::filesystem::path& path) {
 }
 
 Preset parsePreset(std::string_view text, const std::string& name) {
-  const nlohmann::json json = parsed(text, name);
+  const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
   requireVersion(fields, "limn_preset", "preset");
   Preset preset;
@@ -343,23 +329,6 @@ Preset parsePreset(std::string_view text, const std::string& name) {
     preset.isovalue = isovalue;
   fields.finish();
   return preset;
-}
-
-std::string readTextFile(const std::filesystem::path& path, std::size_t limit) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(Error::Kind::input, "Cannot read " + path.filename().string() + ": " + why);
-  };
-  std::error_code failed;
-  const auto size = std::filesystem::file_size(path, failed);
-  if (failed)
-    refuse("there is no such file; check the path.");
-  if (size > limit)
-    refuse("it is far larger than any file of this kind; choose another file.");
-  std::ifstream file(path, std::ios::binary);
-  std::string text(size, '\0');
-  if (!file.read(text.data(), static_cast<std::streamsize>(size)))
-    refuse("it cannot be opened; check that you may read it.");
-  return text;
 }
 
 } // namespace limn

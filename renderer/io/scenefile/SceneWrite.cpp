@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
+#include "io/scenefile/SceneJson.h"
 
 #include "scene/ProjectionName.h"
-
-#include <nlohmann/json.hpp>
 
 namespace limn {
 namespace {
@@ -49,20 +48,6 @@ Json toJson(const GradientCurve& curve) {
 
 Json toJson(const CoefficientRange& range) {
   return Json::array({range.atFlat, range.atBoundary});
-}
-
-const char* nameOf(ShadingModel model) {
-  switch (model) {
-  case ShadingModel::none:
-    return "none";
-  case ShadingModel::classic:
-    return "classic";
-  case ShadingModel::enhanced:
-    return "enhanced";
-  case ShadingModel::robust:
-    return "robust";
-  }
-  return "";
 }
 
 Json toJson(const Shading& shading) {
@@ -121,24 +106,45 @@ Json toJson(const Quality& quality) {
 
 } // namespace
 
-std::string sceneToJson(const Scene& scene, const std::string& volume) {
-  const Json json = {{"limn_scene", 1},
-                     {"volume", volume},
-                     {"camera", toJson(scene.camera)},
-                     {"transfer_function", toJson(scene.transferFunction)},
-                     {"shading", toJson(scene.shading)},
-                     {"gradient_opacity", toJson(scene.gradientOpacity)},
-                     {"fog", toJson(scene.fog)},
-                     {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
-                     {"projection", nameOf(scene.projection)},
-                     {"isosurface", {{"value", scene.isovalue}}},
-                     {"quality", toJson(scene.quality)},
-                     {"image",
-                      {{"width", scene.image.width},
-                       {"height", scene.image.height},
-                       {"background", toJson(scene.image.background)}}}};
+const char* nameOf(ShadingModel model) {
+  switch (model) {
+  case ShadingModel::none:
+    return "none";
+  case ShadingModel::classic:
+    return "classic";
+  case ShadingModel::enhanced:
+    return "enhanced";
+  case ShadingModel::robust:
+    return "robust";
+  }
+  return "";
+}
+
+nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) {
+  return {{"limn_scene", 1},
+          {"volume", volume},
+          {"camera", toJson(scene.camera)},
+          {"transfer_function", toJson(scene.transferFunction)},
+          {"shading", toJson(scene.shading)},
+          {"gradient_opacity", toJson(scene.gradientOpacity)},
+          {"fog", toJson(scene.fog)},
+          {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
+          {"projection", nameOf(scene.projection)},
+          {"isosurface", {{"value", scene.isovalue}}},
+          {"quality", toJson(scene.quality)},
+          {"image",
+           {{"width", scene.image.width},
+            {"height", scene.image.height},
+            {"background", toJson(scene.image.background)}}}};
+}
+
+std::string textOf(const nlohmann::ordered_json& json) {
   // File names may hold bytes that are not UTF-8; they are replaced rather than lost with the whole scene.
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+std::string sceneToJson(const Scene& scene, const std::string& volume) {
+  return textOf(sceneJson(scene, volume));
 }
 
 std::string presetToJson(const Preset& preset) {
@@ -155,7 +161,7 @@ std::string presetToJson(const Preset& preset) {
     json["projection"] = nameOf(*preset.projection);
   if (preset.isovalue)
     json["isosurface"] = {{"value", *preset.isovalue}};
-  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+  return textOf(json);
 }
 
 } // namespace limn

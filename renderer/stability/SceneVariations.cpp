@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/SceneVariations.h"
+#include "stability/SceneVariations.h"
 
 #include "scene/Phantom.h"
 
-namespace limn::test {
+namespace limn {
 namespace {
 
 void setFog(Scene& s, Fog::Mode mode) {
@@ -225,4 +225,4 @@ const std::vector<Neutral>& neutralValues() {
   return all;
 }
 
-} // namespace limn::test
+} // namespace limn

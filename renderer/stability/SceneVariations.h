@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace limn::test {
+namespace limn {
 
 /// One change of a scene.
 struct Variation {
@@ -29,4 +29,4 @@ struct Neutral {
 /// Every effect that has a neutral value.
 const std::vector<Neutral>& neutralValues();
 
-} // namespace limn::test
+} // namespace limn

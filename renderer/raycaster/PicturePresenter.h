@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/ShaderProgram.h"
-#include "raycaster/RayCaster.h"
+#include "raycaster/PixelRect.h"
 
 namespace limn {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/PicturePresenter.h"
+#include "raycaster/PicturePresenter.h"
 
 #include "raycaster/EmbeddedShaders.h"
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/SessionKeeper.h"
+
+#include <algorithm>
+
+namespace limn {
+
+SessionKeeper::SessionKeeper(const std::filesystem::path& folder,
+                             std::function<std::optional<SessionDocument>()> current, QObject* parent)
+    : QObject(parent), m_sessions(folder), m_abandoned(m_sessions.takeAbandoned()),
+      m_place(m_sessions.place()),
+      m_autosave(std::make_unique<Autosave>(m_place.file(), std::move(current))) {}
+
+SessionKeeper::~SessionKeeper() = default;
+
+void SessionKeeper::close() {
+  m_autosave.reset();
+  m_place.remove();
+}
+
+void SessionKeeper::keep(const SessionDocument& session) const {
+  m_sessions.keep(sessionToJson(session));
+}
+
+std::optional<std::filesystem::path> SessionKeeper::abandoned() const {
+  return m_abandoned.empty() ? std::nullopt : std::optional(m_abandoned.front().file());
+}
+
+void SessionKeeper::forget(const std::filesystem::path& file) {
+  const auto found = std::find_if(m_abandoned.begin(), m_abandoned.end(),
+                                  [&](const AutosavePlace& place) { return place.file() == file; });
+  if (found == m_abandoned.end()) {
+    std::error_code failed;
+    std::filesystem::remove(file, failed);
+    return;
+  }
+  found->remove();
+  m_abandoned.erase(found);
+}
+
+} // namespace limn

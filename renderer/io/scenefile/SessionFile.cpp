@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/SessionFile.h"
+#include "io/scenefile/SceneJson.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Layout = SessionDocument::Layout;
+using Panel = SessionDocument::Panel;
+
+const char* nameOf(Layout layout) {
+  static constexpr const char* names[] = {"single", "side_by_side", "wipe", "difference"};
+  return names[static_cast<int>(layout)];
+}
+
+const char* nameOf(Panel panel) {
+  static constexpr const char* names[] = {"none", "properties", "effects", "accuracy"};
+  return names[static_cast<int>(panel)];
+}
+
+void readComparison(JsonFields fields, SessionDocument& session) {
+  fields.choice("layout", session.layout,
+                {{"single", Layout::single},
+                 {"side_by_side", Layout::sideBySide},
+                 {"wipe", Layout::wipe},
+                 {"difference", Layout::difference}});
+  readModel(fields, "left", session.leftModel);
+  readModel(fields, "right", session.rightModel);
+  fields.number("wipe", session.wipe, fraction);
+  fields.finish();
+}
+
+void readWindow(JsonFields fields, SessionDocument& session) {
+  fields.choice("panel", session.panel,
+                {{"none", Panel::none},
+                 {"properties", Panel::properties},
+                 {"effects", Panel::effects},
+                 {"accuracy", Panel::accuracy}});
+  fields.text("preset", session.preset);
+  fields.boolean("crop_box", session.cropBoxIsShown);
+  fields.boolean("gradient_curve", session.gradientCurveIsShown);
+  fields.finish();
+}
+
+void readVolumeOptions(JsonFields& fields, SessionDocument& session) {
+  if (fields.has("series"))
+    fields.integer("series", session.series.emplace(), 1, 100000);
+  if (fields.has("spacing_mm"))
+    fields.vector("spacing_mm", session.spacingMm.emplace(), positive);
+}
+
+} // namespace
+
+bool looksLikeSession(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("limn_session");
+}
+
+SessionDocument parseSession(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsedJson(text, name);
+  JsonFields fields(json, name, "");
+  requireVersion(fields, "limn_session", "session");
+  SessionDocument session;
+  if (!fields.has("scene"))
+    fields.fail("scene", "is missing");
+  session.scene = readScene(fields.object("scene"));
+  readVolumeOptions(fields, session);
+  if (fields.has("compare"))
+    readComparison(fields.object("compare"), session);
+  if (fields.has("window"))
+    readWindow(fields.object("window"), session);
+  fields.text("label", session.label);
+  fields.text("saved_as", session.savedAs);
+  fields.boolean("unsaved", session.isUnsaved);
+  fields.finish();
+  return session;
+}
+
+SessionDocument readSessionFile(const std::filesystem::path& path) {
+  SessionDocument session = parseSession(readTextFile(path), path.filename().string());
+  std::string& volume = session.scene.volume;
+  volume = (std::filesystem::absolute(path).parent_path() / volume).lexically_normal().string();
+  return session;
+}
+
+std::string sessionToJson(const SessionDocument& session) {
+  Json json = {{"limn_session", 1}, {"scene", sceneJson(session.scene.scene, session.scene.volume)}};
+  if (session.series)
+    json["series"] = *session.series;
+  if (const auto& spacing = session.spacingMm)
+    json["spacing_mm"] = {spacing->x, spacing->y, spacing->z};
+  json["compare"] = {{"layout", nameOf(session.layout)},
+                     {"left", nameOf(session.leftModel)},
+                     {"right", nameOf(session.rightModel)},
+                     {"wipe", session.wipe}};
+  json["window"] = {{"panel", nameOf(session.panel)},
+                    {"preset", session.preset},
+                    {"crop_box", session.cropBoxIsShown},
+                    {"gradient_curve", session.gradientCurveIsShown}};
+  if (!session.label.empty())
+    json["label"] = session.label;
+  if (!session.savedAs.empty())
+    json["saved_as"] = session.savedAs;
+  if (session.isUnsaved)
+    json["unsaved"] = true;
+  return textOf(json);
+}
+
+} // namespace limn

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/scenefile/SceneFile.h"
+
+#include <optional>
+
+namespace limn {
+
+/// A session file as read: the scene, how its volume is read, and what the window showed beside it.
+struct SessionDocument {
+  enum class Layout { single, sideBySide, wipe, difference };
+  enum class Panel { none, properties, effects, accuracy };
+
+  SceneDocument scene;                 ///< `scene.scene.volume` is empty
+  std::optional<int> series;           ///< of the volume's folder, as listSeries numbers them
+  std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
+
+  Layout layout = Layout::sideBySide;
+  ShadingModel leftModel = ShadingModel::classic;
+  ShadingModel rightModel = ShadingModel::enhanced;
+  double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
+
+  Panel panel = Panel::properties; ///< on top of those at the right
+  std::string preset;              ///< the one whose curves are shown, empty where there is none
+  bool cropBoxIsShown = false;
+  bool gradientCurveIsShown = false; ///< instead of the curve over the value
+
+  std::string label;      ///< what it shows, for a list of sessions that nobody saved; names nobody
+  std::string savedAs;    ///< absolute path of the file it was saved to, empty where there is none
+  bool isUnsaved = false; ///< the scene was edited since it was opened or saved
+
+  bool operator==(const SessionDocument&) const = default;
+};
+
+/// Whether the text of a JSON file is that of a session (rather than of a scene). Never throws.
+bool looksLikeSession(std::string_view text);
+
+/// Reads the text of a session file, as strictly as parseScene. `name` is how errors call it. Throws Error
+/// (input).
+SessionDocument parseSession(std::string_view text, const std::string& name);
+
+/// Reads a session file from disk; the volume's path becomes absolute. Throws Error (input).
+SessionDocument readSessionFile(const std::filesystem::path& path);
+
+/// A session as JSON: the scene under the scene file's own keys, the rest beside it; paths are stored as
+/// given.
+std::string sessionToJson(const SessionDocument& session);
+
+} // namespace limn

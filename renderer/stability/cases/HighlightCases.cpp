@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/PictureFigures.h"
+#include "scene/StableMath.h"
+#include "stability/GlslEvaluator.h"
+#include "stability/Measures.h"
+#include "stability/cases/Cases.h"
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// White material, so that ambient, diffuse and specular light add up to 1.75.
+Scene dazzling(ShadingModel model) {
+  Scene scene = wholeVolume(smoothVolume(16), model, 0.0, 100.0, {0.6, 0.64, 0.48});
+  for (ControlPoint& point : scene.transferFunction.points)
+    point.color = glm::dvec3(1.0);
+  scene.transferFunction.unitDistanceMm = 1.0;
+  return scene;
+}
+
+std::vector<Finding> limits(Workbench& bench) {
+  std::vector<Finding> findings;
+  for (const auto& [what, model] : {std::pair{"no pixel brighter than opaque, robust", ShadingModel::robust},
+                                    {"no pixel brighter than opaque, enhanced", ShadingModel::enhanced},
+                                    {"no pixel brighter than opaque, classic", ShadingModel::classic}})
+    append(findings, inEachEngine(bench, what, {},
+                                  "pixels with a colour above alpha, or that are not finite or outside 0..1",
+                                  [model = model](const Draw& draw) {
+                                    return unsoundPixels(draw(dazzling(model), {32, 32}));
+                                  }));
+  const Overflow overflow =
+      overflowOf(bench.rays().renderUnlimited(dazzling(ShadingModel::classic), {32, 32}));
+  findings.push_back(atMost("gl", "the light does add up to more", overflow.share > 0.0 ? 0.0 : 1.0, 0.0,
+                            "1 where no pixel would exceed full brightness without the limit"));
+  return findings;
+}
+
+std::vector<Finding> neutralExtras(Workbench& bench) {
+  return inEachEngine(
+      bench, "robust with its extras neutral", {}, "largest difference from the enhanced model: none",
+      [](const Draw& draw) {
+        Scene robust = dazzling(ShadingModel::robust);
+        robust.shading.energyFactor = false;
+        robust.shading.significance.reset();
+        robust.shading.knee.reset();
+        robust.shading.gradientReference = PercentileReference{100.0};
+        return largestDifference(draw(robust, {32, 32}), draw(dazzling(ShadingModel::enhanced), {32, 32}));
+      });
+}
+
+constexpr int edge = 32;
+constexpr glm::ivec3 outlier{13, 17, 20};
+
+// A pixel per voxel along y: pixel (x, y) sees the column i = x, k = edge - 1 - y.
+DrawnPicture withOutlier(const Draw& draw, double value) {
+  const auto smooth = smoothVolume(edge);
+  const auto volume = volumeOf(smooth->grid(), [&](int i, int j, int k) {
+    return glm::ivec3(i, j, k) == outlier ? value : smooth->value({i, j, k});
+  });
+  Scene scene = wholeVolume(volume, ShadingModel::robust, 0.0, 100.0);
+  scene.camera.heightMm = edge;
+  return draw(scene, glm::ivec2(edge));
+}
+
+std::vector<Finding> outliers(Workbench& bench) {
+  const double level = 1.0 / 255.0;
+  return inEachEngine(
+      bench, "one voxel of ten times the largest value, robust", {level, level, level},
+      "largest change of pixels two voxels away: below one level, because one voxel does not set the "
+      "gradient "
+      "that counts as 1",
+      [](const Draw& draw) {
+        const DrawnPicture without = withOutlier(draw, smoothVolume(edge)->value(outlier));
+        const DrawnPicture with = withOutlier(draw, 1000.0);
+        double largest = 0.0;
+        for (int y = 0; y < edge; ++y)
+          for (int x = 0; x < edge; ++x) {
+            const bool isNear = std::abs(x - outlier.x) <= 2 && std::abs(edge - 1 - y - outlier.z) <= 2;
+            for (int channel = 0; !isNear && channel < 4; ++channel)
+              largest = std::max(
+                  largest, finiteOrInfinite(std::abs(with.at(x, y)[channel] - without.at(x, y)[channel])));
+          }
+        return largest;
+      });
+}
+
+// The knee at 0.8: nothing below it, 1 - 0.04/(m - 0.6) above.
+std::vector<Finding> kneeCurve() {
+  std::vector<glm::vec4> arguments;
+  for (int i = 0; i <= 4000; ++i)
+    arguments.push_back(glm::vec4(glm::vec3(0.0025f * static_cast<float>(i), 0.1f, 0.0f), 0.0f));
+  const std::vector<glm::vec4> inGlsl =
+      GlslEvaluator({"stable_math.glsl"})("knee(vec3(v.x), 0.8), 0.0", arguments);
+  double cpp = 0.0, glsl = 0.0;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const double m = arguments[i].x;
+    const double expected = m <= 0.8 ? m : 1.0 - 0.04 / (m - 0.6);
+    cpp = std::max(cpp, std::abs(knee(glm::dvec3(m), 0.8).r - expected));
+    glsl = std::max(glsl, finiteOrInfinite(std::abs(inGlsl[i].r - expected)));
+  }
+  const std::string reason =
+      "largest distance from the curve's closed form: the identity up to 0.8, below 1 above";
+  return {atMost("cpp", "the knee from 0 to 10", cpp, 1e-12, reason),
+          atMost("glsl", "the knee from 0 to 10", glsl, 1e-6, reason)};
+}
+
+// By how much a highlight ever falls while the normal turns towards it.
+std::vector<Finding> monotoneHighlights() {
+  double cpp = 0.0, glsl = 0.0;
+  for (const float exponent : {1.0f, 5.0f, 32.0f, 125.0f, 1024.0f}) {
+    std::vector<glm::vec4> arguments;
+    for (int i = 0; i <= 4000; ++i)
+      arguments.push_back({static_cast<float>(i) / 4000.0f, exponent, 0.0f, 0.0f});
+    const std::vector<glm::vec4> inGlsl =
+        GlslEvaluator({"stable_math.glsl"})("knee(vec3(1.0 + blinnTerm(v.x, v.y)), 0.8), 0.0", arguments);
+    const auto shown = [&](std::size_t i) {
+      return knee(glm::dvec3(1.0 + blinnTerm(arguments[i].x, arguments[i].y)), 0.8).r;
+    };
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+      cpp = std::max(cpp, shown(i - 1) - shown(i));
+      glsl = std::max(glsl, finiteOrInfinite(double(inGlsl[i - 1].r) - inGlsl[i].r));
+    }
+  }
+  const std::string what = "a surface turning towards the light, full to bright";
+  return {atMost("cpp", what, cpp, 1e-15, "by how much it ever darkens; a rounding of double"),
+          atMost("glsl", what, glsl, 2e-7, "by how much it ever darkens; roundings of float")};
+}
+
+std::vector<Finding> overflow(Workbench& bench) {
+  std::vector<Finding> findings = limits(bench);
+  append(findings, neutralExtras(bench));
+  append(findings, outliers(bench));
+  append(findings, kneeCurve());
+  append(findings, monotoneHighlights());
+  return findings;
+}
+
+} // namespace
+
+std::vector<HardCase> highlightCases() {
+  return {
+      {"H40", "Highlights never exceed full brightness, and one voxel does not rule the picture", overflow}};
+}
+
+} // namespace limn

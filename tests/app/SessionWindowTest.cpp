@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "support/FileBytes.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/presets/PresetBrowser.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabBar>
+#include <QTimer>
+
+#include <fstream>
+
+// The session as a file, and that none is lost, in the window.
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SessionWindow : public test::WindowHarness {
+protected:
+  fs::path sessions() const { return folder.path() / "sessions"; }
+
+  // The autosaved sessions on the disk.
+  std::vector<fs::path> autosaved() const {
+    std::vector<fs::path> files;
+    if (fs::exists(sessions() / "windows"))
+      for (const auto& entry : fs::directory_iterator(sessions() / "windows"))
+        if (fs::exists(entry.path() / "session.json"))
+          files.push_back(entry.path() / "session.json");
+    return files;
+  }
+
+  [[nodiscard]] bool waitForAutosave() {
+    return QTest::qWaitFor([this] { return !autosaved().empty(); }, 30000);
+  }
+
+  // A window dies without closing: what a killed process leaves.
+  void die() { window.reset(); }
+
+  std::unique_ptr<MainWindow> newWindow() {
+    auto made = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    made->view().setRefinesAtRest(false);
+    made->resize(900, 640);
+    made->show();
+    return made;
+  }
+
+  // The button of the bar that offers a lost session; null where none is offered.
+  static QToolButton* offer(const MainWindow& of, const QString& text) {
+    for (const MessageBar* bar : of.findChildren<MessageBar*>())
+      for (QToolButton* button : bar->findChildren<QToolButton*>())
+        if (bar->isVisible() && button->isVisible() && button->text() == text)
+          return button;
+    return nullptr;
+  }
+
+  [[nodiscard]] static bool restore(MainWindow& in) {
+    QToolButton* button = offer(in, QStringLiteral("Restore"));
+    if (!button)
+      return false;
+    QTest::mouseClick(button, Qt::LeftButton);
+    return QTest::qWaitFor([&] { return !in.loader().isLoading(); }, 30000);
+  }
+
+  // Edits by mouse, and leaves the window in an unusual arrangement.
+  void workALittle() {
+    dragAPoint();
+    clickTool(QStringLiteral("Wipe"));
+    window->view().setWipePosition(0.25);
+    emit window->view().modelChosen(1, ShadingModel::robust);
+    action(QStringLiteral("&Crop box"))->trigger();
+    window->findChild<QDockWidget*>(QStringLiteral("effectsDock"))->raise();
+    QTest::keyClick(&view(), Qt::Key_L);
+    QCoreApplication::processEvents();
+  }
+};
+
+TEST_F(SessionWindow, aSavedSessionComesBackAsItWas) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  workALittle();
+  EXPECT_TRUE(window->isWindowModified());
+  const SessionDocument before = window->sessionDocument();
+  EXPECT_EQ(before.layout, SessionDocument::Layout::wipe);
+  EXPECT_EQ(before.rightModel, ShadingModel::robust);
+  EXPECT_EQ(before.panel, SessionDocument::Panel::effects);
+  EXPECT_TRUE(before.cropBoxIsShown);
+  window->writeSession(pathTo("mine.json"));
+  EXPECT_FALSE(window->isWindowModified());
+  EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("mine.json")));
+
+  window = newWindow();
+  ASSERT_TRUE(open(pathTo("mine.json")));
+  EXPECT_EQ(window->sessionDocument(), before);
+  EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("mine.json")));
+  EXPECT_FALSE(window->isWindowModified());
+  // An edit marks it, taking it back unmarks it.
+  dragAPoint();
+  EXPECT_TRUE(window->isWindowModified());
+  undo().undo();
+  EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(SessionWindow, savingAgainAsksForNoName) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  window->writeSession(pathTo("mine.json"));
+  const std::string first = test::bytesOfFile(folder.path() / "mine.json");
+  dragAPoint();
+  action(QStringLiteral("&Save session"))->trigger();
+  EXPECT_NE(test::bytesOfFile(folder.path() / "mine.json"), first);
+  EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(SessionWindow, whatADeadWindowLeftIsOfferedOnceAndComesBackAsItWas) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  workALittle();
+  ASSERT_TRUE(waitForAutosave());
+  const SessionDocument before = window->sessionDocument();
+  // A second window beside it is offered nothing: the first lives.
+  auto second = newWindow();
+  second->keepSessions();
+  EXPECT_EQ(offer(*second, QStringLiteral("Restore")), nullptr);
+  die();
+  window = newWindow();
+  window->keepSessions();
+  ASSERT_NE(offer(*window, QStringLiteral("Restore")), nullptr);
+  auto third = newWindow();
+  third->keepSessions();
+  EXPECT_EQ(offer(*third, QStringLiteral("Restore")), nullptr);
+
+  ASSERT_TRUE(restore(*window));
+  EXPECT_EQ(window->sessionDocument(), before);
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr);
+  EXPECT_EQ(autosaved().size(), 1u); // now this window's own
+  die();
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_NE(offer(*window, QStringLiteral("Restore")), nullptr);
+}
+
+TEST_F(SessionWindow, anOfferThatNobodyAnswersIsMadeAgainAndADiscardedOneIsNot) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  ASSERT_TRUE(waitForAutosave());
+  die();
+  window = newWindow();
+  window->keepSessions();
+  ASSERT_NE(offer(*window, QStringLiteral("Discard")), nullptr);
+  window->close();
+  window = newWindow();
+  window->keepSessions();
+  QToolButton* discard = offer(*window, QStringLiteral("Discard"));
+  ASSERT_NE(discard, nullptr);
+  QTest::mouseClick(discard, Qt::LeftButton);
+  EXPECT_EQ(offer(*window, QStringLiteral("Discard")), nullptr);
+  EXPECT_TRUE(autosaved().empty());
+}
+
+TEST_F(SessionWindow, lookingAtAVolumeLeavesNothingToRestore) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  window->close();
+  EXPECT_TRUE(autosaved().empty());
+  EXPECT_FALSE(fs::exists(sessions() / "closed"));
+}
+
+TEST_F(SessionWindow, closingWithUnsavedChangesAsksNothingAndLosesNothing) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  const TransferFunction edited = scene().transferFunction;
+  EXPECT_TRUE(window->close());
+  EXPECT_TRUE(autosaved().empty());
+  window = newWindow();
+  window->keepSessions();
+  EXPECT_EQ(offer(*window, QStringLiteral("Restore")), nullptr); // nothing ended unexpectedly
+  auto* menu = window->findChild<QMenu*>(QStringLiteral("unsavedSessions"));
+  ASSERT_NE(menu, nullptr);
+  emit static_cast<QMenu*>(menu->parent())->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 1);
+  menu->actions().front()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
+  EXPECT_EQ(scene().transferFunction, edited);
+  EXPECT_TRUE(window->isWindowModified());
+}
+
+TEST_F(SessionWindow, openingAnotherVolumeKeepsTheUnsavedSession) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));
+  EXPECT_EQ(test::entriesOf(sessions() / "closed"), 1u);
+}
+
+TEST_F(SessionWindow, beforeAVolumeIsReadTheSessionIsOnTheDisk) {
+  window->keepSessions();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  dragAPoint();
+  EXPECT_TRUE(autosaved().empty()); // two seconds have not passed
+  SessionDocument onDisk;
+  const auto look = [&] {
+    if (const std::vector<fs::path> files = autosaved(); !files.empty())
+      onDisk = readSessionFile(files.front());
+  };
+  QMetaObject::Connection once = QObject::connect(&window->loader(), &VolumeLoader::progressed, window.get(),
+                                                  [&](double, const QString&) { look(); });
+  const TransferFunction edited = scene().transferFunction;
+  window->openSource(QStringLiteral("phantom:5"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk.isUnsaved || !window->loader().isLoading(); }, 30000));
+  QObject::disconnect(once);
+  EXPECT_EQ(onDisk.scene.scene.transferFunction, edited);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
+}
+
+TEST_F(SessionWindow, whereNothingCanBeKeptItIsSaidAndAskedBeforeAnythingIsLost) {
+  test::writeBytes(sessions(), "a file where the folder should be");
+  window->keepSessions();
+  EXPECT_TRUE(messages().isVisible() || labelSays(QStringLiteral("not safe")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_TRUE(window->close()); // nothing to lose
+  window->show();
+  dragAPoint();
+  int asked = 0;
+  const auto answer = [&](QMessageBox::ButtonRole role) {
+    QTimer::singleShot(0, window.get(), [&asked, role, this] {
+      auto* box = window->findChild<QMessageBox*>(QStringLiteral("unsavedChanges"));
+      ASSERT_NE(box, nullptr);
+      ++asked;
+      for (QAbstractButton* button : box->buttons())
+        if (box->buttonRole(button) == role)
+          return QTest::mouseClick(button, Qt::LeftButton);
+    });
+  };
+  answer(QMessageBox::RejectRole);
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(window->isVisible());
+  answer(QMessageBox::DestructiveRole);
+  EXPECT_TRUE(window->close());
+  EXPECT_EQ(asked, 2);
+}
+
+} // namespace
+} // namespace limn

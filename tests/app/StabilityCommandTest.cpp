@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `limn stability`: its report and its exit status, from the built program and from reports made by hand.
+#include "app/stability/StabilityReport.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <set>
+
+#include <sys/wait.h>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::json;
+
+class StabilityCommand : public testing::Test {
+protected:
+  // The exit status of the built program without a display.
+  int run(const std::string& arguments) {
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY HOME='" + folder.path().string() +
+                                "' '" LIMN_PROGRAM "' stability " + arguments + " >'" + file("stdout") +
+                                "' 2>'" + file("stderr") + "' </dev/null";
+    const int raw = std::system(command.c_str());
+    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+  }
+
+  std::string file(const std::string& name) const { return (folder.path() / name).string(); }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(StabilityCommand, writesOneRowPerEngineAndSettingWithFigureBoundAndVerdict) {
+  ASSERT_EQ(run("--only H9,H4 --fuzz 5 --seed 7 -o '" + file("report") + "'"), 0)
+      << test::bytesOfFile(file("stderr"));
+  const Json report = Json::parse(test::bytesOfFile(file("report/stability.json")));
+  EXPECT_FALSE(report["renderer"].get<std::string>().empty());
+  std::set<std::string> engines;
+  for (const Json& row : report["cases"]) {
+    EXPECT_TRUE(row["id"] == "H9" || row["id"] == "H4") << row;
+    EXPECT_EQ(row["verdict"], "pass") << row;
+    EXPECT_LE(row["figure"].get<double>(), row["bound"].get<double>()) << row;
+    EXPECT_FALSE(row["reason"].get<std::string>().empty()) << row;
+    engines.insert(row["engine"]);
+  }
+  EXPECT_EQ(engines, (std::set<std::string>{"cpp", "gl", "reference", "slices"}));
+  EXPECT_EQ(report["fuzz"]["seeds"], 5);
+  EXPECT_TRUE(report["fuzz"]["failures"].empty());
+  const std::string page = test::bytesOfFile(file("report/stability.html"));
+  EXPECT_NE(page.find("id=\"H9\""), std::string::npos);
+  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos) << "pictures travel in the page";
+  EXPECT_NE(test::bytesOfFile(file("stdout")).find("0 fail"), std::string::npos);
+}
+
+TEST_F(StabilityCommand, refusesWhatItCannotDo) {
+  EXPECT_EQ(run(""), 2);
+  EXPECT_NE(test::bytesOfFile(file("stderr")).find("-o"), std::string::npos);
+  EXPECT_EQ(run("--only H999"), 2);
+  EXPECT_NE(test::bytesOfFile(file("stderr")).find("H999"), std::string::npos);
+}
+
+StabilityReport reportWith(const Finding& finding) {
+  StabilityReport report;
+  report.cases = {{"H1", "a <case>", {finding}}};
+  return report;
+}
+
+TEST(StabilityText, aRowBeyondItsBoundFailsTheReport) {
+  const StabilityReport good = reportWith(atMost("gl", "one", 1.0, 1.0, "why"));
+  EXPECT_TRUE(holds(good));
+  const StabilityReport bad = reportWith(atMost("gl", "one", 1.5, 1.0, "why"));
+  EXPECT_FALSE(holds(bad));
+  EXPECT_NE(stabilityTable(bad).find("FAILS gl, one: 1.5 of 1 (why)"), std::string::npos)
+      << stabilityTable(bad);
+  EXPECT_EQ(Json::parse(stabilityJson(bad))["cases"][0]["verdict"], "fail");
+  EXPECT_NE(stabilityPage(bad).find("a &lt;case&gt;"), std::string::npos);
+}
+
+TEST(StabilityText, aFailingSeedFailsTheReportAndSaysHowToRepeatIt) {
+  StabilityReport report;
+  report.fuzz.emplace();
+  report.fuzz->seeds = 1;
+  report.fuzz->failures = {{4711, "a pixel is no number"}};
+  EXPECT_FALSE(holds(report));
+  EXPECT_NE(stabilityTable(report).find("limn stability --fuzz 1 --seed 4711"), std::string::npos);
+}
+
+TEST(StabilityText, whatHasNoFigureHasNoneInJson) {
+  const Json none = Json::parse(stabilityJson(reportWith(notApplicable("slices", "one", "why"))))["cases"][0];
+  EXPECT_TRUE(none["figure"].is_null());
+  EXPECT_EQ(none["verdict"], "n/a");
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(
+      Json::parse(stabilityJson(reportWith(atMost("gl", "", infinite, 1.0, "why"))))["cases"][0]["figure"]
+          .is_null());
+}
+
+} // namespace
+} // namespace limn

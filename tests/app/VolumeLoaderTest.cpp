@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loading on a thread of its own, with an event loop and without a window: what ThreadSanitizer watches.
+#include "app/VolumeLoader.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+class VolumeLoading : public testing::Test {
+protected:
+  VolumeLoading() {
+    std::string bytes = "NRRD0004\ntype: short\ndimension: 3\nsizes: 64 64 64\nspacings: 1 1 1\n"
+                        "endian: little\nencoding: raw\n\n";
+    for (int i = 0; i < 64 * 64 * 64; ++i)
+      bytes += {static_cast<char>(i), static_cast<char>(i >> 15)};
+    test::writeBytes(folder.path() / "good.nrrd", bytes);
+    test::writeBytes(folder.path() / "bad.nrrd", bytes.substr(0, 1000));
+    QObject::connect(&loader, &VolumeLoader::loaded, &loop,
+                     [this](const LoadedScene& scene, const Histogram&) {
+                       loaded = scene;
+                       loop.quit();
+                     });
+    QObject::connect(&loader, &VolumeLoader::failed, &loop, [this](const QString&, const QString& why) {
+      sentence = why;
+      loop.quit();
+    });
+    QObject::connect(&loader, &VolumeLoader::progressed, &loop,
+                     [this](double, const QString&) { ++reports; });
+  }
+
+  QString pathOf(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
+
+  // Runs the event loop until a load has ended, at most a minute.
+  void waitForTheEnd() {
+    QTimer::singleShot(60000, &loop, [this] { loop.exit(1); });
+    EXPECT_EQ(loop.exec(), 0) << "nothing was told within a minute";
+  }
+
+  test::TemporaryFolder folder;
+  QEventLoop loop;
+  LoadedScene loaded;
+  QString sentence;
+  int reports = 0;
+  VolumeLoader loader; // ends its threads before what they tell goes
+};
+
+TEST_F(VolumeLoading, endsWithTheVolumeOrASentence) {
+  loader.start(pathOf("good.nrrd"), {});
+  waitForTheEnd();
+  ASSERT_TRUE(loaded.scene.volume);
+  EXPECT_EQ(loaded.scene.volume->grid().dims, glm::ivec3(64));
+  loader.start(pathOf("bad.nrrd"), {});
+  waitForTheEnd();
+  EXPECT_TRUE(sentence.contains(QLatin1String("bad.nrrd"))) << sentence.toStdString();
+}
+
+TEST_F(VolumeLoading, onlyTheLastOfManyStartsIsTold) {
+  for (int i = 0; i < 20; ++i)
+    loader.start(pathOf(i % 2 == 0 ? "bad.nrrd" : "good.nrrd"), {});
+  waitForTheEnd();
+  EXPECT_TRUE(loaded.scene.volume);
+  EXPECT_TRUE(sentence.isEmpty()) << sentence.toStdString();
+}
+
+TEST_F(VolumeLoading, aCancelledLoadTellsNothingMore) {
+  loader.start(pathOf("good.nrrd"), {});
+  loader.cancel();
+  EXPECT_FALSE(loader.isLoading());
+  loader.start(pathOf("bad.nrrd"), {});
+  waitForTheEnd();
+  EXPECT_FALSE(loaded.scene.volume);
+}
+
+} // namespace
+} // namespace limn
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  const QCoreApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/SessionFile.h"
+#include "io/scenefile/SettingsFile.h"
+#include "scene/Error.h"
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+// Every field off its default; numbers without a short decimal form.
+SessionDocument unusual() {
+  SessionDocument session;
+  session.scene.volume = "heads/ct";
+  session.scene.hasCamera = true;
+  session.scene.hasTransferFunction = true;
+  Scene& scene = session.scene.scene;
+  scene.camera.position = {1.0 / 3.0, -250.1, 1e-7};
+  scene.camera.projection = Camera::Projection::orthographic;
+  scene.transferFunction.points = {{-1000.1, {0.1, 0.2, 0.3}, 0.0}, {2.0 / 7.0, {1, 1, 1}, 0.7}};
+  scene.shading.model = ShadingModel::robust;
+  scene.shading.exponentRange = {1.5, 63.25};
+  scene.gradientOpacity = GradientOpacity{{{0.0, 0.0}, {12.5, 1.0}}};
+  scene.fog.mode = Fog::Mode::exp2;
+  scene.crop.lower = {0.1, 0.2, 0.3};
+  scene.projection = Projection::compositeIsosurface;
+  scene.isovalue = -77.7;
+  scene.quality.toleranceLevels = 0.5;
+  scene.quality.fineness = 3;
+  session.series = 2;
+  session.spacingMm = glm::dvec3(0.5, 0.25, 1.1);
+  session.layout = SessionDocument::Layout::wipe;
+  session.leftModel = ShadingModel::none;
+  session.rightModel = ShadingModel::robust;
+  session.wipe = 0.3;
+  session.panel = SessionDocument::Panel::accuracy;
+  session.preset = "Mine \"ä\"";
+  session.cropBoxIsShown = true;
+  session.gradientCurveIsShown = true;
+  session.label = "CT 3×2×4";
+  session.savedAs = "/somewhere/else.json";
+  session.isUnsaved = true;
+  return session;
+}
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseSession(text, "my.json");
+    return {};
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::input);
+    return error.what();
+  }
+}
+
+TEST(SessionFile, whatIsWrittenIsReadToTheBit) {
+  EXPECT_EQ(parseSession(sessionToJson(unusual()), "session"), unusual());
+  SessionDocument plain;
+  plain.scene.volume = "phantom:2";
+  plain.scene.hasCamera = true;
+  plain.scene.hasTransferFunction = true;
+  EXPECT_EQ(parseSession(sessionToJson(plain), "session"), plain);
+}
+
+TEST(SessionFile, whatIsMissingTakesItsDefault) {
+  const std::string text = R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii"}})";
+  SessionDocument expected;
+  expected.scene.volume = "a.nii";
+  EXPECT_EQ(parseSession(text, "my.json"), expected);
+}
+
+TEST(SessionFile, unknownKeysAreRefusedByNameOnEveryLevel) {
+  const auto with = [](const std::string& scene, const std::string& rest) {
+    return R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii")" + scene + "}" + rest + "}";
+  };
+  EXPECT_EQ(refusalOf(with("", "")), "");
+  EXPECT_NE(refusalOf(with("", R"(, "sceen": 1)")).find("\"sceen\""), std::string::npos);
+  EXPECT_NE(refusalOf(with(R"(, "fogg": 1)", "")).find("\"scene.fogg\""), std::string::npos);
+  EXPECT_NE(refusalOf(with("", R"(, "compare": {"middle": "none"})")).find("\"compare.middle\""),
+            std::string::npos);
+  EXPECT_NE(refusalOf(with("", R"(, "window": {"size": 3})")).find("\"window.size\""), std::string::npos);
+}
+
+TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
+  const std::string head = R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii"}, )";
+  EXPECT_NE(refusalOf(head + R"("compare": {"wipe": 1.5}})").find("from 0 to 1"), std::string::npos);
+  EXPECT_NE(refusalOf(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
+  EXPECT_NE(refusalOf(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
+  EXPECT_NE(refusalOf(head + R"("compare": {"layout": "four"}})").find("side_by_side"), std::string::npos);
+}
+
+TEST(SessionFile, isToldFromASceneByItsKey) {
+  EXPECT_TRUE(looksLikeSession(sessionToJson(unusual())));
+  EXPECT_FALSE(looksLikeSession(sceneToJson(unusual().scene.scene, "a.nii")));
+  EXPECT_FALSE(looksLikeSession("[1, 2]"));
+  EXPECT_FALSE(looksLikeSession("{\"limn_session\": "));
+}
+
+TEST(SessionFile, pathsAreRelativeToTheFile) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder.path() / "s.json", sessionToJson(unusual()));
+  EXPECT_EQ(readSessionFile(folder.path() / "s.json").scene.volume, (folder.path() / "heads/ct").string());
+}
+
+TEST(SettingsFile, keepsTextsByKey) {
+  const SettingsDocument settings{{"theme", "dark"}, {"recent/ä/path", "C:\\\"x\"\n"}, {"empty", ""}};
+  EXPECT_EQ(parseSettings(settingsToJson(settings), "settings"), settings);
+  EXPECT_EQ(parseSettings(settingsToJson({}), "settings"), SettingsDocument());
+  EXPECT_THROW(parseSettings(R"({"limn_settings": 1, "values": {"theme": 3}})", "settings"), Error);
+  EXPECT_THROW(parseSettings(R"({"limn_settings": 1, "values": [1]})", "settings"), Error);
+}
+
+} // namespace
+} // namespace limn
