@@ -107,6 +107,7 @@ void MainWindow::connectView() {
   connect(m_view, &CompareView::probed, this, &MainWindow::showProbe);
   connect(m_view, &CompareView::pictureStateChanged, this, &MainWindow::showPictureState);
   connect(m_view, &CompareView::errorOccurred, this, &MainWindow::showError);
+  prepareForDriverFailure();
   connect(m_view, &CompareView::modelChosen, this, &MainWindow::setSideModel);
   connect(m_view, &CompareView::windowPresetRequested, this, &MainWindow::applyWindowPreset);
   connect(m_view, &CompareView::shortcutListRequested, this, &MainWindow::showShortcuts);

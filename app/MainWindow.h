@@ -95,6 +95,7 @@ private:
   // MainWindowStatus.cpp
   void makeStatusBar();
   void showPictureState(const PictureState& state);
+  void prepareForDriverFailure();
   void addRefineAction(QMenu& menu);
 
   // MainWindowMenus.cpp

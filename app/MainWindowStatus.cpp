@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "reference/ReferenceIntegrator.h"
 #include "widgets/view/PictureStatus.h"
 
 #include <QAction>
@@ -27,6 +28,16 @@ void MainWindow::showPictureState(const PictureState& state) {
   m_pictureStatus->setText(accuracyText(state, m_session.scene()));
   if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
     m_messages->show(MessageBar::Kind::warning, state.limitation);
+}
+
+// The definition itself draws when the driver does not, in double precision.
+void MainWindow::prepareForDriverFailure() {
+  m_view->setProcessorRenderer(
+      [](const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
+        return toImage(renderReference(scene, size, 0, isCancelled));
+      });
+  connect(m_view, &CompareView::graphicsRestored, this,
+          [this](const QString& sentence) { m_messages->show(MessageBar::Kind::warning, sentence); });
 }
 
 void MainWindow::addRefineAction(QMenu& menu) {

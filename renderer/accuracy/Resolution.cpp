@@ -18,7 +18,9 @@ bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegr
   if (isPreintegrated || !classifiesSamples(scene.projection))
     return true;
   const double perStep = steepestPerMm * stepMm(scene);
-  return narrowestVisibleBand(scene.transferFunction, leastBandHeight, scene.volume->range()) >= perStep;
+  const TransferFunction function =
+      overVoxelAtLeast(scene.transferFunction, smallestSpacingMm(scene.volume->grid()));
+  return narrowestVisibleBand(function, leastBandHeight, scene.volume->range()) >= perStep;
 }
 
 } // namespace limn

@@ -63,7 +63,9 @@ SavedState::~SavedState() {
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(m_unpackBuffer));
   glBindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(m_arrayBuffer));
   glBindVertexArray(static_cast<GLuint>(m_vertexArray));
-  glUseProgram(static_cast<GLuint>(m_program));
+  // A program that its owner deleted while it was in use goes with the first other one.
+  const auto program = static_cast<GLuint>(m_program);
+  glUseProgram(glIsProgram(program) == GL_TRUE ? program : 0);
   glScissor(m_scissorBox[0], m_scissorBox[1], m_scissorBox[2], m_scissorBox[3]);
   glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
   glColorMask(m_colorMask[0], m_colorMask[1], m_colorMask[2], m_colorMask[3]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/VolumeReader.h"
 
+#include "io/PlainText.h"
+#include "io/PlausibleGrid.h"
 #include "io/dicom/DicomReader.h"
 #include "io/formats/Bytes.h"
 #include "io/formats/HeaderText.h"
@@ -16,6 +18,7 @@
 
 #include <cmath>
 #include <new>
+#include <stdexcept>
 
 namespace limn {
 namespace {
@@ -67,6 +70,9 @@ VolumeParts readFile(const fs::path& path, const Progress& progress) {
     return readNifti(path, progress);
   if (isTar(start))
     return readInVesalius(path, progress);
+  const bool isPacked = isNrrd(start) || isMetaImage(start) || isVtkLegacy(start) || isVtkXml(start);
+  if (isPacked && isGzip(path))
+    failReading(path, "it is packed with gzip", "unpack it and open the file inside");
   if (isNrrd(start))
     return readNrrd(path, progress);
   if (isMetaImage(start))
@@ -104,6 +110,9 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
         "--spacing X,Y,Z.");
   if (!info.orientationKnown)
     info.warnings.emplace_back("Orientation unknown: the file does not say which side is left.");
+  for (std::string& warning : info.warnings)
+    warning = plainText(std::move(warning));
+  requirePlausible(path, parts.grid);
   try {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
                                           std::move(info));
@@ -115,33 +124,47 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
 std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptions& options,
                                            const Progress& progress) {
   const bool isFolder = fs::is_directory(path);
+  if (!isFolder && !fs::is_regular_file(path))
+    failReading(path, "it is no file but a device, pipe or socket", "choose a file or folder");
   if (isDicom(path))
     return readDicom(path, options, progress);
   return finished(path, isFolder ? readFolder(path, progress) : readFile(path, progress), options);
 }
 
-} // namespace
+// Runs a step and turns what may go wrong in it into one sentence for `path`.
+template <class Step>
+auto reported(const fs::path& path, Step&& step) {
+  try {
+    return step();
+  } catch (const Error& error) {
+    throw Error(error.kind(), plainText(error.what()));
+  } catch (const std::bad_alloc&) {
+    failReading(path, "there is not enough memory for it", "close other programs or save a smaller volume");
+  } catch (const std::length_error&) {
+    failReading(path, "its header asks for more voxels than memory can hold", copyAgain);
+  } catch (const fs::filesystem_error& error) {
+    failReading(path, error.code().message(), "check the name and the right to read it");
+  }
+}
 
-std::vector<SeriesSummary> listSeries(const fs::path& path) {
+void requireExisting(const fs::path& path) {
   std::error_code problem;
   if (!fs::exists(path, problem))
     failReading(path, "there is no such file or folder", "check the name");
-  return isDicom(path) ? listDicomSeries(path) : std::vector<SeriesSummary>();
+}
+
+} // namespace
+
+std::vector<SeriesSummary> listSeries(const fs::path& path) {
+  requireExisting(path);
+  return reported(path, [&] { return isDicom(path) ? listDicomSeries(path) : std::vector<SeriesSummary>(); });
 }
 
 std::shared_ptr<const Volume> readVolume(const fs::path& path, const ReadOptions& options,
                                          const Progress& progress) {
   requireUsable(options);
-  std::error_code problem;
-  if (!fs::exists(path, problem))
-    failReading(path, "there is no such file or folder", "check the name");
-  try {
-    return readExisting(path, options, progress);
-  } catch (const std::bad_alloc&) {
-    failReading(path, "there is not enough memory for it", "close other programs or save a smaller volume");
-  } catch (const fs::filesystem_error& error) {
-    failReading(path, error.code().message(), "check the name and the right to read it");
-  }
+  requireExisting(path);
+  return reported(path, [&] { return readExisting(path, options, progress); });
 }
 
 } // namespace limn

@@ -32,7 +32,9 @@ struct Segment {
 Segment segmentBetween(const FloatKnot& left, const FloatKnot& right) {
   const double width = static_cast<double>(right.x) - left.x;
   const glm::dvec4 rise = glm::dvec4(right.value) - glm::dvec4(left.value);
-  return {left.x, right.x, left.value, width > 0.0 ? glm::vec4(rise / width) : glm::vec4(0.0f)};
+  // Nearer than this, the slope would exceed what a float holds: a step.
+  const bool isSloped = width > 1e-30;
+  return {left.x, right.x, left.value, isSloped ? glm::vec4(rise / width) : glm::vec4(0.0f)};
 }
 
 Segment constantSegment(const FloatKnot& knot, float end) {

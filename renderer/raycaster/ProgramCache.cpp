@@ -16,20 +16,37 @@ const ShaderProgram* ProgramCache::standInFor(EffectSet effects) const {
   return smallest;
 }
 
+ProgramCache::ProgramCache(const Decisions& decisions, SourceOf sourceOf) : m_sourceOf(std::move(sourceOf)) {
+  if (!m_sourceOf)
+    m_sourceOf = [decisions](EffectSet effects) { return fragmentSource(effects, decisions); };
+}
+
 const ShaderProgram& ProgramCache::programFor(EffectSet effects) {
   const auto known = m_programs.find(effects);
   const bool isAtHand = known != m_programs.end() && (known->second.isLinked() || known->second.isReady());
   const ShaderProgram* other = isAtHand ? nullptr : standInFor(effects);
-  return other ? *other : exactly(effects);
+  if (other)
+    return *other;
+  try {
+    return exactly(effects);
+  } catch (const DriverError&) {
+    if (!effects.has(Effect::emptySpaceSkipping))
+      throw;
+    return exactly(canonical(effects.without(Effect::emptySpaceSkipping)));
+  }
 }
 
 const ShaderProgram& ProgramCache::exactly(EffectSet effects) {
+  const auto refused = m_refused.find(effects);
+  if (refused != m_refused.end())
+    throw DriverError(refused->second);
   start(effects);
   const auto program = m_programs.find(effects);
   try {
     program->second.finish();
-  } catch (...) {
+  } catch (const DriverError& error) {
     m_programs.erase(program);
+    m_refused.emplace(effects, error);
     throw;
   }
   return program->second;
@@ -37,8 +54,8 @@ const ShaderProgram& ProgramCache::exactly(EffectSet effects) {
 
 void ProgramCache::start(EffectSet effects) {
   if (!has(effects))
-    m_programs.emplace(effects, ShaderProgram(vertexSource(), fragmentSource(effects, m_decisions),
-                                              ShaderProgram::Linking::started));
+    m_programs.emplace(effects,
+                       ShaderProgram(vertexSource(), m_sourceOf(effects), ShaderProgram::Linking::started));
 }
 
 } // namespace limn

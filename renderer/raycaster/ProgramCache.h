@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gl/DriverHealth.h"
 #include "gl/ShaderProgram.h"
 #include "raycaster/Decisions.h"
 #include "scene/EffectSet.h"
 
+#include <functional>
 #include <map>
 
 namespace limn {
@@ -14,17 +16,23 @@ namespace limn {
 /// time.
 class ProgramCache {
 public:
-  /// The programs of one set of decisions.
-  explicit ProgramCache(const Decisions& decisions = {}) : m_decisions(decisions) {}
+  /// The text of the fragment shader for effects.
+  using SourceOf = std::function<ShaderSource(EffectSet)>;
+
+  /// The programs of one set of decisions, or of other sources.
+  explicit ProgramCache(const Decisions& decisions = {}, SourceOf sourceOf = {});
 
   /// The program of a canonical set; while there is none, the smallest that draws the same picture
-  /// (`canStandIn`); without such, compiles it.
+  /// (`canStandIn`); without such, compiles it. One that the driver refuses is replaced by one that looks at
+  /// empty space, too. Throws DriverError where that is refused as well.
   const ShaderProgram& programFor(EffectSet effects);
 
-  /// The program of a canonical set itself.
+  /// The program of a canonical set itself. Throws DriverError, without asking again, where the driver
+  /// refused it.
   const ShaderProgram& exactly(EffectSet effects);
 
-  bool has(EffectSet effects) const { return m_programs.contains(effects); }
+  /// Whether there is nothing to compile for a set: it was compiled, or refused.
+  bool has(EffectSet effects) const { return m_programs.contains(effects) || m_refused.contains(effects); }
 
   /// Whether `programFor` would compile nothing.
   bool canDraw(EffectSet effects) const { return has(effects) || standInFor(effects) != nullptr; }
@@ -38,8 +46,9 @@ public:
 private:
   const ShaderProgram* standInFor(EffectSet effects) const;
 
-  Decisions m_decisions;
+  SourceOf m_sourceOf;
   std::map<EffectSet, ShaderProgram> m_programs;
+  std::map<EffectSet, DriverError> m_refused;
 };
 
 } // namespace limn

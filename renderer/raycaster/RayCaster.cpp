@@ -45,7 +45,7 @@ struct RayCaster::Parts {
   bool compilesAllEffects = false;
   std::optional<EffectSet> leftOut;
 
-  explicit Parts(const Decisions& chosen);
+  Parts(const Decisions& chosen, double mostVolumeMb);
   EffectPlan plan(const Scene& scene);
   void measure(const Scene& scene, EffectSet effects);
   EffectSet programFor(EffectSet needed, Content content) const;
@@ -57,8 +57,8 @@ struct RayCaster::Parts {
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
-RayCaster::Parts::Parts(const Decisions& chosen)
-    : decisions(chosen), textures(chosen), decisionTextures(chosen), programs(chosen) {
+RayCaster::Parts::Parts(const Decisions& chosen, double mostVolumeMb)
+    : decisions(chosen), textures(chosen, mostVolumeMb), decisionTextures(chosen), programs(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
   glBindVertexArray(vertexArray.name());
@@ -162,9 +162,10 @@ void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::
   drawWith(programs.exactly(effects), scene, size);
 }
 
-RayCaster::RayCaster(EmptySpace emptySpace, Programs programs, const Decisions& decisions) {
+RayCaster::RayCaster(EmptySpace emptySpace, Programs programs, const Decisions& decisions,
+                     double mostVolumeMb) {
   requireOpenGl3();
-  m_parts = std::make_unique<Parts>(decisions);
+  m_parts = std::make_unique<Parts>(decisions, mostVolumeMb);
   m_parts->skipsEmptySpace = emptySpace == EmptySpace::skipped;
   m_parts->compilesAllEffects = programs == Programs::allEffects;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "raycaster/Decisions.h"
+#include "raycaster/GraphicsMemory.h"
 #include "raycaster/PixelRect.h"
 #include "scene/EffectPlan.h"
 #include "scene/Gradient.h"
@@ -28,9 +29,10 @@ public:
   /// picture bit for bit, slower. Tests and benchmarks compare the two.
   enum class Programs { specialised, allEffects };
 
-  /// Throws Error (openGl) where the driver lacks what drawing needs, naming it.
+  /// Down-samples volumes that would take more than `mostVolumeMb` (10⁶ bytes) on the graphics card. Throws
+  /// Error (openGl) where the driver lacks what drawing needs, naming it.
   explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped, Programs programs = Programs::specialised,
-                     const Decisions& decisions = {});
+                     const Decisions& decisions = {}, double mostVolumeMb = anyMb);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;

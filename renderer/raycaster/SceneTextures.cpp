@@ -57,7 +57,7 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_steepness.reset();
   m_largestGradient.reset();
   m_percentiles.clear();
-  m_volumeTexture.emplace(*scene.volume, m_decisions.volume);
+  m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_mostVolumeMb);
   m_volume = scene.volume;
 }
 

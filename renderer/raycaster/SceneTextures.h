@@ -50,7 +50,9 @@ private:
 class SceneTextures {
 public:
   /// Of the decisions those count that concern the volume's format and where the function shows.
-  explicit SceneTextures(const Decisions& decisions = {}) : m_decisions(decisions) {}
+  /// `mostVolumeMb` is the most that the volume may take (VolumeTexture).
+  explicit SceneTextures(const Decisions& decisions = {}, double mostVolumeMb = anyMb)
+      : m_decisions(decisions), m_mostVolumeMb(mostVolumeMb) {}
 
   /// Uploads volume and functions; changes texture bindings.
   void update(const Scene& scene);
@@ -97,6 +99,7 @@ private:
   void updateEmptySpace(const Scene& scene);
 
   Decisions m_decisions;
+  double m_mostVolumeMb;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   std::optional<TransferFunction> m_functionShown;

@@ -35,6 +35,16 @@ struct Setter {
   }
 };
 
+double largestOf(const glm::dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+// From an eye so far away not even doubles find the volume, and limited to floats two rays far beside it
+// might cancel out.
+bool losesVolume(const RayFrame& frame) {
+  return std::max({largestOf(frame.anchor), largestOf(frame.anchorX), largestOf(frame.anchorY)}) > 1e30;
+}
+
 void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int most) {
   const Grid& grid = scene.volume->grid();
   const RayFrame frame = rayFrame(scene.camera, grid, size);
@@ -50,7 +60,7 @@ void setRays(const Setter& set, const Scene& scene, const glm::ivec2& size, int 
   set("u_tangentPerPixel", frame.tangentPerPixel);
   set("u_anchorDistance", frame.anchorDistanceMm / unit);
   set("u_boxLower", box.lower);
-  set("u_boxUpper", box.upper);
+  set("u_boxUpper", losesVolume(frame) ? box.lower : box.upper);
   set("u_spacing", grid.spacingMm / unit);
   set("u_stepsPerLength", 1.0 / scene.quality.stepVoxels);
   set("u_mostSamples", static_cast<double>(most));

@@ -14,6 +14,11 @@ GLint internalFormat(VolumeFormat format) {
   return format == VolumeFormat::r32f ? GL_R32F : format == VolumeFormat::r16 ? GL_R16 : GL_R8;
 }
 
+std::size_t bytesOf(const glm::ivec3& size, VolumeFormat format) {
+  const std::size_t each = format == VolumeFormat::r32f ? 4 : format == VolumeFormat::r16 ? 2 : 1;
+  return each * static_cast<std::size_t>(size.x) * size.y * size.z;
+}
+
 bool fits(const glm::ivec3& size, GLint format) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
@@ -55,12 +60,16 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
 
 } // namespace
 
-VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format)
-    : m_format(format), m_dims(volume.grid().dims) {
+VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, double mostMb)
+    : m_format(format), m_mostMb(mostMb), m_dims(volume.grid().dims) {
   const GLint stored = internalFormat(format);
+  const auto isTooLarge = [&] {
+    const glm::ivec3 size = reducedDims(m_dims, m_reduction) + 2;
+    return static_cast<double>(bytesOf(size, format)) > 1e6 * mostMb || !fits(size, stored);
+  };
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   for (;;) {
-    while (!fits(reducedDims(m_dims, m_reduction) + 2, stored))
+    while (isTooLarge())
       reduceLongest(m_dims, m_reduction);
     TextureVoxels voxels = textureVoxels(volume, m_reduction);
     if (format == VolumeFormat::r16)
@@ -89,8 +98,7 @@ glm::dvec3 VolumeTexture::scale() const {
 }
 
 std::size_t VolumeTexture::bytes() const {
-  const std::size_t each = m_format == VolumeFormat::r32f ? 4 : m_format == VolumeFormat::r16 ? 2 : 1;
-  return each * static_cast<std::size_t>(m_size.x) * m_size.y * m_size.z;
+  return bytesOf(m_size, m_format);
 }
 
 std::string VolumeTexture::limitation() const {
@@ -99,8 +107,10 @@ std::string VolumeTexture::limitation() const {
   const auto times = [](const glm::ivec3& v) {
     return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
   };
-  return "The volume of " + times(m_dims) +
-         " voxels is too large for the graphics driver and is shown with " + times(m_size - 2) + ".";
+  const bool isOwnLimit = static_cast<double>(bytesOf(m_dims + 2, m_format)) > 1e6 * m_mostMb;
+  return "The volume of " + times(m_dims) + " voxels is too large for the graphics " +
+         (isOwnLimit ? "memory that it may take" : "driver") + " and is shown with " + times(m_size - 2) +
+         ".";
 }
 
 } // namespace limn

@@ -4,16 +4,20 @@
 #include "gl/GlObjects.h"
 #include "raycaster/Decisions.h"
 #include "raycaster/EmptySpace.h"
+#include "raycaster/GraphicsMemory.h"
 
 #include <string>
 
 namespace limn {
 
-/// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it.
+/// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it or it would
+/// take more than it may.
 class VolumeTexture {
 public:
-  /// Throws Error (openGl) where even a small texture is refused.
-  explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f);
+  /// `mostMb` (10⁶ bytes, > 0) is the most that it may take. Throws Error (openGl) where even a small texture
+  /// is refused.
+  explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f,
+                         double mostMb = anyMb);
 
   unsigned name() const { return m_texture.name(); }
 
@@ -46,6 +50,7 @@ public:
 private:
   GlTexture m_texture;
   VolumeFormat m_format;
+  double m_mostMb;
   glm::ivec3 m_dims;
   glm::ivec3 m_size{0};
   glm::ivec3 m_reduction{1};

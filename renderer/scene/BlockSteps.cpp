@@ -2,7 +2,6 @@
 #include "scene/BlockSteps.h"
 
 #include "scene/LocalSteps.h"
-#include "scene/StableMath.h"
 
 #include <algorithm>
 #include <bit>
@@ -118,11 +117,7 @@ std::int8_t plainLevel(double extinctionPerMm, double bendPerMm2, double commonP
 } // namespace
 
 std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, double smallestSpacingMm) {
-  TransferFunction overSpacing = function;
-  for (ControlPoint& point : overSpacing.points)
-    point.opacity =
-        oneMinusExpNeg(extinctionPerMm(point.opacity, function.unitDistanceMm) * smallestSpacingMm);
-  return bandsOf(overSpacing, leastBand);
+  return bandsOf(overDistance(function, smallestSpacingMm), leastBand);
 }
 
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm) {

@@ -228,8 +228,10 @@ bool stepResolvesFunction(const Scene& scene, double steepestPerMm) {
   // 100 HU 0.59 (0.79), within 200 HU 1.8 (1.06). It takes 1.3 to 2 times as long.
   const double perStep = steepestPerMm * stepMm(scene);
   const ValueRange& range = scene.volume->range();
-  return largestChangeOver(scene.transferFunction, perStep / 16.0, range) < 0.2 &&
-         narrowestBand(scene.transferFunction, 0.1, range) >= perStep / 3.0;
+  const TransferFunction function =
+      overVoxelAtLeast(scene.transferFunction, smallestSpacingMm(scene.volume->grid()));
+  return largestChangeOver(function, perStep / 16.0, range) < 0.2 &&
+         narrowestBand(function, 0.1, range) >= perStep / 3.0;
 }
 
 bool readsSteepness(const Scene& scene) {

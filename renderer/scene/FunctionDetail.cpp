@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/FunctionDetail.h"
 
+#include "scene/StableMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -108,6 +110,18 @@ Profile profileOf(const TransferFunction& function, double (*heightOf)(const Con
 }
 
 } // namespace
+
+TransferFunction overDistance(const TransferFunction& function, double mm) {
+  TransferFunction other = function;
+  other.unitDistanceMm = mm;
+  for (ControlPoint& point : other.points)
+    point.opacity = oneMinusExpNeg(extinctionPerMm(point.opacity, function.unitDistanceMm) * mm);
+  return other;
+}
+
+TransferFunction overVoxelAtLeast(const TransferFunction& function, double smallestSpacingMm) {
+  return function.unitDistanceMm < smallestSpacingMm ? overDistance(function, smallestSpacingMm) : function;
+}
 
 double largestChangeOver(const TransferFunction& function, double width, const ValueRange& range) {
   // A difference of piecewise linear functions is largest where one of the two has a knot.

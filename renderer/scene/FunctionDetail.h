@@ -8,6 +8,14 @@
 
 namespace limn {
 
+/// The function with the opacities of its points over another distance > 0, mm: what steps of that length
+/// see.
+TransferFunction overDistance(const TransferFunction& function, double mm);
+
+/// The same where its unit distance is shorter than the smallest spacing, over that; otherwise the function.
+/// A band that is faint over its unit distance may be opaque over a voxel.
+TransferFunction overVoxelAtLeast(const TransferFunction& function, double smallestSpacingMm);
+
 /// The largest change of a transfer function over a distance `width` along the value axis within `range`: of
 /// opacity, or of a colour channel weighted by the opacity there; 0..1.
 double largestChangeOver(const TransferFunction& function, double width, const ValueRange& range);

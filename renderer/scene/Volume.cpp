@@ -49,7 +49,7 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
   if (result.invalidVoxels == stored.size())
     throw Error(Error::Kind::input,
                 "The volume holds no valid voxel: every value is NaN, infinite or declared "
-                "padding. Check that the right series was chosen.");
+                "padding; check that the right series was chosen.");
   const bool rising = rescale.slope >= 0.0;
   const T replacement = rising ? smallest : largest;
   if (result.invalidVoxels > 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/GlslEvaluator.h"
 
+#include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
 #include "raycaster/EmbeddedShaders.h"
 #include "raycaster/SceneTextures.h"
@@ -62,6 +63,7 @@ std::vector<glm::vec4> drawn(const ShaderProgram& program, const std::vector<glm
   std::vector<glm::vec4> values(arguments.size());
   glReadPixels(0, 0, count, 1, GL_RGBA, GL_FLOAT, values.data());
   glActiveTexture(GL_TEXTURE0);
+  glUseProgram(0); // it goes with this call
   return values;
 }
 
@@ -74,6 +76,7 @@ void bind(TextureUnit unit, GLenum target, GLuint texture) {
 
 std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
                                                  const std::vector<glm::vec4>& arguments) const {
+  const SavedState saved; // or the next picture would be told to return to a program that is gone
   const ShaderProgram program = programOf(m_blocks, m_functions, expression);
   program.use();
   return drawn(program, arguments);
@@ -82,6 +85,7 @@ std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
 std::vector<glm::vec4> GlslEvaluator::operator()(const std::string& expression,
                                                  const std::vector<glm::vec4>& arguments,
                                                  const Scene& scene) const {
+  const SavedState saved;
   SceneTextures textures;
   textures.update(scene);
   const ShaderProgram program = programOf(m_blocks, m_functions, expression);

@@ -19,8 +19,8 @@ namespace {
 // NUMERICS 3.3.
 constexpr double referenceTolerance = 2e-4;
 // A part of the seeds, because a fresh ray caster compiles its programs.
-constexpr std::uint64_t seedsPerFreshCaster = 16;
-constexpr std::uint64_t seedsPerSlices = 4;
+constexpr std::uint64_t seedsPerFreshCaster = 32;
+constexpr std::uint64_t seedsPerSlices = 8;
 // What the rounding of each blended layer adds at most (SliceRenderer.h).
 constexpr double layerRounding = 0x1p-22;
 
@@ -39,6 +39,7 @@ public:
     } catch (const std::exception& error) {
       fail(seed, std::string("an exception that is no sentence for people: ") + error.what());
     }
+    report.programs = m_caster.compiledPrograms();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (seconds > report.slowestSeconds) {
       report.slowestSeconds = seconds;

@@ -22,6 +22,7 @@ struct FuzzReport {
   int referenceCompared = 0; ///< scenes compared with the double-precision reference
   int slices = 0;            ///< scenes also drawn by the slice renderer
   int freshlyDrawn = 0;      ///< scenes also drawn by a ray caster that had drawn nothing before
+  int programs = 0;          ///< shader programs that the ray caster compiled for them all
   std::size_t pixelsCompared = 0;
   std::size_t pixelsUnequal = 0; ///< left out: rounding gave their rays another number of samples
   double worstDifference = 0.0;  ///< from the reference, of a channel 0..1, where no ray may end early

@@ -36,7 +36,8 @@ std::uint64_t scattered(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-Projection randomProjection(Dice& dice) {
+// Every other recipe is a composite; the others take turns, so that few blocks hold them all.
+Projection randomProjection(Dice& dice, std::uint64_t recipe) {
   static constexpr std::array others{Projection::mip,
                                      Projection::minip,
                                      Projection::average,
@@ -44,16 +45,17 @@ Projection randomProjection(Dice& dice) {
                                      Projection::isosurface,
                                      Projection::isosurface,
                                      Projection::compositeIsosurface};
-  return dice.oneIn(2) ? Projection::composite : dice.oneOf(others);
+  return dice.oneIn(2) ? Projection::composite : others[recipe % others.size()];
 }
 
 Recipe recipeOf(std::uint64_t seed) {
   const std::uint64_t block = seed / seedsPerBlock;
   const std::uint64_t number = seed % recipesPerBlock;
-  Dice dice(scattered(block * recipesPerBlock + number));
+  const std::uint64_t global = block * recipesPerBlock + number;
+  Dice dice(scattered(global));
   Recipe recipe;
   recipe.isComparable = number < comparableRecipes;
-  recipe.projection = randomProjection(dice);
+  recipe.projection = randomProjection(dice, global);
   recipe.light = randomChoices(dice);
   recipe.fog = static_cast<Fog::Mode>(dice.oneIn(2) ? 0 : 1 + dice.upTo(3));
   recipe.preintegrated = static_cast<Preintegration>(dice.upTo(3));

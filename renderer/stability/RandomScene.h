@@ -21,7 +21,7 @@ struct RandomScene {
 
 /// Seeds are drawn in blocks of so many: a block shares a few choices of effects, so that a renderer compiles
 /// few programs for it. Over many blocks every combination comes up.
-inline constexpr std::uint64_t seedsPerBlock = 96;
+inline constexpr std::uint64_t seedsPerBlock = 192;
 
 /// The scene of a seed, the same on every machine (NUMERICS 3.3): volume, camera, 0 to 8 control points,
 /// light, fog, crop, projection and quality within what a scene file may say, at and beyond what anybody

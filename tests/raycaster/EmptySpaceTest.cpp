@@ -56,6 +56,17 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
   EXPECT_GT(visible, 2);
 }
 
+TEST(EmptySpaceDistances, onlyWhatLiesBelowAnIsovalueIsEmpty) {
+  // A ray that enters the volume above the isovalue is hit there.
+  const auto volume = sparseVolume({17, 13, 9}, 2);
+  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  for (const float isovalue : {-0.5f, 0.25f, 1.5f}) {
+    const std::vector<std::uint8_t> distances = emptyDistances(ranges, {nullptr, isovalue});
+    for (std::size_t i = 0; i < distances.size(); ++i)
+      EXPECT_EQ(distances[i] == 0, ranges.ranges[i].y > isovalue) << isovalue << ", block " << i;
+  }
+}
+
 TEST(EmptySpaceDistances, theVisibleBlocksLieInTheirBoxAndTouchItsFaces) {
   const glm::ivec3 blocks(5, 4, 3);
   std::vector<std::uint8_t> distances(60, 1);

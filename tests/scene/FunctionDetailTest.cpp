@@ -62,6 +62,17 @@ TEST(FunctionDetail, aValleyIsABandToo) {
   EXPECT_NEAR(narrowestBand(valley, 0.1, everything), 50.0 + 10.0 + 50.0, 1e-9);
 }
 
+TEST(FunctionDetail, opacitiesOverAnotherDistanceAbsorbAsMuch) {
+  // 1 - (1 - 0.19)^(1/2) = 0.1, 1 - (1 - 0.1)^2 = 0.19.
+  const TransferFunction overTwo{2.0, {{0.0, white, 0.19}, {1.0, white, 0.0}}};
+  const TransferFunction overOne = overDistance(overTwo, 1.0);
+  EXPECT_EQ(overOne.unitDistanceMm, 1.0);
+  EXPECT_NEAR(overOne.points[0].opacity, 0.1, 1e-12);
+  EXPECT_EQ(overOne.points[1].opacity, 0.0);
+  EXPECT_EQ(overVoxelAtLeast(overTwo, 1.0), overTwo) << "its distance is longer than a voxel";
+  EXPECT_NEAR(overVoxelAtLeast(overOne, 2.0).points[0].opacity, 0.19, 1e-12);
+}
+
 TEST(EffectPlans, aStepThatMissesABandOrAnEdgeAsksForPreintegration) {
   Scene scene;
   scene.volume = phantomVolume({.spacingMm = 8.0});

@@ -72,12 +72,13 @@ TEST(Gradient, percentilesAreThoseOfTheSortedModuli) {
       for (int i = 0; i < 23; ++i)
         moduli.push_back(static_cast<float>(glm::length(gradientAtVoxel(volume, {i, j, k}))));
   std::sort(moduli.begin(), moduli.end());
-  for (const double percent : {0.001, 1.0, 12.5, 50.0, 90.0, 99.5, 100.0}) {
+  for (const double percent : {0.001, 1.0, 12.5, 50.0, 90.0, 99.5, 99.999}) {
     const auto rank =
         static_cast<std::size_t>(std::ceil(percent / 100.0 * static_cast<double>(moduli.size())));
     EXPECT_EQ(gradientPercentile(volume, percent), moduli[rank - 1]) << percent;
   }
   EXPECT_EQ(static_cast<float>(largestGradient(volume)), moduli.back());
+  EXPECT_EQ(gradientPercentile(volume, 100.0), largestGradient(volume)) << "not rounded";
 }
 
 TEST(Gradient, leavesOutVoxelsWhoseStencilTouchesAnInvalidOne) {

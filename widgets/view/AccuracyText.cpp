@@ -156,6 +156,16 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   return parts.join(QLatin1Char('\n'));
 }
 
+// Nobody measured the small picture; it is exact in each of its pixels.
+AccuracyText processorText(const PictureState& state) {
+  AccuracyText text;
+  text.estimate = state.processorIsDone ? translated("drawn by the processor, few pixels")
+                                        : translated("the processor is drawing…");
+  text.engine = translated("reference");
+  text.toolTip = state.driverFailure;
+  return text;
+}
+
 } // namespace
 
 QString stepText(double stepVoxels) {
@@ -173,6 +183,8 @@ QString AccuracyText::line() const {
 }
 
 AccuracyText accuracyText(const PictureState& state, const Scene& scene) {
+  if (!state.driverFailure.isEmpty())
+    return processorText(state);
   if (state.sides.empty())
     return {};
   AccuracyText text;

@@ -3,6 +3,7 @@
 
 #include "widgets/view/CompareView.h"
 
+#include "widgets/view/ReferencePanel.h"
 #include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/ViewPanels.h"
 #include "widgets/view/ViewPictures.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 namespace limn {
 namespace {
@@ -48,6 +48,7 @@ CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
   connect(&m_labelTimer, &QTimer::timeout, this, [this] { m_labelFade.start(); });
 
   makePanels();
+  makeReference();
 }
 
 void CompareView::makePanels() {
@@ -80,7 +81,9 @@ void CompareView::setScene(const Scene& scene) {
   const bool otherKind = otherVolume || scene.projection != m_scene.projection;
   Scene asShown = scene;
   asShown.camera = m_scene.camera;
-  if (asShown != m_scene) // more than the camera: what failed may work now
+  if (otherVolume)
+    leaveProcessor();
+  if (asShown != m_scene && !m_onProcessor) // more than the camera: what failed may work now
     m_error.clear();
   if (otherVolume) {
     m_probe.reset();
@@ -195,27 +198,6 @@ double CompareView::pictureAspect() const {
   return places.empty() ? 1.0 : static_cast<double>(places[0].size.x) / places[0].size.y;
 }
 
-template <class Work>
-void CompareView::guarded(Work&& work) {
-  try {
-    work();
-  } catch (const std::exception& error) {
-    fail(QString::fromStdString(error.what()));
-  }
-}
-
-void CompareView::fail(const QString& sentence) {
-  m_error = sentence;
-  m_idleTimer.stop();
-  m_refineTimer.stop();
-  m_probeTimer.stop();
-  // Widgets must not be shown, nor the caller's slots run, in the middle of painting.
-  QTimer::singleShot(0, this, [this, sentence] {
-    updatePanels();
-    emit errorOccurred(sentence);
-  });
-}
-
 void CompareView::initializeGL() {
   // The context may be replaced when the view moves to another window.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CompareView::releasePictures,
@@ -232,11 +214,13 @@ void CompareView::makePictures() {
 void CompareView::releasePictures() {
   if (!m_pictures)
     return;
-  m_refineTimer.stop();
-  m_restTimer.stop();
-  m_probeTimer.stop();
+  stopDrawing();
   makeCurrent();
-  m_pictures.reset();
+  // What a lost context held died with it; to delete it would need another.
+  if (context()->isValid() && QOpenGLContext::currentContext() == context())
+    m_pictures.reset();
+  else
+    static_cast<void>(m_pictures.release());
   doneCurrent();
   m_state = {};
 }
@@ -272,8 +256,11 @@ void CompareView::updatePanels() {
   m_message->setGeometry(rect());
   const int height = m_loading->sizeHint().height();
   m_loading->setGeometry(0, this->height() - height, width(), height);
+  const bool showsReference = m_onProcessor && !m_referencePanel->pictures().empty();
+  m_referencePanel->cover(rect());
+  m_referencePanel->showParts(showsReference);
   m_message->setSentence(m_error);
-  m_message->setVisible(!m_error.isEmpty());
+  m_message->setVisible(!m_error.isEmpty() && !showsReference);
   m_empty->setVisible(m_error.isEmpty() && !m_scene.volume);
   m_loading->raise();
 }
@@ -292,6 +279,8 @@ void CompareView::redraw() {
   m_idleTimer.stop();
   leaveRest();
   updatePanels();
+  if (m_onProcessor)
+    drawOnProcessor();
   update();
 }
 
@@ -361,10 +350,11 @@ void CompareView::refine() {
   updateState();
   if (complete || m_sinceShown.elapsed() >= showEveryMs)
     update();
-  if (!complete && m_error.isEmpty())
-    m_refineTimer.start(0);
-  else if (m_error.isEmpty())
-    m_restTimer.start(0);
+  if (!m_error.isEmpty())
+    return;
+  if (complete)
+    noteRecovery();
+  (complete ? m_restTimer : m_refineTimer).start(0);
 }
 
 void CompareView::wakeLabels() {

@@ -10,6 +10,7 @@
 #include "widgets/view/InteractionQuality.h"
 #include "widgets/view/PictureState.h"
 #include "widgets/view/Probe.h"
+#include "widgets/view/ReferenceDrawing.h"
 #include "widgets/view/RestTurn.h"
 #include "widgets/view/ViewKeys.h"
 #include "widgets/view/ViewOverlay.h"
@@ -29,6 +30,7 @@ namespace limn {
 class EmptyPanel;
 class LoadingPanel;
 class MessagePanel;
+class ReferencePanel;
 class ViewPictures;
 struct Columns;
 
@@ -36,6 +38,7 @@ struct Columns;
 /// ray caster, one copy of the textures. Draws coarsely while something moves and strip by strip to full
 /// quality at rest; at rest the picture is bit for bit what the command line writes for the same scene and
 /// size. It changes no scene: it asks, through its signals, and is given the answer through setScene().
+/// When the graphics driver fails, everything in it is made anew; when that fails too, the processor draws.
 class CompareView : public QOpenGLWidget {
   Q_OBJECT
 
@@ -104,6 +107,10 @@ public:
   /// Width over height of one picture at present.
   double pictureAspect() const;
 
+  /// What draws when the graphics driver has failed; without it the view shows the sentence alone.
+  void setProcessorRenderer(DrawOnProcessor renderer);
+  bool drawsOnProcessor() const { return m_onProcessor; }
+
   /// How many shader programs were compiled so far.
   int compiledPrograms() const;
 
@@ -141,6 +148,8 @@ signals:
   void effectTimesChanged(const limn::EffectTimes& times);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
+  /// Drawing had failed, and works again.
+  void graphicsRestored(const QString& sentence);
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
@@ -193,9 +202,6 @@ private:
   void drawCoarsely();
   std::array<Columns, 2> seenColumns() const;
   void refine();
-  void fail(const QString& sentence);
-  template <class Work>
-  void guarded(Work&& work);
   std::vector<Scene> scenesOfSides() const;
   GradientScale gradientScaleOfSide(int side) const;
   glm::ivec2 deviceSize() const;
@@ -203,6 +209,21 @@ private:
   int sideShownAt(int position) const { return m_swapped ? 1 - position : position; }
   void updatePanels();
   void wakeLabels();
+
+  // When drawing fails (CompareViewFailure.cpp)
+  void makeReference();
+  void guarded(const std::function<void()>& work);
+  bool isDriverLost();
+  void stopDrawing();
+  void fail(const QString& sentence);
+  void failDriver(const QString& sentence, const QString& details);
+  void rebuildGraphics(bool withContext);
+  void renewContext();
+  void giveUpGraphics();
+  void drawOnProcessor();
+  void showReference(const std::vector<QImage>& pictures, bool isComplete);
+  void leaveProcessor();
+  void noteRecovery();
 
   // While nothing changes (CompareViewRest.cpp)
   void updateState();
@@ -277,6 +298,10 @@ private:
   QElapsedTimer m_sinceShown;
   PictureState m_state;
   QString m_error;
+  QString m_failureDetails; ///< what the driver wrote
+  int m_driverFailures = 0; ///< in a row
+  bool m_onProcessor = false;
+  ReferenceDrawing* m_reference = nullptr;
 
   std::optional<Drag> m_drag;
   std::optional<Probe> m_probe;
@@ -290,6 +315,7 @@ private:
   EmptyPanel* m_empty = nullptr;
   MessagePanel* m_message = nullptr;
   LoadingPanel* m_loading = nullptr;
+  ReferencePanel* m_referencePanel = nullptr;
 };
 
 } // namespace limn

@@ -64,6 +64,8 @@ void CompareView::probeError() {
   clock.start();
   bool didSomething = false;
   makeCurrent();
+  if (isDriverLost())
+    return doneCurrent();
   try {
     didSomething = m_pictures->probeError();
   } catch (const std::exception& error) {
@@ -94,6 +96,10 @@ void CompareView::workAtRest() {
 RestTurn CompareView::restTurn() {
   RestTurn turn = RestTurn::nothing;
   makeCurrent();
+  if (isDriverLost()) {
+    doneCurrent();
+    return turn;
+  }
   try {
     turn = m_pictures->workAtRest(m_refinesAtRest, restBudgetMs);
   } catch (const std::exception& error) {

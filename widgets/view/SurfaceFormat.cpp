@@ -12,6 +12,7 @@ QSurfaceFormat limnSurfaceFormat() {
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 1);
   format.setOption(QSurfaceFormat::DeprecatedFunctions);
+  format.setOption(QSurfaceFormat::ResetNotification); // a driver that was reset says so
   format.setDepthBufferSize(0);
   format.setStencilBufferSize(0);
   format.setSamples(0);

@@ -22,7 +22,7 @@ struct DicomElement {
   std::vector<DicomDataset> items;
 };
 
-/// The attributes of a file or of one item of a sequence, without pixels, private groups and bulk data.
+/// The attributes of a file or of one item of a sequence that Limn reads, without pixels and bulk data.
 struct DicomDataset {
   std::map<DicomTag, DicomElement> elements;
   bool bigEndian = false;

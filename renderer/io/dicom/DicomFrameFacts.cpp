@@ -44,6 +44,12 @@ std::optional<std::array<glm::dvec3, 2>> axesOf(const DicomDataset& dataset) {
   return std::array{x, glm::normalize(column - x * glm::dot(x, column))};
 }
 
+// A place within a thousand kilometres: beyond, numbers are damage, and distances lose their digits.
+std::optional<glm::dvec3> sane(const std::optional<glm::dvec3>& place) {
+  constexpr double farthestMm = 1e9;
+  return place && glm::length(*place) <= farthestMm ? place : std::nullopt;
+}
+
 // (0028,0030) gives the distance between rows first.
 std::optional<glm::dvec2> spacingOf(const DicomDataset& dataset, DicomTag tag) {
   const std::vector<double> rowsThenColumns = decimalsOf(dataset, tag);
@@ -56,13 +62,19 @@ std::optional<double> positive(std::optional<double> length) {
   return length && *length > 0.0 ? length : std::nullopt;
 }
 
+// One number of an attribute: `otherwise` where it is absent, NaN where it is no number or several.
+double numberOr(const DicomDataset& dataset, DicomTag tag, double otherwise) {
+  if (!has(dataset, tag) || textOf(dataset, tag).empty())
+    return otherwise;
+  const std::vector<double> numbers = decimalsOf(dataset, tag);
+  return numbers.size() == 1 ? numbers.front() : std::nan("");
+}
+
 std::optional<Rescale> rescaleOf(const Sources& from) {
   const auto sequence = tag::pixelValueTransformationSequence;
   const DicomDataset& dataset = from.holding(sequence, tag::rescaleSlope);
-  const auto slope = decimalOf(dataset, tag::rescaleSlope);
-  const auto intercept = decimalOf(dataset, tag::rescaleIntercept);
-  if (slope || intercept)
-    return Rescale{slope.value_or(1.0), intercept.value_or(0.0)};
+  if (has(dataset, tag::rescaleSlope) || has(dataset, tag::rescaleIntercept))
+    return Rescale{numberOr(dataset, tag::rescaleSlope, 1.0), numberOr(dataset, tag::rescaleIntercept, 0.0)};
   if (const auto scaling = decimalOf(*from.root, tag::doseGridScaling))
     return Rescale{*scaling, 0.0};
   return std::nullopt;
@@ -102,7 +114,7 @@ DicomFrame frameFrom(const Sources& from, bool mayUseRootPosition) {
   DicomFrame frame;
   const DicomDataset& place = from.holding(tag::planePositionSequence, tag::imagePosition);
   if (&place != from.root || mayUseRootPosition)
-    frame.positionMm = decimalVectorOf(place, tag::imagePosition);
+    frame.positionMm = sane(decimalVectorOf(place, tag::imagePosition));
   frame.axes = axesOf(from.holding(tag::planeOrientationSequence, tag::imageOrientation));
   const auto measures = tag::pixelMeasuresSequence;
   frame.pixelSpacingMm = spacingOf(from.holding(measures, tag::pixelSpacing), tag::pixelSpacing);
@@ -129,7 +141,7 @@ void placeByOffsets(const DicomDataset& dataset, std::vector<DicomFrame>& frames
   const auto& axes = *frames.front().axes;
   const glm::dvec3 normal = glm::cross(axes[0], axes[1]);
   for (std::size_t i = 0; i < frames.size(); ++i)
-    frames[i].positionMm = *first + (offsets[i] - offsets[0]) * normal;
+    frames[i].positionMm = sane(*first + (offsets[i] - offsets[0]) * normal);
 }
 
 } // namespace
@@ -140,6 +152,7 @@ std::vector<DicomFrame> framesOf(const DicomDataset& dataset, int count) {
   from.shared = firstItemOf(dataset, tag::sharedFunctionalGroups);
   from.root = &dataset;
   std::vector<DicomFrame> frames;
+  frames.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const bool isListed =
         groups != dataset.elements.end() && static_cast<std::size_t>(i) < groups->second.items.size();

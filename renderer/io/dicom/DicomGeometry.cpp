@@ -50,7 +50,7 @@ void refuseGap(const std::vector<double>& gaps, double usual) {
     throw Error(Error::Kind::input, "The DICOM series has a gap of " + decimal(*widest) + " mm after slice " +
                                         std::to_string(widest - gaps.begin() + 1) +
                                         ", where its slices usually lie " + decimal(usual) +
-                                        " mm apart: slices are missing. Copy the whole series again.");
+                                        " mm apart: slices are missing; copy the whole series again.");
 }
 
 // Chooses the distance of the grid's planes for slices at the given heights (ascending from 0).
@@ -115,15 +115,16 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
       placement.shift = glm::dvec2(0.0);
     return;
   }
-  const glm::ivec2 start(glm::floor(lowest));
-  const glm::ivec2 extra = glm::ivec2(glm::ceil(highest)) - start;
-  if (extra.x > grid.dims.x || extra.y > grid.dims.y)
+  const glm::dvec2 widening = glm::ceil(highest) - glm::floor(lowest);
+  if (!(widening.x <= grid.dims.x) || !(widening.y <= grid.dims.y))
     throw Error(Error::Kind::input,
                 "The slices of the DICOM series lie beside each other rather than on each "
                 "other, so they make no volume; choose another series.");
   const DicomPlacement& last = geometry.placements.back();
   const glm::dvec2 drift = last.shift * glm::dvec2(grid.spacingMm);
   const double angle = glm::degrees(std::atan2(glm::length(drift), last.heightMm));
+  const glm::ivec2 start(glm::floor(lowest));
+  const glm::ivec2 extra(widening);
   warnings.push_back(
       "The slices do not lie straight on each other (slant of " + decimal(angle, 1) +
       "°, as of a tilted gantry): they were resampled onto an upright grid, whose added corners hold "

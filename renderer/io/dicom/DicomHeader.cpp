@@ -135,7 +135,9 @@ void readFrameCount(const DicomDataset& dataset, DicomHeader& header) {
       has(dataset, tag::numberOfFrames) ? decimalOf(dataset, tag::numberOfFrames).value_or(-1.0) : 1.0;
   if (count < 1.0 || count > mostFrames || count != std::floor(count))
     header.frameCountFlaw = textOf(dataset, tag::numberOfFrames);
-  header.frames = framesOf(dataset, header.frameCountFlaw.empty() ? static_cast<int>(count) : 1);
+  header.announcedFrames = header.frameCountFlaw.empty() ? static_cast<std::uint64_t>(count) : 1;
+  const std::uint64_t held = std::min(header.announcedFrames, roomForFrames(header) + 1);
+  header.frames = framesOf(dataset, static_cast<int>(held));
 }
 
 void readIdentity(const DicomDataset& dataset, DicomHeader& header) {

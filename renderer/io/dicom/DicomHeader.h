@@ -75,8 +75,9 @@ struct DicomHeader {
   std::optional<DicomLut> modalityLut;
   std::optional<DicomLut> palette; ///< luminance of a palette entry
   bool isMosaic = false;
-  bool isFilm = false;        ///< several frames, one per moment
-  std::string frameCountFlaw; ///< the text of a number of frames that is none
+  bool isFilm = false;               ///< several frames, one per moment
+  std::string frameCountFlaw;        ///< the text of a number of frames that is none
+  std::uint64_t announcedFrames = 1; ///< `frames` holds no more than the file has room for, and one more
   bool isLossy = false;
   std::optional<double> lossyRatio; ///< of the last compression
   std::vector<DicomFrame> frames;
@@ -92,6 +93,10 @@ void requireSupported(const DicomHeader& header);
 
 /// Throws Error (input) where a file (that is supported) is too short for the pixels it announces.
 void requireWhole(const DicomHeader& header);
+
+/// How many frames the pixels of a file have room for: exactly where uncompressed, at the fewest bytes that
+/// any compression needs otherwise.
+std::uint64_t roomForFrames(const DicomHeader& header);
 
 /// Bytes of one uncompressed frame.
 std::uint64_t frameBytes(const DicomHeader& header);

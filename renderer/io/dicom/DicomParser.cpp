@@ -19,6 +19,9 @@ constexpr DicomTag itemEnd = 0xFFFEE00D;
 constexpr DicomTag sequenceEnd = 0xFFFEE0DD;
 constexpr std::uint64_t longestKeptValue = 1u << 20;
 constexpr int deepestNesting = 32;
+constexpr std::uint64_t mostKept = 64u << 20;    // bytes of all values, each with its place in memory
+constexpr std::uint64_t mostElements = 1u << 22; // of a file, kept or not
+constexpr std::uint64_t placeOfValue = 64;
 
 struct ElementHeader {
   DicomTag tag = 0;
@@ -68,23 +71,28 @@ public:
 
   std::uint64_t position() const { return m_position; }
   std::uint64_t end() const { return m_end; }
-  void moveTo(std::uint64_t position) {
-    m_position = position;
-    m_in.clear();
-    m_in.seekg(static_cast<std::streamoff>(position));
-  }
+  void moveTo(std::uint64_t position) { m_position = position; }
 
   [[noreturn]] void fail(const std::string& why) const {
     throw Error(Error::Kind::input, "The DICOM header of " + m_file + " " + why +
-                                        ": the file is damaged or cut off. Copy it again from its source.");
+                                        ": the file is damaged or cut off; copy it again from its source.");
   }
 
   std::string bytes(std::uint64_t count) {
     if (count > m_end - m_position)
       fail("names a value longer than the file");
-    std::string value(count, '\0');
-    if (count > 0 && !m_in.read(value.data(), static_cast<std::streamsize>(count)))
-      fail("cannot be read to its end");
+    if (count > m_window.size()) {
+      std::string value(count, '\0');
+      load(value.data(), count);
+      m_position += count;
+      return value;
+    }
+    if (m_position < m_windowStart || m_position + count > m_windowStart + m_held) {
+      m_windowStart = m_position;
+      m_held = std::min<std::uint64_t>(m_window.size(), m_end - m_position);
+      load(m_window.data(), m_held);
+    }
+    const std::string value = m_window.substr(m_position - m_windowStart, count);
     m_position += count;
     return value;
   }
@@ -104,6 +112,8 @@ public:
   }
 
   ElementHeader element(const Encoding& encoding) {
+    if (++m_elements > mostElements)
+      fail("holds more than any header");
     ElementHeader header;
     header.tag = number(2, encoding.bigEndian) << 16;
     header.tag |= number(2, encoding.bigEndian);
@@ -146,6 +156,14 @@ public:
   }
 
 private:
+  // Reads from the stream at the position.
+  void load(char* to, std::uint64_t count) {
+    m_in.clear();
+    m_in.seekg(static_cast<std::streamoff>(m_position));
+    if (count > 0 && !m_in.read(to, static_cast<std::streamsize>(count)))
+      fail("cannot be read to its end");
+  }
+
   DicomPixelLocation located(const ElementHeader& header, const Encoding& encoding) const {
     DicomPixelLocation location;
     location.offset = m_position;
@@ -158,21 +176,29 @@ private:
   }
 
   void readValue(const ElementHeader& header, const Encoding& encoding, int depth, DicomDataset& into) {
-    const bool isPrivate = (header.tag >> 16) & 1;
+    const bool isKept = tag::isKept(header.tag);
     const bool isUndefined = header.length == undefinedLength;
     if (isUndefined && (header.vr == "OB" || header.vr == "OW")) {
       skipFragments(encoding); // the compressed pixels of an icon
-    } else if (header.vr == "SQ" || isUndefined || isKnownSequence(header.tag)) {
+    } else if (isUndefined || (isKept && (header.vr == "SQ" || isKnownSequence(header.tag)))) {
       // A sequence of unknown VR is implicit inside (PS3.5, 6.2.2 note on UN).
       const Encoding inside = header.vr == "UN" ? Encoding{false, false} : encoding;
-      auto items = sequence(header.length, inside, depth);
-      if (!isPrivate)
+      auto items = sequence(header.length, inside, depth, isKept);
+      if (isKept)
         into.elements[header.tag].items = std::move(items);
-    } else if (isPrivate || header.length > longestKeptValue) {
+    } else if (!isKept || header.length > longestKeptValue) {
       skip(header.length);
     } else {
+      keep(header.length);
       into.elements[header.tag].bytes = bytes(header.length);
     }
+  }
+
+  // No header in use comes near this; one that does would fill the memory.
+  void keep(std::uint64_t count) {
+    m_kept += count + placeOfValue;
+    if (m_kept > mostKept)
+      fail("holds more than any header");
   }
 
   void skipFragments(const Encoding& encoding) {
@@ -186,7 +212,8 @@ private:
     }
   }
 
-  std::vector<DicomDataset> sequence(std::uint32_t length, const Encoding& encoding, int depth) {
+  // The items of a sequence; read and dropped where it is not kept.
+  std::vector<DicomDataset> sequence(std::uint32_t length, const Encoding& encoding, int depth, bool isKept) {
     std::vector<DicomDataset> items;
     if (length != undefinedLength && length > m_end - m_position)
       fail("names a sequence longer than the file");
@@ -200,7 +227,11 @@ private:
       if (header.length != undefinedLength && header.length > last - m_position)
         fail("has an item longer than its sequence");
       const std::uint64_t itemLast = header.length == undefinedLength ? last : m_position + header.length;
-      items.push_back(dataset(encoding, itemLast, depth + 1, nullptr));
+      DicomDataset item = dataset(encoding, itemLast, depth + 1, nullptr);
+      if (!isKept)
+        continue;
+      keep(sizeof item);
+      items.push_back(std::move(item));
     }
     return items;
   }
@@ -209,6 +240,11 @@ private:
   std::string m_file;
   std::uint64_t m_position = 0;
   std::uint64_t m_end = 0;
+  std::uint64_t m_kept = 0;
+  std::uint64_t m_elements = 0;
+  std::string m_window = std::string(1 << 13, '\0'); // of the stream, for the many short reads
+  std::uint64_t m_windowStart = 0;
+  std::uint64_t m_held = 0;
 };
 
 // Looks at the first element of the data set, since some files are not in the syntax they declare.
@@ -270,7 +306,10 @@ DicomDataset metaInformation(Parser& parser) {
       parser.moveTo(start);
       break;
     }
-    meta.elements[header.tag].bytes = parser.bytes(header.length);
+    if (tag::isKept(header.tag) && header.length <= longestKeptValue)
+      meta.elements[header.tag].bytes = parser.bytes(header.length);
+    else
+      parser.skip(header.length);
   }
   return meta;
 }
@@ -319,7 +358,7 @@ std::unique_ptr<std::istream> openDicomStream(const std::filesystem::path& path,
   if (deflatedFrom == 0)
     return in;
   in->seekg(static_cast<std::streamoff>(deflatedFrom));
-  return inflated(*in, path.filename().string());
+  return inflated(std::move(in), path.filename().string());
 }
 
 } // namespace limn

@@ -4,6 +4,7 @@
 #include "scene/Error.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace limn {
 namespace {
@@ -44,7 +45,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header)
 void DicomPixelReader::fail(const std::string& why) const {
   throw Error(Error::Kind::input, "The pixels of the DICOM file " + m_header->path.filename().string() + " " +
                                       why +
-                                      "; the file is damaged or cut off. Copy it again from its source.");
+                                      "; the file is damaged or cut off, so copy it again from its source.");
 }
 
 std::vector<unsigned char> DicomPixelReader::bytesAt(std::uint64_t offset, std::uint64_t length) {
@@ -104,12 +105,11 @@ void DicomPixelReader::assignFragments(const std::vector<Fragment>& fragments,
     fail("hold " + std::to_string(fragments.size()) + " compressed pieces for " + std::to_string(frames) +
          " frames");
   const bool useTable = offsets.size() == frames;
+  const std::unordered_set<std::uint64_t> starts(offsets.begin(), offsets.end());
   for (std::size_t i = 0; i < fragments.size(); ++i) {
     const std::uint64_t offset = fragments[i].offset - 8 - (fragments.front().offset - 8);
-    const bool isFirst =
-        i == 0 || fragments.size() == frames ||
-        (frames > 1 && (useTable ? std::find(offsets.begin(), offsets.end(), offset) != offsets.end()
-                                 : startsFrame(fragments[i])));
+    const bool isFirst = i == 0 || fragments.size() == frames ||
+                         (frames > 1 && (useTable ? starts.contains(offset) : startsFrame(fragments[i])));
     if (isFirst)
       m_frames.emplace_back();
     m_frames.back().push_back(fragments[i]);

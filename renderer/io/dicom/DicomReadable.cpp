@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/PlainText.h"
 #include "io/dicom/DicomHeader.h"
 #include "scene/Error.h"
 
@@ -9,8 +10,36 @@
 namespace limn {
 namespace {
 
-// No compressor in use shrinks a picture further than this; a header that says so is damaged.
-constexpr std::uint64_t largestCompression = 1u << 16;
+// A compressed frame is a fragment: its mark, its length, and at the least a header of its own.
+constexpr std::uint64_t shortestFragment = 8 + 16;
+
+// No volume has more slices; each takes half a kilobyte of memory before its pixels are read.
+constexpr std::uint64_t mostFrames = 1u << 15;
+
+// The most by which a compression shrinks a picture; a header that says more is damaged. Run lengths take two
+// bytes for 128. JPEG takes a bit for a block of 64 samples, of which those of 12 bits have two bytes; its
+// lossless kind takes a bit for each sample. The others shrink empty pictures further.
+std::uint64_t largestCompression(const std::string& syntax) {
+  const std::string compressed = "1.2.840.10008.1.2.4.";
+  if (syntax == "1.2.840.10008.1.2.5")
+    return 64;
+  if (syntax == compressed + "57" || syntax == compressed + "70")
+    return 16;
+  if (syntax.starts_with(compressed + "5"))
+    return 1024;
+  return 1u << 14;
+}
+
+std::uint64_t presentBytes(const DicomPixelLocation& pixels) {
+  const std::uint64_t present = pixels.streamLength - std::min(pixels.offset, pixels.streamLength);
+  return pixels.isEncapsulated ? present : std::min(pixels.length, present);
+}
+
+// What a header says, fit to stand in a sentence.
+std::string quoted(const std::string& text) {
+  std::string result(1, '\'');
+  return result.append(plainText(text, 40)).append(1, '\'');
+}
 
 [[noreturn]] void refuse(const DicomHeader& header, const std::string& why) {
   throw Error(Error::Kind::input, "The DICOM file " + header.path.filename().string() + " " + why);
@@ -20,9 +49,10 @@ void requirePicture(const DicomHeader& header) {
   if (header.sopClass == "1.2.840.10008.1.3.10")
     refuse(header, "is the index of a medium (DICOMDIR) and no image; open the folder that holds it.");
   if (!header.pixels)
-    refuse(header, "holds no image" +
-                       (header.modality.empty() ? std::string() : " (its kind is " + header.modality + ")") +
-                       "; open the folder of an image series instead.");
+    refuse(header,
+           "holds no image" +
+               (header.modality.empty() ? std::string() : " (its kind is " + quoted(header.modality) + ")") +
+               "; open the folder of an image series instead.");
   if (header.pixels->isFloatingPoint)
     refuse(header,
            "stores its pixels as floating-point numbers, which this program does not read from DICOM; "
@@ -30,7 +60,8 @@ void requirePicture(const DicomHeader& header) {
   if (header.isMosaic)
     refuse(header, "is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.");
   if (!header.frameCountFlaw.empty())
-    refuse(header, "gives '" + header.frameCountFlaw + "' as its number of frames; its header is damaged.");
+    refuse(header,
+           "gives " + quoted(header.frameCountFlaw) + " as its number of frames; its header is damaged.");
   if (header.isFilm)
     refuse(header,
            "is a film: its frames follow each other in time and not in space, so they make no volume.");
@@ -65,8 +96,9 @@ void requireFormat(const DicomHeader& header) {
                            ? std::find(grey.begin(), grey.end(), format.photometric) != grey.end()
                            : std::find(colour.begin(), colour.end(), format.photometric) != colour.end();
   if (!isKnown)
-    refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean '" +
-                       format.photometric + "', which this program does not know; export it as grey values.");
+    refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean " +
+                       quoted(format.photometric) +
+                       ", which this program does not know; export it as grey values.");
   if (format.photometric == "PALETTE COLOR" && !header.palette)
     refuse(header, "is coloured by a palette this program cannot read; export it as grey values.");
   if (!header.pixels->isEncapsulated && format.photometric.rfind("YBR_", 0) == 0 &&
@@ -77,20 +109,31 @@ void requireFormat(const DicomHeader& header) {
 
 } // namespace
 
+std::uint64_t roomForFrames(const DicomHeader& header) {
+  if (!header.pixels)
+    return 0;
+  const std::uint64_t bytes = header.pixels->isEncapsulated ? shortestFragment : frameBytes(header);
+  return bytes == 0 ? 0 : std::min(presentBytes(*header.pixels) / bytes, mostFrames);
+}
+
 void requireWhole(const DicomHeader& header) {
   const DicomPixelLocation& pixels = *header.pixels;
-  const std::uint64_t present = pixels.streamLength - std::min(pixels.offset, pixels.streamLength);
-  const std::uint64_t needed = frameBytes(header) * header.frames.size();
+  const std::uint64_t present = presentBytes(pixels);
+  const std::uint64_t needed = frameBytes(header) * header.announcedFrames;
   if (pixels.isEncapsulated) {
-    if (needed / largestCompression > present)
-      refuse(header, "is too short for the " + std::to_string(header.frames.size()) + " pictures of " +
+    if (needed / largestCompression(header.transferSyntax) > present ||
+        header.announcedFrames > roomForFrames(header))
+      refuse(header, "is too short for the " + std::to_string(header.announcedFrames) + " pictures of " +
                          std::to_string(header.columns) + " × " + std::to_string(header.rows) +
-                         " pixels it announces; it is damaged or cut off. Copy it again from its source.");
+                         " pixels it announces; it is damaged or cut off, so copy it again from its source.");
     return;
   }
-  if (std::min(pixels.length, present) < needed)
+  if (present >= needed && header.announcedFrames > mostFrames)
+    refuse(header, "announces " + std::to_string(header.announcedFrames) +
+                       " pictures, more than any volume has; export it again.");
+  if (present < needed)
     refuse(header, "is cut off: its pixels need " + std::to_string(needed) + " bytes, and it holds " +
-                       std::to_string(std::min(pixels.length, present)) + ". Copy it again from its source.");
+                       std::to_string(present) + "; copy it again from its source.");
 }
 
 void requireSupported(const DicomHeader& header) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomReader.h"
 
+#include "io/MachineMemory.h"
+#include "io/PlainText.h"
+#include "io/PlausibleGrid.h"
 #include "io/dicom/DicomGeometry.h"
 #include "io/dicom/DicomPhases.h"
 #include "io/dicom/DicomResample.h"
@@ -99,11 +102,22 @@ void requireSeries(const DicomSeries& series) {
   }
 }
 
-void requireMemory(const std::filesystem::path& path, const glm::ivec3& dims) {
+void requireRoom(const std::filesystem::path& path, const glm::ivec3& dims) {
   if (static_cast<double>(dims.x) * dims.y * dims.z > mostVoxels)
     throw Error(Error::Kind::input, nameOf(path) + " makes a volume of " + std::to_string(dims.x) + " × " +
                                         std::to_string(dims.y) + " × " + std::to_string(dims.z) +
                                         " voxels, more than can be shown; choose a smaller series.");
+  requireMemory(path, static_cast<double>(dims.x) * dims.y * dims.z);
+}
+
+// Runs a step whose sentences speak of the series, and adds the name of what was opened.
+template <class Step>
+auto named(const std::filesystem::path& path, Step&& step) {
+  try {
+    return step();
+  } catch (const Error& error) {
+    throw Error(error.kind(), "Cannot read " + path.string() + ": " + error.what());
+  }
 }
 
 void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
@@ -114,7 +128,7 @@ void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
 }
 
 VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
-                  std::vector<std::string> warnings) {
+                  const std::vector<std::string>& warnings) {
   const DicomHeader& first = *series.front().header;
   VolumeInfo info;
   info.format = "DICOM";
@@ -122,7 +136,8 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
   info.unit = first.unit;
   info.orientationKnown = geometry.orientationKnown;
   info.spacingKnown = geometry.spacingKnown;
-  info.warnings = std::move(warnings);
+  for (const std::string& warning : warnings)
+    info.warnings.push_back(plainText(warning));
   info.patient = first.patient;
   return info;
 }
@@ -130,17 +145,21 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
 std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const DicomSeries& series,
                                        const ReadOptions& options, const Progress& progress,
                                        std::vector<std::string> warnings) {
-  DicomGeometry geometry = geometryOf(series, options.spacingMm.has_value(), warnings);
+  DicomGeometry geometry =
+      named(path, [&] { return geometryOf(series, options.spacingMm.has_value(), warnings); });
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
-  requireMemory(path, glm::max(sourceDims, geometry.grid.dims));
+  requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
   DicomVoxels voxels =
       readVoxels(series, part(progress, 0.3, geometry.needsResampling ? 0.8 : 1.0), warnings);
   if (geometry.needsResampling)
     voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.8, 1.0));
   applySpacing(options, geometry);
-  return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
-                                        voxels.padding, infoOf(series, geometry, std::move(warnings)));
+  requirePlausible(path, geometry.grid);
+  return named(path, [&] {
+    return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
+                                          voxels.padding, infoOf(series, geometry, warnings));
+  });
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -145,7 +146,7 @@ std::optional<T> emptyValue(const std::vector<T>& voxels, const std::optional<Pa
 
 // The same values in a wider type.
 template <class T>
-VoxelArray widened(const std::vector<T>& voxels) {
+VoxelArray widened(std::vector<T> voxels) {
   if constexpr (sizeof(T) == 1)
     return std::vector<std::int16_t>(voxels.begin(), voxels.end());
   else if constexpr (sizeof(T) == 2)
@@ -162,7 +163,8 @@ DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const Di
       [&]<class T>(std::vector<T>& stored) -> DicomVoxels {
         const std::optional<T> empty = emptyValue(stored, voxels.padding);
         if (!empty)
-          return resampled({widened(stored), voxels.rescale, std::nullopt}, sourceDims, geometry, progress);
+          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt}, sourceDims,
+                           geometry, progress);
         const Source<T> source{stored, sourceDims, voxels.padding};
         const glm::ivec3 dims = geometry.grid.dims;
         const std::size_t perPlane = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);

@@ -12,7 +12,7 @@ constexpr std::size_t headerBytes = 64;
 
 [[noreturn]] void fail(const DicomHeader& header) {
   throw Error(Error::Kind::input, "The run-length encoded pixels of " + header.path.filename().string() +
-                                      " are damaged or cut off. Copy the file again from its source.");
+                                      " are damaged or cut off; copy the file again from its source.");
 }
 
 std::uint32_t number(const DicomCodestream& stream, std::size_t at) {

@@ -81,4 +81,7 @@ inline constexpr DicomTag floatPixelData = 0x7FE00008;
 inline constexpr DicomTag doubleFloatPixelData = 0x7FE00009;
 inline constexpr DicomTag pixelData = 0x7FE00010;
 
+/// Whether the parser keeps an attribute: one of those above, or a channel of the palette.
+bool isKept(DicomTag tag);
+
 } // namespace limn::tag

@@ -26,7 +26,7 @@ VoxelArray arrayFor(const DicomSeries& series, std::size_t count) {
   for (const DicomSlice& slice : series) {
     const DicomHeader& header = *slice.header;
     bits = std::max(bits, isPalette(header) ? 16 : header.format.bitsAllocated);
-    (header.format.isSigned ? anySigned : anyUnsigned) = true;
+    (header.format.isSigned && !isPalette(header) ? anySigned : anyUnsigned) = true;
   }
   if (anySigned && anyUnsigned)
     bits *= 2; // the next wider signed type holds both
@@ -133,7 +133,7 @@ std::string ratioText(const std::optional<double>& ratio) {
 bool holdsMoreThanAnnounced(const DicomSlice& slice) {
   const DicomHeader& header = *slice.header;
   return !header.pixels->isEncapsulated &&
-         header.pixels->length >= frameBytes(header) * (header.frames.size() + 1);
+         header.pixels->length >= frameBytes(header) * (header.announcedFrames + 1);
 }
 
 void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
@@ -161,7 +161,8 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
     if (!isUsable(rescaleOf(slice)))
       throw Error(Error::Kind::input,
                   "The DICOM file " + slice.header->path.filename().string() +
-                      " gives a rescale slope of 0, which leaves no values; its header is damaged.");
+                      " gives a rescale slope of 0 or none that is a number, which leaves no values; "
+                      "its header is damaged.");
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
   DicomUnpackNotes notes;
   noteFormat(series, warnings);

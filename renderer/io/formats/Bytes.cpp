@@ -180,6 +180,13 @@ fs::path detachedFile(const fs::path& header, const std::string& name) {
   if (!fs::is_regular_file(file, problem))
     failReading(header, "its voxel file " + file.string() + " is missing",
                 "copy that file beside the header");
+  if (fs::equivalent(header, file))
+    failReading(header, "it names itself as its voxel file", copyAgain);
+  const fs::path inside =
+      fs::canonical(file).lexically_relative(fs::canonical(absolute(header).parent_path()));
+  if (inside.empty() || *inside.begin() == "..")
+    failReading(header, "its voxel file \"" + name + "\" is a link that leads out of the folder",
+                "replace the link by the file itself");
   return file;
 }
 

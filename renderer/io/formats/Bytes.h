@@ -37,7 +37,7 @@ std::string firstBytes(const std::filesystem::path& file, std::size_t count);
 bool isGzip(const std::filesystem::path& file);
 
 /// The file beside `header` that the header names. Throws Error where the name is absolute, leaves the
-/// header's folder, or names no file.
+/// header's folder (also through a link), or names no file or the header itself.
 std::filesystem::path detachedFile(const std::filesystem::path& header, const std::string& name);
 
 } // namespace limn

@@ -4,6 +4,7 @@
 #include "io/formats/AxisGrid.h"
 #include "io/formats/HeaderText.h"
 #include "io/formats/ReadError.h"
+#include "io/formats/TextVoxels.h"
 #include "io/formats/Voxels.h"
 
 #include <cmath>
@@ -90,7 +91,7 @@ struct Shape {
 Shape shapeOf(const fs::path& file, const Header& header) {
   Shape shape;
   const double dimensions = number(file, header.field({"ndims"}));
-  if (dimensions < 2.0 || dimensions > 4.0)
+  if (dimensions != 2.0 && dimensions != 3.0 && dimensions != 4.0)
     failReading(file, "it does not have 2 to 4 dimensions", "save one volume of it");
   shape.dimensions = static_cast<std::size_t>(dimensions);
   const std::vector<double> sizes = listOf(file, header, {"dimsize"}, shape.dimensions);
@@ -148,12 +149,14 @@ ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_
   location.encoding = header.isTrue({"compresseddata"}) ? Encoding::deflated : Encoding::raw;
   const std::string skip = header.field({"headersize"});
   const double headerSize = skip.empty() ? 0.0 : number(path, skip);
-  if (headerSize > 0.0 && headerSize < 1e12) {
+  if (headerSize > 0.0 && headerSize < 1e12 && headerSize == std::floor(headerSize)) {
     location.offset += static_cast<std::uint64_t>(headerSize);
   } else if (headerSize == -1.0 && location.encoding == Encoding::raw) {
     // The voxels are the last bytes of the file.
     const std::uint64_t size = fs::file_size(location.file);
-    location.offset = size > bytes ? size - bytes : location.offset;
+    if (size < location.offset || size - location.offset < bytes)
+      failReading(path, "its voxels end early", copyAgain);
+    location.offset = size - bytes;
   } else if (headerSize != 0.0) {
     failReading(path, "its header's HeaderSize is not supported", "save it as one .mha file");
   }
@@ -186,7 +189,8 @@ bool isMetaImage(std::string_view bytes) {
 VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
   const Header header = parseHeader(firstBytes(path, longestHeader));
   const Shape shape = shapeOf(path, header);
-  const VoxelLayout layout = layoutOf(path, header, shape.dims);
+  VoxelLayout layout = layoutOf(path, header, shape.dims);
+  layout.volumes = static_cast<std::uint64_t>(shape.volumes);
 
   VolumeParts parts;
   parts.info.format = "MetaImage";
@@ -198,11 +202,16 @@ VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
   if (layout.components > 1)
     parts.info.warnings.emplace_back(colorWarning);
 
-  const auto allBytes = bytesOf(layout) * static_cast<std::uint64_t>(shape.volumes);
+  // At most 2⁴⁵ bytes, 2³¹ times: their product counts as too many where it overflows.
+  const bool isCountable = layout.volumes <= (std::uint64_t{1} << 60) / bytesOf(layout);
+  const std::uint64_t allBytes = isCountable ? bytesOf(layout) * layout.volumes : ~std::uint64_t{0};
   const ByteLocation location = locationOf(path, header, allBytes);
   const std::string binary = header.field({"binarydata"});
   const bool isText = !binary.empty() && !header.isTrue({"binarydata"});
-  parts.stored = isText ? readTextVoxels(location, layout, progress) : readVoxels(location, layout, progress);
+  if (isText && location.encoding != Encoding::raw)
+    failReading(path, "it holds compressed text", "save it uncompressed or as binary data");
+  parts.stored = isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
+                        : readVoxels(location, layout, progress, parts.info.warnings);
   return parts;
 }
 

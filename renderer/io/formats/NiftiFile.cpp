@@ -13,6 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double mostVolumes = 1e9;
+constexpr double farthestOffset = 1 << 30; // of the voxels: behind it no header ends
+
 struct Sample {
   VoxelType type;
   int components = 1;
@@ -93,11 +96,24 @@ glm::ivec3 dimsOf(const fs::path& file, const NiftiHeader& header) {
   return dims;
 }
 
-double volumesOf(const NiftiHeader& header) {
+// How many volumes the file says it holds.
+std::uint64_t volumesOf(const fs::path& file, const NiftiHeader& header) {
   double volumes = 1.0;
   for (std::size_t i = 4; i <= 7 && static_cast<double>(i) <= header.dim[0]; ++i)
     volumes *= std::max(header.dim[i], 1.0);
-  return volumes;
+  if (volumes > mostVolumes)
+    failReading(file, "its header gives more volumes than any file holds", copyAgain);
+  return static_cast<std::uint64_t>(volumes);
+}
+
+// The type of a voxel stands in the header twice.
+void requireOneType(const fs::path& file, const NiftiHeader& header, const Sample& sample) {
+  const auto bits = static_cast<int>(8 * bytesPerVoxel(sample.type)) * sample.components;
+  if (header.bitsPerVoxel != 0 && header.bitsPerVoxel != bits)
+    failReading(file,
+                "its header contradicts itself: voxels of " + std::to_string(header.bitsPerVoxel) +
+                    " bits, and of a type that has " + std::to_string(bits),
+                copyAgain);
 }
 
 ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
@@ -106,7 +122,7 @@ ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
   const double offset =
       header.singleFile && header.voxelOffset == 0.0 ? headerBytes + 4.0 : header.voxelOffset;
   const double least = header.singleFile ? headerBytes : 0.0;
-  if (!(offset >= least) || offset > 1e12)
+  if (!(offset >= least) || offset > farthestOffset || offset != std::floor(offset))
     failReading(voxelFile, "its header places the voxels at an impossible offset", copyAgain);
   ByteLocation location;
   location.file = voxelFile;
@@ -115,10 +131,15 @@ ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
   return location;
 }
 
-Rescale rescaleOf(const NiftiHeader& header, int components) {
-  const bool isGiven = components == 1 && header.slope != 0.0 && std::isfinite(header.slope) &&
-                       std::isfinite(header.intercept);
-  return isGiven ? Rescale{header.slope, header.intercept} : Rescale{};
+// Writers that do not scale leave slope and intercept 0, or NaN.
+Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<std::string>& warnings) {
+  const bool isAbsent = header.slope == 0.0 || (std::isnan(header.slope) && std::isnan(header.intercept));
+  if (components > 1 || isAbsent)
+    return {};
+  if (std::isfinite(header.slope) && std::isfinite(header.intercept))
+    return {header.slope, header.intercept};
+  warnings.emplace_back("The file's scaling is damaged: the values are those stored, in no known unit.");
+  return {};
 }
 
 } // namespace
@@ -139,19 +160,22 @@ VolumeParts readNifti(const fs::path& path, const Progress& progress) {
   parts.info.orientationKnown = placement.orientationKnown;
   parts.info.spacingKnown = placement.spacingKnown;
   parts.info.warnings = placement.warnings;
-  if (const double volumes = volumesOf(header); volumes > 1.0)
-    parts.info.warnings.push_back("The file holds " + std::to_string(static_cast<long long>(volumes)) +
+  requireOneType(headerFile, header, sample);
+  const std::uint64_t volumes = volumesOf(headerFile, header);
+  if (volumes > 1)
+    parts.info.warnings.push_back("The file holds " + std::to_string(volumes) +
                                   " volumes; the first is shown.");
   if (sample.components > 1)
     parts.info.warnings.emplace_back(colorWarning);
-  parts.rescale = rescaleOf(header, sample.components);
+  parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
 
   VoxelLayout layout;
   layout.type = sample.type;
   layout.bigEndian = header.bigEndian;
   layout.components = sample.components;
   layout.count = voxelCount(headerFile, dims);
-  parts.stored = readVoxels(locationOf(voxelFile, header), layout, progress);
+  layout.volumes = volumes;
+  parts.stored = readVoxels(locationOf(voxelFile, header), layout, progress, parts.info.warnings);
   return parts;
 }
 

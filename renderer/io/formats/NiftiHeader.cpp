@@ -64,6 +64,7 @@ NiftiHeader parse1(std::string_view bytes, bool bigEndian) {
   header.singleFile = bytes.substr(344, 4) == "n+1\0"sv;
   readArrays<std::int16_t, float>(header, fields, 40, 76, 280);
   header.datatype = fields.at<std::int16_t>(70);
+  header.bitsPerVoxel = fields.at<std::int16_t>(72);
   header.voxelOffset = fields.number<float>(108);
   header.slope = fields.number<float>(112);
   header.intercept = fields.number<float>(116);
@@ -83,6 +84,7 @@ NiftiHeader parse2(std::string_view bytes, bool bigEndian) {
   header.singleFile = bytes.substr(4, 4) == "n+2\0"sv;
   readArrays<std::int64_t, double>(header, fields, 16, 104, 400);
   header.datatype = fields.at<std::int16_t>(12);
+  header.bitsPerVoxel = fields.at<std::int16_t>(14);
   header.voxelOffset = fields.number<std::int64_t>(168);
   header.slope = fields.at<double>(176);
   header.intercept = fields.at<double>(184);

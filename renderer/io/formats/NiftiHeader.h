@@ -21,6 +21,7 @@ struct NiftiHeader {
   bool singleFile = true; ///< voxels in this file, else in an .img file
   std::array<double, 8> dim{};
   std::array<double, 8> pixdim{};
+  int bitsPerVoxel = 0; ///< 0 where the writer left it out
   int datatype = 0;
   double voxelOffset = 0.0;
   double slope = 0.0;

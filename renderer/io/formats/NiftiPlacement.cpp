@@ -60,6 +60,11 @@ bool isValid(int code, const Affine& affine) {
   return code > 0 && isUsable(affine.steps) && std::isfinite(glm::length(affine.origin));
 }
 
+// Whether the quaternion is one of unit length, but for the rounding of float32.
+bool isRotation(const NiftiHeader& header) {
+  return glm::dot(header.quaternion, header.quaternion) <= 1.0 + 1e-4;
+}
+
 // The largest distance between the places of one corner of the volume in two maps.
 double largestCornerDistance(const Affine& a, const Affine& b, const NiftiHeader& header) {
   double largest = 0.0;
@@ -98,7 +103,7 @@ NiftiPlacement placementOf(const NiftiHeader& header) {
   const double millimetres = millimetresPerUnit(header.units);
   const Affine sform = sformOf(header);
   const Affine qform = qformOf(header);
-  const bool qformIsValid = isValid(header.qformCode, qform);
+  const bool qformIsValid = isRotation(header) && isValid(header.qformCode, qform);
   if (isValid(header.sformCode, sform)) {
     NiftiPlacement placement = placed(sform, millimetres);
     const double apart = largestCornerDistance(sform, qform, header) * millimetres;
@@ -114,6 +119,8 @@ NiftiPlacement placementOf(const NiftiHeader& header) {
   NiftiPlacement placement = qformIsValid ? placed(qform, millimetres) : spacingOnly(header, millimetres);
   if (header.sformCode > 0)
     placement.warnings.emplace_back("The file's placement (sform) is damaged and was left out.");
+  if (header.qformCode > 0 && !qformIsValid)
+    placement.warnings.emplace_back("The file's placement (qform) is damaged and was left out.");
   return placement;
 }
 

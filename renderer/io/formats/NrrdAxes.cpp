@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t mostVolumes = std::uint64_t{1} << 40;
+
 // One axis as the header gives it.
 struct Axis {
   int size = 1;
@@ -179,7 +181,10 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
     } else if (spatial.empty() && i == 0 && isColor(axes[i])) {
       result.components = axes[i].size;
     } else if (volumeIsFull) {
-      result.volumes *= static_cast<std::uint64_t>(axes[i].size);
+      const auto size = static_cast<std::uint64_t>(axes[i].size);
+      if (result.volumes > mostVolumes / size)
+        failReading(file, "its header gives more volumes than any file holds", copyAgain);
+      result.volumes *= size;
     } else {
       failReading(file,
                   "its axis " + std::to_string(i + 1) + " holds " + std::to_string(axes[i].size) +

@@ -5,8 +5,10 @@
 #include "io/formats/HeaderText.h"
 #include "io/formats/NrrdAxes.h"
 #include "io/formats/ReadError.h"
+#include "io/formats/TextVoxels.h"
 #include "io/formats/Voxels.h"
 
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -14,6 +16,9 @@ namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uint64_t mostBytes = std::uint64_t{1} << 60;
+constexpr double farthestSkip = 1 << 30; // of bytes before the voxels: no header in use is longer
 
 VoxelType typeOf(const fs::path& file, const NrrdHeader& header) {
   // The format gives each type several names.
@@ -74,9 +79,12 @@ ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding
     skipLines(location, lines);
   const double skip = fieldNumber(path, header, "byte skip");
   if (skip == -1.0 && encoding == Encoding::raw) {
+    // The voxels are the last bytes of the file.
     const std::uint64_t size = fs::file_size(location.file);
-    location.offset = size > bytes ? size - bytes : location.offset;
-  } else if (skip >= 0.0 && skip < 1e12) {
+    if (size < location.offset || size - location.offset < bytes)
+      failReading(path, "its voxels end early", copyAgain);
+    location.offset = size - bytes;
+  } else if (skip >= 0.0 && skip < farthestSkip && skip == std::floor(skip)) {
     location.skip = static_cast<std::uint64_t>(skip);
   } else {
     failReading(path, "its header's byte skip is not supported", "save it as one .nrrd file");
@@ -112,10 +120,14 @@ VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
   layout.bigEndian = isBigEndian(path, header, layout.type, isText);
   layout.components = axes.components;
   layout.count = voxelCount(path, axes.dims);
+  layout.volumes = axes.volumes;
+  if (axes.volumes > mostBytes / bytesOf(layout))
+    failReading(path, "its header gives more volumes than any file holds", copyAgain);
   const std::uint64_t allBytes = bytesOf(layout) * axes.volumes;
   const ByteLocation location =
       locationOf(path, header, isGzipped ? Encoding::deflated : Encoding::raw, allBytes);
-  parts.stored = isText ? readTextVoxels(location, layout, progress) : readVoxels(location, layout, progress);
+  parts.stored = isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
+                        : readVoxels(location, layout, progress, parts.info.warnings);
   return parts;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/PlainText.h"
 #include "scene/Error.h"
 
 #include <filesystem>
@@ -9,13 +10,13 @@
 namespace limn {
 
 /// Throws the one sentence of a file that cannot be read. `reason` continues "Cannot read FILE: " and
-/// `wayOut` is an instruction without a full stop. Control characters that a damaged header put into the
-/// reason become question marks.
-[[noreturn]] inline void failReading(const std::filesystem::path& file, std::string reason,
+/// `wayOut` is an instruction without a full stop. What a damaged header put into the reason
+/// becomes plain text of some length.
+[[noreturn]] inline void failReading(const std::filesystem::path& file, const std::string& reason,
                                      const std::string& wayOut) {
-  for (char& c : reason)
-    c = (c >= 0 && c < ' ') || c == 0x7f ? '?' : c;
-  throw Error(Error::Kind::input, "Cannot read " + file.string() + ": " + reason + "; " + wayOut + ".");
+  constexpr std::size_t longestReason = 300;
+  throw Error(Error::Kind::input, "Cannot read " + plainText(file.string()) + ": " +
+                                      plainText(reason, longestReason) + "; " + wayOut + ".");
 }
 
 /// The way out where a file ends early or its header lies.

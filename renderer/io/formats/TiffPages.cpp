@@ -5,6 +5,7 @@
 
 #include <array>
 #include <fstream>
+#include <set>
 #include <vector>
 
 namespace limn {
@@ -12,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int mostPages = 1 << 20;
+constexpr int mostPages = 65535;
+constexpr std::uint64_t mostPieces = 1 << 20; // strips or tiles of a page
 
 // Tags of the pieces of a picture: where they lie and how long they are.
 constexpr std::uint64_t stripOffsets = 273, stripLengths = 279, tileOffsets = 324, tileLengths = 325;
@@ -45,14 +47,17 @@ public:
 
   // Checks the directory at `offset` and returns the place of the one that follows; 0 behind the last.
   std::uint64_t passDirectory(std::uint64_t offset) {
+    if (!m_passed.insert(offset).second)
+      failCutOff();
     const std::uint64_t head = m_isBig ? 8 : 2;
     const std::uint64_t entryBytes = m_isBig ? 20 : 12;
     const std::uint64_t entries = number(offset, head);
     if (entries > 65536)
       failCutOff();
+    const std::string directory = bytesAt(offset + head, entries * entryBytes);
     std::vector<std::uint64_t> places, lengths;
     for (std::uint64_t i = 0; i < entries; ++i) {
-      const Entry entry = entryAt(offset + head + i * entryBytes);
+      const Entry entry = entryIn(directory, i * entryBytes, offset + head);
       if (entry.tag == stripOffsets || entry.tag == tileOffsets)
         places = valuesOf(entry);
       if (entry.tag == stripLengths || entry.tag == tileLengths)
@@ -73,39 +78,56 @@ private:
       failCutOff();
   }
 
-  Entry entryAt(std::uint64_t offset) {
+  // The entry at `at` in the bytes of a directory, which start at `offset` in the file.
+  Entry entryIn(const std::string& directory, std::uint64_t at, std::uint64_t offset) const {
     Entry entry;
-    entry.tag = number(offset, 2);
-    entry.width = bytesOfType(number(offset + 2, 2));
-    entry.count = number(offset + 4, m_wide);
-    entry.place = offset + 4 + m_wide;
+    entry.tag = numberIn(directory, at, 2);
+    entry.width = bytesOfType(numberIn(directory, at + 2, 2));
+    entry.count = numberIn(directory, at + 4, m_wide);
+    entry.place = offset + at + 4 + m_wide;
     if (entry.width > 0 && entry.count > m_size / entry.width)
       failCutOff();
     // Values too long for the entry itself lie where it points to.
     if (entry.width * entry.count > m_wide)
-      entry.place = number(entry.place, m_wide);
+      entry.place = numberIn(directory, at + 4 + m_wide, m_wide);
     requireInside(entry.place, entry.width * entry.count);
     return entry;
   }
 
   std::vector<std::uint64_t> valuesOf(const Entry& entry) {
-    std::vector<std::uint64_t> values;
-    for (std::uint64_t i = 0; i < entry.count && entry.width > 0; ++i)
-      values.push_back(number(entry.place + i * entry.width, entry.width));
+    if (entry.width == 0)
+      return {};
+    if (entry.count > mostPieces)
+      failCutOff();
+    // Pages that share their lists would be read again and again.
+    m_listed += entry.width * entry.count;
+    if (m_listed > 2 * m_size)
+      failCutOff();
+    const std::string bytes = bytesAt(entry.place, entry.width * entry.count);
+    std::vector<std::uint64_t> values(entry.count);
+    for (std::uint64_t i = 0; i < entry.count; ++i)
+      values[i] = numberIn(bytes, i * entry.width, entry.width);
     return values;
   }
 
-  std::uint64_t number(std::uint64_t offset, std::uint64_t bytes) {
-    requireInside(offset, bytes);
-    std::array<unsigned char, 8> raw{};
+  std::string bytesAt(std::uint64_t offset, std::uint64_t count) {
+    requireInside(offset, count);
+    std::string bytes(count, '\0');
     m_stream.seekg(static_cast<std::streamoff>(offset));
-    m_stream.read(reinterpret_cast<char*>(raw.data()), static_cast<std::streamsize>(bytes));
-    if (!m_stream)
+    if (!m_stream.read(bytes.data(), static_cast<std::streamsize>(count)))
       failCutOff();
+    return bytes;
+  }
+
+  std::uint64_t numberIn(const std::string& text, std::uint64_t at, std::uint64_t bytes) const {
     std::uint64_t value = 0;
     for (std::uint64_t i = 0; i < bytes; ++i)
-      value = value << 8 | raw[m_isBigEndian ? i : bytes - 1 - i];
+      value = value << 8 | static_cast<unsigned char>(text[at + (m_isBigEndian ? i : bytes - 1 - i)]);
     return value;
+  }
+
+  std::uint64_t number(std::uint64_t offset, std::uint64_t bytes) {
+    return numberIn(bytesAt(offset, bytes), 0, bytes);
   }
 
   fs::path m_file;
@@ -114,6 +136,8 @@ private:
   bool m_isBigEndian = false;
   bool m_isBig = false;
   std::uint64_t m_wide = 4; // bytes of an offset
+  std::set<std::uint64_t> m_passed;
+  std::uint64_t m_listed = 0; // bytes of all lists
 };
 
 } // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/Voxels.h"
 
+#include "io/MachineMemory.h"
 #include "io/formats/ReadError.h"
+#include "io/formats/StoredType.h"
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
-#include <type_traits>
 
 namespace limn {
 namespace {
@@ -16,68 +16,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t bytesPerStep = 1 << 20;
 
-// Calls `function(T{})` with a number of the C++ type that stores `type`.
-template <class Function>
-auto withStoredType(VoxelType type, Function&& function) {
-  switch (type) {
-  case VoxelType::uint8:
-    return function(std::uint8_t{});
-  case VoxelType::int8:
-    return function(std::int8_t{});
-  case VoxelType::uint16:
-    return function(std::uint16_t{});
-  case VoxelType::int16:
-    return function(std::int16_t{});
-  case VoxelType::uint32:
-    return function(std::uint32_t{});
-  case VoxelType::int32:
-    return function(std::int32_t{});
-  case VoxelType::uint64:
-    return function(std::uint64_t{});
-  case VoxelType::int64:
-    return function(std::int64_t{});
-  case VoxelType::float32:
-    return function(float{});
-  case VoxelType::float64:
-    break;
-  }
-  return function(double{});
-}
-
-// The type in which a stored type is kept.
-template <class Stored>
-using Kept = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) == 8, double, Stored>;
-
 template <class Stored>
 void swapBytes(Stored* values, std::size_t count) {
   auto* bytes = reinterpret_cast<unsigned char*>(values);
   for (std::size_t i = 0; i < count; ++i)
     std::reverse(bytes + i * sizeof(Stored), bytes + (i + 1) * sizeof(Stored));
-}
-
-template <class Stored>
-Kept<Stored> keptValue(const Stored* samples, int components) {
-  if (components == 1)
-    return static_cast<Kept<Stored>>(samples[0]);
-  double values[4] = {};
-  for (int c = 0; c < components; ++c)
-    values[c] = static_cast<double>(samples[c]);
-  const double luma = luminance(values, components);
-  return static_cast<Kept<Stored>>(std::is_integral_v<Kept<Stored>> ? std::round(luma) : luma);
-}
-
-void reportStep(const Progress& progress, std::uint64_t done, std::uint64_t all) {
-  if (progress.isCancelled && progress.isCancelled())
-    throw Cancelled();
-  if (progress.report)
-    progress.report(static_cast<double>(done) / static_cast<double>(all), "Reading voxels");
-}
-
-[[noreturn]] void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
-  failReading(file,
-              "its voxels end after " + std::to_string(got) + " of the " + std::to_string(wanted) +
-                  " that its header asks for",
-              copyAgain);
 }
 
 // Makes room for `step` more voxels, at most doubling what has been filled from real bytes.
@@ -99,7 +42,7 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
   std::vector<Kept<Stored>> voxels;
   voxels.reserve(certain);
   while (voxels.size() < layout.count) {
-    reportStep(progress, voxels.size(), layout.count);
+    reportVoxels(progress, voxels.size(), layout.count);
     const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - voxels.size());
     const std::size_t wanted = step * components * sizeof(Stored);
     const std::size_t got = bytes(reinterpret_cast<unsigned char*>(samples.data()), wanted);
@@ -112,51 +55,40 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
     for (std::size_t i = 0; i < step; ++i)
       voxels[first + i] = keptValue(samples.data() + i * components, layout.components);
   }
-  // Ask for one byte more: at the end of compressed data this makes zlib compare the check sum.
-  unsigned char beyond = 0;
-  bytes(&beyond, 1);
-  reportStep(progress, layout.count, layout.count);
+  reportVoxels(progress, layout.count, layout.count);
   return voxels;
 }
 
-std::string readText(const ByteLocation& location, std::uint64_t least) {
-  const ByteReader bytes = openBytes(location, least);
-  std::string text;
-  std::size_t got = 0;
-  do {
-    const std::size_t before = text.size();
-    text.resize(before + bytesPerStep);
-    got = bytes(reinterpret_cast<unsigned char*>(text.data() + before), bytesPerStep);
-    text.resize(before + got);
-  } while (got == bytesPerStep);
-  return text;
-}
-
-template <class Stored>
-std::vector<Kept<Stored>> parseAs(const fs::path& file, std::string_view text, const VoxelLayout& layout,
-                                  const Progress& progress) {
-  std::vector<Kept<Stored>> voxels;
-  voxels.reserve(layout.count);
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (voxels.size() < layout.count) {
-    while (at < end && (*at == ' ' || *at == '\n' || *at == '\r' || *at == '\t'))
-      ++at;
-    if (at == end)
-      failShort(file, voxels.size(), layout.count);
-    Stored value{};
-    const auto [after, problem] = std::from_chars(at, end, value);
-    if (problem != std::errc{} || after == at)
-      failReading(file, "a voxel's text is not a number of the type that the header names", copyAgain);
-    voxels.push_back(static_cast<Kept<Stored>>(value));
-    at = after;
-    if (voxels.size() % bytesPerStep == 0)
-      reportStep(progress, voxels.size(), layout.count);
-  }
-  return voxels;
+// Whether the bytes behind the first volume are as many as the header says.
+void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool moreFollows,
+                 std::vector<std::string>& warnings) {
+  if (layout.volumes == 1 && layout.endsFile && moreFollows)
+    warnings.emplace_back(surplusWarning);
+  if (layout.volumes == 1 || location.encoding != Encoding::raw)
+    return;
+  const std::uint64_t held = fs::file_size(location.file) - location.offset - location.skip;
+  const std::uint64_t bytes = bytesOf(layout);
+  if (held / bytes < layout.volumes)
+    warnings.emplace_back("The file ends before the last of its volumes: it may be cut off.");
+  else if (held > bytes * layout.volumes)
+    warnings.emplace_back(surplusWarning);
 }
 
 } // namespace
+
+void reportVoxels(const Progress& progress, std::uint64_t done, std::uint64_t all) {
+  if (progress.isCancelled && progress.isCancelled())
+    throw Cancelled();
+  if (progress.report)
+    progress.report(static_cast<double>(done) / static_cast<double>(all), "Reading voxels");
+}
+
+void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
+  failReading(file,
+              "its voxels end after " + std::to_string(got) + " of the " + std::to_string(wanted) +
+                  " that its header asks for",
+              copyAgain);
+}
 
 std::size_t bytesPerVoxel(VoxelType type) {
   return withStoredType(type, [](auto value) { return sizeof(value); });
@@ -188,31 +120,21 @@ int dimension(const fs::path& file, double value) {
 
 VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
                       const Progress& progress, std::uint64_t certain) {
+  requireMemory(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)));
   return withStoredType(layout.type, [&](auto value) -> VoxelArray {
     return readAs<decltype(value)>(file, bytes, layout, progress, certain);
   });
 }
 
-VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress) {
+VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
+                      std::vector<std::string>& warnings) {
   const ByteReader bytes = openBytes(location, bytesOf(layout));
   const bool isChecked = location.encoding == Encoding::raw;
-  return readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);
-}
-
-VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress) {
-  // The shortest voxel is a digit, and white space parts it from the next.
-  return parseTextVoxels(location.file, readText(location, 2 * layout.count - 1), layout, progress);
-}
-
-VoxelArray parseTextVoxels(const fs::path& file, std::string_view text, const VoxelLayout& layout,
-                           const Progress& progress) {
-  if (layout.components != 1)
-    failReading(file, "it holds colours as text", "convert it to a binary encoding");
-  if (text.size() < 2 * layout.count - 1)
-    failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
-  return withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return parseAs<decltype(value)>(file, text, layout, progress);
-  });
+  VoxelArray voxels = readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);
+  // At the end of compressed data this makes zlib compare the check sum.
+  unsigned char beyond = 0;
+  noteSurplus(location, layout, bytes(&beyond, 1) > 0, warnings);
+  return voxels;
 }
 
 double luminance(const double* samples, int components) {

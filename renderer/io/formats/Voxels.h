@@ -17,11 +17,13 @@ std::size_t bytesPerVoxel(VoxelType type);
 struct VoxelLayout {
   VoxelType type = VoxelType::uint8;
   bool bigEndian = false;
-  int components = 1;      ///< 1; 2 (grey, alpha), 3 (RGB) and 4 (RGBA) become luminance
-  std::uint64_t count = 0; ///< voxels
+  int components = 1;        ///< 1; 2 (grey, alpha), 3 (RGB) and 4 (RGBA) become luminance
+  std::uint64_t count = 0;   ///< voxels
+  std::uint64_t volumes = 1; ///< of which the first is read; the others follow it
+  bool endsFile = true;      ///< nothing else follows
 };
 
-/// Bytes that the voxels fill.
+/// Bytes that the voxels of one volume fill.
 std::uint64_t bytesOf(const VoxelLayout& layout);
 
 /// Product of the dimensions. Throws Error where one is not positive or the product is beyond any file.
@@ -36,16 +38,10 @@ int dimension(const std::filesystem::path& file, double value);
 VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
                       const Progress& progress, std::uint64_t certain = 0);
 
-/// Opens `location` and reads exactly the voxels that `layout` describes.
-VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
-
-/// Voxels written as decimal numbers between white space, scalar only. Throws Error as readVoxels, and where
-/// a word is no number of the layout's type.
-VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress);
-
-/// The same from text in memory.
-VoxelArray parseTextVoxels(const std::filesystem::path& file, std::string_view text,
-                           const VoxelLayout& layout, const Progress& progress);
+/// Opens `location` and reads exactly the voxels that `layout` describes. Warns where the file holds more
+/// than its header asks for, which then is likely wrong, or ends within the volumes behind the first.
+VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
+                      std::vector<std::string>& warnings);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);

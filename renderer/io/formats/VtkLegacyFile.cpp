@@ -4,6 +4,7 @@
 #include "io/formats/AxisGrid.h"
 #include "io/formats/HeaderText.h"
 #include "io/formats/ReadError.h"
+#include "io/formats/TextVoxels.h"
 #include "io/formats/Voxels.h"
 
 #include <map>
@@ -100,6 +101,7 @@ VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec
   VoxelLayout layout;
   layout.type = typeOf(file, scalars[1]);
   layout.bigEndian = true;
+  layout.endsFile = false; // further arrays may follow
   const double components = scalars.size() > 2 ? number(file, scalars[2]) : 1.0;
   if (components != 1.0 && components != 3.0 && components != 4.0)
     failReading(file, "it holds " + scalars[2] + " values per voxel, and a volume needs one",
@@ -107,6 +109,18 @@ VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec
   layout.components = static_cast<int>(components);
   layout.count = voxelCount(file, dims);
   return layout;
+}
+
+// The number behind POINT_DATA or CELL_DATA says the size of the volume a second time.
+void requireOneSize(const fs::path& file, const Header& header, std::uint64_t voxels) {
+  const std::string word = header.isCellData ? "CELL_DATA" : "POINT_DATA";
+  const auto found = header.lines.find(word);
+  const bool isGiven = found != header.lines.end() && !found->second.empty();
+  if (isGiven && number(file, found->second.front()) != static_cast<double>(voxels))
+    failReading(file,
+                "its header contradicts itself: " + word + " " + found->second.front() +
+                    " where DIMENSIONS make " + std::to_string(voxels),
+                copyAgain);
 }
 
 } // namespace
@@ -141,13 +155,14 @@ VolumeParts readVtkLegacy(const fs::path& path, const Progress& progress) {
   parts.grid = gridFromAxes(path, dims, steps, origin);
 
   const VoxelLayout layout = layoutOf(path, header, dims);
+  requireOneSize(path, header, layout.count);
   if (layout.components > 1)
     parts.info.warnings.emplace_back(colorWarning);
   ByteLocation location;
   location.file = path;
   location.offset = header.end;
-  parts.stored =
-      header.isText ? readTextVoxels(location, layout, progress) : readVoxels(location, layout, progress);
+  parts.stored = header.isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
+                               : readVoxels(location, layout, progress, parts.info.warnings);
   return parts;
 }
 

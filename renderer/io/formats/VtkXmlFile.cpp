@@ -4,8 +4,10 @@
 #include "io/formats/AxisGrid.h"
 #include "io/formats/HeaderText.h"
 #include "io/formats/ReadError.h"
+#include "io/formats/TextVoxels.h"
 #include "io/formats/Voxels.h"
 #include "io/formats/VtkXmlArray.h"
+#include "io/formats/VtkXmlText.h"
 
 #include <pugixml.hpp>
 
@@ -16,55 +18,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view appendedTag = "<AppendedData";
-
 // The elements of the file, and where its appended bytes start.
 struct Document {
   pugi::xml_document xml;
-  std::uint64_t appended = 0; // 0: there are none
-  bool appendedIsBase64 = false;
+  VtkXmlText text;
 
   pugi::xml_node root() const { return xml.child("VTKFile"); }
   pugi::xml_node image() const { return root().child("ImageData"); }
 };
 
-// Reads up to the appended bytes, which are no XML, or to the end.
-std::string textOf(const fs::path& file) {
-  constexpr std::size_t step = 1 << 20;
-  const ByteReader bytes = openBytes({file}, 1);
-  std::string text;
-  std::size_t got = step;
-  std::size_t found = std::string::npos;
-  while (got == step && found == std::string::npos) {
-    const std::size_t before = text.size();
-    text.resize(before + step);
-    got = bytes(reinterpret_cast<unsigned char*>(text.data() + before), step);
-    text.resize(before + got);
-    found = text.find(appendedTag, before > appendedTag.size() ? before - appendedTag.size() : 0);
-  }
-  return text;
-}
-
 Document parse(const fs::path& file) {
-  const std::string text = textOf(file);
-  const std::size_t tag = std::min(text.find(appendedTag), text.size());
   Document document;
+  document.text = readVtkXmlText(file);
   // With appended bytes the text is cut before its last elements close; the tree up to there is kept.
-  const pugi::xml_parse_result result = document.xml.load_buffer(text.data(), tag);
+  const pugi::xml_parse_result result =
+      document.xml.load_buffer(document.text.xml.data(), document.text.xml.size());
   const std::string type = document.root().attribute("type").as_string();
   if (type != "ImageData")
     failReading(file, "it holds VTK data of the type \"" + type + "\", not image data",
                 "export the volume as image data (.vti)");
-  if (tag == text.size() && !result)
+  if (document.text.appended == 0 && !result)
     failReading(file, "its text is cut off or damaged", copyAgain);
-  if (tag == text.size())
-    return document;
-  const std::size_t tagEnd = text.find('>', tag);
-  const std::size_t mark = tagEnd == std::string::npos ? tagEnd : text.find('_', tagEnd);
-  if (mark == std::string::npos)
-    failReading(file, "its appended data are missing", copyAgain);
-  document.appended = mark + 1;
-  document.appendedIsBase64 = text.substr(tag, tagEnd - tag).find("\"raw\"") == std::string::npos;
   return document;
 }
 
@@ -159,24 +133,38 @@ VtkXmlEncoding encodingOf(const fs::path& file, const Document& document) {
   return encoding;
 }
 
+// The coded bytes of an array that stands in its element, or among the appended ones.
+ByteReader codedBytes(const fs::path& file, const Document& document, const pugi::xml_node& array,
+                      std::uint64_t least) {
+  const std::string format = array.attribute("format").as_string("ascii");
+  if (format != "appended") {
+    const VtkXmlRun run = runOf(array.text().as_string());
+    if (run.length < least)
+      failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
+    return bytesOfRun(file, run);
+  }
+  if (document.text.appended == 0)
+    failReading(file, "its array of values is missing", copyAgain);
+  const double offset = number(file, array.attribute("offset").as_string());
+  if (!(offset >= 0.0) || offset > static_cast<double>(fs::file_size(file)))
+    failReading(file, "its array of values lies behind the end of the file", copyAgain);
+  return openBytes({file, document.text.appended + static_cast<std::uint64_t>(offset)}, least);
+}
+
 VoxelArray voxelsOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
-                    const VoxelLayout& layout, const Progress& progress) {
+                    const VoxelLayout& layout, const Progress& progress, std::vector<std::string>& warnings) {
   const std::string format = array.attribute("format").as_string("ascii");
   if (format == "ascii")
-    return parseTextVoxels(file, array.text().as_string(), layout, progress);
-  const VtkXmlEncoding encoding = encodingOf(file, document);
-  const std::uint64_t bytes = bytesOf(layout);
-  if (format == "binary")
-    return readVoxels(file, arrayBytes(file, base64Units(file, array.text().as_string()), encoding, bytes),
-                      layout, progress);
-  if (format != "appended" || document.appended == 0)
+    return readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, progress,
+                          false, warnings);
+  if (format != "binary" && format != "appended")
     failReading(file, "its array of values is missing", copyAgain);
-  const std::uint64_t first = document.appended + array.attribute("offset").as_ullong();
-  if (!document.appendedIsBase64)
-    return readVoxels(file, arrayBytes(file, plainUnits(file, first), encoding, bytes), layout, progress);
-  const std::uint64_t size = fs::file_size(file);
-  const std::string text = plainUnits(file, first)(size > first ? size - first : 0);
-  return readVoxels(file, arrayBytes(file, base64Units(file, text), encoding, bytes), layout, progress);
+  VtkXmlEncoding encoding = encodingOf(file, document);
+  encoding.isBase64 = format == "binary" || document.text.appendedIsBase64;
+  const std::uint64_t bytes = bytesOf(layout);
+  const std::uint64_t least = encoding.isCompressed ? 1 : bytes;
+  return readVoxels(file, arrayBytes(file, codedBytes(file, document, array, least), encoding, bytes), layout,
+                    progress, encoding.isCompressed ? 0 : layout.count);
 }
 
 } // namespace
@@ -205,7 +193,7 @@ VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
   const VoxelLayout layout = layoutOf(path, document, array, dims);
   if (layout.components > 1)
     parts.info.warnings.emplace_back(colorWarning);
-  parts.stored = voxelsOf(path, document, array, layout, progress);
+  parts.stored = voxelsOf(path, document, array, layout, progress, parts.info.warnings);
   return parts;
 }
 

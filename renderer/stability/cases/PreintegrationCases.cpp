@@ -34,6 +34,17 @@ double spikeError(const Draw& draw, Scene scene, double width) {
   return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-spikeDepth));
 }
 
+double unaskedSpikeError(const Draw& draw, double unitMm) {
+  Scene scene = rayThrough(columnOf({0.0, 1.0}, 100.0));
+  scene.crop = ramp(1.0).crop;
+  scene.quality.preintegrated = Preintegration::automatic;
+  const double opacity = -std::expm1(-7.0 * unitMm);
+  scene.transferFunction = {
+      unitMm,
+      {{0.4995, white, 0.0}, {0.4995, white, opacity}, {0.5005, white, opacity}, {0.5005, white, 0.0}}};
+  return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-spikeDepth));
+}
+
 std::vector<Finding> spikes(Workbench& bench) {
   std::vector<Finding> findings;
   for (const auto& [what, width] : {std::pair{"a spike of 1/20 of the range", 0.05},
@@ -53,30 +64,19 @@ std::vector<Finding> spikes(Workbench& bench) {
                                     return largest;
                                   }));
   }
-  append(findings,
-         inEachEngine(bench, "a spike of 1/1000, steps chosen by the program", {1e-9, 2e-4, 2e-4},
-                      "alpha against 1 - exp(-0.7): samples half a voxel apart would miss it, so steps must "
-                      "become exact of themselves",
-                      [](const Draw& draw) {
-                        // As above, 100 mm long: over 1 mm the spike has opacity 0.9991.
-                        Scene scene = rayThrough(columnOf({0.0, 1.0}, 100.0));
-                        scene.crop = ramp(1.0).crop;
-                        scene.quality.preintegrated = Preintegration::automatic;
-                        const double opacity = -std::expm1(-7.0);
-                        scene.transferFunction = {1.0,
-                                                  {{0.4995, white, 0.0},
-                                                   {0.4995, white, opacity},
-                                                   {0.5005, white, opacity},
-                                                   {0.5005, white, 0.0}}};
-                        return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-spikeDepth));
-                      }));
+  // 100 mm long, over 1 mm the spike has opacity 0.9991; or over 1e-9 mm one of 7e-9.
+  for (const auto& [what, unit] : {std::pair{"a spike of 1/1000, steps chosen by the program", 1.0},
+                                   {"the same of a tiny unit distance", smallUnitMm}})
+    append(findings, inEachEngine(bench, what, {1e-9, 2e-4, 2e-4},
+                                  "alpha against 1 - exp(-0.7): samples half a voxel apart would miss it, so "
+                                  "steps must become exact of themselves",
+                                  [unit = unit](const Draw& draw) { return unaskedSpikeError(draw, unit); }));
   return findings;
 }
 
 // Opacity rises from 0 to 0.8 and falls to 0.2.
 TransferFunction twoFlanks() {
-  return {1.0,
-          {{0.0, {0.1, 0.2, 0.3}, 0.0}, {0.5, {0.9, 0.5, 0.1}, 0.8}, {1.0, {0.2, 0.9, 0.4}, 0.2}}};
+  return {1.0, {{0.0, {0.1, 0.2, 0.3}, 0.0}, {0.5, {0.9, 0.5, 0.1}, 0.8}, {1.0, {0.2, 0.9, 0.4}, 0.2}}};
 }
 
 // The mean of -log(1-a) over opacities from a to b: ((1-a) log(1-a) + a) is the integral from 0 on. Where the
@@ -105,9 +105,9 @@ std::vector<Finding> equalEnds(Workbench& bench) {
   Scene scene = ramp(2.0);
   scene.transferFunction = function;
   const std::vector<glm::vec4> pairs = nearPairs();
-  const std::vector<glm::vec4> means = GlslEvaluator(
-      {"stable_math.glsl", "piecewise.glsl", "classification.glsl", "preintegration.glsl"})(
-      "meanMaterial(v.x, v.y).extinction", pairs, scene);
+  const std::vector<glm::vec4> means =
+      GlslEvaluator({"stable_math.glsl", "piecewise.glsl", "classification.glsl", "preintegration.glsl"})(
+          "meanMaterial(v.x, v.y).extinction", pairs, scene);
   double cpp = 0.0, glsl = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double a = pairs[i].x, b = pairs[i].y;
@@ -122,15 +122,15 @@ std::vector<Finding> equalEnds(Workbench& bench) {
                              "integral's closed form: nothing is divided by their difference";
   std::vector<Finding> findings = {atMost("cpp", "steps between nearly equal values", cpp, 1e-12, reason),
                                    atMost("glsl", "steps between nearly equal values", glsl, 2e-6, reason)};
-  append(findings, inEachEngine(bench, "a constant volume in exact steps", {1e-12, 1e-6, 1e-6},
-                                "alpha of extinction 0.7 over half a mm against 1 - exp(-0.35)",
-                                [](const Draw& draw) {
-                                  Scene flat = rayThrough(boxOf(glm::dvec3(0.5)));
-                                  flat.transferFunction = constantFunction(-std::expm1(-0.7), white);
-                                  flat.quality.preintegrated = Preintegration::always;
-                                  flat.quality.stepVoxels = 0.3;
-                                  return largestAlphaError(draw(flat, {1, 1}), -std::expm1(-0.35));
-                                }));
+  append(findings,
+         inEachEngine(bench, "a constant volume in exact steps", {1e-12, 1e-6, 1e-6},
+                      "alpha of extinction 0.7 over half a mm against 1 - exp(-0.35)", [](const Draw& draw) {
+                        Scene flat = rayThrough(boxOf(glm::dvec3(0.5)));
+                        flat.transferFunction = constantFunction(-std::expm1(-0.7), white);
+                        flat.quality.preintegrated = Preintegration::always;
+                        flat.quality.stepVoxels = 0.3;
+                        return largestAlphaError(draw(flat, {1, 1}), -std::expm1(-0.35));
+                      }));
   return findings;
 }
 
@@ -138,8 +138,8 @@ std::vector<Finding> equalEnds(Workbench& bench) {
 // ∫s·s/∫s = 2/3 of it. Without attenuation within the step the colour would be 3.33.
 double steepStepError(const Draw& draw) {
   Scene scene = ramp(1.0);
-  scene.transferFunction = {
-      smallUnitMm, {extinctionPoint(0.0, 0.0, glm::dvec3(0.0)), extinctionPoint(1.0, 10.0, white)}};
+  scene.transferFunction = {smallUnitMm,
+                            {extinctionPoint(0.0, 0.0, glm::dvec3(0.0)), extinctionPoint(1.0, 10.0, white)}};
   const glm::dvec4 pixel = draw(scene, {1, 1}).at(0, 0);
   const double alpha = -std::expm1(-5.0);
   return finiteOrInfinite(std::max(std::abs(pixel.a - alpha), std::abs(pixel.r - alpha * 2.0 / 3.0)));
@@ -164,11 +164,11 @@ int unsoundLongSteps(const Draw& draw) {
 }
 
 std::vector<Finding> attenuation(Workbench& bench) {
-  std::vector<Finding> findings = inEachEngine(
-      bench, "one step from extinction 0 to 10", {1e-7, 2e-6, 2e-6},
-      "alpha against 1 - exp(-5) and colour against 2/3 of it; extinction over 1e-9 mm is linear in the value to "
-      "1e-8",
-      steepStepError);
+  std::vector<Finding> findings = inEachEngine(bench, "one step from extinction 0 to 10", {1e-7, 2e-6, 2e-6},
+                                               "alpha against 1 - exp(-5) and colour against 2/3 of it; "
+                                               "extinction over 1e-9 mm is linear in the value to "
+                                               "1e-8",
+                                               steepStepError);
   append(findings, inEachEngine(bench, "random steep functions in steps of 4 voxels", {},
                                 "pixels with a colour above alpha, or that are not finite or outside 0..1",
                                 [](const Draw& draw) { return unsoundLongSteps(draw); }));

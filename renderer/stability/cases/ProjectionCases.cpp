@@ -231,6 +231,21 @@ Scene gaussianBall(const glm::dvec3& direction) {
   return scene;
 }
 
+// The largest difference of five directions of view of the ball.
+double turnedDifference(const Draw& draw, void (*apply)(Scene& scene)) {
+  const auto from = [&](const glm::dvec3& direction) {
+    Scene scene = gaussianBall(direction);
+    apply(scene);
+    return draw(scene, {20, 20});
+  };
+  const DrawnPicture first = from({0, 1, 0});
+  double largest = 0.0;
+  for (const glm::dvec3& direction :
+       {glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0.64, 0.48), glm::dvec3(1.0), glm::dvec3(-1, 1, 0.01)})
+    largest = std::max(largest, largestDifference(from(direction), first));
+  return largest;
+}
+
 std::vector<Finding> rotation(Workbench& bench) {
   struct Row {
     const char* what;
@@ -256,20 +271,7 @@ std::vector<Finding> rotation(Workbench& bench) {
     append(findings, inEachEngine(bench, std::string("a ball turned, ") + row.what, {level, level, level},
                                   "largest difference between five directions of view: less than one level, "
                                   "though each enters the box elsewhere",
-                                  [&row](const Draw& draw) {
-                                    const auto from = [&](const glm::dvec3& direction) {
-                                      Scene scene = gaussianBall(direction);
-                                      row.apply(scene);
-                                      return draw(scene, {20, 20});
-                                    };
-                                    const DrawnPicture first = from({0, 1, 0});
-                                    double largest = 0.0;
-                                    for (const glm::dvec3& direction :
-                                         {glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0.64, 0.48), glm::dvec3(1.0),
-                                          glm::dvec3(-1, 1, 0.01)})
-                                      largest = std::max(largest, largestDifference(from(direction), first));
-                                    return largest;
-                                  }));
+                                  [&row](const Draw& draw) { return turnedDifference(draw, row.apply); }));
   return findings;
 }
 

@@ -36,24 +36,25 @@ double meanAlpha(const DrawnPicture& picture) {
 std::vector<Finding> jitter(Workbench& bench) {
   const double halfStep = 0.5 * slope * stepLength;
   const double middle = std::exp(-0.5 * slope);
-  std::vector<Finding> findings = inEachEngine(
-      bench, "switched off", {}, "difference of two pictures with another drawn between them: none",
-      [](const Draw& draw) {
-        Scene scene = wholeVolume(smoothVolume(12), ShadingModel::classic, 0.0, 100.0);
-        const DrawnPicture first = draw(scene, {24, 24});
-        scene.quality.jitter = true;
-        draw(scene, {24, 24});
-        scene.quality.jitter = false;
-        return largestDifference(first, draw(scene, {24, 24}));
-      });
+  std::vector<Finding> findings =
+      inEachEngine(bench, "switched off", {},
+                   "difference of two pictures with another drawn between them: none", [](const Draw& draw) {
+                     Scene scene = wholeVolume(smoothVolume(12), ShadingModel::classic, 0.0, 100.0);
+                     const DrawnPicture first = draw(scene, {24, 24});
+                     scene.quality.jitter = true;
+                     draw(scene, {24, 24});
+                     scene.quality.jitter = false;
+                     return largestDifference(first, draw(scene, {24, 24}));
+                   });
   const double bias = middle * (std::sinh(halfStep) / halfStep - 1.0) + 2e-6;
-  append(findings,
-         inEachEngine(bench, "mean of the jittered pixels", {bias, bias, bias},
-                      "distance from the exact alpha 1 - exp(-k/2): e^-x over a step exceeds its middle by the "
-                      "factor sinh(w)/w, w = k h/2, whatever the number of pixels",
-                      [middle](const Draw& draw) {
-                        return std::abs(meanAlpha(draw(ramp(true), {8, 8})) - (1.0 - middle));
-                      }));
+  append(
+      findings,
+      inEachEngine(bench, "mean of the jittered pixels", {bias, bias, bias},
+                   "distance from the exact alpha 1 - exp(-k/2): e^-x over a step exceeds its middle by the "
+                   "factor sinh(w)/w, w = k h/2, whatever the number of pixels",
+                   [middle](const Draw& draw) {
+                     return std::abs(meanAlpha(draw(ramp(true), {8, 8})) - (1.0 - middle));
+                   }));
   const double noise = middle * std::expm1(halfStep) + 2e-6;
   append(findings, inEachEngine(bench, "each jittered pixel", {noise, noise, noise},
                                 "largest distance from the exact alpha: half a step of the steepest place",
@@ -78,13 +79,14 @@ std::vector<Finding> earlyTermination(Workbench& bench) {
                                 {"ending at 0.998, the program's", 0.998}}) {
     // What is left of the light where a ray ends, and what floats round of the rest.
     const double left = lastTransmittance(e) + 1e-6;
-    append(findings, inEachEngine(bench, what, {left, left, 0.0},
-                                  "largest difference from rays that never end: at most what was left of the "
-                                  "light; slices never end and must not differ at all",
-                                  [e = e](const Draw& draw) {
-                                    return largestDifference(draw(opaqueScene(e), {32, 32}),
-                                                             draw(opaqueScene(1.0), {32, 32}));
-                                  }));
+    append(findings,
+           inEachEngine(
+               bench, what, {left, left, 0.0},
+               "largest difference from rays that never end: at most what was left of the "
+               "light; slices never end and must not differ at all",
+               [e = e](const Draw& draw) {
+                 return largestDifference(draw(opaqueScene(e), {32, 32}), draw(opaqueScene(1.0), {32, 32}));
+               }));
   }
   for (const auto& [what, projection] : {std::pair{"an X-ray", Projection::xray},
                                          {"a maximum", Projection::mip},

@@ -15,7 +15,7 @@ const char* const axisNames[] = {"x", "y", "z"};
 
 // Opacity 0.3 per mm through a voxel of 0.5 x 2 x 3 mm; without a gradient the enhanced model takes Omin of
 // it.
-double singleVoxelError(const Draw& draw, ShadingModel model) {
+double singleVoxelError(const Draw& draw, ShadingModel model, const Quality& quality = {}) {
   const glm::dvec3 size(0.5, 2.0, 3.0);
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -23,6 +23,8 @@ double singleVoxelError(const Draw& draw, ShadingModel model) {
     scene.transferFunction = constantFunction(0.3, white);
     scene.shading.model = model;
     scene.shading.opacityRange = {0.5, 1.0};
+    scene.quality.preintegrated = quality.preintegrated;
+    scene.quality.toleranceLevels = quality.toleranceLevels;
     const double opacity = model == ShadingModel::enhanced ? 0.5 * 0.3 : 0.3;
     const double expected = -std::expm1(size[axis] * std::log1p(-opacity));
     largest = std::max(largest, largestAlphaError(draw(scene, {1, 1}), expected));
@@ -52,6 +54,15 @@ std::vector<Finding> flatVolumes(Workbench& bench) {
            inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
                         "alpha along each axis against that of the voxel's own extent",
                         [model = model](const Draw& draw) { return singleVoxelError(draw, model); }));
+  const Quality exact{.preintegrated = Preintegration::always};
+  const Quality controlled{.toleranceLevels = 1.0};
+  for (const auto& [what, quality] : {std::pair{"a single voxel in exact steps", exact},
+                                      {"a single voxel in error-controlled steps", controlled}})
+    append(findings, inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
+                                  "alpha along each axis against that of the voxel's own extent",
+                                  [quality = quality](const Draw& draw) {
+                                    return singleVoxelError(draw, ShadingModel::enhanced, quality);
+                                  }));
   for (int axis = 0; axis < 3; ++axis)
     append(
         findings,

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Folders of DICOM slices.
+#include "Corpus.h"
+#include "GoodBytes.h"
+#include "GoodDicom.h"
+
+#include <functional>
+
+namespace limn::test {
+namespace {
+
+namespace fs = std::filesystem;
+using enum Outcome;
+
+// A folder of the good slices, each passed through `change`.
+fs::path series(
+    Corpus& corpus, const std::function<DicomBuilder(int, DicomBuilder)>& change =
+                        [](int, DicomBuilder slice) { return slice; }) {
+  const fs::path folder = corpus.newFolder();
+  for (int number = 0; number < 4; ++number)
+    change(number, goodSlice(number)).write(folder / (std::to_string(number) + ".dcm"));
+  return folder;
+}
+
+// Slice 2 changed.
+fs::path withThird(Corpus& corpus, const std::function<void(DicomBuilder&)>& change) {
+  return series(corpus, [&](int number, DicomBuilder slice) {
+    if (number == 2)
+      change(slice);
+    return slice;
+  });
+}
+
+MalformedInput& other(MalformedInput& input) {
+  input.hasGoodDimensions = input.hasGoodVoxels = false;
+  return input;
+}
+
+void addSlices(Corpus& corpus) {
+  fs::path folder = series(corpus);
+  fs::remove(folder / "1.dcm");
+  other(corpus.add("missing slices", folder, {warned}, "missing slices"));
+  folder = series(corpus, [](int number, DicomBuilder slice) {
+    return slice.text(0x00200032, "DS", "0\\0\\" + std::to_string(number < 2 ? number : 40 + number));
+  });
+  corpus.add("missing slices", folder, {refused}, "gap");
+  folder = series(corpus);
+  goodSlice(2).write(folder / "again.dcm");
+  corpus.add("duplicate slices", folder, {warned}, "copy");
+  folder = series(corpus);
+  goodSlice(2).text(0x00080018, "UI", "1.2.3.4.77").write(folder / "again.dcm");
+  corpus.add("duplicate slices", folder, {warned}, "repeats some positions");
+  folder = series(corpus, [](int, DicomBuilder slice) { return slice.text(0x00200032, "DS", "0\\0\\0"); });
+  other(corpus.add("duplicate slices", folder, {warned}));
+  other(corpus.add(
+      "slices of different size",
+      withThird(corpus, [](DicomBuilder& slice) { slice.us(0x00280010, {2}).us(0x00280011, {3}); }), {warned},
+      "2 series"));
+  corpus.add("slices of different size",
+             withThird(corpus,
+                       [](DicomBuilder& s) {
+                         s.pixels(std::vector<std::int16_t>{1, 2});
+                       }),
+             {refused}, "2.dcm");
+  other(corpus.add("mixed series",
+                   withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000E, "UI", "1.2.9"); }), {warned},
+                   "2 series"));
+  other(corpus.add("mixed series",
+                   withThird(corpus, [](DicomBuilder& s) { s.text(0x0020000D, "UI", "1.9"); }), {warned},
+                   "2 series"));
+}
+
+void addPlaces(Corpus& corpus) {
+  other(corpus.add("orientation",
+                   withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\1\\0\\0\\0\\1"); }),
+                   {warned}, "2 series"));
+  other(corpus.add("orientation",
+                   withThird(corpus, [](DicomBuilder& s) { s.text(0x00200037, "DS", "0\\0\\0\\0\\0\\0"); }),
+                   {warned}, "2 series"));
+  corpus.add(
+      "orientation",
+      series(corpus, [](int, DicomBuilder s) { return s.text(0x00200037, "DS", "nan\\0\\0\\0\\1\\0"); }),
+      {warned}, "orientation is unknown");
+  for (const char* place : {"1e30\\0\\8", "1e300\\1e300\\8", "1e9\\0\\8", "nan\\0\\8"})
+    other(corpus.add("orientation",
+                     withThird(corpus, [&](DicomBuilder& s) { s.text(0x00200032, "DS", place); }),
+                     {warned, refused}));
+  for (const char* height : {"1e30", "1e308", "-1e308", "nan"})
+    other(corpus.add(
+        "spacing",
+        withThird(corpus,
+                  [&](DicomBuilder& s) { s.text(0x00200032, "DS", std::string("-10\\-20\\") + height); }),
+        {warned, refused}));
+  other(corpus.add("spacing",
+                   withThird(corpus, [](DicomBuilder& s) { s.text(0x00280030, "DS", "nan\\nan"); }), {warned},
+                   "2 series"));
+  corpus.add("spacing",
+             series(corpus, [](int, DicomBuilder s) { return s.text(0x00280030, "DS", "1e-30\\1e-30"); }),
+             {refused});
+  corpus.add("spacing",
+             series(corpus, [](int, DicomBuilder s) { return s.text(0x00280030, "DS", "1e30\\1e30"); }),
+             {refused});
+  // Slices that lie too close to tell apart, and some 10⁷ mm apart.
+  other(corpus.add("spacing",
+                   series(corpus,
+                          [](int number, DicomBuilder s) {
+                            return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e-9");
+                          }),
+                   {warned, refused}));
+  other(corpus.add("spacing",
+                   series(corpus,
+                          [](int number, DicomBuilder s) {
+                            return s.text(0x00200032, "DS", "0\\0\\" + std::to_string(number) + "e20");
+                          }),
+                   {warned, refused}));
+}
+
+void addFiles(Corpus& corpus) {
+  const std::string third = goodSlice(2).bytes();
+  for (std::size_t i = 1; i < 30; ++i) {
+    const fs::path folder = series(corpus);
+    writeBytes(folder / "2.dcm", third.substr(0, third.size() * i / 30));
+    other(corpus.add("truncated", folder, {warned, refused}));
+  }
+  const fs::path foreign = series(corpus);
+  writeBytes(foreign / "note.txt", "no image");
+  goodSlice(5).without(0x7FE00010).write(foreign / "report.dcm");
+  corpus.add("not an image", foreign, {correct, warned});
+  const fs::path only = corpus.newFolder();
+  goodSlice(5).without(0x7FE00010).write(only / "report.dcm");
+  corpus.add("not an image", only, {refused}, "without images");
+  for (const char* link : {".", "..", "/"}) {
+    const fs::path folder = series(corpus);
+    fs::create_directory_symlink(link, folder / "again");
+    corpus.add("endless or cyclic", folder, {correct});
+  }
+  const fs::path folder = series(corpus);
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  corpus.add("endless or cyclic", folder, {correct});
+  const fs::path deep = series(corpus);
+  fs::path below = deep;
+  for (int i = 0; i < 200; ++i)
+    below /= "folder";
+  fs::create_directories(below);
+  goodSlice(9).write(below / "9.dcm");
+  corpus.add("endless or cyclic", deep, {correct, warned});
+  for (const char* text : {"1\n2", "\x01\x02", "\xff\xfe\xfd"})
+    corpus.add("contradiction",
+               series(corpus,
+                      [&](int, DicomBuilder s) {
+                        return s.text(0x0008103E, "LO", text).text(0x00080005, "CS", text);
+                      }),
+               {correct, warned});
+}
+
+} // namespace
+
+void addDicomSeriesInputs(Corpus& corpus) {
+  corpus.add("sound", series(corpus), {correct});
+  addSlices(corpus);
+  addPlaces(corpus);
+  addFiles(corpus);
+}
+
+} // namespace limn::test

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drivers that have too little memory or refuse a program.
+#include "gl/DriverHealth.h"
+#include "raycaster/ProgramCache.h"
+#include "raycaster/RayCaster.h"
+#include "raycaster/ShaderVariant.h"
+#include "scene/Phantom.h"
+#include "support/GlTest.h"
+#include "support/Heads.h"
+
+#include <epoxy/gl.h>
+
+namespace limn {
+namespace {
+
+using GraphicsMemory = test::GlTest;
+
+constexpr glm::ivec2 pictureSize{48, 48};
+
+TEST_F(GraphicsMemory, aVolumeThatMayTakeLessIsShownDownSampledAndSaysSo) {
+  // 48 x 58 x 68 voxels with an apron, 4 bytes each: 0.84 MB.
+  const Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::classic);
+  RayCaster free;
+  const Image whole = free.render(scene, pictureSize);
+  EXPECT_EQ(free.limitation(), "");
+  RayCaster limited(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, 0.25);
+  const Image reduced = limited.render(scene, pictureSize);
+  EXPECT_LE(limited.volumeMb(), 0.25);
+  EXPECT_NE(limited.limitation().find("48×58×68"), std::string::npos) << limited.limitation();
+  EXPECT_NE(limited.limitation().find("memory that it may take"), std::string::npos);
+  // The same head with fewer voxels: the mean alpha agrees to a few parts in a hundred.
+  double wholeAlpha = 0.0, reducedAlpha = 0.0;
+  for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+    wholeAlpha += whole.pixels[i].a;
+    reducedAlpha += reduced.pixels[i].a;
+  }
+  EXPECT_GT(wholeAlpha, 100.0);
+  EXPECT_NEAR(reducedAlpha, wholeAlpha, 0.1 * wholeAlpha);
+}
+
+TEST_F(GraphicsMemory, noRoomAtAllIsRefusedInASentence) {
+  const Scene scene = test::headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::none);
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, 1e-6);
+  try {
+    caster.render(scene, pictureSize);
+    FAIL() << "a volume fits into a byte";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::openGl);
+  }
+}
+
+// Sources that the driver refuses where they step over empty space.
+ShaderSource brokenWithEmptySpace(EffectSet effects) {
+  ShaderSource source = fragmentSource(effects, {});
+  if (effects.has(Effect::emptySpaceSkipping))
+    source.append("broken.glsl", "#error not on this driver\n");
+  return source;
+}
+
+TEST_F(GraphicsMemory, aRefusedProgramIsReplacedByASimplerOneOfTheSamePicture) {
+  ProgramCache programs({}, brokenWithEmptySpace);
+  const EffectSet skipping{Effect::emptySpaceSkipping};
+  const ShaderProgram& first = programs.programFor(skipping);
+  EXPECT_TRUE(first.isLinked());
+  EXPECT_EQ(&programs.programFor(skipping), &first);
+  EXPECT_EQ(&programs.programFor({}), &first);
+  EXPECT_EQ(programs.compiled(), 1);
+}
+
+TEST_F(GraphicsMemory, aRefusedProgramIsNotCompiledAgainAndKeepsTheDriversWords) {
+  const auto broken = [](EffectSet effects) {
+    ShaderSource source = fragmentSource(effects, {});
+    source.append("broken.glsl", "#error not on this driver\n");
+    return source;
+  };
+  int compiled = 0;
+  ProgramCache programs({}, [&](EffectSet effects) {
+    ++compiled;
+    return broken(effects);
+  });
+  for (int i = 0; i < 2; ++i)
+    try {
+      programs.programFor({});
+      FAIL() << "the driver takes an #error";
+    } catch (const DriverError& error) {
+      EXPECT_NE(error.details().find("broken.glsl:1"), std::string::npos) << error.details();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  EXPECT_EQ(compiled, 1);
+}
+
+TEST_F(GraphicsMemory, errorsOfTheDriverBecomeSentencesOnce) {
+  forgetDriverErrors();
+  EXPECT_NO_THROW(requireHealthyDriver("doing nothing"));
+  glEnable(GL_NONE);
+  EXPECT_THROW(requireHealthyDriver("asking for nothing"), DriverError);
+  EXPECT_NO_THROW(requireHealthyDriver("doing nothing"));
+  EXPECT_FALSE(contextIsLost());
+}
+
+} // namespace
+} // namespace limn

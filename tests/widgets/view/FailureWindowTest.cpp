@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "ViewHost.h"
+#include "reference/ReferenceIntegrator.h"
+#include "widgets/view/PictureBytes.h"
+#include "widgets/view/ReferencePanel.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QOpenGLContext>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <string>
+
+// Drivers that lose, refuse or forget, in a real window.
+
+namespace limn {
+namespace {
+
+using test::ViewHost;
+
+Image drawnByReference(const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
+  return toImage(renderReference(scene, size, 1, isCancelled));
+}
+
+// A view at rest whose processor can draw.
+struct RestingHost : ViewHost {
+  RestingHost() {
+    view.setProcessorRenderer(drawnByReference);
+    showPhantom(12.0);
+  }
+  bool isOnProcessor() {
+    return QTest::qWaitFor([this] { return view.pictureState().processorIsDone; }, 60000);
+  }
+  const ReferencePanel& panel() { return *view.findChild<ReferencePanel*>(); }
+};
+
+// While it lives, the driver says that it was reset, as it does until a new context is made.
+class ResetDriver {
+public:
+  ResetDriver() : m_status(epoxy_glGetGraphicsResetStatus) {
+    epoxy_glGetGraphicsResetStatus = []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET; };
+  }
+  ~ResetDriver() { epoxy_glGetGraphicsResetStatus = m_status; }
+
+private:
+  PFNGLGETGRAPHICSRESETSTATUSPROC m_status;
+};
+
+PFNGLSHADERSOURCEPROC sourceOfDriver = nullptr;
+
+// While it lives, every shader holds a line that the driver's own compiler refuses.
+class ShadersRefused {
+public:
+  ShadersRefused() {
+    sourceOfDriver = epoxy_glShaderSource;
+    epoxy_glShaderSource = [](GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
+      const std::string broken = std::string(*text) + "\n#error a line of a test\n";
+      const char* lines = broken.c_str();
+      sourceOfDriver(shader, 1, &lines, nullptr);
+    };
+  }
+  ~ShadersRefused() { epoxy_glShaderSource = sourceOfDriver; }
+};
+
+TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
+  RestingHost host;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const std::optional<Image> before = host.view.restingImage(0);
+  QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
+  // The new context knows nothing of the reset.
+  auto reset = std::make_unique<ResetDriver>();
+  bool isMadeAnew = false;
+  QObject::connect(host.view.context(), &QOpenGLContext::aboutToBeDestroyed, &host.view, [&] {
+    isMadeAnew = true;
+    reset.reset();
+  });
+  host.scene.transferFunction.points[2].opacity = 0.4;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  EXPECT_TRUE(isMadeAnew);
+  EXPECT_TRUE(host.errors.empty());
+  host.scene.transferFunction.points[2].opacity = 0.5;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(host.view.restingImage(0), before);
+}
+
+// A driver that forgets: its objects vanish under the view's hands.
+TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
+  RestingHost host;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const std::optional<Image> before = host.view.restingImage(0);
+  QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
+  host.view.makeCurrent();
+  for (GLuint name = 1; name < 1000; ++name)
+    if (glIsProgram(name) == GL_TRUE)
+      glDeleteProgram(name);
+  host.view.doneCurrent();
+  host.scene.transferFunction.points[2].opacity = 0.4;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  host.scene.transferFunction.points[2].opacity = 0.5;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(host.view.restingImage(0), before);
+  EXPECT_TRUE(host.errors.empty());
+}
+
+TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
+  RestingHost host;
+  auto refused = std::make_unique<ShadersRefused>();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.isOnProcessor());
+  EXPECT_TRUE(host.view.drawsOnProcessor());
+  ASSERT_EQ(host.errors.size(), 1u);
+  EXPECT_EQ(host.view.pictureState().driverFailure, host.errors[0]);
+  EXPECT_TRUE(host.panel().isVisible());
+  EXPECT_TRUE(host.panel().reason().startsWith(host.errors[0]));
+
+  // The picture is the reference's, bit for bit.
+  ASSERT_EQ(host.panel().pictures().size(), 1u);
+  const QImage& shown = host.panel().pictures()[0];
+  const glm::ivec2 size(shown.width(), shown.height());
+  EXPECT_EQ(shown, overBackground(drawnByReference(host.scene, size, {}), host.scene.image.background));
+
+  // What the driver wrote can be copied.
+  QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("copyFailure")), Qt::LeftButton);
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("a line of a test")));
+
+  // Edits reach the picture, and the driver's recovery is taken up.
+  host.scene.camera = orbited(host.scene.camera, 0.5, 0.0);
+  host.view.setScene(host.scene);
+  EXPECT_FALSE(host.view.pictureState().processorIsDone);
+  ASSERT_TRUE(host.isOnProcessor());
+  EXPECT_EQ(host.panel().pictures()[0],
+            overBackground(drawnByReference(host.scene, size, {}), host.scene.image.background));
+  refused.reset();
+  QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
+  ASSERT_TRUE(host.rest());
+  EXPECT_FALSE(host.view.drawsOnProcessor());
+  EXPECT_FALSE(host.panel().isVisible());
+  EXPECT_EQ(host.errors.size(), 1u);
+}
+
+TEST(DriverFailure, bothSidesOfAComparisonAreDrawnByTheReference) {
+  RestingHost host;
+  host.view.setCompareLayout(CompareLayout::sideBySide);
+  const ShadersRefused refused;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.isOnProcessor());
+  EXPECT_EQ(host.panel().pictures().size(), 2u);
+}
+
+TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
+  ViewHost host;
+  host.showPhantom(12.0);
+  const ShadersRefused refused;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 60000));
+  EXPECT_FALSE(host.view.drawsOnProcessor());
+}
+
+} // namespace
+} // namespace limn
