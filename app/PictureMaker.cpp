@@ -43,13 +43,14 @@ std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& 
   return pictures;
 }
 
-std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine) {
+std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
+                                    double textureMb) {
   const HeadlessContext context;
   if (engine == Engine::slices || engine == Engine::slicesBackToFront) {
     SliceRenderer slices(engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
     return makeWith(slices, scenes, size, StepControl::equal);
   }
-  RayCaster caster;
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, textureMb);
   return makeWith(caster, scenes, size, StepControl::local);
 }
 
@@ -96,11 +97,11 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
 }
 
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
-                                      int threads) {
+                                      int threads, double textureMb) {
   if (engine == Engine::reference)
     return makeWithReference(scenes, size, threads);
   try {
-    return makeWithGl(scenes, size, engine);
+    return makeWithGl(scenes, size, engine, textureMb);
   } catch (const Error& error) {
     if (engine != Engine::automatic || error.kind() != Error::Kind::openGl)
       throw;

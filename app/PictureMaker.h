@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "raycaster/GraphicsMemory.h"
 #include "scene/Image.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
@@ -25,9 +26,9 @@ struct MadePicture {
 
 /// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core. A scene
 /// with a tolerance gets the steps that keep it, where it does not have them already (accuracy/Tolerance).
-/// Throws Error.
+/// The ray caster's volume takes at most `textureMb` on the graphics card. Throws Error.
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
-                                      int threads);
+                                      int threads, double textureMb = anyMb);
 
 /// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
 /// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.

@@ -7,6 +7,7 @@
 #include "app/commands/SceneArguments.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
+#include "raycaster/GraphicsMemory.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 
@@ -24,6 +25,7 @@ struct RenderArguments {
   int threads = 0;
   bool printsFigures = false;
   std::string samplesSpent; ///< empty: not wanted
+  double textureMb = anyMb; ///< the most that the volume may take on the graphics card
 };
 
 const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
@@ -41,13 +43,13 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
   const Engine engine = chosen(engines, arguments.engine, "--engine");
   const glm::ivec2 size(scene.image.width, scene.image.height);
   if (arguments.scene.model != "compare")
-    return makePictures({scene}, size, engine, arguments.threads).front();
+    return makePictures({scene}, size, engine, arguments.threads, arguments.textureMb).front();
   const glm::ivec2 half(size.x / 2, size.y);
   if (half.x < 1)
     throw Error(Error::Kind::usage, "A comparison needs a picture at least two pixels wide; see --size.");
   std::vector<MadePicture> pair =
       makePictures({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half,
-                   engine, arguments.threads);
+                   engine, arguments.threads, arguments.textureMb);
   pair.front().image = sideBySide(pair[0].image, pair[1].image);
   return std::move(pair.front());
 }
@@ -138,6 +140,11 @@ void addRenderCommand(CLI::App& root) {
       "scene's isovalue (300 if not set)");
   command->add_option("--samples-spent", arguments->samplesSpent,
                       "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
+  command
+      ->add_option("--texture-mb", arguments->textureMb,
+                   "the most that the volume may take on the graphics card, MB; a larger one is shown with "
+                   "fewer voxels (default: what the driver takes; --engine auto or gl)")
+      ->check(CLI::Range(1.0, 1e6));
   command->footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command->callback([arguments] { runRender(*arguments); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
+#include "support/BrokenShaders.h" // before any OpenGL header of Qt
 
 #include "ViewHost.h"
 #include "reference/ReferenceIntegrator.h"
@@ -11,8 +11,6 @@
 #include <QOpenGLContext>
 #include <QPushButton>
 #include <QSignalSpy>
-
-#include <string>
 
 // Drivers that lose, refuse or forget, in a real window.
 
@@ -49,22 +47,6 @@ private:
   PFNGLGETGRAPHICSRESETSTATUSPROC m_status;
 };
 
-PFNGLSHADERSOURCEPROC sourceOfDriver = nullptr;
-
-// While it lives, every shader holds a line that the driver's own compiler refuses.
-class ShadersRefused {
-public:
-  ShadersRefused() {
-    sourceOfDriver = epoxy_glShaderSource;
-    epoxy_glShaderSource = [](GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
-      const std::string broken = std::string(*text) + "\n#error a line of a test\n";
-      const char* lines = broken.c_str();
-      sourceOfDriver(shader, 1, &lines, nullptr);
-    };
-  }
-  ~ShadersRefused() { epoxy_glShaderSource = sourceOfDriver; }
-};
-
 TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   RestingHost host;
   ASSERT_TRUE(host.show());
@@ -89,7 +71,7 @@ TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   EXPECT_EQ(host.view.restingImage(0), before);
 }
 
-// A driver that forgets: its objects vanish under the view's hands.
+// A driver that forgets: the programs of the ray caster, which alone know of rays, vanish under its hands.
 TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   RestingHost host;
   ASSERT_TRUE(host.show());
@@ -98,7 +80,7 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
   host.view.makeCurrent();
   for (GLuint name = 1; name < 1000; ++name)
-    if (glIsProgram(name) == GL_TRUE)
+    if (glIsProgram(name) == GL_TRUE && glGetUniformLocation(name, "u_anchor") >= 0)
       glDeleteProgram(name);
   host.view.doneCurrent();
   host.scene.transferFunction.points[2].opacity = 0.4;
@@ -113,7 +95,7 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
 
 TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
   RestingHost host;
-  auto refused = std::make_unique<ShadersRefused>();
+  auto refused = std::make_unique<test::BrokenShaders>();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.isOnProcessor());
   EXPECT_TRUE(host.view.drawsOnProcessor());
@@ -150,7 +132,7 @@ TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
 TEST(DriverFailure, bothSidesOfAComparisonAreDrawnByTheReference) {
   RestingHost host;
   host.view.setCompareLayout(CompareLayout::sideBySide);
-  const ShadersRefused refused;
+  const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.isOnProcessor());
   EXPECT_EQ(host.panel().pictures().size(), 2u);
@@ -159,7 +141,7 @@ TEST(DriverFailure, bothSidesOfAComparisonAreDrawnByTheReference) {
 TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
   ViewHost host;
   host.showPhantom(12.0);
-  const ShadersRefused refused;
+  const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 60000));
   EXPECT_FALSE(host.view.drawsOnProcessor());

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace limn {
+
+/// What a bug report needs to know of the current context's driver.
+struct DriverFacts {
+  std::string renderer;
+  std::string version;
+  std::string shadingLanguage;
+  int largest3dTexture = 0; ///< texels along an edge
+  bool tellsOfResets = false;
+};
+
+DriverFacts driverFacts();
+
+} // namespace limn

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <sys/wait.h>
+
+// The shipped binary with drivers that fail. Mesa can be told to be older than it is, and a process to have
+// less memory; other drivers pass by.
+namespace limn {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class DriverCommands : public testing::Test {
+protected:
+  void SetUp() override {
+    if (run("", "info --system").out.find("Mesa") == std::string::npos)
+      GTEST_SKIP() << "only Mesa can be told to refuse shaders";
+  }
+
+  // `before` goes in front of the program: variables, or limits of the shell.
+  Outcome run(const std::string& before, const std::string& arguments) {
+    const std::string command = before + " env -u DISPLAY -u WAYLAND_DISPLAY HOME='" +
+                                folder.path().string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" +
+                                file("out").string() + "' 2>'" + file("err").string() + "' </dev/null";
+    const int raw = std::system(command.c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentOf(file("out")), contentOf(file("err"))};
+  }
+
+  std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
+  std::string picture() const { return file("picture.png").string(); }
+
+  test::TemporaryFolder folder;
+};
+
+constexpr const char* oldShaders = "MESA_GLSL_VERSION_OVERRIDE=120";
+const std::string scene = "render phantom:8 --size 32x32 --quiet ";
+
+TEST_F(DriverCommands, aDriverThatRefusesTheShadersEndsWithOneSentenceAndStatus4) {
+  const Outcome outcome = run(oldShaders, scene + "--engine gl -o " + picture());
+  EXPECT_EQ(outcome.status, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("refused a shader"), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(picture()));
+}
+
+TEST_F(DriverCommands, theReferenceDrawsWhereTheEngineIsLeftOpen) {
+  const Outcome outcome = run(oldShaders, scene + "-o " + picture());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(run("", scene + "--engine reference -o " + file("exact.png").string()).status, 0);
+  EXPECT_EQ(contentOf(picture()), contentOf(file("exact.png")));
+}
+
+TEST_F(DriverCommands, whatTheDriverWroteStandsInTheSystemReport) {
+  const Outcome healthy = run("", "info --system");
+  EXPECT_EQ(healthy.status, 0);
+  EXPECT_NE(healthy.out.find("works in all four models"), std::string::npos) << healthy.out;
+  const Outcome broken = run(oldShaders, "info --system");
+  EXPECT_EQ(broken.status, 0);
+  EXPECT_NE(broken.out.find("GLSL 1.30"), std::string::npos) << broken.out;
+}
+
+TEST_F(DriverCommands, aVolumeThatMayTakeLessIsShownWithFewerVoxelsAndSaysSo) {
+  const Outcome outcome = run("", "render phantom:2 --size 32x32 --engine gl --texture-mb 1 -o " + picture());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("too large for the graphics memory that it may take"), std::string::npos)
+      << outcome.err;
+}
+
+// A picture of 8000 x 8000 floats takes 1 GB; the process may have as much in all.
+TEST_F(DriverCommands, aDriverWithoutMemoryEndsInASentence) {
+  const Outcome outcome =
+      run("ulimit -v 1000000;", "render phantom:8 --size 8000x8000 --quiet --engine gl -o " + picture());
+  EXPECT_TRUE(outcome.status == 4 || outcome.status == 1) << outcome.status << ": " << outcome.err;
+  EXPECT_NE(outcome.err.find("limn: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+} // namespace
+} // namespace limn

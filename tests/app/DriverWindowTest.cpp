@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/BrokenShaders.h" // before any OpenGL header of Qt
+
+#include "WindowHarness.h"
+#include "widgets/view/ReferencePanel.h"
+
+#include <QPushButton>
+
+// What a failing driver leaves of the program's window: everything but its own pictures.
+
+namespace limn {
+namespace {
+
+using DriverWindow = test::WindowHarness;
+
+TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
+  auto broken = std::make_unique<test::BrokenShaders>();
+  ASSERT_TRUE(open(QStringLiteral("phantom:12")));
+  const auto isDone = [this] {
+    return QTest::qWaitFor([this] { return view().pictureState().processorIsDone; }, 60000);
+  };
+  ASSERT_TRUE(isDone());
+  EXPECT_TRUE(view().drawsOnProcessor());
+  EXPECT_TRUE(labelSays(QStringLiteral("drawn by the processor")));
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("refused a shader")));
+
+  // Edits, undo and redo go on, and each is drawn.
+  const Scene before = scene();
+  const auto picture = [this] { return view().findChild<ReferencePanel*>()->pictures().at(0); };
+  const QImage first = picture();
+  dragAPoint();
+  ASSERT_TRUE(isDone());
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_NE(scene().transferFunction, before.transferFunction);
+  EXPECT_NE(picture(), first);
+  undo().undo();
+  ASSERT_TRUE(isDone());
+  EXPECT_EQ(scene().transferFunction, before.transferFunction);
+  EXPECT_EQ(picture(), first);
+  undo().redo();
+
+  // Once the driver works, it draws the session as it is now.
+  broken.reset();
+  const Scene edited = scene();
+  QTest::mouseClick(view().findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(scene(), edited);
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_FALSE(view().drawsOnProcessor());
+}
+
+} // namespace
+} // namespace limn
