@@ -62,6 +62,7 @@ MainWindow::~MainWindow() {
 void MainWindow::layOut() {
   auto* centre = new QWidget(this);
   m_recovery = new MessageBar(centre);
+  m_recovery->setObjectName(QStringLiteral("recoveryBar"));
   m_messages = new MessageBar(centre);
   m_view = new CompareView(centre);
   auto* column = new QVBoxLayout(centre);

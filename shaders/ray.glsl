@@ -32,7 +32,9 @@ Ray rayThrough(vec2 fragment) {
   ray.anchor = u_anchor + c.x * u_anchorX + c.y * u_anchorY;
   ray.direction = (u_direction + c.x * u_directionX + c.y * u_directionY) / length;
   ray.eye = -u_anchorDistance * length;
-  ray.aside = u_anchorDistance * (dot(tangent, tangent) / (1.0 + length)); // length - 1, without cancellation
+  // length - 1 without cancellation; from c, because a compiler that finds the length's own terms used twice may
+  // round the length otherwise than in a program without fog.
+  ray.aside = u_anchorDistance * (dot(c, c) * u_tangentPerPixel * u_tangentPerPixel / (1.0 + length));
   return ray;
 }
 

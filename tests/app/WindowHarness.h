@@ -106,7 +106,7 @@ protected:
     return nullptr;
   }
 
-  MessageBar& messages() const { return *window->findChild<MessageBar*>(); }
+  MessageBar& messages() const { return *window->findChild<MessageBar*>(QStringLiteral("messageBar")); }
   bool isLoadingShown() { return window->findChild<LoadingPanel*>()->isVisible(); }
 
   TemporaryFolder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every program that a scene can ask for links, and is valid GLSL 1.30 for the reference compiler.
 #include "raycaster/ShaderVariant.h"
+#include "gl/DriverHealth.h"
 #include "raycaster/EmbeddedShaders.h"
 #include "scene/EffectSet.h"
 #include "support/GlTest.h"
@@ -134,8 +135,8 @@ TEST_F(ShaderVariants, anErrorNamesTheFileAndLineOfItsBlock) {
   try {
     const ShaderProgram program(vertexSource(), broken);
     FAIL() << "a broken shader compiled";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("second.glsl:3"), std::string::npos) << error.what();
+  } catch (const DriverError& error) {
+    EXPECT_NE(error.details().find("second.glsl:3"), std::string::npos) << error.details();
   }
 }
 

@@ -16,14 +16,24 @@ namespace {
 constexpr std::uint64_t mostBytes = std::uint64_t{1} << 30;
 constexpr int rawDeflate = -15;
 
+// The state of zlib, given back also where opening fails.
+struct Inflater {
+  z_stream zlib{};
+  Inflater() {
+    if (inflateInit2(&zlib, rawDeflate) != Z_OK)
+      throw std::bad_alloc();
+  }
+  ~Inflater() { inflateEnd(&zlib); }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+};
+
 // Holds a window of what the deflated bytes behind `m_start` mean.
 class InflatingBuffer : public std::streambuf {
 public:
   InflatingBuffer(std::unique_ptr<std::istream> in, std::string file)
       : m_in(std::move(in)), m_file(std::move(file)), m_start(m_in->tellg()), m_input(1 << 16),
         m_window(1 << 18) {
-    if (inflateInit2(&m_zlib, rawDeflate) != Z_OK)
-      throw std::bad_alloc();
     while (fill())
       if (m_begin + m_held > mostBytes)
         throw Error(Error::Kind::input, "The deflated DICOM file " + m_file +
@@ -31,9 +41,6 @@ public:
     m_length = m_begin + m_held;
     restart();
   }
-  ~InflatingBuffer() override { inflateEnd(&m_zlib); }
-  InflatingBuffer(const InflatingBuffer&) = delete;
-  InflatingBuffer& operator=(const InflatingBuffer&) = delete;
 
 protected:
   int_type underflow() override { return fill() ? traits_type::to_int_type(*gptr()) : traits_type::eof(); }
@@ -103,7 +110,8 @@ private:
   std::streampos m_start;
   std::vector<char> m_input;
   std::vector<char> m_window;
-  z_stream m_zlib{};
+  Inflater m_inflater;
+  z_stream& m_zlib = m_inflater.zlib;
   std::uint64_t m_begin = 0; // of the window, in the inflated bytes
   std::uint64_t m_held = 0;  // bytes in the window
   std::uint64_t m_length = 0;

@@ -15,6 +15,9 @@ nlohmann::json parsedJson(std::string_view text, const std::string& name) {
     throw Error(Error::Kind::input, name + " is not valid JSON (the mistake is near byte " +
                                         std::to_string(error.byte) +
                                         "); open it in a text editor to repair it.");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(Error::Kind::input,
+                name + " holds a number too large to be one; open it in a text editor to repair it.");
   }
 }
 

@@ -61,10 +61,24 @@ Finding staleParameters(Workbench& bench, Engine engine) {
                 "another picture, by any bit");
 }
 
+// A program may stand in that has more effects than a scene needs, at their neutral values.
+Finding standIn(Workbench& bench) {
+  RayCaster allEffects(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
+  const Scene scene = phantomScene();
+  const Image image = allEffects.render(scene, pictureSize);
+  return atMost(
+      "gl", "a program with every effect compiled in",
+      largestDifference(bench.draw(Engine::gl, scene, pictureSize),
+                        {pictureSize, {image.pixels.begin(), image.pixels.end()}}),
+      4e-7,
+      "largest difference from the scene's own program: none here, but drivers may fuse a product and "
+      "a sum in one of the two");
+}
+
 std::vector<Finding> staleCaches(Workbench& bench) {
   return {notApplicable("reference", "parameters changed in turn",
                         "The reference keeps nothing from one picture to the next."),
-          staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices)};
+          staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices), standIn(bench)};
 }
 
 // Cubes of two voxels, wide apart, on both sides of the borders of the blocks that are skipped and across

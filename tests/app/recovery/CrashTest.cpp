@@ -66,7 +66,10 @@ TEST_F(CrashVictim, DISABLED_editsAndReadsUntilItDies) {
 class Crash : public test::WindowHarness {
 protected:
   // How the process ends that runs the test above with these variables set.
-  int statusOfVictim(const std::vector<std::pair<std::string, std::string>>& variables) {
+  int statusOfVictim(std::vector<std::pair<std::string, std::string>> variables) {
+    // A sanitizer must neither turn the signal into an exit nor mind what is preloaded.
+    variables.push_back({"ASAN_OPTIONS", "handle_segv=0:verify_asan_link_order=0"});
+    variables.push_back({"TSAN_OPTIONS", "handle_segv=0"});
     const pid_t child = ::fork();
     if (child == 0) {
       for (const auto& [name, value] : variables)

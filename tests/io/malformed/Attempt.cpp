@@ -17,12 +17,6 @@
 namespace limn::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool isSanitised = true;
-#else
-constexpr bool isSanitised = false;
-#endif
-
 // What a child may map at most: a wrong reader must not bring down the machine. Sanitizers map terabytes.
 constexpr rlim_t mostAddresses = rlim_t{6} << 30;
 

@@ -10,8 +10,15 @@
 
 namespace limn::test {
 
+/// Sanitizers take memory and time of their own, which are not judged.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool isSanitised = true;
+#else
+inline constexpr bool isSanitised = false;
+#endif
+
 /// Longest time that reading may take, in seconds.
-inline constexpr int longestSeconds = 20;
+inline constexpr int longestSeconds = isSanitised ? 200 : 20;
 
 /// What running in a process of its own came to.
 struct ChildEnd {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints what opening malformed volumes came to: `limn_malformed_table [MUTATIONS PER FORMAT [SEED]]`.
+// Prints what opening malformed volumes came to: `limn_malformed_table [MUTATIONS PER FORMAT [SEED]]`. With
+// `--seeds FOLDER` it writes the sound files as the first inputs of the fuzz targets instead.
 #include "Attempt.h"
+
+#include "support/TemporaryFolder.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 
 namespace {
@@ -35,9 +39,37 @@ double mebibytes(std::uint64_t bytes) {
   return static_cast<double>(bytes) / (1 << 20);
 }
 
+// Which fuzz target starts from the sound files of which format.
+constexpr std::pair<const char*, const char*> targets[] = {
+    {"NIfTI", "nifti"},       {"NRRD", "nrrd"}, {"MetaImage", "metaimage"}, {"VTK legacy", "vtk"},
+    {"VTI", "vti"},           {"TIFF", "tiff"}, {"DICOM file", "dicom"},    {"DICOM, compressed", "dicom"},
+    {"InVesalius", "archive"}};
+
+int writeSeeds(const std::filesystem::path& folder) {
+  for (const auto& [name, target] : targets) {
+    const auto format =
+        std::find_if(formats().begin(), formats().end(),
+                     [&, wanted = std::string(name)](const Format& f) { return f.name == wanted; });
+    const TemporaryFolder made;
+    Corpus corpus(made.path());
+    format->addInputs(corpus);
+    for (const MalformedInput& input : corpus.inputs())
+      if (input.flaw == "sound") {
+        std::filesystem::create_directories(folder / target);
+        std::string label = target;
+        label += "-" + input.path.parent_path().filename().string() + input.path.extension().string();
+        std::filesystem::copy_file(input.path, folder / target / label,
+                                   std::filesystem::copy_options::overwrite_existing);
+      }
+  }
+  return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 3 && std::string(argv[1]) == "--seeds")
+    return writeSeeds(argv[2]);
   const int mutations = argc > 1 ? std::atoi(argv[1]) : 400;
   const auto seed = static_cast<std::uint32_t>(argc > 2 ? std::atoi(argv[2]) : 20251);
   std::vector<std::string> failures;

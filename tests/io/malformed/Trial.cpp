@@ -77,8 +77,9 @@ std::vector<std::string> flawsOf(const MalformedInput& input, const Attempt& att
     flaws.push_back("became another volume");
   else if (attempt.isVolume && input.hasGoodVoxels && !attempt.hasGoodVoxels)
     flaws.push_back("became a volume of other values");
-  if (standing.peakBytes > 0 && attempt.peakBytes > standing.peakBytes + slackBytes +
-                                                        2 * std::max(attempt.decodedBytes, input.heldBytes))
+  if (!isSanitised && standing.peakBytes > 0 &&
+      attempt.peakBytes >
+          standing.peakBytes + slackBytes + 2 * std::max(attempt.decodedBytes, input.heldBytes))
     flaws.push_back("took " + std::to_string((attempt.peakBytes - standing.peakBytes) >> 20) +
                     " MiB more than a sound file, for " + std::to_string(attempt.decodedBytes >> 20) +
                     " MiB of voxels");
