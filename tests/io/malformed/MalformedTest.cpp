@@ -54,7 +54,7 @@ TEST_P(Malformed, randomDamageDoesNoHarm) {
     ADD_FAILURE() << failure;
 }
 
-// The exit status of `limn info` and the lines that it wrote as its complaint.
+// The exit status of `limn info` and what it wrote as its complaint; libpng adds a line of its own.
 std::pair<int, std::string> infoOf(const std::filesystem::path& path,
                                    const std::filesystem::path& complaint) {
   const std::string command = std::string(LIMN_PROGRAM) + " info '" + path.string() +
@@ -75,7 +75,7 @@ TEST_P(Malformed, theProgramSaysByItsExitStatus) {
       continue;
     const auto [status, complaint] = infoOf(input.path, folder.path() / "complaint");
     EXPECT_EQ(status, isRefused ? 3 : 0) << input.path << complaint;
-    EXPECT_EQ(std::count(complaint.begin(), complaint.end(), '\n'), isRefused ? 1 : 0) << complaint;
+    EXPECT_EQ(complaint.find(".\n") != std::string::npos, isRefused) << input.path << complaint;
   }
 }
 
