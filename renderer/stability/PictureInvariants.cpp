@@ -59,7 +59,7 @@ std::vector<std::string> brokenInvariants(const Scene& scene, const Image& image
   const auto require = [&](const char* what, const std::function<bool(std::size_t)>& holds) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
       if (!holds(i)) {
-        broken.push_back(what + (" " + place(image, i)));
+        broken.push_back(std::string(what).append(" ").append(place(image, i)));
         return;
       }
   };

@@ -206,7 +206,7 @@ TEST_F(AccuracyWindowTest, theTimeWhileMovingIsKeptForTheNextRun) {
   box->setFocus();
   QTest::keyClick(box, Qt::Key_End);
   EXPECT_EQ(view().movingMs(), 100.0);
-  EXPECT_EQ(Settings().movingMs(), 100.0);
+  EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).movingMs(), 100.0);
 }
 
 } // namespace

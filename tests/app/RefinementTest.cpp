@@ -156,11 +156,11 @@ TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {
 }
 
 TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
-  EXPECT_TRUE(Settings().refinesAtRest()) << "at first";
+  EXPECT_TRUE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest()) << "at first";
   QAction* refine = action(QStringLiteral("Refine at &rest"));
   ASSERT_NE(refine, nullptr);
   refine->trigger();
-  EXPECT_FALSE(Settings().refinesAtRest());
+  EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());
   EXPECT_FALSE(view().refinesAtRest());
   refine->trigger();
   EXPECT_TRUE(view().refinesAtRest());

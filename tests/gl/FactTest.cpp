@@ -7,10 +7,10 @@
 #include "reference/ReferenceIntegrator.h"
 #include "reference/SampleLighting.h"
 #include "scene/StableMath.h"
+#include "stability/GlslEvaluator.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
-#include "stability/GlslEvaluator.h"
 
 namespace limn {
 namespace {

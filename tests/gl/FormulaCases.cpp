@@ -5,8 +5,8 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/StableMath.h"
-#include "support/AnalyticScenes.h"
 #include "stability/GlslEvaluator.h"
+#include "support/AnalyticScenes.h"
 
 #include <numbers>
 

@@ -4,8 +4,8 @@
 #include "gl/HelperCases.h"
 
 #include "scene/Gradient.h"
-#include "support/AnalyticScenes.h"
 #include "stability/GlslEvaluator.h"
+#include "support/AnalyticScenes.h"
 #include "support/MarschnerLobb.h"
 #include "support/Orders.h"
 

@@ -5,8 +5,8 @@
 
 #include "scene/MeanMaterial.h"
 #include "scene/StableMath.h"
-#include "support/AnalyticScenes.h"
 #include "stability/GlslEvaluator.h"
+#include "support/AnalyticScenes.h"
 #include "support/Orders.h"
 
 namespace limn::test {

@@ -54,8 +54,9 @@ std::vector<Finding> flatVolumes(Workbench& bench) {
            inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
                         "alpha along each axis against that of the voxel's own extent",
                         [model = model](const Draw& draw) { return singleVoxelError(draw, model); }));
-  const Quality exact{.preintegrated = Preintegration::always};
-  const Quality controlled{.toleranceLevels = 1.0};
+  Quality exact, controlled;
+  exact.preintegrated = Preintegration::always;
+  controlled.toleranceLevels = 1.0;
   for (const auto& [what, quality] : {std::pair{"a single voxel in exact steps", exact},
                                       {"a single voxel in error-controlled steps", controlled}})
     append(findings, inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},

@@ -56,8 +56,8 @@ int writeSeeds(const std::filesystem::path& folder) {
     for (const MalformedInput& input : corpus.inputs())
       if (input.flaw == "sound") {
         std::filesystem::create_directories(folder / target);
-        const std::string label = std::string(target) + "-" + input.path.parent_path().filename().string() +
-                                  input.path.extension().string();
+        std::string label = target;
+        label += "-" + input.path.parent_path().filename().string() + input.path.extension().string();
         std::filesystem::copy_file(input.path, folder / target / label,
                                    std::filesystem::copy_options::overwrite_existing);
       }
