@@ -105,6 +105,58 @@ TEST(PictureStack, thePagesOfATiffAreSlicesInTheirOwnType) {
   EXPECT_EQ(volume->value({2, 1, 2}), 3.5);
 }
 
+// Two pages of 37 x 23 pixels whose sample c of pixel i is (5 i + 40 c + page) mod 200, in the layout of
+// `spec`.
+std::shared_ptr<const Volume> written(OIIO::ImageSpec spec) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "a.tif";
+  const auto output = OIIO::ImageOutput::create(file.string());
+  for (int page = 0; page < 2; ++page) {
+    std::vector<float> samples;
+    for (int i = 0; i < spec.width * spec.height; ++i)
+      for (int c = 0; c < spec.nchannels; ++c)
+        samples.push_back(static_cast<float>((5 * i + 40 * c + page) % 200) / 255.0f);
+    output->open(file.string(), spec,
+                 page == 0 ? OIIO::ImageOutput::Create : OIIO::ImageOutput::AppendSubimage);
+    output->write_image(OIIO::TypeDesc::FLOAT, samples.data());
+  }
+  output->close();
+  return readVolume(file);
+}
+
+TEST(PictureStack, stripsTilesAndPlanesHoldTheSamePixels) {
+  for (const int channels : {1, 3, 4}) {
+    const OIIO::ImageSpec strips(37, 23, channels, OIIO::TypeDesc::UINT8);
+    const auto expected = written(strips);
+    EXPECT_EQ(expected->grid().dims, glm::ivec3(37, 23, 2));
+    if (channels == 1)
+      EXPECT_EQ(expected->value({3, 1, 1}), (5 * (37 + 3) + 1) % 200);
+    else // pixel 3: 15, 55 and 95; 0.2126 · 15 + 0.7152 · 55 + 0.0722 · 95 = 49.4
+      EXPECT_EQ(expected->value({3, 0, 0}), 49.0);
+    for (const bool isTiled : {false, true})
+      for (const char* planes : {"contig", "separate"})
+        for (const char* packing : {"none", "zip", "lzw", "packbits"}) {
+          OIIO::ImageSpec spec = strips;
+          spec.attribute("planarconfig", planes);
+          spec.attribute("compression", packing);
+          spec.tile_width = spec.tile_height = isTiled ? 16 : 0;
+          EXPECT_TRUE(written(spec)->stored() == expected->stored())
+              << channels << " " << isTiled << " " << planes << " " << packing;
+        }
+  }
+}
+
+TEST(PictureStack, wideAndRealSamplesKeepTheirValues) {
+  // Pixel 40 of page 1 is 201 mod 200 = 1 of 255: 257 of 65535, 1/255 as a real number.
+  EXPECT_EQ(written({37, 23, 1, OIIO::TypeDesc::UINT16})->value({3, 1, 1}), 257.0);
+  EXPECT_EQ(written({37, 23, 1, OIIO::TypeDesc::FLOAT})->value({3, 1, 1}),
+            static_cast<double>(1.0f / 255.0f));
+  // A half has eleven bits.
+  const auto halves = written({37, 23, 1, OIIO::TypeDesc::HALF});
+  EXPECT_EQ(voxelTypeName(halves->stored()), "float32");
+  EXPECT_NEAR(halves->value({3, 1, 1}), 1.0 / 255.0, std::ldexp(1.0 / 255.0, -11));
+}
+
 // A cut may fall behind the last pixel, into tags that do not matter; then all voxels must be there.
 TEST(PictureStack, aTiffThatEndsEarlyIsRefusedNotShortened) {
   const TemporaryFolder folder;

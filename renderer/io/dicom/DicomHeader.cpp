@@ -133,8 +133,10 @@ std::string unitOf(const DicomDataset& dataset, const std::string& modality, con
 void readFrameCount(const DicomDataset& dataset, DicomHeader& header) {
   const double count =
       has(dataset, tag::numberOfFrames) ? decimalOf(dataset, tag::numberOfFrames).value_or(-1.0) : 1.0;
-  if (count < 1.0 || count > mostFrames || count != std::floor(count))
-    header.frameCountFlaw = textOf(dataset, tag::numberOfFrames);
+  if (count < 1.0 || count > mostFrames || count != std::floor(count)) {
+    const std::string text = textOf(dataset, tag::numberOfFrames);
+    header.frameCountFlaw = text.empty() ? "nothing" : text;
+  }
   header.announcedFrames = header.frameCountFlaw.empty() ? static_cast<std::uint64_t>(count) : 1;
   const std::uint64_t held = std::min(header.announcedFrames, roomForFrames(header) + 1);
   header.frames = framesOf(dataset, static_cast<int>(held));

@@ -157,8 +157,8 @@ std::string firstBytes(const fs::path& file, std::size_t count) {
   std::ifstream stream = openFile(file);
   const ByteReader reader =
       compressed ? inflatingReader(file, std::move(stream)) : plainReader(std::move(stream));
-  std::string bytes(count, '\0');
-  bytes.resize(reader(reinterpret_cast<unsigned char*>(bytes.data()), count));
+  std::string bytes(compressed ? count : std::min<std::uint64_t>(count, sizeOf(file)), '\0');
+  bytes.resize(reader(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size()));
   return bytes;
 }
 

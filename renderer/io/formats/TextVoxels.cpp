@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t bytesPerStep = 1 << 20;
+constexpr std::size_t bytesPerStep = 1 << 16;
 constexpr std::size_t voxelsPerReport = 1 << 18;
 constexpr std::size_t longestWord = 400; // of a number written out: 10³⁰⁸ and its fraction
 

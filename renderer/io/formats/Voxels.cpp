@@ -37,7 +37,8 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
                                  const Progress& progress, std::uint64_t certain) {
   const auto components = static_cast<std::size_t>(layout.components);
   const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
-  const std::size_t perStep = bytesPerStep / sizeof(Stored) / components;
+  const std::size_t perStep =
+      std::min<std::uint64_t>(bytesPerStep / sizeof(Stored) / components, layout.count);
   std::vector<Stored> samples(perStep * components);
   std::vector<Kept<Stored>> voxels;
   voxels.reserve(certain);

@@ -18,7 +18,7 @@ constexpr std::string_view appendedTag = "<AppendedData";
 
 class Scanner {
 public:
-  explicit Scanner(const fs::path& file) : m_file(file), m_buffer(1 << 20) {
+  explicit Scanner(const fs::path& file) : m_file(file), m_buffer(1 << 16) {
     m_stream.rdbuf()->pubsetbuf(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
     m_stream.open(file, std::ios::binary);
   }

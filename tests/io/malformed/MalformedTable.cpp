@@ -57,7 +57,8 @@ int writeSeeds(const std::filesystem::path& folder) {
       if (input.flaw == "sound") {
         std::filesystem::create_directories(folder / target);
         std::string label = target;
-        label += "-" + input.path.parent_path().filename().string() + input.path.extension().string();
+        label.append("-").append(input.path.parent_path().filename().string());
+        label.append(input.path.extension().string());
         std::filesystem::copy_file(input.path, folder / target / label,
                                    std::filesystem::copy_options::overwrite_existing);
       }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Attempt.h"
 
+#include "support/FileBytes.h"
+#include "support/TemporaryFolder.h"
 #include "support/TestData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+
+#include <signal.h>
+#include <sys/wait.h>
 
 namespace limn::test {
 namespace {
@@ -46,6 +52,31 @@ TEST_P(Malformed, randomDamageDoesNoHarm) {
   EXPECT_GE(report.rows.size(), mutationsPerFormat / 2u);
   for (const std::string& failure : report.failures)
     ADD_FAILURE() << failure;
+}
+
+// The exit status of `limn info` and what it wrote as its complaint; libpng adds a line of its own.
+std::pair<int, std::string> infoOf(const std::filesystem::path& path,
+                                   const std::filesystem::path& complaint) {
+  const std::string command = std::string(LIMN_PROGRAM) + " info '" + path.string() +
+                              "' --json --quiet >/dev/null 2>'" + complaint.string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytesOfFile(complaint)};
+}
+
+TEST_P(Malformed, theProgramSaysByItsExitStatus) {
+  const TemporaryFolder folder;
+  Corpus corpus(folder.path());
+  GetParam().addInputs(corpus);
+  constexpr int mostRefused = 3;
+  int refused = 0;
+  for (const MalformedInput& input : corpus.inputs()) {
+    const bool isRefused = input.allowed == Outcomes{Outcome::refused};
+    if (input.flaw != "sound" && (!isRefused || ++refused > mostRefused))
+      continue;
+    const auto [status, complaint] = infoOf(input.path, folder.path() / "complaint");
+    EXPECT_EQ(status, isRefused ? 3 : 0) << input.path << complaint;
+    EXPECT_EQ(complaint.find(".\n") != std::string::npos, isRefused) << input.path << complaint;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Malformed, testing::ValuesIn(formats()), testName);
