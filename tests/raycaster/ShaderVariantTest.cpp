@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <regex>
 #include <set>
 
 namespace limn {
@@ -125,6 +126,14 @@ TEST(ShaderVariantText, everyBlockIsAscii) {
   for (const EmbeddedShader& shader : embeddedShaders())
     for (const char character : shader.text)
       EXPECT_TRUE(character == '\n' || (character >= ' ' && character <= '~')) << shader.name;
+}
+
+TEST(ShaderVariantText, noBlockAsksWhetherANumberIsOneOrRaisesItUnguarded) {
+  // Drivers differ in all of these (NUMERICS 3.0): numbers are sound before they reach a shader, and the
+  // guarded forms stand in stable_math.glsl.
+  const std::regex unguarded(R"(\b(isnan|isinf|pow|normalize)\s*\()");
+  for (const EmbeddedShader& shader : embeddedShaders())
+    EXPECT_FALSE(std::regex_search(std::string(shader.text), unguarded)) << shader.name;
 }
 
 TEST_F(ShaderVariants, anErrorNamesTheFileAndLineOfItsBlock) {
