@@ -62,7 +62,8 @@ bool isGoodVoxels(const Volume& volume) {
 std::string line(char key, std::string text) {
   for (char& c : text)
     c = c == '\n' ? '\1' : c;
-  return key + text + "\n";
+  std::string result(1, key);
+  return result.append(text).append(1, '\n');
 }
 
 void read(const std::filesystem::path& path, const std::function<void(const std::string&)>& say) {
