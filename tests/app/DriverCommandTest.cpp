@@ -50,7 +50,7 @@ protected:
   test::TemporaryFolder folder;
 };
 
-constexpr const char* oldShaders = "MESA_GLSL_VERSION_OVERRIDE=120";
+constexpr const char* oldShaders = "MESA_GL_VERSION_OVERRIDE=3.0 MESA_GLSL_VERSION_OVERRIDE=120";
 const std::string scene = "render phantom:8 --size 32x32 --quiet ";
 
 TEST_F(DriverCommands, aDriverThatRefusesTheShadersEndsWithOneSentenceAndStatus4) {

@@ -22,7 +22,7 @@ TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
   ASSERT_TRUE(isDone());
   EXPECT_TRUE(view().drawsOnProcessor());
   EXPECT_TRUE(labelSays(QStringLiteral("drawn by the processor")));
-  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("refused a shader")));
+  EXPECT_TRUE(view().pictureState().driverFailure.contains(QStringLiteral("refused a shader")));
 
   // Edits, undo and redo go on, and each is drawn.
   const Scene before = scene();

@@ -12,11 +12,7 @@ class BrokenShaders {
 public:
   BrokenShaders() {
     driver() = epoxy_glShaderSource;
-    epoxy_glShaderSource = [](GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
-      const std::string broken = std::string(*text) + "\n#error a line of a test\n";
-      const char* lines = broken.c_str();
-      driver()(shader, 1, &lines, nullptr);
-    };
+    epoxy_glShaderSource = withBrokenLine;
   }
   ~BrokenShaders() { epoxy_glShaderSource = driver(); }
   BrokenShaders(const BrokenShaders&) = delete;
@@ -26,6 +22,16 @@ private:
   static PFNGLSHADERSOURCEPROC& driver() {
     static PFNGLSHADERSOURCEPROC function = nullptr;
     return function;
+  }
+
+  // libepoxy finds the driver's function at its first call, through the pointer that stands for it.
+  static void withBrokenLine(GLuint shader, GLsizei, const GLchar* const* text, const GLint*) {
+    const std::string broken = std::string(*text) + "\n#error a line of a test\n";
+    const char* lines = broken.c_str();
+    epoxy_glShaderSource = driver();
+    glShaderSource(shader, 1, &lines, nullptr);
+    driver() = epoxy_glShaderSource;
+    epoxy_glShaderSource = withBrokenLine;
   }
 };
 

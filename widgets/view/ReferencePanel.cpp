@@ -78,8 +78,7 @@ void ReferencePanel::setPictures(const std::vector<QImage>& pictures) {
 }
 
 void ReferencePanel::cover(const QRect& rect) {
-  const int barHeight = m_bar->heightForWidth(rect.width());
-  const int height = std::max(barHeight, m_bar->sizeHint().height());
+  const int height = m_bar->heightForWidth(rect.width());
   m_bar->setGeometry(rect.left(), rect.bottom() + 1 - height, rect.width(), height);
   setGeometry(rect.adjusted(0, 0, 0, -height));
 }
