@@ -62,18 +62,20 @@ bool isGoodVoxels(const Volume& volume) {
 std::string line(char key, std::string text) {
   for (char& c : text)
     c = c == '\n' ? '\1' : c;
-  return key + text + "\n";
+  std::string result(1, key);
+  return result.append(text).append(1, '\n');
 }
 
 void read(const std::filesystem::path& path, const std::function<void(const std::string&)>& say) {
   try {
     const auto volume = readVolume(path);
     const glm::ivec3 dims = volume->grid().dims;
-    say("V" + std::to_string(dims.x) + " " + std::to_string(dims.y) + " " + std::to_string(dims.z) + " " +
-        std::to_string(isGoodVoxels(*volume)) + " " +
-        std::to_string(std::visit([](const auto& voxels) { return voxels.size() * sizeof(voxels[0]); },
-                                  volume->stored())) +
-        "\n");
+    const std::size_t bytes =
+        std::visit([](const auto& voxels) { return voxels.size() * sizeof(voxels[0]); }, volume->stored());
+    std::ostringstream facts;
+    facts << 'V' << dims.x << ' ' << dims.y << ' ' << dims.z << ' ' << isGoodVoxels(*volume) << ' ' << bytes
+          << '\n';
+    say(facts.str());
     for (const std::string& warning : volume->info().warnings)
       say(line('W', warning));
   } catch (const Error& error) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,6 +71,11 @@ struct Format {
   const char* name;
   void (*addInputs)(Corpus& corpus);
 };
+
+/// How a test names a format.
+inline void PrintTo(const Format& format, std::ostream* out) {
+  *out << format.name;
+}
 
 /// Every format, in the order of the table.
 const std::vector<Format>& formats();
