@@ -59,6 +59,19 @@ std::vector<RecentEntry> recentEntries(const SettingsDocument& values) {
   return entries;
 }
 
+// This moment, or where the clock shows the same millisecond still, or an earlier one, the next behind them
+// all.
+QString laterThanAll(const std::vector<RecentEntry>& latestFirst) {
+  QDateTime now = QDateTime::currentDateTimeUtc();
+  if (!latestFirst.empty()) {
+    const auto last =
+        QDateTime::fromString(QString::fromStdString(latestFirst.front().opened), Qt::ISODateWithMs);
+    if (last.isValid() && last >= now)
+      now = last.addMSecs(1);
+  }
+  return now.toString(Qt::ISODateWithMs);
+}
+
 void forget(SettingsDocument& values, const std::string& name) {
   for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
     values.erase(recentPrefix + name + suffix);
@@ -152,11 +165,11 @@ QList<RecentSource> Settings::recentSources() {
 void Settings::addRecentSource(const QString& source, const QString& label) {
   const std::string path = source.toStdString();
   const std::string fresh = newName();
-  const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
   change([&](SettingsDocument& values) {
     std::string name = nameOf(values, recentPrefix, path);
     if (name.empty())
       name = fresh;
+    const QString now = laterThanAll(recentEntries(values));
     values[recentPrefix + name + pathSuffix] = path;
     values[recentPrefix + name + labelSuffix] = label.toStdString();
     values[recentPrefix + name + openedSuffix] = now.toStdString();

@@ -31,7 +31,12 @@ bool isFinished(Gathered ray) {
 }
 
 vec4 pixelOf(Gathered ray) {
-  return vec4(ray.color, (1.0 - ray.transmittance) + ray.transmittance * ray.loss);
+  float alpha = (1.0 - ray.transmittance) + ray.transmittance * ray.loss;
+#ifndef EFFECT_UNLIMITED
+  // No colour exceeds 1, so what exceeds alpha is the rounding of a long sum.
+  ray.color = min(ray.color, vec3(alpha));
+#endif
+  return vec4(ray.color, alpha);
 }
 
 // The factor by which the gradient changes the opacity over the unit distance, before that becomes an
