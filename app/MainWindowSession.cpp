@@ -189,6 +189,7 @@ void MainWindow::writeSession(const QString& path) {
 void MainWindow::keepSessions() {
   try {
     m_keeper = std::make_unique<SessionKeeper>(m_folders.sessions, [this] { return unsavedSession(); });
+    connect(m_keeper.get(), &SessionKeeper::abandonedFound, this, &MainWindow::offerAbandoned);
     connect(&m_keeper->autosave(), &Autosave::failed, this, [this](const QString& sentence) {
       m_messages->show(MessageBar::Kind::warning,
                        tr("Unsaved work is not safe at present. %1").arg(sentence));

@@ -4,6 +4,8 @@
 #include "app/recovery/Autosave.h"
 #include "app/recovery/UnsavedSessions.h"
 
+#include <QTimer>
+
 namespace limn {
 
 /// Sees to it that the session of one window is not lost: saves it all the time, keeps what is left unsaved,
@@ -30,14 +32,24 @@ public:
   /// The latest session that a dead window left behind; nobody else is offered it.
   std::optional<std::filesystem::path> abandoned() const;
 
+  /// Looks again for what dead windows left behind; done every few seconds of the first minute, because a
+  /// process that crashed may take a while to die (it writes its memory to the disk).
+  void lookAgain();
+
   /// Removes a session that was restored or is not wanted, one of those above.
   void forget(const std::filesystem::path& file);
+
+signals:
+  /// There is one more to offer.
+  void abandonedFound();
 
 private:
   UnsavedSessions m_sessions;
   std::vector<AutosavePlace> m_abandoned;
   AutosavePlace m_place;
   std::unique_ptr<Autosave> m_autosave; ///< null once closed
+  QTimer m_again;
+  int m_looks = 0;
 };
 
 } // namespace limn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recovery/UnsavedSessions.h"
+#include "app/recovery/SessionKeeper.h"
 
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
@@ -38,6 +38,25 @@ TEST(UnsavedSessions, aDeadOneIsGivenToOneCallerUntilThatOneDies) {
   ASSERT_EQ(second.size(), 1u);
   second.front().remove();
   EXPECT_TRUE(sessions.takeAbandoned().empty());
+}
+
+// A crashed process holds its locks until it has gone, while the next window is open already.
+TEST(UnsavedSessions, aWindowThatDiesSlowlyIsOfferedOnceItIsDead) {
+  const test::TemporaryFolder folder;
+  const UnsavedSessions sessions(folder.path());
+  auto dying = std::make_unique<AutosavePlace>(sessions.place());
+  writeFileAtomically(dying->file(), "left");
+  SessionKeeper keeper(folder.path(), [] { return std::nullopt; });
+  int found = 0;
+  QObject::connect(&keeper, &SessionKeeper::abandonedFound, &keeper, [&found] { ++found; });
+  keeper.lookAgain();
+  EXPECT_FALSE(keeper.abandoned());
+  dying.reset();
+  keeper.lookAgain();
+  ASSERT_TRUE(keeper.abandoned());
+  EXPECT_EQ(test::bytesOfFile(*keeper.abandoned()), "left");
+  keeper.lookAgain();
+  EXPECT_EQ(found, 1) << "each is told once";
 }
 
 TEST(UnsavedSessions, whatDeadWindowsLeftBesideIsRemoved) {
