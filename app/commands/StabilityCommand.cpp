@@ -46,7 +46,7 @@ std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
   return chosen;
 }
 
-// How long a job takes of both is roughly known: cases first.
+// `from`: the share of the whole work that is done before.
 FuzzReport fuzzed(const StabilityArguments& arguments, int seeds, const Progress& progress, double from) {
   return runFuzz(seeds, arguments.firstSeed, [&](int done) {
     if (progress.report && done % 10 == 0)
@@ -95,8 +95,8 @@ void runStability(const StabilityArguments& arguments) {
   std::cout << stabilityTable(report);
   if (!holds(report))
     throw Error(Error::Kind::other,
-                "Something above does not hold on this driver; please send the report with your "
-                "next message to the program's makers.");
+                "Something above does not hold on this driver; please report it with the page "
+                "that -o writes.");
 }
 
 } // namespace

@@ -31,6 +31,7 @@ Json fuzzOf(const std::optional<FuzzReport>& fuzz) {
           {"refused", fuzz->refused},
           {"reference_compared", fuzz->referenceCompared},
           {"slices", fuzz->slices},
+          {"programs", fuzz->programs},
           {"pixels_compared", fuzz->pixelsCompared},
           {"pixels_unequal_samples", fuzz->pixelsUnequal},
           {"worst_difference", fuzz->worstDifference},

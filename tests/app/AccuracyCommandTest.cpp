@@ -2,6 +2,7 @@
 // `limn accuracy` on real volumes: the shape of its report, and a chosen point measured again from scratch by
 // other calls of the program.
 #include "accuracy/ImageError.h"
+#include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
 
@@ -12,8 +13,6 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
-
-#include <sys/wait.h>
 
 namespace limn {
 namespace {
@@ -36,14 +35,7 @@ Image exrIn(const std::filesystem::path& path) {
 
 class AccuracyCommand : public testing::TestWithParam<const char*> {
 protected:
-  // The exit status of the built program without a display.
-  int run(const std::string& arguments) {
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM HOME='" +
-                                folder.path().string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" +
-                                file("stdout") + "' 2>'" + file("stderr") + "' </dev/null";
-    const int raw = std::system(command.c_str());
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
-  }
+  int run(const std::string& arguments) { return test::runProgram(folder.path(), arguments).status; }
 
   std::string file(const std::string& name) const { return (folder.path() / name).string(); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/ImageFile.h"
+#include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
 
@@ -11,36 +12,15 @@
 #include <fstream>
 #include <sstream>
 
-#include <sys/wait.h>
-
 // The shipped binary, called as a user calls it.
 namespace limn {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using test::Outcome;
 
 class CommandLine : public testing::Test {
 protected:
-  Outcome run(const std::string& arguments) {
-    const std::string out = file("stdout").string();
-    const std::string err = file("stderr").string();
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM HOME='" +
-                                folder.path().string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" + out +
-                                "' 2>'" + err + "' </dev/null";
-    const int raw = std::system(command.c_str());
-    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentOf(out), contentOf(err)};
-  }
+  Outcome run(const std::string& arguments) { return test::runProgram(folder.path(), arguments); }
 
   std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
 
@@ -81,7 +61,7 @@ TEST_F(CommandLine, aToleranceIsKeptToldAndReproducedByItsPicture) {
   EXPECT_NE(outcome.err.find("Samples spent"), std::string::npos) << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(samples));
   ASSERT_EQ(run("render " + first + " -o " + second).status, 0);
-  EXPECT_EQ(contentOf(first), contentOf(second));
+  EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
   EXPECT_EQ(run("render phantom:6 --tolerance 1 --step 0.5 -o x.png").status, 2);
 }
 
@@ -93,7 +73,7 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   EXPECT_NE(readImageDescription(first).find("\"robust\""), std::string::npos);
   outcome = run("render " + first + " -o " + second);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(contentOf(first), contentOf(second));
+  EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
 }
 
 TEST_F(CommandLine, effectsPrintsEveryRowWithItsReasonAndCostAsOneJsonObject) {

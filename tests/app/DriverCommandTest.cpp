@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-
-#include <sys/wait.h>
 
 // The shipped binary with drivers that fail. Mesa can be told to be older than it is, and a process to have
 // less memory; other drivers pass by.
 namespace limn {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using test::Outcome;
 
 class DriverCommands : public testing::Test {
 protected:
@@ -35,13 +20,8 @@ protected:
       GTEST_SKIP() << "only Mesa can be told to refuse shaders";
   }
 
-  // `before` goes in front of the program: variables, or limits of the shell.
   Outcome run(const std::string& before, const std::string& arguments) {
-    const std::string command = before + " env -u DISPLAY -u WAYLAND_DISPLAY HOME='" +
-                                folder.path().string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" +
-                                file("out").string() + "' 2>'" + file("err").string() + "' </dev/null";
-    const int raw = std::system(command.c_str());
-    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, contentOf(file("out")), contentOf(file("err"))};
+    return test::runProgram(folder.path(), arguments, before);
   }
 
   std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
@@ -65,7 +45,7 @@ TEST_F(DriverCommands, theReferenceDrawsWhereTheEngineIsLeftOpen) {
   const Outcome outcome = run(oldShaders, scene + "-o " + picture());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   ASSERT_EQ(run("", scene + "--engine reference -o " + file("exact.png").string()).status, 0);
-  EXPECT_EQ(contentOf(picture()), contentOf(file("exact.png")));
+  EXPECT_EQ(test::bytesOfFile(picture()), test::bytesOfFile(file("exact.png")));
 }
 
 TEST_F(DriverCommands, whatTheDriverWroteStandsInTheSystemReport) {

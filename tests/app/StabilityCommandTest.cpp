@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `limn stability`: its report and its exit status, from the built program and from reports made by hand.
 #include "app/stability/StabilityReport.h"
-#include "support/FileBytes.h"
+#include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,6 @@
 #include <limits>
 #include <set>
 
-#include <sys/wait.h>
-
 namespace limn {
 namespace {
 
@@ -19,13 +17,8 @@ using Json = nlohmann::json;
 
 class StabilityCommand : public testing::Test {
 protected:
-  // The exit status of the built program without a display.
-  int run(const std::string& arguments) {
-    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY HOME='" + folder.path().string() +
-                                "' '" LIMN_PROGRAM "' stability " + arguments + " >'" + file("stdout") +
-                                "' 2>'" + file("stderr") + "' </dev/null";
-    const int raw = std::system(command.c_str());
-    return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
+  test::Outcome run(const std::string& arguments) {
+    return test::runProgram(folder.path(), "stability " + arguments);
   }
 
   std::string file(const std::string& name) const { return (folder.path() / name).string(); }
@@ -34,8 +27,8 @@ protected:
 };
 
 TEST_F(StabilityCommand, writesOneRowPerEngineAndSettingWithFigureBoundAndVerdict) {
-  ASSERT_EQ(run("--only H9,H4 --fuzz 5 --seed 7 -o '" + file("report") + "'"), 0)
-      << test::bytesOfFile(file("stderr"));
+  const test::Outcome outcome = run("--only H9,H4 --fuzz 5 --seed 7 -o '" + file("report") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json report = Json::parse(test::bytesOfFile(file("report/stability.json")));
   EXPECT_FALSE(report["renderer"].get<std::string>().empty());
   std::set<std::string> engines;
@@ -52,14 +45,16 @@ TEST_F(StabilityCommand, writesOneRowPerEngineAndSettingWithFigureBoundAndVerdic
   const std::string page = test::bytesOfFile(file("report/stability.html"));
   EXPECT_NE(page.find("id=\"H9\""), std::string::npos);
   EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos) << "pictures travel in the page";
-  EXPECT_NE(test::bytesOfFile(file("stdout")).find("0 fail"), std::string::npos);
+  EXPECT_NE(outcome.out.find("0 fail"), std::string::npos);
 }
 
 TEST_F(StabilityCommand, refusesWhatItCannotDo) {
-  EXPECT_EQ(run(""), 2);
-  EXPECT_NE(test::bytesOfFile(file("stderr")).find("-o"), std::string::npos);
-  EXPECT_EQ(run("--only H999"), 2);
-  EXPECT_NE(test::bytesOfFile(file("stderr")).find("H999"), std::string::npos);
+  const test::Outcome nothing = run("");
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("-o"), std::string::npos) << nothing.err;
+  const test::Outcome unknown = run("--only H999");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("H999"), std::string::npos) << unknown.err;
 }
 
 StabilityReport reportWith(const Finding& finding) {
