@@ -4,7 +4,14 @@
 #include "scene/SimpleScenes.h"
 #include "stability/Workbench.h"
 
+#include <array>
+
 namespace limn {
+
+/// Along each axis, both ways.
+inline const std::array<glm::dvec3, 6> axisDirections = {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0),
+                                                         glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0),
+                                                         glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
 /// The largest difference of any channel of any pixel; a value that is not a number is infinitely far.
 double largestDifference(const DrawnPicture& a, const DrawnPicture& b);

@@ -4,18 +4,14 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include <array>
 #include <cmath>
 
 namespace limn {
 namespace {
 
-const std::array<glm::dvec3, 6> axes = {glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
-                                        glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
-
 std::vector<Camera> degenerateCameras() {
   std::vector<Camera> cameras;
-  for (const glm::dvec3& direction : axes)
+  for (const glm::dvec3& direction : axisDirections)
     for (const glm::dvec3& up : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), direction,
                                  -direction, direction + glm::dvec3(1e-9, 2e-9, -1e-9), glm::dvec3(0.0)}) {
       Camera camera;

@@ -2,14 +2,10 @@
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
 
-#include <array>
 #include <cmath>
 
 namespace limn {
 namespace {
-
-const std::array<glm::dvec3, 6> axes = {glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
-                                        glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
 
 // A box of 8 mm seen by 16 x 16 pixels of 1 mm whose centres lie on whole millimetres, so in its faces.
 Scene inFaces(const glm::dvec3& direction) {
@@ -32,7 +28,7 @@ std::vector<Finding> raysInFaces(Workbench& bench) {
       "the 64 that a half-open box of 8 by 8 lights",
       [alpha](const Draw& draw) {
         int wrong = 0;
-        for (const glm::dvec3& axis : axes) {
+        for (const glm::dvec3& axis : axisDirections) {
           int lit = 0;
           for (const glm::dvec4& pixel : draw(inFaces(axis), {16, 16}).pixels) {
             lit += pixel.a > 0.0;
