@@ -20,8 +20,9 @@ constexpr double staleOpacity = 0.45;
 
 } // namespace
 
-AccuracyChartView::AccuracyChartView(QWidget* parent) : QChartView(parent), m_chart(new AccuracyChart) {
-  setChart(m_chart);
+// A chart set later would leave the view's own first one to nobody.
+AccuracyChartView::AccuracyChartView(QWidget* parent)
+    : QChartView(new AccuracyChart, parent), m_chart(static_cast<AccuracyChart*>(chart())) {
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::StrongFocus);

@@ -3,19 +3,14 @@
 
 #include "Corpus.h"
 
+#include "support/Sanitizers.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <functional>
 
 namespace limn::test {
-
-/// Sanitizers take memory and time of their own, which are not judged.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool isSanitised = true;
-#else
-inline constexpr bool isSanitised = false;
-#endif
 
 /// Longest time that reading may take, in seconds.
 inline constexpr int longestSeconds = isSanitised ? 200 : 20;
