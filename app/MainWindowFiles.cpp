@@ -9,6 +9,7 @@
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -124,6 +125,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
+  m_editor->canvas()->resetView(); // the points of the volume before no longer stretch the axis
   m_shading->foldUnused();
   measureGradients();
   const Grid& grid = volume.grid();
