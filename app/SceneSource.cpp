@@ -57,7 +57,11 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
   fs::path path = fs::absolute(source).lexically_normal();
   if (!path.has_filename()) // a folder written with a slash behind it
     path = path.parent_path();
-  return {readVolume(source, options, progress), path.string()};
+  const auto volume = readVolume(source, options, progress);
+  if (options.series && volume->info().format != "DICOM")
+    notes.push_back("This is no DICOM series; its number " + std::to_string(*options.series) +
+                    " was ignored.");
+  return {volume, path.string()};
 }
 
 bool isJsonFile(const fs::path& path) {

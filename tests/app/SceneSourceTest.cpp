@@ -31,6 +31,19 @@ TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
   EXPECT_FALSE(loaded.hasOwnCamera);
 }
 
+TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "small.nrrd";
+  std::ofstream(path) << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\n"
+                         "encoding: ascii\n\n0 1 2 3 4 5 6 7\n";
+  SourceOptions options;
+  EXPECT_TRUE(loadScene(path.string(), options, {}).notes.empty());
+  options.read.series = 3;
+  const LoadedScene loaded = loadScene(path.string(), options, {});
+  ASSERT_EQ(loaded.notes.size(), 1u);
+  EXPECT_NE(loaded.notes.front().find("3 was ignored"), std::string::npos) << loaded.notes.front();
+}
+
 SessionDocument sessionOfPhantom() {
   SessionDocument session;
   session.scene.volume = "phantom:8";
