@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QStatusBar>
+#include <QTimer>
 
 // What the status bar says, and whether the picture refines at rest.
 
@@ -28,6 +29,9 @@ void MainWindow::showPictureState(const PictureState& state) {
   m_pictureStatus->setText(accuracyText(state, m_session.scene()));
   if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
     m_messages->show(MessageBar::Kind::warning, state.limitation);
+  // Not here: the view may be in the middle of drawing.
+  if (m_awaitedPicture)
+    QTimer::singleShot(0, this, &MainWindow::writeAwaitedPicture);
 }
 
 // The definition itself draws when the driver does not, in double precision.

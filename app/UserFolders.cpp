@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/UserFolders.h"
 
+#include "scene/Error.h"
+
 #include <QStandardPaths>
 
 namespace limn {
@@ -29,6 +31,9 @@ void makePrivateFolder(const fs::path& folder) {
   std::error_code failed;
   if (fs::create_directories(folder, failed))
     fs::permissions(folder, fs::perms::owner_all, failed);
+  else if (failed)
+    throw Error(Error::Kind::other, "Cannot make the folder " + folder.string() + ": " + failed.message() +
+                                        "; make room there or allow Limn to write there.");
 }
 
 } // namespace limn
