@@ -65,8 +65,6 @@ void MainWindow::layOut() {
   m_recovery->setObjectName(QStringLiteral("recoveryBar"));
   m_unsafe = new MessageBar(centre);
   m_unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  m_waiting = new MessageBar(centre);
-  m_waiting->setObjectName(QStringLiteral("waitingBar"));
   m_messages = new MessageBar(centre);
   m_view = new CompareView(centre);
   auto* column = new QVBoxLayout(centre);
@@ -74,7 +72,6 @@ void MainWindow::layOut() {
   column->setSpacing(0);
   column->addWidget(m_recovery);
   column->addWidget(m_unsafe);
-  column->addWidget(m_waiting);
   column->addWidget(m_messages);
   column->addWidget(m_view, 1);
   setCentralWidget(centre);

@@ -18,6 +18,7 @@ class QActionGroup;
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QToolButton;
 
 namespace limn {
 
@@ -101,6 +102,7 @@ private:
 
   // MainWindowStatus.cpp
   void makeStatusBar();
+  void makeWaitingRow();
   void showPictureState(const PictureState& state);
   void prepareForDriverFailure();
   void addRefineAction(QMenu& menu);
@@ -232,7 +234,6 @@ private:
   CompareView* m_view = nullptr;
   MessageBar* m_recovery = nullptr; ///< offers what an earlier window left behind
   MessageBar* m_unsafe = nullptr;   ///< says so as long as the session cannot be kept
-  MessageBar* m_waiting = nullptr;  ///< says which picture is saved once it is complete
   MessageBar* m_messages = nullptr;
   CurvePanel* m_curves = nullptr;
   TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
@@ -252,6 +253,8 @@ private:
 
   QLabel* m_volumeLabel = nullptr;
   QLabel* m_probeLabel = nullptr;
+  QLabel* m_waiting = nullptr; ///< says which picture is saved once it is complete
+  QToolButton* m_stopWaiting = nullptr;
   PictureStatus* m_pictureStatus = nullptr;
 
   QMenu* m_recentMenu = nullptr;

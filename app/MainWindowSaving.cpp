@@ -10,8 +10,10 @@
 #include "scene/Error.h"
 
 #include <QFileInfo>
+#include <QLabel>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QToolButton>
 
 // Scenes and pictures as files, and what is said of any file that was saved or could not be.
 
@@ -75,17 +77,17 @@ void MainWindow::writeAwaitedPicture() {
   } else if (m_view->restingImage(0)) {
     forgetAwaitedPicture();
     writePicture(awaited.path);
-  } else if (!m_waiting->isVisible()) {
-    m_waiting->show(MessageBar::Kind::question,
-                    tr("The picture is still being drawn; %1 is saved once it is complete.")
-                        .arg(QFileInfo(awaited.path).fileName()),
-                    {}, {}, {tr("Cancel"), [this] { forgetAwaitedPicture(); }});
+  } else {
+    m_waiting->setText(tr("Saving %1 once the picture is complete").arg(QFileInfo(awaited.path).fileName()));
+    m_waiting->show();
+    m_stopWaiting->show();
   }
 }
 
 void MainWindow::forgetAwaitedPicture() {
   m_awaitedPicture.reset();
   m_waiting->hide();
+  m_stopWaiting->hide();
 }
 
 void MainWindow::writePicture(const QString& path) {

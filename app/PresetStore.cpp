@@ -61,8 +61,8 @@ void PresetStore::save(const Preset& preset) const {
   if (fileOf(preset.name).filename().string().size() > longestFileName)
     throw Error(Error::Kind::usage,
                 "Cannot save the preset: its name is too long for a file; choose a shorter one.");
-  makePrivateFolder(m_folder);
-  writeFileAtomically(fileOf(preset.name), presetToJson(preset), FileOwner::program);
+  makeFolder(m_folder);
+  writeFileAtomically(fileOf(preset.name), presetToJson(preset), FilePlace::fixed);
 }
 
 void PresetStore::remove(const std::string& name) const {

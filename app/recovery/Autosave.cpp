@@ -42,7 +42,7 @@ struct Autosave::Shared {
       return true;
     try {
       if (state.session)
-        writeFileAtomically(file, sessionToJson(*state.session), FileOwner::program);
+        writeFileAtomically(file, sessionToJson(*state.session), FilePlace::fixedPrivate);
       else
         std::filesystem::remove(file);
       onDisk = state.session;

@@ -24,12 +24,13 @@ namespace fs = std::filesystem;
 
 struct Target {
   fs::path path;
-  FileOwner owner = FileOwner::user;
+  FilePlace place = FilePlace::chosen;
 };
 
 [[noreturn]] void failWriting(const Target& target, int error) {
-  const std::string advice = target.owner == FileOwner::user ? "choose another folder or make room"
-                                                             : "make room there or allow Limn to write there";
+  const std::string advice = target.place == FilePlace::chosen
+                                 ? "choose another folder or make room"
+                                 : "make room there or allow Limn to write there";
   std::error_code unknown;
   const bool isThere = fs::is_regular_file(target.path, unknown);
   throw Error(Error::Kind::other, "Cannot write " + target.path.string() + ": " + std::strerror(error) +
@@ -65,7 +66,7 @@ void removeAbandoned(const fs::path& folder) {
 class TemporaryFile {
 public:
   explicit TemporaryFile(Target target) : m_target(std::move(target)) {
-    const mode_t rights = m_target.owner == FileOwner::user ? 0666 : 0600;
+    const mode_t rights = m_target.place == FilePlace::fixedPrivate ? 0600 : 0666;
     std::random_device random;
     for (int attempt = 0; attempt < 100; ++attempt) {
       fs::path path = m_target.path.parent_path() / (prefix + std::to_string(random()));
@@ -90,13 +91,13 @@ public:
 
   const fs::path& path() const { return m_path; }
 
-  // Puts the bytes on the disk before the name points to them. A file of the user's that is replaced hands on
+  // Puts the bytes on the disk before the name points to them. A file that is replaced hands on
   // its rights.
   void replaceTarget() {
     if (!flush(m_path, O_RDONLY))
       failWriting(m_target, errno);
     struct stat old {};
-    if (m_target.owner == FileOwner::user && ::stat(m_target.path.c_str(), &old) == 0 &&
+    if (m_target.place != FilePlace::fixedPrivate && ::stat(m_target.path.c_str(), &old) == 0 &&
         ::chmod(m_path.c_str(), old.st_mode & 07777) != 0)
       failWriting(m_target, errno);
     if (::rename(m_path.c_str(), m_target.path.c_str()) != 0)
@@ -142,14 +143,14 @@ void writeAll(const fs::path& path, const Target& target, std::string_view bytes
 } // namespace
 
 void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write,
-                       FileOwner owner) {
+                       FilePlace place) {
   std::error_code unknown;
   if (target.filename().empty() || fs::is_directory(target, unknown))
-    failWriting({target, owner}, EISDIR);
+    failWriting({target, place}, EISDIR);
   // A link stays; what it points to is replaced.
   const fs::path file = fs::is_symlink(target, unknown) ? fs::weakly_canonical(target) : target;
   removeAbandoned(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  TemporaryFile temporary({file, owner});
+  TemporaryFile temporary({file, place});
   write(temporary.path());
   temporary.replaceTarget();
 }
@@ -158,11 +159,11 @@ bool isTemporary(const fs::path& file) {
   return isTemporaryName(file.filename().string());
 }
 
-void writeFileAtomically(const fs::path& target, std::string_view bytes, FileOwner owner) {
+void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePlace place) {
   replaceAtomically(
       target,
       [&](const fs::path& temporary) {
-        writeAll(temporary, {target, owner}, bytes);
+        writeAll(temporary, {target, place}, bytes);
       },
       owner);
 }

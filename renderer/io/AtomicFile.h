@@ -7,9 +7,9 @@
 
 namespace limn {
 
-/// Whose file it is: one that the user places, or one that the program keeps for this user, in a place that
-/// cannot be chosen. The program's may be read by nobody else.
-enum class FileOwner { user, program };
+/// Where a file lies: where somebody chose, or where the program keeps it, which nobody can choose; there it
+/// may be such that only this user may read it.
+enum class FilePlace { chosen, fixed, fixedPrivate };
 
 /// Replaces `target` by what `write` puts into the temporary file it is given: a new name in the same folder
 /// with the same ending. The target is complete or untouched: on any failure the temporary file is removed,
@@ -17,13 +17,13 @@ enum class FileOwner { user, program };
 /// Throws Error, and whatever `write` throws.
 void replaceAtomically(const std::filesystem::path& target,
                        const std::function<void(const std::filesystem::path& temporary)>& write,
-                       FileOwner owner = FileOwner::user);
+                       FilePlace place = FilePlace::chosen);
 
 /// Whether a file is, by its name, one that is being written or was when its process ended.
 bool isTemporary(const std::filesystem::path& file);
 
 /// Replaces `target` by a file of these bytes; complete or untouched. Throws Error.
 void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes,
-                         FileOwner owner = FileOwner::user);
+                         FilePlace place = FilePlace::chosen);
 
 } // namespace limn
