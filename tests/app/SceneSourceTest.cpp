@@ -67,6 +67,27 @@ TEST(SceneSource, aSessionIsASourceLikeAScene) {
   EXPECT_EQ(loaded.session->layout, SessionDocument::Layout::difference);
 }
 
+TEST(SceneSource, scenesAndSessionsAreKnownByWhatTheyHoldWhateverTheirEnding) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"mine", "mine.v2", "mine.txt"}) {
+    const std::string path = (folder.path() / name).string();
+    std::ofstream(path) << sessionToJson(sessionOfPhantom());
+    EXPECT_TRUE(loadScene(path, {}, {}).session) << name;
+    std::ofstream(path) << "\n {\"limn_scene\": 1, \"volume\": \"phantom:8\", \"projection\": \"xray\"}";
+    EXPECT_EQ(loadScene(path, {}, {}).scene.projection, Projection::xray) << name;
+    std::ofstream(path) << "{\"other\": 1}";
+    EXPECT_THROW(loadScene(path, {}, {}), Error) << name;
+  }
+}
+
+TEST(SceneSource, aPathMeansTheSameFromEverywhereAndBuiltInNamesStay) {
+  EXPECT_EQ(absoluteSource("sample"), "sample");
+  EXPECT_EQ(absoluteSource("phantom:4"), "phantom:4");
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(absoluteSource("data/../head.nii"), (here / "head.nii").string());
+  EXPECT_EQ(absoluteSource("series/"), (here / "series").string());
+}
+
 TEST(SceneSource, aVolumeThatMayNotBeNamedIsFoundByWhatStandsForIt) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "session.json";

@@ -310,6 +310,11 @@ SceneDocument readSceneFile(const std::filesystem::path& path) {
   return document;
 }
 
+bool looksLikeScene(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("limn_scene");
+}
+
 Preset parsePreset(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
