@@ -18,8 +18,8 @@ using OIIO::TypeDesc;
 // The library keeps the segments before a picture in a list and walks it for each.
 constexpr int mostSegments = 4096;
 
-[[noreturn]] void failDamaged(const fs::path& file, const std::string& why) {
-  failReading(file, "the picture is damaged" + (why.empty() ? why : " (" + why + ")"), copyAgain);
+[[noreturn]] void failDamaged(const fs::path& file) {
+  failReading(file, "the picture is damaged or cut off", copyAgain);
 }
 
 VoxelType typeOf(const fs::path& file, TypeDesc stored) {
@@ -46,12 +46,12 @@ void requireSoundJpeg(const fs::path& file) {
     const int high = stream.get();
     const int low = stream.get();
     if (!stream || segments > mostSegments)
-      failDamaged(file, "its segments do not lead to a picture");
+      failDamaged(file);
     if (mark == 0xda)
       break;
     stream.seekg((high << 8 | low) - 2, std::ios::cur);
     if (stream.get() != 0xff)
-      failDamaged(file, "its segments do not lead to a picture");
+      failDamaged(file);
   }
   constexpr std::streamoff tailBytes = 4096;
   stream.clear();
@@ -84,8 +84,10 @@ Picture openPicture(const fs::path& file) {
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const std::shared_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-  if (!input)
-    failDamaged(file, OIIO::geterror());
+  if (!input) {
+    OIIO::geterror(); // the library's words, which it would print at the end
+    failDamaged(file);
+  }
   const OIIO::ImageSpec& spec = input->spec();
   Picture picture;
   picture.shape = {spec.width, spec.height, spec.nchannels, typeOf(file, spec.format)};
@@ -97,7 +99,7 @@ Picture openPicture(const fs::path& file) {
     // Some damage is only left as a text, with the rows filled up.
     const std::string damage = input->geterror();
     if (!isRead || !damage.empty())
-      failDamaged(file, damage);
+      failDamaged(file);
   };
   return picture;
 }
