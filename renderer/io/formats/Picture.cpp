@@ -17,6 +17,8 @@ using OIIO::TypeDesc;
 
 // The library keeps the segments before a picture in a list and walks it for each.
 constexpr int mostSegments = 4096;
+// Pixels come in chunks of 8 KiB and more.
+constexpr int mostChunks = 1 << 20;
 
 [[noreturn]] void failDamaged(const fs::path& file) {
   failReading(file, "the picture is damaged or cut off", copyAgain);
@@ -62,6 +64,23 @@ void requireSoundJpeg(const fs::path& file) {
     failReading(file, "the picture is cut off", copyAgain);
 }
 
+// Walks the chunks of a PNG file to its end, so that a picture that is cut off never reaches the decoder,
+// which prints its own complaints.
+void requireWholePng(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(8);
+  std::string head(8, '\0');
+  for (int chunks = 0; chunks < mostChunks && stream.read(head.data(), 8); ++chunks) {
+    if (head.ends_with("IEND"))
+      return;
+    std::uint32_t length = 0;
+    for (int i = 0; i < 4; ++i)
+      length = length << 8 | static_cast<unsigned char>(head[static_cast<std::size_t>(i)]);
+    stream.seekg(static_cast<std::streamoff>(length) + 4, std::ios::cur);
+  }
+  failReading(file, "the picture is cut off", copyAgain);
+}
+
 bool isJpeg(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return stream.get() == 0xff;
@@ -81,6 +100,8 @@ void requireRoom(const fs::path& file, const PictureShape& shape) {
 Picture openPicture(const fs::path& file) {
   if (isJpeg(file))
     requireSoundJpeg(file);
+  else
+    requireWholePng(file);
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const std::shared_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
