@@ -106,9 +106,17 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
 
 std::string readImageDescription(const fs::path& path) {
   const auto input = OIIO::ImageInput::open(path.string());
-  if (!input)
-    throw Error(Error::Kind::input, "Cannot read " + path.string() + ": " + OIIO::geterror() +
+  if (!input) {
+    OIIO::geterror(); // the library's words, which it would print at the end
+    std::error_code problem;
+    const bool isThere = fs::exists(path, problem);
+    const bool isEmpty = isThere && fs::file_size(path, problem) == 0 && !problem;
+    const char* reason = !isThere  ? "there is no such file"
+                         : isEmpty ? "the file is empty"
+                                   : "it is no picture, or a damaged one";
+    throw Error(Error::Kind::input, "Cannot read " + path.string() + ": " + reason +
                                         "; choose a PNG, TIFF, JPEG or EXR picture.");
+  }
   return input->spec().get_string_attribute("ImageDescription");
 }
 

@@ -58,6 +58,8 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
   if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin" || ending == ".txt")
     failReading(path, "it does not say the size and type of a volume in a way that Limn knows",
                 "write a small MetaImage header (.mhd) that names the raw file beside it, and open that");
+  if (ending == ".dcm" || ending == ".dicom" || ending == ".ima")
+    failReading(path, "it does not start as DICOM does: it is damaged or cut off", copyAgain);
   failReading(path, "its content is of no known kind", knownFormats);
 }
 
@@ -94,6 +96,7 @@ VolumeParts readFolder(const fs::path& path, const Progress& progress) {
   if (pictures.empty())
     failReading(path, "the folder holds no DICOM, TIFF, PNG or JPEG slices",
                 "open the folder that holds the slices, or a volume file");
+  requireWholeStack(path, pictures);
   return readPictures(path, pictures, progress);
 }
 

@@ -104,6 +104,14 @@ TEST(Nrrd, aShortFileIsRefused) {
   refused("NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3\nencoding: raw\nendian: little\n\n" + voxels());
 }
 
+TEST(Nrrd, aVolumeLargerThanAnyComputerIsCalledTooLarge) {
+  std::string header = plain;
+  const std::size_t sizes = header.find("sizes: ");
+  header.replace(sizes, header.find('\n', sizes) - sizes, "sizes: 20000 20000 20000");
+  const std::string refusal = refused(header + "\n" + voxels());
+  EXPECT_NE(refusal.find("20000 x 20000 x 20000, which is too large"), std::string::npos) << refusal;
+}
+
 TEST(Nrrd, shearedAxesAreRefused) {
   const std::string axes = "space: LPS\nspace directions: (2,0,0) (0.5,3,0) (0,0,4)\n\n";
   EXPECT_NE(refused(plain + axes + voxels()).find("sheared"), std::string::npos);

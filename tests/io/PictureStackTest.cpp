@@ -69,6 +69,40 @@ TEST(PictureStack, aGapInTheNumbersAndLossyPicturesAreSaid) {
   EXPECT_TRUE(warns(*volume, "lossy"));
 }
 
+TEST(PictureStack, aSliceThatIsEmptyOrCutOffIsRefusedAndNamed) {
+  for (const char* lost : {"engine_0005.png", "engine_0010.png"}) {
+    const TemporaryFolder folder;
+    for (int i = 1; i <= 10; ++i)
+      writeSlice(folder.path() / ("engine_00" + std::string(i < 10 ? "0" : "") + std::to_string(i) + ".png"),
+                 i);
+    const std::string bytes = bytesOfFile(folder.path() / lost);
+    for (const std::size_t size : {std::size_t{0}, std::size_t{5}, std::size_t{20}, bytes.size() - 30}) {
+      writeBytes(folder.path() / lost, bytes.substr(0, size));
+      const std::string refusal = refusalOf(folder.path());
+      EXPECT_NE(refusal.find((folder.path() / lost).string()), std::string::npos) << size << ": " << refusal;
+      // None of the words of the library that decodes.
+      EXPECT_EQ(refusal.find("PNG "), std::string::npos) << refusal;
+      EXPECT_EQ(refusal.find('?'), std::string::npos) << refusal;
+    }
+    writeBytes(folder.path() / lost, bytes);
+    for (const char* foreign : {".engine_0004.png", "Thumbs.db", "engine_0004.txt"})
+      writeBytes(folder.path() / foreign, "");
+    EXPECT_EQ(readVolume(folder.path())->grid().dims.z, 10);
+  }
+}
+
+TEST(PictureStack, anEmptyPictureIsCalledEmpty) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / "empty.png", "");
+  EXPECT_NE(refusalOf(folder.path() / "empty.png").find("the file is empty"), std::string::npos);
+  try {
+    readImageDescription(folder.path() / "empty.png");
+    ADD_FAILURE() << "read an empty picture";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the file is empty"), std::string::npos) << error.what();
+  }
+}
+
 TEST(PictureStack, picturesThatDoNotMatchAreRefused) {
   const TemporaryFolder folder;
   writeSlice(folder.path() / "1.png", 1);

@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 [[noreturn]] void fail(const DicomHeader& header, const std::string& why) {
-  throw Error(Error::Kind::input, "The compressed pixels of " + header.path.filename().string() + " " + why +
+  throw Error(Error::Kind::input, "The compressed pixels of " + header.path.string() + " " + why +
                                       " (transfer syntax " + header.transferSyntax +
                                       "); export the series uncompressed.");
 }

@@ -53,6 +53,32 @@ void refuseGap(const std::vector<double>& gaps, double usual) {
                                         " mm apart: slices are missing; copy the whole series again.");
 }
 
+// Says where slices must be missing: in gaps that are whole multiples of the usual distance. Empty where
+// no gap is.
+std::string missingSlices(const std::vector<double>& heights, double usual) {
+  constexpr double wholeness = 0.15; // of the distance: as even as slices of a complete series commonly are
+  constexpr std::size_t mostNamed = 3;
+  std::size_t missing = 0;
+  std::size_t places = 0;
+  std::string where;
+  for (std::size_t k = 1; k < heights.size(); ++k) {
+    const double steps = (heights[k] - heights[k - 1]) / usual;
+    const double whole = std::round(steps);
+    if (whole < 2.0 || std::abs(steps - whole) > wholeness)
+      continue;
+    missing += static_cast<std::size_t>(whole) - 1;
+    if (++places <= mostNamed)
+      where +=
+          (places == 1 ? "" : ", ") + decimal(heights[k - 1], 1) + " and " + decimal(heights[k], 1) + " mm";
+  }
+  if (places == 0)
+    return {};
+  if (places > mostNamed)
+    where += " and in " + std::to_string(places - mostNamed) + " more places";
+  return std::to_string(missing) + (missing == 1 ? " slice seems" : " slices seem") +
+         " to be missing between " + where + " from the first";
+}
+
 // Chooses the distance of the grid's planes for slices at the given heights (ascending from 0).
 Spacing planeSpacing(const std::vector<double>& heights, std::vector<std::string>& warnings) {
   const auto slices = heights.size();
@@ -76,9 +102,11 @@ Spacing planeSpacing(const std::vector<double>& heights, std::vector<std::string
   const bool refines = heights.back() / smallest < static_cast<double>(mostRefinement * slices);
   const int planes = static_cast<int>(std::lround(heights.back() / (refines ? smallest : usual))) + 1;
   const double spacing = heights.back() / (planes - 1);
-  warnings.push_back("The slices lie unequally, " + range + " apart: " + std::to_string(planes) +
-                     " planes every " + decimal(spacing) +
-                     " mm were interpolated between them, some of which may bridge missing slices.");
+  const std::string missing = missingSlices(heights, usual);
+  warnings.push_back(
+      "The slices lie unequally, " + range + " apart: " + std::to_string(planes) + " planes every " +
+      decimal(spacing) + " mm were interpolated between them, some of which " +
+      (missing.empty() ? "may bridge missing slices." : "bridge missing slices: " + missing + "."));
   return {spacing, planes, false};
 }
 

@@ -320,17 +320,23 @@ bool startsAsDicom(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in)
     return false;
-  Parser parser(in, path.filename().string());
-  return startOfElements(parser).has_value();
+  try {
+    Parser parser(in, path.string());
+    return startOfElements(parser).has_value();
+  } catch (const Error&) {
+    return false; // shorter than it says, as some files of the system are
+  }
 }
 
 DicomFile parseDicom(const std::filesystem::path& path) {
   DicomFile file;
   auto in = openDicomStream(path, 0);
-  Parser parser(*in, path.filename().string());
+  Parser parser(*in, path.string());
   const auto start = startOfElements(parser);
   if (!start)
-    throw Error(Error::Kind::input, "The file " + path.filename().string() + " is not DICOM.");
+    throw Error(Error::Kind::input, "The file " + path.string() +
+                                        " does not start as DICOM does; if it was an image, it is "
+                                        "damaged or cut off, so copy it again from its source.");
   parser.moveTo(*start);
   const DicomDataset meta = metaInformation(parser);
   file.transferSyntax = textOf(meta, tag::transferSyntax);
@@ -341,7 +347,7 @@ DicomFile parseDicom(const std::filesystem::path& path) {
   if (file.transferSyntax == "1.2.840.10008.1.2.1.99") {
     file.deflatedFrom = parser.position();
     in = openDicomStream(path, file.deflatedFrom);
-    Parser unpacked(*in, path.filename().string());
+    Parser unpacked(*in, path.string());
     file.dataset = unpacked.dataset(sniffed(unpacked, ""), unpacked.end(), 0, &file.pixels);
   } else {
     file.dataset = parser.dataset(sniffed(parser, file.transferSyntax), parser.end(), 0, &file.pixels);
@@ -353,12 +359,12 @@ DicomFile parseDicom(const std::filesystem::path& path) {
 std::unique_ptr<std::istream> openDicomStream(const std::filesystem::path& path, std::uint64_t deflatedFrom) {
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in)
-    throw Error(Error::Kind::input, "The file " + path.filename().string() +
+    throw Error(Error::Kind::input, "The file " + path.string() +
                                         " cannot be opened; check that it exists and that you may read it.");
   if (deflatedFrom == 0)
     return in;
   in->seekg(static_cast<std::streamoff>(deflatedFrom));
-  return inflated(std::move(in), path.filename().string());
+  return inflated(std::move(in), path.string());
 }
 
 } // namespace limn

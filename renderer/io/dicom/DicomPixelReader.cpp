@@ -43,8 +43,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header)
 }
 
 void DicomPixelReader::fail(const std::string& why) const {
-  throw Error(Error::Kind::input, "The pixels of the DICOM file " + m_header->path.filename().string() + " " +
-                                      why +
+  throw Error(Error::Kind::input, "The pixels of the DICOM file " + m_header->path.string() + " " + why +
                                       "; the file is damaged or cut off, so copy it again from its source.");
 }
 

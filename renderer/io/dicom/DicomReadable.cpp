@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/PlainText.h"
-#include "io/dicom/DicomHeader.h"
+#include "io/dicom/DicomObjectKind.h"
 #include "scene/Error.h"
 
 #include <algorithm>
@@ -42,12 +42,14 @@ std::string quoted(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const DicomHeader& header, const std::string& why) {
-  throw Error(Error::Kind::input, "The DICOM file " + header.path.filename().string() + " " + why);
+  throw Error(Error::Kind::input, "The DICOM file " + header.path.string() + " " + why);
 }
 
 void requirePicture(const DicomHeader& header) {
   if (header.sopClass == "1.2.840.10008.1.3.10")
     refuse(header, "is the index of a medium (DICOMDIR) and no image; open the folder that holds it.");
+  if (hasLostPicture(header))
+    refuse(header, "is cut off before its picture; copy it again from its source.");
   if (!header.pixels)
     refuse(header,
            "holds no image" +

@@ -4,6 +4,7 @@
 #include "io/MachineMemory.h"
 #include "io/PlainText.h"
 #include "io/PlausibleGrid.h"
+#include "io/RealFolder.h"
 #include "io/dicom/DicomGeometry.h"
 #include "io/dicom/DicomPhases.h"
 #include "io/dicom/DicomResample.h"
@@ -68,11 +69,24 @@ DicomSeries chosenSeries(const std::filesystem::path& path, const std::vector<Di
   return all[index];
 }
 
+// The first three of several names.
+std::string firstNames(const std::vector<std::string>& files) {
+  constexpr std::size_t mostNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
+    text += (text.empty() ? "" : ", ") + plainText(files[i], 80);
+  if (files.size() > mostNamed)
+    text += " and " + std::to_string(files.size() - mostNamed) + " more";
+  return text;
+}
+
 void noteScan(const std::filesystem::path& path, const DicomScan& scan, std::vector<std::string>& warnings) {
-  if (scan.damaged > 0)
-    warnings.push_back(
-        std::to_string(scan.damaged) + (scan.damaged == 1 ? " DICOM file has" : " DICOM files have") +
-        " a damaged header and was left out (" + scan.firstDamaged + "): slices may be missing.");
+  const std::size_t damaged = scan.damaged.size();
+  if (damaged > 0)
+    warnings.push_back(std::to_string(damaged) + " DICOM " +
+                       (damaged == 1 ? "file is damaged or cut off and was left out ("
+                                     : "files are damaged or cut off and were left out (") +
+                       firstNames(scan.damaged) + "): slices may be missing; copy the series again.");
   const bool isOneImage = !std::filesystem::is_directory(path) && scan.images.size() == 1 &&
                           scan.images.front().frames.size() == 1;
   if (isOneImage)
@@ -85,8 +99,8 @@ void requireImages(const std::filesystem::path& path, const DicomScan& scan) {
   std::string found = "no DICOM files";
   if (scan.withoutImage > 0)
     found = "DICOM objects without images only (reports, plans or indices)";
-  if (scan.damaged > 0)
-    found = "DICOM files with damaged headers only, the first of them " + scan.firstDamaged;
+  if (!scan.damaged.empty())
+    found = "only DICOM files that are damaged or cut off (" + firstNames(scan.damaged) + ")";
   throw Error(Error::Kind::input,
               "The folder " + nameOf(path) + " holds " + found + "; choose the folder of an image series.");
 }
@@ -168,13 +182,15 @@ bool isDicom(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error))
     return startsAsDicom(path);
-  if (!std::filesystem::is_directory(path, error))
+  if (!std::filesystem::is_directory(path, error) || isPseudoFolder(path))
     return false;
   std::filesystem::recursive_directory_iterator entry(
       path, std::filesystem::directory_options::skip_permission_denied, error);
   std::size_t looked = 0;
   for (; !error && entry != std::filesystem::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code ignored;
+    if (entry->is_directory(ignored) && isPseudoFolder(entry->path()))
+      entry.disable_recursion_pending();
     if (entry->is_regular_file(ignored) && startsAsDicom(entry->path()))
       return true;
     if (++looked > mostFilesLookedAt)

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t headerBytes = 64;
 
 [[noreturn]] void fail(const DicomHeader& header) {
-  throw Error(Error::Kind::input, "The run-length encoded pixels of " + header.path.filename().string() +
+  throw Error(Error::Kind::input, "The run-length encoded pixels of " + header.path.string() +
                                       " are damaged or cut off; copy the file again from its source.");
 }
 

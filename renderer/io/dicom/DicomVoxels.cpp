@@ -160,7 +160,7 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
   for (const DicomSlice& slice : series)
     if (!isUsable(rescaleOf(slice)))
       throw Error(Error::Kind::input,
-                  "The DICOM file " + slice.header->path.filename().string() +
+                  "The DICOM file " + slice.header->path.string() +
                       " gives a rescale slope of 0 or none that is a number, which leaves no values; "
                       "its header is damaged.");
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);

@@ -17,9 +17,11 @@ using OIIO::TypeDesc;
 
 // The library keeps the segments before a picture in a list and walks it for each.
 constexpr int mostSegments = 4096;
+// Pixels come in chunks of 8 KiB and more.
+constexpr int mostChunks = 1 << 20;
 
-[[noreturn]] void failDamaged(const fs::path& file, const std::string& why) {
-  failReading(file, "the picture is damaged" + (why.empty() ? why : " (" + why + ")"), copyAgain);
+[[noreturn]] void failDamaged(const fs::path& file) {
+  failReading(file, "the picture is damaged or cut off", copyAgain);
 }
 
 VoxelType typeOf(const fs::path& file, TypeDesc stored) {
@@ -46,12 +48,12 @@ void requireSoundJpeg(const fs::path& file) {
     const int high = stream.get();
     const int low = stream.get();
     if (!stream || segments > mostSegments)
-      failDamaged(file, "its segments do not lead to a picture");
+      failDamaged(file);
     if (mark == 0xda)
       break;
     stream.seekg((high << 8 | low) - 2, std::ios::cur);
     if (stream.get() != 0xff)
-      failDamaged(file, "its segments do not lead to a picture");
+      failDamaged(file);
   }
   constexpr std::streamoff tailBytes = 4096;
   stream.clear();
@@ -60,6 +62,23 @@ void requireSoundJpeg(const fs::path& file) {
   const std::string tail{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (tail.rfind("\xff\xd9"sv) == std::string::npos)
     failReading(file, "the picture is cut off", copyAgain);
+}
+
+// Walks the chunks of a PNG file to its end, so that a picture that is cut off never reaches the decoder,
+// which prints its own complaints.
+void requireWholePng(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(8);
+  std::string head(8, '\0');
+  for (int chunks = 0; chunks < mostChunks && stream.read(head.data(), 8); ++chunks) {
+    if (head.ends_with("IEND"))
+      return;
+    std::uint32_t length = 0;
+    for (int i = 0; i < 4; ++i)
+      length = length << 8 | static_cast<unsigned char>(head[static_cast<std::size_t>(i)]);
+    stream.seekg(static_cast<std::streamoff>(length) + 4, std::ios::cur);
+  }
+  failReading(file, "the picture is cut off", copyAgain);
 }
 
 bool isJpeg(const fs::path& file) {
@@ -81,11 +100,15 @@ void requireRoom(const fs::path& file, const PictureShape& shape) {
 Picture openPicture(const fs::path& file) {
   if (isJpeg(file))
     requireSoundJpeg(file);
+  else
+    requireWholePng(file);
   OIIO::ImageSpec wishes;
   wishes.attribute("oiio:UnassociatedAlpha", 1);
   const std::shared_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-  if (!input)
-    failDamaged(file, OIIO::geterror());
+  if (!input) {
+    OIIO::geterror(); // the library's words, which it would print at the end
+    failDamaged(file);
+  }
   const OIIO::ImageSpec& spec = input->spec();
   Picture picture;
   picture.shape = {spec.width, spec.height, spec.nchannels, typeOf(file, spec.format)};
@@ -97,7 +120,7 @@ Picture openPicture(const fs::path& file) {
     // Some damage is only left as a text, with the rows filled up.
     const std::string damage = input->geterror();
     if (!isRead || !damage.empty())
-      failDamaged(file, damage);
+      failDamaged(file);
   };
   return picture;
 }

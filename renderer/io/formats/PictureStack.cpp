@@ -2,6 +2,7 @@
 #include "io/formats/PictureStack.h"
 
 #include "io/MachineMemory.h"
+#include "io/NameLikeness.h"
 #include "io/formats/Picture.h"
 #include "io/formats/ReadError.h"
 #include "io/formats/StoredType.h"
@@ -181,6 +182,26 @@ std::vector<fs::path> picturesIn(const fs::path& folder) {
     return naturalLess(a.filename().string(), b.filename().string());
   });
   return files;
+}
+
+void requireWholeStack(const fs::path& folder, const std::vector<fs::path>& pictures) {
+  NameLikeness names;
+  for (const fs::path& picture : pictures)
+    names.add(picture);
+  std::set<fs::path> lost;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (std::error_code ignored; entry.is_regular_file(ignored) && names.isLike(entry.path()) &&
+                                 std::find(pictures.begin(), pictures.end(), entry.path()) == pictures.end())
+      lost.insert(entry.path());
+  if (lost.empty())
+    return;
+  const fs::path& first = *lost.begin();
+  std::error_code ignored;
+  failReading(first,
+              (fs::file_size(first, ignored) == 0 ? std::string("the file is empty")
+                                                  : std::string("it does not start as a picture does")) +
+                  ", so that a slice is missing from the stack",
+              "copy it again, or take it out of the folder if it is no slice");
 }
 
 VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const Progress& progress) {

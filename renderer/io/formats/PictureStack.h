@@ -14,6 +14,10 @@ bool isPicture(std::string_view bytes);
 /// The pictures of a folder (not of its subfolders), in the order of the numbers in their names: 2 before 10.
 std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder);
 
+/// Throws Error where a file of the folder is called as its pictures are, but is none: a lost slice.
+void requireWholeStack(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& pictures);
+
 /// Whether `a` comes before `b` when runs of digits count as numbers.
 bool naturalLess(std::string_view a, std::string_view b);
 

@@ -103,11 +103,13 @@ std::uint64_t voxelCount(const fs::path& file, const glm::ivec3& dims) {
   constexpr std::uint64_t most = std::uint64_t{1} << 40;
   std::uint64_t count = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    if (dims[axis] < 1 || count > most / static_cast<std::uint64_t>(dims[axis]))
-      failReading(file,
-                  "its header gives the dimensions " + std::to_string(dims.x) + " x " +
-                      std::to_string(dims.y) + " x " + std::to_string(dims.z),
-                  copyAgain);
+    const std::string given = "its header gives the dimensions " + std::to_string(dims.x) + " x " +
+                              std::to_string(dims.y) + " x " + std::to_string(dims.z);
+    if (dims[axis] < 1)
+      failReading(file, given + ", which leave no voxels", copyAgain);
+    if (count > most / static_cast<std::uint64_t>(dims[axis]))
+      failReading(file, given + ", which is too large for any computer",
+                  "if they are right, save a smaller part of the volume; otherwise export the file again");
     count *= static_cast<std::uint64_t>(dims[axis]);
   }
   return count;

@@ -71,7 +71,8 @@ void addPlaces(Corpus& corpus) {
 void addKinds(Corpus& corpus) {
   addWhole(corpus, "mosaic", whole().text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\MOSAIC"), {refused},
            "mosaic");
-  addWhole(corpus, "not an image", whole().without(0x7FE00010), {refused}, "holds no image");
+  addWhole(corpus, "truncated", whole().without(0x7FE00010), {refused}, "cut off before its picture");
+  addWhole(corpus, "not an image", goodReport(), {refused}, "holds no image");
   addWhole(corpus, "not an image", whole().without(0x7FE00010).text(0x00080060, "CS", "RTPLAN"), {refused});
   addWhole(corpus, "not an image", whole().without(0x7FE00010).text(0x00080060, "CS", "a\nb\x02"), {refused});
   addWhole(corpus, "not an image", whole().without(0x7FE00010).text(0x00080060, "CS", std::string(3000, 'a')),

@@ -116,18 +116,24 @@ void addPlaces(Corpus& corpus) {
 }
 
 void addFiles(Corpus& corpus) {
-  const std::string third = goodSlice(2).bytes();
-  for (std::size_t i = 1; i < 30; ++i) {
-    const fs::path folder = series(corpus);
-    writeBytes(folder / "2.dcm", third.substr(0, third.size() * i / 30));
-    other(corpus.add("truncated", folder, {warned, refused}));
+  for (const int number : {2, 3}) {
+    const std::string name = std::to_string(number) + ".dcm";
+    const std::string whole = goodSlice(number).bytes();
+    for (std::size_t length = 0; length < whole.size(); length += 10) {
+      const fs::path folder = series(corpus);
+      writeBytes(folder / name, whole.substr(0, length));
+      other(corpus.add("truncated", folder, {warned, refused}, name));
+    }
   }
+  const fs::path lost = series(corpus);
+  goodSlice(4).without(0x7FE00010).write(lost / "4.dcm");
+  corpus.add("truncated", lost, {warned}, "4.dcm");
   const fs::path foreign = series(corpus);
   writeBytes(foreign / "note.txt", "no image");
-  goodSlice(5).without(0x7FE00010).write(foreign / "report.dcm");
-  corpus.add("not an image", foreign, {correct, warned});
+  goodReport().write(foreign / "report.dcm");
+  corpus.add("not an image", foreign, {correct});
   const fs::path only = corpus.newFolder();
-  goodSlice(5).without(0x7FE00010).write(only / "report.dcm");
+  goodReport().write(only / "report.dcm");
   corpus.add("not an image", only, {refused}, "without images");
   for (const char* link : {".", "..", "/"}) {
     const fs::path folder = series(corpus);

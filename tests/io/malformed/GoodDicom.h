@@ -21,6 +21,14 @@ inline DicomBuilder goodMultiframe() {
   return file.pixels(pixels);
 }
 
+/// An object that holds no picture by its kind: a structured report.
+inline DicomBuilder goodReport() {
+  DicomBuilder file;
+  file.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.88.11").text(0x00080018, "UI", "1.2.3.5.1");
+  file.text(0x00080060, "CS", "SR").text(0x0020000D, "UI", "1.2.3").text(0x0020000E, "UI", "1.2.3.5");
+  return file;
+}
+
 /// Slice `number` of the good volume as a file of its own.
 inline DicomBuilder goodSlice(int number) {
   DicomBuilder file;

@@ -94,7 +94,7 @@ void addPngFolders(Corpus& corpus) {
   writeBytes(folder / "note.txt", "no picture");
   corpus.add("not an image", folder, {correct});
   corpus.addFile("not an image", "one.png", goodPng(0), {refused}, "single picture");
-  other(addPng(corpus, "wrong magic", "\x89PNX" + goodPng(2).substr(4), {warned}, "slices may be missing"));
+  addPng(corpus, "wrong magic", "\x89PNX" + goodPng(2).substr(4), {refused}, "slice2.png");
 }
 
 // The bytes of a JPEG picture, made in a process of its own because the library starts threads.
@@ -124,9 +124,12 @@ void addJpeg(Corpus& corpus, const std::string& flaw, const std::string& good, c
 void addPngInputs(Corpus& corpus) {
   corpus.add("sound", pngStack(corpus), {correct});
   const std::string good = goodPng(2);
-  for (std::size_t length = 9; length < good.size(); length += 2)
+  for (std::size_t length = 1; length < good.size(); length += 2)
     addPng(corpus, "truncated", good.substr(0, length),
-           length < good.size() - 16 ? Outcomes{refused} : anyOutcome);
+           length < good.size() - 16 ? Outcomes{refused} : anyOutcome,
+           length < good.size() - 16 ? "slice2.png" : "");
+  addPng(corpus, "truncated", "", {refused}, "slice2.png: the file is empty");
+  corpus.add("truncated", pngStack(corpus, 3), {refused}, "slice3.png: the file is empty");
   addPngSizes(corpus);
   addPngBombs(corpus);
   addPngFolders(corpus);
