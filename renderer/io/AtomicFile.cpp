@@ -165,7 +165,7 @@ void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePla
       [&](const fs::path& temporary) {
         writeAll(temporary, {target, place}, bytes);
       },
-      owner);
+      place);
 }
 
 } // namespace limn

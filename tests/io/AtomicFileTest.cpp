@@ -76,7 +76,7 @@ TEST(AtomicFile, whatIsPrivateIsReadByNobodyElse) {
 
 std::string refusalOf(const fs::path& file, FilePlace place) {
   try {
-    writeFileAtomically(file, "text", owner);
+    writeFileAtomically(file, "text", place);
   } catch (const Error& error) {
     return error.what();
   }
