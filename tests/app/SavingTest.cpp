@@ -119,7 +119,7 @@ TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
 }
 
 TEST_F(Saving, whoeverNoLongerWantsThePictureCancels) {
-  ASSERT_TRUE(open(QStringLiteral("phantom:1")));
+  ASSERT_TRUE(open(QStringLiteral("phantom:2")));
   ASSERT_FALSE(view().pictureState().resting);
   typeName(pathTo("mypicture"));
   action(QStringLiteral("Save &picture…"))->trigger();
