@@ -63,12 +63,15 @@ void MainWindow::layOut() {
   auto* centre = new QWidget(this);
   m_recovery = new MessageBar(centre);
   m_recovery->setObjectName(QStringLiteral("recoveryBar"));
+  m_unsafe = new MessageBar(centre);
+  m_unsafe->setObjectName(QStringLiteral("unsafeBar"));
   m_messages = new MessageBar(centre);
   m_view = new CompareView(centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(m_recovery);
+  column->addWidget(m_unsafe);
   column->addWidget(m_messages);
   column->addWidget(m_view, 1);
   setCentralWidget(centre);

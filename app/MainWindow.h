@@ -18,6 +18,7 @@ class QActionGroup;
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QToolButton;
 
 namespace limn {
 
@@ -81,6 +82,13 @@ private:
     bool isUnsavedSession = false; ///< one that Limn kept, not a file of the user's
   };
 
+  /// A picture that is saved once it is complete, if it is still this one.
+  struct AwaitedPicture {
+    QString path;
+    std::vector<Scene> scenes; ///< of its sides
+    CompareLayout layout = CompareLayout::single;
+  };
+
   // MainWindow.cpp
   void layOut();
   void connectView();
@@ -94,6 +102,7 @@ private:
 
   // MainWindowStatus.cpp
   void makeStatusBar();
+  void makeWaitingRow();
   void showPictureState(const PictureState& state);
   void prepareForDriverFailure();
   void addRefineAction(QMenu& menu);
@@ -129,8 +138,15 @@ private:
   QString suggestedName() const;
   QString labelOfShown() const;
   std::string volumeSeenFrom(const std::filesystem::path& file);
+
+  // MainWindowSaving.cpp
   void saveScene();
   void savePicture();
+  void writeAwaitedPicture();
+  void forgetAwaitedPicture();
+  void noteSaved(const QString& path);
+  void noteSaved();
+  void showSaveError(const QString& sentence);
 
   // MainWindowSession.cpp
   void addSessionActions(QMenu& menu);
@@ -141,6 +157,7 @@ private:
   void showSession(const SessionDocument& session);
   void settleSession(const LoadedScene& loaded);
   void noteChange();
+  void sayUnsafe(const QString& why);
   std::optional<SessionDocument> unsavedSession() const;
   bool mayLeaveScene();
   bool askBeforeLosing(const QString& why);
@@ -210,10 +227,13 @@ private:
   QDockWidget* m_panel = nullptr;          ///< of those at the right, the one seen last
   SessionDocument m_settled;               ///< the session when it was opened or saved
   std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
-  QString m_notKept;                       ///< why they are not, though they should be
+  std::optional<AwaitedPicture> m_awaitedPicture;
+  QString m_saveError; ///< last, until something was saved
+  QString m_notKept;   ///< why they are not, though they should be
 
   CompareView* m_view = nullptr;
   MessageBar* m_recovery = nullptr; ///< offers what an earlier window left behind
+  MessageBar* m_unsafe = nullptr;   ///< says so as long as the session cannot be kept
   MessageBar* m_messages = nullptr;
   CurvePanel* m_curves = nullptr;
   TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
@@ -233,6 +253,8 @@ private:
 
   QLabel* m_volumeLabel = nullptr;
   QLabel* m_probeLabel = nullptr;
+  QLabel* m_waiting = nullptr; ///< says which picture is saved once it is complete
+  QToolButton* m_stopWaiting = nullptr;
   PictureStatus* m_pictureStatus = nullptr;
 
   QMenu* m_recentMenu = nullptr;

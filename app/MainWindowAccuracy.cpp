@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "app/SaveDialog.h"
 #include "app/accuracy/AccuracyText.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
@@ -12,10 +13,8 @@
 
 #include <QBuffer>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QStatusBar>
 
 // How close the picture is to the exact one, and what that costs.
 
@@ -180,10 +179,10 @@ glm::ivec2 MainWindow::measuredSize() const {
 
 void MainWindow::saveAccuracy() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QString path = QFileDialog::getSaveFileName(
-      this, tr("Save what was measured"),
-      folder + QLatin1Char('/') + suggestedName() + QStringLiteral("-accuracy.html"),
-      tr("Page with chart and table (*.html);;Chart (*.png);;Table (*.csv)"));
+  const QString path = askWhereToSave(
+      this, {tr("Save what was measured"),
+             folder + QLatin1Char('/') + suggestedName() + QStringLiteral("-accuracy.html"),
+             {tr("Page with chart and table (*.html)"), tr("Chart (*.png)"), tr("Table (*.csv)")}});
   if (!path.isEmpty())
     writeAccuracy(path);
 }
@@ -194,9 +193,9 @@ void MainWindow::writeAccuracy(const QString& path) {
   try {
     const QByteArray bytes = accuracyFile(m_accuracy->measured()->report, QFileInfo(path).suffix().toLower());
     writeFileAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
+    noteSaved(path);
   } catch (const Error& error) {
-    showError(QString::fromStdString(error.what()));
+    showSaveError(QString::fromStdString(error.what()));
   }
 }
 

@@ -2,13 +2,9 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
-#include "app/PictureMaker.h"
 #include "app/PrivateNames.h"
 #include "app/SeriesDialog.h"
-#include "io/AtomicFile.h"
-#include "io/ImageFile.h"
-#include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
+#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/shading/ShadingPanel.h"
@@ -20,8 +16,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
-#include <QStandardPaths>
-#include <QStatusBar>
 
 #include <algorithm>
 
@@ -39,17 +33,20 @@ void MainWindow::connectLoader() {
     showError(sentence);
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
-          [this](const QString& source, const QString& sentence) {
-            m_messages->show(MessageBar::Kind::error, sentence, {},
-                             {tr("Locate volume…"), [this, source] { locateVolume(source); }});
+          [this](const QString& source, const QString& expected) {
+            m_messages->show(MessageBar::Kind::error,
+                             tr("The scene's volume is not where the scene expects it: %1.").arg(expected),
+                             {}, {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });
 }
 
 void MainWindow::openSource(const QString& source, const SourceOptions& options) {
+  // A path means the same from wherever the next window is started.
+  const QString path = QString::fromStdString(absoluteSource(source.toStdString()));
   // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
-  startReading({source, options}, m_patientAction->isChecked()
-                                      ? tr("Opening %1").arg(QFileInfo(source).fileName())
-                                      : tr("Opening the volume"));
+  startReading({path, options}, m_patientAction->isChecked()
+                                    ? tr("Opening %1").arg(QFileInfo(path).fileName())
+                                    : tr("Opening the volume"));
 }
 
 // A decoder that crashes takes the window along; so what is shown is put on the disk before one begins.
@@ -124,6 +121,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
+  m_editor->canvas()->resetView(); // the points of the volume before no longer stretch the axis
   m_shading->foldUnused();
   measureGradients();
   const Grid& grid = volume.grid();
@@ -248,56 +246,6 @@ QString MainWindow::suggestedName() const {
     return QStringLiteral("limn");
   const QString name = shareableName(QString::fromStdString(m_session.volumePath()), *volume);
   return QFileInfo(name).baseName();
-}
-
-void MainWindow::saveScene() {
-  const QString path = QFileDialog::getSaveFileName(
-      this, tr("Save the scene"), suggestedName() + QStringLiteral(".json"), tr("Limn scene (*.json)"));
-  if (!path.isEmpty())
-    writeScene(path);
-}
-
-void MainWindow::writeScene(const QString& path) {
-  const std::filesystem::path target(path.toStdString());
-  try {
-    writeFileAtomically(target, sceneToJson(m_session.scene(), volumeSeenFrom(target)));
-    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
-  } catch (const Error& error) {
-    showError(QString::fromStdString(error.what()));
-  }
-}
-
-void MainWindow::savePicture() {
-  if (!m_view->restingImage(0)) {
-    statusBar()->showMessage(tr("The picture is still being drawn; save it in a moment."), 4000);
-    return;
-  }
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString path = QFileDialog::getSaveFileName(
-      this, tr("Save the picture"), folder + QLatin1Char('/') + suggestedName() + QStringLiteral(".png"),
-      tr("Pictures (*.png *.tif *.jpg *.exr)"));
-  if (!path.isEmpty())
-    writePicture(path);
-}
-
-void MainWindow::writePicture(const QString& path) {
-  const std::optional<Image> left = m_view->restingImage(0);
-  if (!left) {
-    showError(tr("The picture changed while its name was chosen; save it again once it is complete."));
-    return;
-  }
-  const std::optional<Image> right =
-      m_view->compareLayout() == CompareLayout::sideBySide ? m_view->restingImage(1) : std::nullopt;
-  // It may travel: it names the volume without folders.
-  const std::filesystem::path source(m_session.volumePath());
-  const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
-  try {
-    writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
-               m_session.scene().image.background, sceneToJson(m_view->sceneOfRestingImage(0), volume));
-    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
-  } catch (const Error& error) {
-    showError(QString::fromStdString(error.what()));
-  }
 }
 
 } // namespace limn

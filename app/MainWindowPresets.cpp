@@ -81,8 +81,9 @@ void MainWindow::savePreset() {
       refreshPresets();
       m_preset = preset;
       m_presets->setCurrent(name);
+      noteSaved();
     } catch (const Error& error) {
-      showError(QString::fromStdString(error.what()));
+      showSaveError(QString::fromStdString(error.what()));
     }
   });
   dialog->open();

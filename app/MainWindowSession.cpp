@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
+#include "app/SaveDialog.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
 #include "widgets/curve/CurvePanel.h"
@@ -11,13 +12,11 @@
 #include <QAction>
 #include <QDateTime>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStatusBar>
 
 #include <algorithm>
 
@@ -163,7 +162,7 @@ void MainWindow::saveSessionAs() {
   const QString suggested =
       m_sessionFile.isEmpty() ? suggestedName() + QStringLiteral("-session.json") : m_sessionFile;
   const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save the session"), suggested, tr("Limn session (*.json)"));
+      askWhereToSave(this, {tr("Save the session"), suggested, {tr("Limn session (*.json)")}});
   if (!path.isEmpty())
     writeSession(path);
 }
@@ -175,7 +174,7 @@ void MainWindow::writeSession(const QString& path) {
   try {
     writeFileAtomically(target, sessionToJson(session));
   } catch (const Error& error) {
-    showError(QString::fromStdString(error.what()));
+    showSaveError(QString::fromStdString(error.what()));
     return;
   }
   m_sessionFile = QFileInfo(path).absoluteFilePath();
@@ -183,23 +182,25 @@ void MainWindow::writeSession(const QString& path) {
   m_settled = sessionDocument();
   noteChange();
   updateTitle();
-  statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
+  noteSaved(path);
 }
 
 void MainWindow::keepSessions() {
   try {
     m_keeper = std::make_unique<SessionKeeper>(m_folders.sessions, [this] { return unsavedSession(); });
     connect(m_keeper.get(), &SessionKeeper::abandonedFound, this, &MainWindow::offerAbandoned);
-    connect(&m_keeper->autosave(), &Autosave::failed, this, [this](const QString& sentence) {
-      m_messages->show(MessageBar::Kind::warning,
-                       tr("Unsaved work is not safe at present. %1").arg(sentence));
-    });
+    connect(&m_keeper->autosave(), &Autosave::failed, this, &MainWindow::sayUnsafe);
+    connect(&m_keeper->autosave(), &Autosave::recovered, m_unsafe, &QWidget::hide);
   } catch (const Error& error) {
     m_notKept = QString::fromStdString(error.what());
-    m_messages->show(MessageBar::Kind::warning, tr("Unsaved work is not safe at present. %1").arg(m_notKept));
+    sayUnsafe(m_notKept);
     return;
   }
   offerAbandoned();
+}
+
+void MainWindow::sayUnsafe(const QString& why) {
+  m_unsafe->show(MessageBar::Kind::warning, tr("Unsaved work is not safe at present. %1").arg(why));
 }
 
 void MainWindow::noteChange() {

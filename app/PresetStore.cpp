@@ -2,6 +2,7 @@
 #include "app/PresetStore.h"
 
 #include "app/BuiltInPresets.h"
+#include "app/UserFolders.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
@@ -60,9 +61,8 @@ void PresetStore::save(const Preset& preset) const {
   if (fileOf(preset.name).filename().string().size() > longestFileName)
     throw Error(Error::Kind::usage,
                 "Cannot save the preset: its name is too long for a file; choose a shorter one.");
-  std::error_code failed;
-  std::filesystem::create_directories(m_folder, failed);
-  writeFileAtomically(fileOf(preset.name), presetToJson(preset));
+  makeFolder(m_folder);
+  writeFileAtomically(fileOf(preset.name), presetToJson(preset), FilePlace::fixed);
 }
 
 void PresetStore::remove(const std::string& name) const {

@@ -4,23 +4,32 @@
 #include "app/BuiltInPresets.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/FirstView.h"
 #include "scene/Phantom.h"
 #include "scene/PresetFit.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <fstream>
 
 namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t mostSceneBytes = 16u << 20;
+
 std::string lowerExtension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
+}
+
+bool isPhantom(const std::string& source) {
+  std::error_code unknown;
+  return (source == "phantom" || source.starts_with("phantom:")) && !fs::exists(source, unknown);
 }
 
 struct OpenedVolume {
@@ -51,17 +60,31 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
         "No example head is installed (package invesalius-examples), so the built-in phantom is shown.");
     return {phantomNamed("phantom", progress), "phantom"};
   }
-  const bool isPhantom = source == "phantom" || source.starts_with("phantom:");
-  if (isPhantom && !fs::exists(source))
+  if (isPhantom(source))
     return {phantomNamed(source, progress), source};
-  fs::path path = fs::absolute(source).lexically_normal();
-  if (!path.has_filename()) // a folder written with a slash behind it
-    path = path.parent_path();
-  return {readVolume(source, options, progress), path.string()};
+  const auto volume = readVolume(source, options, progress);
+  if (options.series && volume->info().format != "DICOM")
+    notes.push_back("This is no DICOM series; its number " + std::to_string(*options.series) +
+                    " was ignored.");
+  return {volume, absoluteSource(source)};
 }
 
-bool isJsonFile(const fs::path& path) {
-  return lowerExtension(path) == ".json" && fs::is_regular_file(path);
+// The text of a scene or session, which is told by what it holds: a file may have lost its ending. What has
+// the ending is taken for one, so that an error can say what is wrong with it.
+std::optional<std::string> sceneText(const fs::path& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown))
+    return std::nullopt;
+  if (lowerExtension(path) == ".json")
+    return readTextFile(path);
+  char first = 0;
+  std::ifstream(path, std::ios::binary) >> first; // behind white space
+  if (first != '{' || fs::file_size(path, unknown) > mostSceneBytes || unknown)
+    return std::nullopt;
+  std::string text = readTextFile(path);
+  if (!looksLikeSession(text) && !looksLikeScene(text))
+    return std::nullopt;
+  return text;
 }
 
 // A picture that Limn wrote carries its scene; any other image is a slice of a stack.
@@ -95,7 +118,7 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   for (const fs::path& known : options.knownVolumes)
     if (known.filename() == name && fs::exists(known))
       return known.string();
-  throw VolumeMissing(name);
+  throw VolumeMissing(document.volume);
 }
 
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
@@ -136,10 +159,18 @@ std::optional<std::filesystem::path> installedSampleHead() {
   return fs::exists(head) ? std::optional(head) : std::nullopt;
 }
 
+std::string absoluteSource(const std::string& source) {
+  if (source == "sample" || isPhantom(source))
+    return source;
+  const fs::path path = fs::absolute(source).lexically_normal();
+  // A folder may be written with a slash behind it.
+  return (path.has_filename() ? path : path.parent_path()).string();
+}
+
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
-  if (isJsonFile(source))
-    return looksLikeSession(readTextFile(source)) ? loadSession(source, options, progress)
-                                                  : loadDocument(readSceneFile(source), options, progress);
+  if (const std::optional<std::string> text = sceneText(source))
+    return looksLikeSession(*text) ? loadSession(source, options, progress)
+                                   : loadDocument(readSceneFile(source), options, progress);
   if (auto document = sceneInPicture(source))
     return loadDocument(std::move(*document), options, progress);
   LoadedScene loaded;
@@ -147,7 +178,7 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
   loaded.read = options.read;
-  loaded.scene.camera = defaultCamera(opened.volume->grid());
+  loaded.scene.camera = firstView(defaultCamera(opened.volume->grid()), opened.volume->grid());
   const Preset preset = bestFitting(builtInPresets(), *opened.volume);
   loaded.scene = withPreset(loaded.scene, preset, true);
   loaded.preset = preset.name;

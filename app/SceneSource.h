@@ -17,11 +17,17 @@ namespace limn {
 /// A scene or picture was read, but its volume is not where it says.
 class VolumeMissing : public Error {
 public:
-  /// `volume` is the name of the file or folder.
-  explicit VolumeMissing(const std::string& volume)
-      : Error(Error::Kind::input,
-              "The scene's volume " + volume +
-                  " is not where the scene expects it; say where it is (--volume PATH).") {}
+  /// `expected` is where the file or folder should be.
+  explicit VolumeMissing(const std::filesystem::path& expected)
+      : Error(Error::Kind::input, "The scene's volume " + expected.filename().string() +
+                                      " is not where the scene expects it (" + expected.string() +
+                                      "); say where it is (--volume PATH)."),
+        m_expected(expected) {}
+
+  const std::filesystem::path& expected() const { return m_expected; }
+
+private:
+  std::filesystem::path m_expected;
 };
 
 /// What a person adds when naming a source.
@@ -49,6 +55,10 @@ struct LoadedScene {
 /// by Limn, `sample` (the CT head of an installed example, otherwise the phantom) or `phantom[:spacing in
 /// mm]`. A volume gets the default camera and the best-fitting preset. Throws Error and Cancelled.
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress);
+
+/// How a source is called from wherever: a path becomes absolute, what is built in (`sample`, `phantom:1`)
+/// keeps its name.
+std::string absoluteSource(const std::string& source);
 
 /// The CT head that Debian's invesalius-examples installs, where it is installed.
 std::optional<std::filesystem::path> installedSampleHead();

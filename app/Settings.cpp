@@ -118,7 +118,7 @@ void Settings::change(const std::function<void(SettingsDocument&)>& edit) {
       fs::rename(m_file, aside += ".damaged", failed);
     }
     edit(values);
-    writeFileAtomically(m_file, settingsToJson(values));
+    writeFileAtomically(m_file, settingsToJson(values), FilePlace::fixedPrivate);
     m_values = std::move(values);
     m_isWritable = true;
   } catch (const Error& error) {

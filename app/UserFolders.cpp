@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/UserFolders.h"
 
+#include "scene/Error.h"
+
 #include <QStandardPaths>
 
 namespace limn {
@@ -25,10 +27,20 @@ UserFolders UserFolders::below(const fs::path& folder) {
   return {folder / "settings" / "settings.json", folder / "presets", folder / "sessions"};
 }
 
-void makePrivateFolder(const fs::path& folder) {
+void makeFolder(const fs::path& folder) {
   std::error_code failed;
-  if (fs::create_directories(folder, failed))
-    fs::permissions(folder, fs::perms::owner_all, failed);
+  fs::create_directories(folder, failed);
+  if (failed)
+    throw Error(Error::Kind::other, "Cannot make the folder " + folder.string() + ": " + failed.message() +
+                                        "; make room there or allow Limn to write there.");
+}
+
+void makePrivateFolder(const fs::path& folder) {
+  std::error_code unknown;
+  if (fs::is_directory(folder, unknown))
+    return;
+  makeFolder(folder);
+  fs::permissions(folder, fs::perms::owner_all, unknown);
 }
 
 } // namespace limn

@@ -17,8 +17,11 @@ struct UserFolders {
   static UserFolders below(const std::filesystem::path& folder);
 };
 
-/// Makes a folder that only this user may look into, and those above it, where they are missing. A failure
-/// shows when something is written into it.
+/// Makes a folder, and those above it, where they are missing. Throws Error where it cannot be made.
+void makeFolder(const std::filesystem::path& folder);
+
+/// Makes a folder that only this user may look into, and those above it, where they are missing. Throws
+/// Error where it cannot be made.
 void makePrivateFolder(const std::filesystem::path& folder);
 
 } // namespace limn

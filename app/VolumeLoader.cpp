@@ -50,12 +50,12 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
                        const std::function<void()>& before) {
   if (before)
     before();
-  const auto fail = [&](const QString& sentence, bool volumeIsMissing = false) {
-    deliver(job, [this, source, sentence, volumeIsMissing] {
+  const auto fail = [&](const QString& sentence, const QString& missing = {}) {
+    deliver(job, [this, source, sentence, missing] {
       m_job.reset();
       emit failed(source, sentence);
-      if (volumeIsMissing)
-        emit volumeMissing(source, sentence);
+      if (!missing.isEmpty())
+        emit volumeMissing(source, missing);
     });
   };
   Progress progress;
@@ -84,7 +84,7 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
   } catch (const Cancelled&) {
     // Whoever cancelled has already said so.
   } catch (const VolumeMissing& error) {
-    fail(QString::fromStdString(error.what()), true);
+    fail(QString::fromStdString(error.what()), QString::fromStdString(error.expected().string()));
   } catch (const Error& error) {
     fail(QString::fromStdString(error.what()));
   } catch (const std::bad_alloc&) {

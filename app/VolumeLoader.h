@@ -35,8 +35,8 @@ signals:
   /// The folder holds several series and none was chosen.
   void seriesFound(const QString& source, const std::vector<limn::SeriesSummary>& series);
   void failed(const QString& source, const QString& sentence);
-  /// Beside failed: the scene could be read, its volume was not found.
-  void volumeMissing(const QString& source, const QString& sentence);
+  /// Beside failed: the scene could be read, its volume was not found where it is expected.
+  void volumeMissing(const QString& source, const QString& expected);
   void cancelled();
 
 private:

@@ -33,7 +33,6 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
                 "one.");
   QSurfaceFormat::setDefaultFormat(limnSurfaceFormat());
   QApplication application(argc, argv);
-  QApplication::setApplicationDisplayName(QStringLiteral("Limn"));
   const QString theme =
       arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
   applyTheme(application, themeNamed(theme));

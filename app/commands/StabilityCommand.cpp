@@ -4,11 +4,14 @@
 #include "app/bench/ProcessCost.h"
 #include "app/commands/Arguments.h"
 #include "app/stability/StabilityReport.h"
+#include "gl/DriverFacts.h"
+#include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
 
+#include <QDate>
 #include <QString>
 #include <QSysInfo>
 
@@ -30,16 +33,22 @@ struct StabilityArguments {
   bool quiet = false;
 };
 
+// As people type them: "h9, H12".
+std::string caseId(const std::string& typed) {
+  return QString::fromStdString(typed).trimmed().toUpper().toStdString();
+}
+
 std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
   std::vector<HardCase> cases = hardCases();
   if (only.empty())
     return cases;
   std::vector<HardCase> chosen;
-  for (const std::string& id : only) {
+  for (const std::string& given : only) {
+    const std::string id = caseId(given);
     const auto found =
         std::find_if(cases.begin(), cases.end(), [&](const HardCase& one) { return one.id == id; });
     if (found == cases.end())
-      throw Error(Error::Kind::usage, "There is no hard case " + id + "; they are called " +
+      throw Error(Error::Kind::usage, "There is no hard case " + given + "; they are called " +
                                           cases.front().id + " to " + cases.back().id + ".");
     chosen.push_back(*found);
   }
@@ -53,6 +62,20 @@ FuzzReport fuzzed(const StabilityArguments& arguments, int seeds, const Progress
       progress.report(from + (1.0 - from) * done / seeds, "random scenes");
     return true;
   });
+}
+
+std::string driverText() {
+  const DriverFacts driver = driverFacts();
+  return "OpenGL " + driver.version + ", GLSL " + driver.shadingLanguage + ", 3D textures up to " +
+         std::to_string(driver.largest3dTexture) + " texels along an edge";
+}
+
+// What measures the same again, into any folder.
+std::string commandFor(const StabilityArguments& arguments, int seeds) {
+  std::string command = "limn stability -o DIR";
+  for (std::size_t i = 0; i < arguments.only.size(); ++i)
+    command += (i == 0 ? " --only " : ",") + caseId(arguments.only[i]);
+  return command + " --fuzz " + std::to_string(seeds) + " --seed " + std::to_string(arguments.firstSeed);
 }
 
 void writeReport(const StabilityReport& report, const std::filesystem::path& folder) {
@@ -70,23 +93,27 @@ void runStability(const StabilityArguments& arguments) {
     throw Error(Error::Kind::usage,
                 "Where shall the report go? Give a folder with -o, or --fuzz N or --only H1 for "
                 "figures on the terminal alone.");
+  const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
+  const std::vector<HardCase> cases = hasCases ? chosenCases(arguments.only) : std::vector<HardCase>();
   const Progress progress = terminalProgress(arguments.quiet);
   const HeadlessContext context;
-  const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
+  requireOpenGl3(); // no case is to blame for a driver that is too old
   const int seeds = arguments.seeds >= 0 ? arguments.seeds : arguments.only.empty() ? usualSeeds : 0;
   const double share = !hasCases ? 0.0 : seeds == 0 ? 1.0 : 0.5;
   StabilityReport report{LIMN_VERSION,
                          rendererName(),
+                         driverText(),
                          machineName() + ", " + QSysInfo::prettyProductName().toStdString(),
+                         QDate::currentDate().toString(Qt::ISODate).toStdString(),
+                         commandFor(arguments, seeds),
                          {},
                          {}};
   if (hasCases) {
     Workbench bench;
-    report.cases =
-        measure(chosenCases(arguments.only), bench, [&](double fraction, const std::string& doing) {
-          if (progress.report)
-            progress.report(share * fraction, doing);
-        });
+    report.cases = measure(cases, bench, [&](double fraction, const std::string& doing) {
+      if (progress.report)
+        progress.report(share * fraction, doing);
+    });
   }
   if (seeds > 0)
     report.fuzz = fuzzed(arguments, seeds, progress, share);

@@ -20,7 +20,8 @@ struct Autosave::Shared {
   std::condition_variable_any wake;
   std::uint64_t lastNumber = 0;
   std::optional<State> waiting;
-  std::function<void(const QString&)> tell; ///< empty once the object is gone
+  /// Takes why writing failed, or that it did not; empty once the object is gone.
+  std::function<void(const std::optional<QString>& problem)> tell;
 
   std::mutex writing; ///< guards what follows and the file
   std::uint64_t written = 0;
@@ -41,23 +42,23 @@ struct Autosave::Shared {
       return true;
     try {
       if (state.session)
-        writeFileAtomically(file, sessionToJson(*state.session));
+        writeFileAtomically(file, sessionToJson(*state.session), FilePlace::fixedPrivate);
       else
         std::filesystem::remove(file);
       onDisk = state.session;
       hasFailed = false;
+      report(std::nullopt);
     } catch (const std::exception& error) {
-      if (!hasFailed)
-        complain(QString::fromStdString(error.what()));
       hasFailed = true;
+      report(QString::fromStdString(error.what()));
     }
     return !hasFailed;
   }
 
-  void complain(const QString& sentence) {
+  void report(const std::optional<QString>& problem) {
     const std::lock_guard guard(mutex);
     if (tell)
-      tell(sentence);
+      tell(problem);
   }
 };
 
@@ -65,9 +66,9 @@ Autosave::Autosave(std::filesystem::path file, std::function<std::optional<Sessi
                    QObject* parent)
     : QObject(parent), m_shared(std::make_shared<Shared>()), m_current(std::move(current)) {
   m_shared->file = std::move(file);
-  m_shared->tell = [this](const QString& sentence) {
+  m_shared->tell = [this](const std::optional<QString>& problem) {
     QMetaObject::invokeMethod(
-        this, [this, sentence] { emit failed(sentence); }, Qt::QueuedConnection);
+        this, [this, problem] { takeOutcome(problem); }, Qt::QueuedConnection);
   };
   m_timer.setSingleShot(true);
   m_timer.setInterval(intervalMs);
@@ -80,6 +81,17 @@ Autosave::~Autosave() {
   m_thread.join();
   const std::lock_guard guard(m_shared->mutex);
   m_shared->tell = {};
+}
+
+void Autosave::takeOutcome(const std::optional<QString>& problem) {
+  const bool isNew = m_isFailing != problem.has_value();
+  m_isFailing = problem.has_value();
+  if (problem)
+    noteChange(); // there may be room again although nothing changes
+  if (isNew && problem)
+    emit failed(*problem);
+  else if (isNew)
+    emit recovered();
 }
 
 // Not started anew by every change: a long gesture is saved on its way.

@@ -38,17 +38,22 @@ public:
   std::function<bool()> savingOfNow();
 
 signals:
-  /// The sentence says why what changed since is not on the disk; told once until it succeeds again.
+  /// The sentence says why what changed since is not on the disk; told once until it succeeds again. It is
+  /// tried again every two seconds.
   void failed(const QString& sentence);
+  /// What failed does no longer.
+  void recovered();
 
 private:
   struct Shared;
   void save();
+  void takeOutcome(const std::optional<QString>& problem);
   void work(const std::stop_token& stop);
 
   std::shared_ptr<Shared> m_shared;
   std::function<std::optional<SessionDocument>()> m_current;
   QTimer m_timer;
+  bool m_isFailing = false;
   std::jthread m_thread;
 };
 

@@ -94,7 +94,8 @@ void UnsavedSessions::keep(const std::string& session) const {
   makePrivateFolder(folder);
   // Names sort by time, and no two are the same.
   const QString time = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-"));
-  writeFileAtomically(folder / (time.toStdString() + randomName() + ".json"), session);
+  writeFileAtomically(folder / (time.toStdString() + randomName() + ".json"), session,
+                      FilePlace::fixedPrivate);
   const std::vector<fs::path> all = kept();
   std::error_code failed;
   for (std::size_t i = mostKept; i < all.size(); ++i)

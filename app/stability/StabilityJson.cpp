@@ -50,7 +50,10 @@ std::string stabilityJson(const StabilityReport& report) {
       rows.push_back(rowOf(one, finding));
   const Json json{{"version", report.version},
                   {"renderer", report.renderer},
+                  {"driver", report.driver},
                   {"machine", report.machine},
+                  {"date", report.date},
+                  {"command", report.command},
                   {"cases", rows},
                   {"fuzz", fuzzOf(report.fuzz)}};
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";

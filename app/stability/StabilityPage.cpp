@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -19,9 +20,17 @@ tr.reason td { color: #59626e; font-size: 13px; text-align: left; white-space: n
 tr.reason.fail td { color: #c4261d; }
 tr.case td { border-bottom: none; padding-top: 22px; font-weight: 600; font-size: 15px; white-space: normal; text-align: left; }
 tr.shown td { text-align: left; padding: 6px 0 10px; white-space: normal; }
-figure { display: inline-block; margin: 0 10px 0 0; font-size: 12px; color: #59626e; text-align: center; }
-figure img { width: 96px; height: auto; margin: 0; display: block; image-rendering: pixelated; border-radius: 4px; }
+figure { display: inline-block; vertical-align: top; width: 112px; margin: 0 10px 6px 0; font-size: 12px; line-height: 1.3; color: #59626e; }
+figure img { width: 112px; height: auto; margin: 0; display: block; image-rendering: pixelated; border-radius: 4px; }
 p.sum { font-size: 17px; font-weight: 600; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 16px; margin: 12px 0; font-size: 14px; }
+dt { color: #59626e; } dd { margin: 0; } ul { padding-left: 20px; } a { color: inherit; }
+@media print {
+  @page { size: A4 landscape; margin: 12mm; }
+  body { margin: 0; max-width: none; padding: 0; font-size: 11px; }
+  table { font-size: 10px; } tr.reason td { font-size: 9px; } tr.case td { font-size: 12px; padding-top: 12px; break-after: avoid; }
+  td, th { padding: 2px 5px; } tr { break-inside: avoid; }
+}
 )";
 
 // Over the dark grey of the program's view, rounded to 8 bits; what is no number becomes magenta.
@@ -47,6 +56,20 @@ std::string dataOf(const Image& image) {
   return "data:image/png;base64," + bytes.toBase64().toStdString();
 }
 
+constexpr std::array<const char*, 5> engines = {"reference", "gl", "slices", "cpp", "glsl"};
+constexpr std::array<const char*, 5> engineTitles = {"double precision", "ray caster", "slices", "in C++",
+                                                     "in GLSL"};
+
+// An error that ended the case stands in no column.
+bool isOfAnEngine(const Finding& finding) {
+  return std::find(engines.begin(), engines.end(), finding.engine) != engines.end();
+}
+
+std::string titleOf(const std::string& engine) {
+  const auto found = std::find(engines.begin(), engines.end(), engine);
+  return found == engines.end() ? engine : engineTitles[static_cast<std::size_t>(found - engines.begin())];
+}
+
 std::string picturesOf(const MeasuredCase& one) {
   constexpr std::size_t most = 9;
   std::string figures;
@@ -54,8 +77,9 @@ std::string picturesOf(const MeasuredCase& one) {
   for (const Finding& finding : one.findings)
     for (const Image& picture : finding.pictures)
       if (shown < most) {
-        figures += "<figure><img alt=\"" + escapedHtml(finding.engine + ", " + finding.what) + "\" src=\"" +
-                   dataOf(picture) + "\">" + escapedHtml(finding.engine) + "</figure>";
+        const std::string what = titleOf(finding.engine) + (finding.what.empty() ? "" : ", " + finding.what);
+        figures += "<figure><img alt=\"" + escapedHtml(what) + "\" src=\"" + dataOf(picture) + "\">" +
+                   escapedHtml(what) + "</figure>";
         ++shown;
       }
   return figures.empty() ? "" : "<tr class=\"shown\"><td colspan=\"6\">" + figures + "</td></tr>\n";
@@ -65,9 +89,6 @@ std::string classOf(Verdict verdict) {
   return verdict == Verdict::pass ? "pass" : verdict == Verdict::fail ? "fail" : "none";
 }
 
-constexpr std::array<const char*, 5> engines = {"reference", "gl", "slices", "cpp", "glsl"};
-constexpr std::array<const char*, 5> engineTitles = {"double precision", "ray caster", "slices", "in C++",
-                                                     "in GLSL"};
 const char* const acrossAll = "<td colspan=\"6\">";
 
 // A row for each setting, a column for each engine.
@@ -83,14 +104,9 @@ std::string rowOf(const std::vector<const Finding*>& sameSetting) {
   return row + "</tr>\n";
 }
 
-// An error that ended the case stands in no column.
-bool isOfAnEngine(const Finding& finding) {
-  return std::find(engines.begin(), engines.end(), finding.engine) != engines.end();
-}
-
-std::string reasonRow(const Finding& finding) {
-  const bool isOfOne = finding.verdict == Verdict::notApplicable || !isOfAnEngine(finding);
-  const std::string text = isOfOne ? finding.engine + ": " + finding.reason : finding.reason;
+// `isOfOne`: it is not the reason of every figure in its row.
+std::string reasonRow(const Finding& finding, bool isOfOne) {
+  const std::string text = isOfOne ? titleOf(finding.engine) + ": " + finding.reason : finding.reason;
   const char* kind = isOfAnEngine(finding) ? "reason" : "reason fail";
   return std::string("<tr class=\"") + kind + "\">" + acrossAll + escapedHtml(text) + "</td></tr>\n";
 }
@@ -108,9 +124,12 @@ std::string rowsOf(const MeasuredCase& one) {
     if (next && next->what == finding.what)
       continue;
     rows += rowOf(sameSetting);
+    const bool differ = std::any_of(sameSetting.begin(), sameSetting.end(), [&](const Finding* row) {
+      return row->reason != sameSetting.front()->reason;
+    });
     for (const Finding* row : sameSetting)
       if (std::find(told.begin(), told.end(), row->reason) == told.end()) {
-        reasons += reasonRow(*row);
+        reasons += reasonRow(*row, differ || !isOfAnEngine(*row));
         told.push_back(row->reason);
       }
     sameSetting.clear();
@@ -126,6 +145,35 @@ std::string caseRows(const MeasuredCase& one) {
   return "<tr class=\"case\" id=\"" + one.id + "\">" + acrossAll + "<span class=\"" +
          classOf(verdictOf(one)) + "\">" + one.id + "</span> " + escapedHtml(one.title) + "</td></tr>\n" +
          rowsOf(one) + picturesOf(one);
+}
+
+// Links to what fails and to what cannot apply, each reason once.
+std::string outline(const std::vector<MeasuredCase>& cases, Verdict verdict, const char* title) {
+  std::string items;
+  std::vector<std::string> told;
+  for (const MeasuredCase& one : cases)
+    for (const Finding& finding : one.findings) {
+      const std::string text = titleOf(finding.engine) + ": " + finding.reason;
+      if (finding.verdict != verdict || std::find(told.begin(), told.end(), one.id + text) != told.end())
+        continue;
+      told.push_back(one.id + text);
+      items += "<li><a href=\"#" + one.id + "\">" + one.id + "</a> " + escapedHtml(text) + "</li>\n";
+    }
+  if (items.empty())
+    return {};
+  return "<details" + std::string(verdict == Verdict::fail ? " open" : "") + "><summary class=\"" +
+         classOf(verdict) + "\">" + title + "</summary>\n<ul>\n" + items + "</ul></details>\n";
+}
+
+std::string factsOf(const StabilityReport& report) {
+  std::string facts = "<dl>\n";
+  for (const auto& [name, text] : {std::pair<const char*, std::string>{"Program", "Limn " + report.version},
+                                   {"Driver", report.renderer + ", " + report.driver},
+                                   {"Machine", report.machine},
+                                   {"Measured", report.date},
+                                   {"Command", report.command}})
+    facts += "<dt>" + std::string(name) + "</dt><dd>" + escapedHtml(text) + "</dd>\n";
+  return facts + "</dl>\n";
 }
 
 std::string headRow() {
@@ -149,10 +197,10 @@ std::string fuzzText(const FuzzReport& fuzz) {
 } // namespace
 
 std::string stabilityPage(const StabilityReport& report) {
-  std::string body = "<h1>Numerical stability</h1>\n<p class=\"facts\">Limn " + escapedHtml(report.version) +
-                     " · " + escapedHtml(report.renderer) + " · " + escapedHtml(report.machine) +
-                     "</p>\n<p class=\"sum " + (holds(report) ? "pass" : "fail") + "\">" +
-                     escapedHtml(stabilitySummary(report)) + "</p>\n";
+  std::string body = "<h1>Numerical stability</h1>\n" + factsOf(report) + "<p class=\"sum " +
+                     (holds(report) ? "pass" : "fail") + "\">" + escapedHtml(stabilitySummary(report)) +
+                     "</p>\n" + outline(report.cases, Verdict::fail, "What fails") +
+                     outline(report.cases, Verdict::notApplicable, "What cannot apply, and why");
   body +=
       "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
       "reference, "

@@ -14,7 +14,10 @@ namespace limn {
 struct StabilityReport {
   std::string version;
   std::string renderer; ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;   ///< its versions and limits
   std::string machine;  ///< processor and system
+  std::string date;     ///< of measuring, ISO 8601
+  std::string command;  ///< that measures the same again
   std::vector<MeasuredCase> cases;
   std::optional<FuzzReport> fuzz;
 };

@@ -80,6 +80,11 @@ std::string stabilitySummary(const StabilityReport& report) {
 
 std::string stabilityTable(const StabilityReport& report) {
   std::string table = report.renderer + ", " + report.machine + "\n";
+  if (!report.cases.empty())
+    table +=
+        "Each line: the tightest figure \"of\" its bound. reference: double precision; gl: ray caster; "
+        "slices;\n"
+        "cpp, glsl: one formula in both languages; n/a: cannot apply, for the reason that the page tells.\n";
   for (const MeasuredCase& one : report.cases)
     table += lineOf(one);
   if (report.fuzz)

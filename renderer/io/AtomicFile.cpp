@@ -22,9 +22,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void failWriting(const fs::path& target, int error) {
-  throw Error(Error::Kind::other, "Cannot write " + target.string() + ": " + std::strerror(error) +
-                                      "; choose another folder or make room, the old file is untouched.");
+struct Target {
+  fs::path path;
+  FilePlace place = FilePlace::chosen;
+};
+
+[[noreturn]] void failWriting(const Target& target, int error) {
+  const std::string advice = target.place == FilePlace::chosen
+                                 ? "choose another folder or make room"
+                                 : "make room there or allow Limn to write there";
+  std::error_code unknown;
+  const bool isThere = fs::is_regular_file(target.path, unknown);
+  throw Error(Error::Kind::other, "Cannot write " + target.path.string() + ": " + std::strerror(error) +
+                                      "; " + advice + (isThere ? ", the old file is untouched." : "."));
 }
 
 const std::string prefix = ".limn-";
@@ -55,12 +65,13 @@ void removeAbandoned(const fs::path& folder) {
 // A new empty file beside the target that is removed unless it took the target's place; locked meanwhile.
 class TemporaryFile {
 public:
-  explicit TemporaryFile(fs::path target) : m_target(std::move(target)) {
+  explicit TemporaryFile(Target target) : m_target(std::move(target)) {
+    const mode_t rights = m_target.place == FilePlace::fixedPrivate ? 0600 : 0666;
     std::random_device random;
     for (int attempt = 0; attempt < 100; ++attempt) {
-      fs::path path = m_target.parent_path() / (prefix + std::to_string(random()));
-      path += m_target.extension();
-      m_made = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      fs::path path = m_target.path.parent_path() / (prefix + std::to_string(random()));
+      path += m_target.path.extension();
+      m_made = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights));
       if (m_made.number() < 0 && errno != EEXIST)
         break;
       if (m_made.number() < 0 || !isMine())
@@ -80,18 +91,20 @@ public:
 
   const fs::path& path() const { return m_path; }
 
-  // Puts the bytes on the disk before the name points to them. A file that is replaced hands on its rights.
+  // Puts the bytes on the disk before the name points to them. A file that is replaced hands on
+  // its rights.
   void replaceTarget() {
     if (!flush(m_path, O_RDONLY))
       failWriting(m_target, errno);
     struct stat old {};
-    if (::stat(m_target.c_str(), &old) == 0 && ::chmod(m_path.c_str(), old.st_mode & 07777) != 0)
+    if (m_target.place != FilePlace::fixedPrivate && ::stat(m_target.path.c_str(), &old) == 0 &&
+        ::chmod(m_path.c_str(), old.st_mode & 07777) != 0)
       failWriting(m_target, errno);
-    if (::rename(m_path.c_str(), m_target.c_str()) != 0)
+    if (::rename(m_path.c_str(), m_target.path.c_str()) != 0)
       failWriting(m_target, errno);
     m_path.clear();
     // The file is whole now; where a folder cannot be flushed its new name reaches the disk a little later.
-    const fs::path folder = m_target.parent_path();
+    const fs::path folder = m_target.path.parent_path();
     flush(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
   }
 
@@ -108,12 +121,12 @@ private:
     return opened.number() >= 0 && ::fsync(opened.number()) == 0;
   }
 
-  fs::path m_target;
+  Target m_target;
   fs::path m_path;
   Descriptor m_made;
 };
 
-void writeAll(const fs::path& path, const fs::path& target, std::string_view bytes) {
+void writeAll(const fs::path& path, const Target& target, std::string_view bytes) {
   const Descriptor file(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
   if (file.number() < 0)
     failWriting(target, errno);
@@ -129,14 +142,15 @@ void writeAll(const fs::path& path, const fs::path& target, std::string_view byt
 
 } // namespace
 
-void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write) {
+void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write,
+                       FilePlace place) {
   std::error_code unknown;
   if (target.filename().empty() || fs::is_directory(target, unknown))
-    failWriting(target, EISDIR);
+    failWriting({target, place}, EISDIR);
   // A link stays; what it points to is replaced.
   const fs::path file = fs::is_symlink(target, unknown) ? fs::weakly_canonical(target) : target;
   removeAbandoned(file.has_parent_path() ? file.parent_path() : fs::path("."));
-  TemporaryFile temporary(file);
+  TemporaryFile temporary({file, place});
   write(temporary.path());
   temporary.replaceTarget();
 }
@@ -145,8 +159,13 @@ bool isTemporary(const fs::path& file) {
   return isTemporaryName(file.filename().string());
 }
 
-void writeFileAtomically(const fs::path& target, std::string_view bytes) {
-  replaceAtomically(target, [&](const fs::path& temporary) { writeAll(temporary, target, bytes); });
+void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePlace place) {
+  replaceAtomically(
+      target,
+      [&](const fs::path& temporary) {
+        writeAll(temporary, {target, place}, bytes);
+      },
+      place);
 }
 
 } // namespace limn

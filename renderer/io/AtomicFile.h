@@ -7,17 +7,23 @@
 
 namespace limn {
 
+/// Where a file lies: where somebody chose, or where the program keeps it, which nobody can choose; there it
+/// may be such that only this user may read it.
+enum class FilePlace { chosen, fixed, fixedPrivate };
+
 /// Replaces `target` by what `write` puts into the temporary file it is given: a new name in the same folder
 /// with the same ending. The target is complete or untouched: on any failure the temporary file is removed,
 /// and what processes left that were killed while they wrote is removed at the next writing into that folder.
 /// Throws Error, and whatever `write` throws.
 void replaceAtomically(const std::filesystem::path& target,
-                       const std::function<void(const std::filesystem::path& temporary)>& write);
+                       const std::function<void(const std::filesystem::path& temporary)>& write,
+                       FilePlace place = FilePlace::chosen);
 
 /// Whether a file is, by its name, one that is being written or was when its process ended.
 bool isTemporary(const std::filesystem::path& file);
 
 /// Replaces `target` by a file of these bytes; complete or untouched. Throws Error.
-void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes);
+void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes,
+                         FilePlace place = FilePlace::chosen);
 
 } // namespace limn

@@ -65,6 +65,13 @@ TEST_F(DriverCommands, aVolumeThatMayTakeLessIsShownWithFewerVoxelsAndSaysSo) {
       << outcome.err;
 }
 
+TEST_F(DriverCommands, aLimitThatAnEngineDoesNotKnowIsRefused) {
+  const Outcome outcome =
+      run("", "render phantom:8 --size 32x32 --engine slices --texture-mb 1 -o " + picture());
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--texture-mb"), std::string::npos) << outcome.err;
+}
+
 // A picture of 8000 x 8000 floats takes 1 GB; the process may have as much in all.
 TEST_F(DriverCommands, aDriverWithoutMemoryEndsInASentence) {
   if (test::isSanitised)

@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QRegularExpression>
 
+#include <fstream>
+
 // The program's window with real mouse and key events.
 
 namespace limn {
@@ -147,6 +149,20 @@ TEST_F(MainWindowTest, refinementLeavesTheEventLoopFree) {
   // The bound of the view's own test: a turn aims at 30 ms of drawing.
   EXPECT_LE(heart.longestMs(), 250.0);
   RecordProperty("longestMs", static_cast<int>(heart.longestMs()));
+}
+
+TEST_F(MainWindowTest, theCurvesAxisHasTheRangeOfTheVolumeThatIsOpenedLast) {
+  ASSERT_TRUE(open(phantom));
+  std::ofstream file(folder.path() / "small.nrrd", std::ios::binary);
+  file << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 8 8 8\nspacings: 1 1 1\nencoding: raw\n\n";
+  for (int i = 0; i < 512; ++i)
+    file.put(static_cast<char>(i % 200));
+  file.close();
+  ASSERT_TRUE(open(pathTo("small.nrrd")));
+  // The bins of 0 to 199, each one wide, and the margin of three hundredths at either side.
+  const ValueRange visible = window->editor().canvas()->transform().visible;
+  EXPECT_NEAR(visible.lowest, -0.5 - 0.03 * 200.0, 1e-9);
+  EXPECT_NEAR(visible.highest, 199.5 + 0.03 * 200.0, 1e-9);
 }
 
 TEST_F(MainWindowTest, openingASecondVolumeWhileOneLoadsShowsOnlyTheSecond) {

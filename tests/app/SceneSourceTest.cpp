@@ -31,6 +31,19 @@ TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
   EXPECT_FALSE(loaded.hasOwnCamera);
 }
 
+TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "small.nrrd";
+  std::ofstream(path) << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\n"
+                         "encoding: ascii\n\n0 1 2 3 4 5 6 7\n";
+  SourceOptions options;
+  EXPECT_TRUE(loadScene(path.string(), options, {}).notes.empty());
+  options.read.series = 3;
+  const LoadedScene loaded = loadScene(path.string(), options, {});
+  ASSERT_EQ(loaded.notes.size(), 1u);
+  EXPECT_NE(loaded.notes.front().find("3 was ignored"), std::string::npos) << loaded.notes.front();
+}
+
 SessionDocument sessionOfPhantom() {
   SessionDocument session;
   session.scene.volume = "phantom:8";
@@ -52,6 +65,27 @@ TEST(SceneSource, aSessionIsASourceLikeAScene) {
   EXPECT_EQ(loaded.scene.camera, session.scene.scene.camera);
   ASSERT_TRUE(loaded.session);
   EXPECT_EQ(loaded.session->layout, SessionDocument::Layout::difference);
+}
+
+TEST(SceneSource, scenesAndSessionsAreKnownByWhatTheyHoldWhateverTheirEnding) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"mine", "mine.v2", "mine.txt"}) {
+    const std::string path = (folder.path() / name).string();
+    std::ofstream(path) << sessionToJson(sessionOfPhantom());
+    EXPECT_TRUE(loadScene(path, {}, {}).session) << name;
+    std::ofstream(path) << "\n {\"limn_scene\": 1, \"volume\": \"phantom:8\", \"projection\": \"xray\"}";
+    EXPECT_EQ(loadScene(path, {}, {}).scene.projection, Projection::xray) << name;
+    std::ofstream(path) << "{\"other\": 1}";
+    EXPECT_THROW(loadScene(path, {}, {}), Error) << name;
+  }
+}
+
+TEST(SceneSource, aPathMeansTheSameFromEverywhereAndBuiltInNamesStay) {
+  EXPECT_EQ(absoluteSource("sample"), "sample");
+  EXPECT_EQ(absoluteSource("phantom:4"), "phantom:4");
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(absoluteSource("data/../head.nii"), (here / "head.nii").string());
+  EXPECT_EQ(absoluteSource("series/"), (here / "series").string());
 }
 
 TEST(SceneSource, aVolumeThatMayNotBeNamedIsFoundByWhatStandsForIt) {

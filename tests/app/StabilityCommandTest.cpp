@@ -27,10 +27,12 @@ protected:
 };
 
 TEST_F(StabilityCommand, writesOneRowPerEngineAndSettingWithFigureBoundAndVerdict) {
-  const test::Outcome outcome = run("--only H9,H4 --fuzz 5 --seed 7 -o '" + file("report") + "'");
+  const test::Outcome outcome = run("--only 'h9, H4' --fuzz 5 --seed 7 -o '" + file("report") + "'");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const Json report = Json::parse(test::bytesOfFile(file("report/stability.json")));
   EXPECT_FALSE(report["renderer"].get<std::string>().empty());
+  EXPECT_NE(report["driver"].get<std::string>().find("GLSL"), std::string::npos);
+  EXPECT_EQ(report["command"], "limn stability -o DIR --only H9,H4 --fuzz 5 --seed 7");
   std::set<std::string> engines;
   for (const Json& row : report["cases"]) {
     EXPECT_TRUE(row["id"] == "H9" || row["id"] == "H4") << row;
@@ -57,6 +59,14 @@ TEST_F(StabilityCommand, refusesWhatItCannotDo) {
   EXPECT_NE(unknown.err.find("H999"), std::string::npos) << unknown.err;
 }
 
+TEST_F(StabilityCommand, aDriverThatIsTooOldIsNamedAndNoCaseBlamed) {
+  const test::Outcome old =
+      test::runProgram(folder.path(), "stability --only H9", "MESA_GL_VERSION_OVERRIDE=2.1");
+  EXPECT_EQ(old.status, 4);
+  EXPECT_NE(old.err.find("OpenGL 2.1"), std::string::npos) << old.err;
+  EXPECT_EQ(old.out.find("H9"), std::string::npos) << old.out;
+}
+
 StabilityReport reportWith(const Finding& finding) {
   StabilityReport report;
   report.cases = {{"H1", "a <case>", {finding}}};
@@ -71,7 +81,10 @@ TEST(StabilityText, aRowBeyondItsBoundFailsTheReport) {
   EXPECT_NE(stabilityTable(bad).find("FAILS gl, one: 1.5 of 1 (why)"), std::string::npos)
       << stabilityTable(bad);
   EXPECT_EQ(Json::parse(stabilityJson(bad))["cases"][0]["verdict"], "fail");
-  EXPECT_NE(stabilityPage(bad).find("a &lt;case&gt;"), std::string::npos);
+  const std::string page = stabilityPage(bad);
+  EXPECT_NE(page.find("a &lt;case&gt;"), std::string::npos);
+  EXPECT_NE(page.find("What fails"), std::string::npos);
+  EXPECT_EQ(page.find("What cannot apply"), std::string::npos);
 }
 
 TEST(StabilityText, aFailingSeedFailsTheReportAndSaysHowToRepeatIt) {

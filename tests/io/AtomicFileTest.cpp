@@ -63,6 +63,36 @@ TEST(AtomicFile, theRightsOfTheOldFileStay) {
   EXPECT_EQ(fs::status(folder.path() / "a.json").permissions(), rights);
 }
 
+TEST(AtomicFile, whatIsPrivateIsReadByNobodyElse) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "settings.json";
+  const fs::perms owners = fs::perms::owner_read | fs::perms::owner_write;
+  writeFileAtomically(file, "new", FilePlace::fixedPrivate);
+  EXPECT_EQ(fs::status(file).permissions(), owners);
+  fs::permissions(file, owners | fs::perms::group_read | fs::perms::others_read); // of an earlier version
+  writeFileAtomically(file, "newer", FilePlace::fixedPrivate);
+  EXPECT_EQ(fs::status(file).permissions(), owners);
+}
+
+std::string refusalOf(const fs::path& file, FilePlace place) {
+  try {
+    writeFileAtomically(file, "text", place);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(AtomicFile, adviceIsSuchThatItCanBeTaken) {
+  const TemporaryFolder folder;
+  const std::string users = refusalOf(folder.path() / "none" / "a.json", FilePlace::chosen);
+  EXPECT_NE(users.find("choose another folder"), std::string::npos) << users;
+  EXPECT_EQ(users.find("old file"), std::string::npos) << users; // there is none
+  const std::string programs = refusalOf(folder.path() / "none" / "a.json", FilePlace::fixed);
+  EXPECT_NE(programs.find("allow Limn to write there"), std::string::npos) << programs;
+  EXPECT_EQ(programs.find("choose"), std::string::npos) << programs;
+}
+
 TEST(AtomicFile, aLinkStaysALink) {
   const TemporaryFolder folder;
   writeFileAtomically(folder.path() / "a.json", "old");

@@ -93,6 +93,13 @@ TEST(SceneFile, refusesNumbersOutsideTheirRangeWithTheRange) {
   EXPECT_NE(refusal.find("5000"), std::string::npos) << refusal;
 }
 
+TEST(SceneFile, saysWhichPointOfACurveIsWrong) {
+  const std::string refusal = refusalOf(
+      R"({"limn_scene": 1, "volume": "v", "transfer_function":
+          {"points": [{"value": 0, "opacity": 0.5}, {"value": 1, "opacity": "high"}]}})");
+  EXPECT_NE(refusal.find("transfer_function.points[1].opacity"), std::string::npos) << refusal;
+}
+
 TEST(SceneFile, refusesWhatIsNotASceneInOneSentence) {
   for (const char* text :
        {"", "[]", "{", "{\"limn_scene\": 2, \"volume\": \"v\"}", "{\"volume\": \"v\"}", "{\"limn_scene\": 1}",

@@ -97,6 +97,8 @@ public:
   QImage currentPicture(int side);
   /// The same as premultiplied floats without background; absent before it is complete.
   std::optional<Image> restingImage(int side);
+  /// What the pictures show, from left to right.
+  std::vector<Scene> scenesOfSides() const;
 
   /// The scene as one side shows it.
   Scene sceneOfSide(int side) const;
@@ -121,7 +123,8 @@ public:
   QSize minimumSizeHint() const override { return {240, 180}; }
 
 public slots:
-  /// Asks for a standard view that fills the picture with the volume; reset is the anterior one.
+  /// Asks for a standard view that fills the picture with the volume; reset is the one of a
+  /// freshly opened volume.
   void lookFrom(limn::StandardView view);
   void resetCamera();
 
@@ -202,7 +205,6 @@ private:
   void drawCoarsely();
   std::array<Columns, 2> seenColumns() const;
   void refine();
-  std::vector<Scene> scenesOfSides() const;
   GradientScale gradientScaleOfSide(int side) const;
   glm::ivec2 deviceSize() const;
   std::vector<PixelRect> rects() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/CompareView.h"
 
+#include "scene/FirstView.h"
 #include "widgets/scene/ProjectionSection.h"
 #include "widgets/view/CropBoxPainting.h"
 #include "widgets/view/SideText.h"
@@ -42,7 +43,10 @@ void CompareView::lookFrom(StandardView view) {
 }
 
 void CompareView::resetCamera() {
-  lookFrom(StandardView::anterior);
+  if (!m_scene.volume)
+    return;
+  const Grid& grid = m_scene.volume->grid();
+  emit cameraEdited(framed(firstView(m_scene.camera, grid), grid, pictureAspect()));
 }
 
 int CompareView::positionAt(const QPointF& point) const {

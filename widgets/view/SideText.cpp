@@ -61,10 +61,10 @@ QString sideDetails(const Scene& scene, const SideState& state) {
     parts << translated("contrast %1").arg(*state.contrast, 0, 'f', 3);
   if (state.overflow)
     parts << translated("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
-  if (state.estimate && !state.isRough && state.isResolved)
-    parts << translated("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
     parts << translated("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+  if (state.estimate && !state.isRough && state.isResolved)
+    parts << translated("within %1 levels").arg(levelsText(state.estimate->p99_9));
   const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
                                                        : translated("unlit, the same with every model");
   if (!lighting.isEmpty())

@@ -35,6 +35,9 @@ Preset parsePreset(std::string_view text, const std::string& name);
 /// A preset as JSON; keys that it leaves open are absent.
 std::string presetToJson(const Preset& preset);
 
+/// Whether a text is the JSON of a scene. Never throws.
+bool looksLikeScene(std::string_view text);
+
 /// The whole of a file as text. Throws Error (input) where it is missing, unreadable or over `limit` bytes.
 std::string readTextFile(const std::filesystem::path& path, std::size_t limit = 16u << 20);
 

@@ -30,6 +30,11 @@ Camera readCamera(JsonFields fields) {
   return camera;
 }
 
+// As other readers of JSON count, from 0.
+std::string placeIn(const char* list, std::size_t index) {
+  return std::string(list).append("[").append(std::to_string(index)).append("]");
+}
+
 TransferFunction readTransferFunction(JsonFields fields) {
   TransferFunction function;
   fields.number("unit_distance_mm", function.unitDistanceMm, positive);
@@ -38,7 +43,7 @@ TransferFunction readTransferFunction(JsonFields fields) {
     if (!points.is_array())
       fields.fail("points", "must be a list of control points");
     for (const nlohmann::json& item : points) {
-      JsonFields point(item, fields.document(), "transfer_function.points");
+      JsonFields point(item, fields.document(), placeIn("transfer_function.points", function.points.size()));
       ControlPoint control;
       if (!point.number("value", control.value))
         point.fail("value", "is missing");
@@ -159,7 +164,7 @@ std::optional<GradientOpacity> readGradientOpacity(JsonFields& parent) {
   if (!fields.has("points") || !fields.child("points").is_array())
     fields.fail("points", "must be a list of {\"gradient\", \"opacity\"}");
   for (const nlohmann::json& item : fields.child("points")) {
-    JsonFields point(item, fields.document(), "gradient_opacity.points");
+    JsonFields point(item, fields.document(), placeIn("gradient_opacity.points", curve.points.size()));
     GradientOpacityPoint control;
     if (!point.number("gradient", control.gradient, notNegative))
       point.fail("gradient", "is missing");
@@ -303,6 +308,11 @@ SceneDocument readSceneFile(const std::filesystem::path& path) {
   document.volume =
       (std::filesystem::absolute(path).parent_path() / document.volume).lexically_normal().string();
   return document;
+}
+
+bool looksLikeScene(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("limn_scene");
 }
 
 Preset parsePreset(std::string_view text, const std::string& name) {

@@ -2,7 +2,9 @@
 #include "app/BuiltInPresets.h"
 #include "app/PresetStore.h"
 #include "app/Settings.h"
+#include "app/UserFolders.h"
 #include "app/recovery/Autosave.h"
+#include "app/recovery/UnsavedSessions.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
 #include "support/FileBytes.h"
@@ -127,7 +129,11 @@ TEST(FullDisk, theOldAutosaveStaysUntilThereIsRoomAgain) {
   ASSERT_EQ(said.size(), 1); // once, not every two seconds
   expectOneSentence(said.front().toStdString());
   EXPECT_EQ(test::bytesOfFile(folder.path() / "session.json"), first);
+  int recoveries = 0;
+  QObject::connect(&autosave, &Autosave::recovered, [&] { ++recoveries; });
   EXPECT_TRUE(autosave.savingOfNow()());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(recoveries, 1);
   EXPECT_EQ(readSessionFile(folder.path() / "session.json").wipe, 0.75);
 }
 
@@ -188,6 +194,26 @@ TEST(ReadOnlyFolder, theOldPresetStaysAndTheReasonIsSaid) {
   const PresetStore::Contents contents = store.read();
   ASSERT_EQ(contents.presets.size(), 1u);
   EXPECT_EQ(contents.presets.front().note, "old");
+}
+
+// The folder could not be made: that is the cause, not that the file is not there.
+TEST(ReadOnlyFolder, aFolderThatCannotBeMadeIsNamedAsTheCause) {
+  const test::TemporaryFolder home;
+  fs::permissions(home.path(), fs::perms(0555));
+  const UserFolders folders = UserFolders::below(home.path());
+  const Ordinary user;
+  QStringList said;
+  Settings settings(folders.settings);
+  settings.setOnProblem([&](const QString& sentence) { said << sentence; });
+  settings.setTheme("dark");
+  ASSERT_EQ(said.size(), 1);
+  for (const std::string& sentence :
+       {said.front().toStdString(), sentenceOf([&] { PresetStore(folders.presets).save(mine("")); }),
+        sentenceOf([&] { UnsavedSessions(folders.sessions).place(); })}) {
+    expectOneSentence(sentence);
+    EXPECT_NE(sentence.find("Permission denied"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("choose another folder"), std::string::npos) << sentence;
+  }
 }
 
 } // namespace
