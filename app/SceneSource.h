@@ -53,7 +53,7 @@ struct LoadedScene {
 
 /// Loads anything that names a scene: a volume (see readVolume), a scene or session file, a picture written
 /// by Limn, `sample` (the CT head of an installed example, otherwise the phantom) or `phantom[:spacing in
-/// mm]`. A volume gets the default camera and the best-fitting preset. Throws Error and Cancelled.
+/// mm]`. A volume gets its first view and the best-fitting preset. Throws Error and Cancelled.
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress);
 
 /// How a source is called from wherever: a path becomes absolute, what is built in (`sample`, `phantom:1`)
