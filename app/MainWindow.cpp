@@ -6,7 +6,7 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -78,13 +78,13 @@ void MainWindow::layOut() {
 
   m_curves = new CurvePanel(this);
   m_editor = m_curves->valueEditor();
-  m_shading = new ShadingPanel(this);
+  m_properties = new PropertiesPanel(this);
   m_presets = new PresetBrowser(this);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   m_presetDock = addDock(tr("Presets"), QStringLiteral("presetDock"), m_presets, Qt::LeftDockWidgetArea);
   m_shadingDock =
-      addDock(tr("Properties"), QStringLiteral("shadingDock"), m_shading, Qt::RightDockWidgetArea);
+      addDock(tr("Properties"), QStringLiteral("shadingDock"), m_properties, Qt::RightDockWidgetArea);
   makeEffectsDock();
   makeAccuracyDock();
   m_curveDock =
@@ -126,8 +126,8 @@ void MainWindow::connectView() {
 void MainWindow::connectPanels() {
   connect(m_editor, &TransferFunctionEditor::transferFunctionEdited, &m_session,
           &Session::setTransferFunction);
-  connect(m_shading, &ShadingPanel::shadingEdited, &m_session, &Session::setShading);
-  connect(m_shading, &ShadingPanel::qualityEdited, &m_session, &Session::setQuality);
+  connect(m_properties, &PropertiesPanel::shadingEdited, &m_session, &Session::setShading);
+  connect(m_properties, &PropertiesPanel::qualityEdited, &m_session, &Session::setQuality);
   connect(m_presets, &PresetBrowser::presetChosen, this, &MainWindow::applyPreset);
   connect(m_presets, &PresetBrowser::saveRequested, this, &MainWindow::savePreset);
   connect(m_presets, &PresetBrowser::deleteRequested, this, &MainWindow::deletePreset);
@@ -137,7 +137,7 @@ void MainWindow::showScene(const Scene& scene) {
   m_view->setScene(scene);
   m_editor->setTransferFunction(scene.transferFunction);
   showGradientCurve(scene);
-  m_shading->setScene(scene);
+  m_properties->setScene(scene);
   m_presets->setCurrent(showsPreset(scene) ? QString::fromStdString(m_preset.name) : QString());
   showModels();
   m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
@@ -156,9 +156,9 @@ void MainWindow::showModels() {
   m_view->setModels(m_leftModel, m_rightModel);
   const bool isSingle = m_view->compareLayout() == CompareLayout::single;
   if (isSingle)
-    m_shading->setModelsShown({single});
+    m_properties->setModelsShown({single});
   else
-    m_shading->setModelsShown({m_leftModel, m_rightModel});
+    m_properties->setModelsShown({m_leftModel, m_rightModel});
   // A comparison names its models on the pictures; the buttons then only offer to leave it.
   for (QAction* action : m_modelActions->actions())
     action->setChecked(isSingle && action->data().toInt() == static_cast<int>(single));

@@ -28,7 +28,7 @@ class ErrorMapOverlay;
 class MessageBar;
 class PictureStatus;
 class PresetBrowser;
-class ShadingPanel;
+class PropertiesPanel;
 class TransferFunctionEditor;
 
 /// The window: the picture in the middle, presets left, properties right, the curve below. Holds every
@@ -237,7 +237,7 @@ private:
   MessageBar* m_messages = nullptr;
   CurvePanel* m_curves = nullptr;
   TransferFunctionEditor* m_editor = nullptr; ///< of the curve over the value
-  ShadingPanel* m_shading = nullptr;
+  PropertiesPanel* m_properties = nullptr;
   PresetBrowser* m_presets = nullptr;
   QDockWidget* m_presetDock = nullptr;
   QDockWidget* m_shadingDock = nullptr;

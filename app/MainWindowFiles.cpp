@@ -7,7 +7,7 @@
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 
 #include <QDateTime>
 #include <QFileDialog>
@@ -122,7 +122,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     shown.scene.camera = framed(loaded.scene.camera, volume.grid(), m_view->pictureAspect());
   m_session.open(shown);
   m_editor->canvas()->resetView(); // the points of the volume before no longer stretch the axis
-  m_shading->foldUnused();
+  m_properties->foldUnused();
   measureGradients();
   const Grid& grid = volume.grid();
   m_volumeLabel->setText(tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")

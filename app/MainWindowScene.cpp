@@ -6,7 +6,7 @@
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/ProjectionSection.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 
 #include <QAction>
 #include <QApplication>
@@ -21,18 +21,20 @@ void MainWindow::editScene(const Gesture& gesture, Change&& change) {
 }
 
 void MainWindow::connectSceneSections() {
-  connect(m_shading, &ShadingPanel::projectionEdited, this, &MainWindow::setProjection);
-  connect(m_shading, &ShadingPanel::isovalueEdited, this, [this](double isovalue, const Gesture& gesture) {
-    editScene(gesture, [&](Scene& scene) { scene.isovalue = isovalue; });
-  });
-  connect(m_shading, &ShadingPanel::fogEdited, this, [this](const Fog& fog, const Gesture& gesture) {
+  connect(m_properties, &PropertiesPanel::projectionEdited, this, &MainWindow::setProjection);
+  connect(m_properties, &PropertiesPanel::isovalueEdited, this,
+          [this](double isovalue, const Gesture& gesture) {
+            editScene(gesture, [&](Scene& scene) { scene.isovalue = isovalue; });
+          });
+  connect(m_properties, &PropertiesPanel::fogEdited, this, [this](const Fog& fog, const Gesture& gesture) {
     editScene(gesture, [&](Scene& scene) { scene.fog = fog; });
   });
-  connect(m_shading, &ShadingPanel::cropEdited, this, [this](const CropBox& crop, const Gesture& gesture) {
-    editScene(gesture, [&](Scene& scene) { scene.crop = crop; });
-  });
-  connect(m_view, &CompareView::cropEdited, m_shading, &ShadingPanel::cropEdited);
-  connect(m_shading->cropSection(), &FoldingSection::foldedByUser, this, [this](bool folded) {
+  connect(m_properties, &PropertiesPanel::cropEdited, this,
+          [this](const CropBox& crop, const Gesture& gesture) {
+            editScene(gesture, [&](Scene& scene) { scene.crop = crop; });
+          });
+  connect(m_view, &CompareView::cropEdited, m_properties, &PropertiesPanel::cropEdited);
+  connect(m_properties->cropSection(), &FoldingSection::foldedByUser, this, [this](bool folded) {
     m_cropIsEdited = !folded;
     showCropBox();
   });
@@ -92,7 +94,7 @@ void MainWindow::showCropBox() {
 void MainWindow::followFocus(QWidget* now) {
   if (!now)
     return; // another program's turn
-  m_cropIsEdited = m_shading->cropSection()->isAncestorOf(now) || (m_cropIsEdited && now == m_view);
+  m_cropIsEdited = m_properties->cropSection()->isAncestorOf(now) || (m_cropIsEdited && now == m_view);
   showCropBox();
 }
 

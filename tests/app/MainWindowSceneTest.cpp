@@ -8,7 +8,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/CropSection.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 
 #include <QCheckBox>
 #include <QInputDialog>
@@ -29,7 +29,7 @@ protected:
     window->session().setCamera(orbited(scene().camera, 0.5, 0.4));
   }
 
-  ShadingPanel& properties() { return *window->findChild<ShadingPanel*>(); }
+  PropertiesPanel& properties() { return *window->findChild<PropertiesPanel*>(); }
   GradientOpacityEditor& gradientEditor() { return *window->curves().gradientEditor(); }
 
   QPoint handle(CropFace face) { return view().mapTo(window.get(), view().cropHandle(face)->toPoint()); }

@@ -6,7 +6,7 @@
 #include "widgets/controls/TrackSlider.h"
 #include "widgets/controls/ValueSlider.h"
 #include "widgets/scene/FogSection.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QElapsedTimer>

@@ -9,8 +9,8 @@
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/FogSection.h"
 #include "widgets/scene/ProjectionSection.h"
-#include "widgets/shading/QualitySection.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/scene/QualitySection.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QCheckBox>
@@ -37,26 +37,27 @@ protected:
       m_gestures.push_back(gesture);
       m_panel.setScene(m_scene);
     };
-    QObject::connect(&m_panel, &ShadingPanel::projectionEdited, &m_panel,
+    QObject::connect(&m_panel, &PropertiesPanel::projectionEdited, &m_panel,
                      [=, this](Projection p, const Gesture& g) {
                        m_scene.projection = p;
                        answer(g);
                      });
-    QObject::connect(&m_panel, &ShadingPanel::isovalueEdited, &m_panel,
+    QObject::connect(&m_panel, &PropertiesPanel::isovalueEdited, &m_panel,
                      [=, this](double v, const Gesture& g) {
                        m_scene.isovalue = v;
                        answer(g);
                      });
-    QObject::connect(&m_panel, &ShadingPanel::cropEdited, &m_panel,
+    QObject::connect(&m_panel, &PropertiesPanel::cropEdited, &m_panel,
                      [=, this](const CropBox& c, const Gesture& g) {
                        m_scene.crop = c;
                        answer(g);
                      });
-    QObject::connect(&m_panel, &ShadingPanel::fogEdited, &m_panel, [=, this](const Fog& f, const Gesture& g) {
-      m_scene.fog = f;
-      answer(g);
-    });
-    QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel,
+    QObject::connect(&m_panel, &PropertiesPanel::fogEdited, &m_panel,
+                     [=, this](const Fog& f, const Gesture& g) {
+                       m_scene.fog = f;
+                       answer(g);
+                     });
+    QObject::connect(&m_panel, &PropertiesPanel::qualityEdited, &m_panel,
                      [=, this](const Quality& q, const Gesture& g) {
                        m_scene.quality = q;
                        answer(g);
@@ -83,7 +84,7 @@ protected:
   }
 
   Scene m_scene;
-  ShadingPanel m_panel;
+  PropertiesPanel m_panel;
   std::vector<Gesture> m_gestures;
 };
 

@@ -12,7 +12,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/FogFit.h"
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QApplication>
@@ -99,7 +99,7 @@ void saveSections(const QString& prefix) {
   scene.projection = Projection::compositeIsosurface;
   scene.crop = {{0.123, 0.0, 0.25}, {1.0, 0.8, 1.0}};
   const auto panelOf = [&](const Scene& shown) {
-    auto* panel = new ShadingPanel;
+    auto* panel = new PropertiesPanel;
     for (auto* section : panel->sections())
       section->setFolded(true);
     panel->setScene(shown);
@@ -122,8 +122,8 @@ void saveSections(const QString& prefix) {
 void savePanels(const QString& prefix) {
   QWidget both;
   auto* layout = new QHBoxLayout(&both);
-  auto* open = new ShadingPanel;
-  auto* compared = new ShadingPanel;
+  auto* open = new PropertiesPanel;
+  auto* compared = new PropertiesPanel;
   auto* browser = new PresetBrowser;
   auto* icons = new QListWidget;
   for (auto* panel : {open, compared})
@@ -174,7 +174,7 @@ void saveWindow(const QString& prefix) {
   editor->setTransferFunction(sampleFunction());
   auto* browser = new PresetBrowser;
   browser->setPresets(samplePresets(), {});
-  auto* shading = new ShadingPanel;
+  auto* shading = new PropertiesPanel;
   shading->setModelsShown({ShadingModel::classic, ShadingModel::enhanced});
   const auto dock = [&](const char* title, QWidget* content, Qt::DockWidgetArea area) {
     auto* made = new QDockWidget(QLatin1String(title));

@@ -17,11 +17,11 @@ class ShadingSection;
 /// What a scene says beside its curves, in folding sections: projection, light, crop, fog, quality. Controls
 /// that change nothing in the pictures shown are disabled and say why in their tool tips; a section that the
 /// scene does not use says so in its header.
-class ShadingPanel : public QScrollArea {
+class PropertiesPanel : public QScrollArea {
   Q_OBJECT
 
 public:
-  explicit ShadingPanel(QWidget* parent = nullptr);
+  explicit PropertiesPanel(QWidget* parent = nullptr);
 
   void setScene(const Scene& scene);
   void setShading(const Shading& shading);

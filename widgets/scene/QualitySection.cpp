@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/shading/QualitySection.h"
+#include "widgets/scene/QualitySection.h"
 
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/ValueSlider.h"

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/FogSection.h"
 #include "widgets/scene/ProjectionSection.h"
+#include "widgets/scene/QualitySection.h"
 #include "widgets/shading/GradientSection.h"
 #include "widgets/shading/LightSection.h"
 #include "widgets/shading/ModelSection.h"
-#include "widgets/shading/QualitySection.h"
 
 #include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace limn {
 
-ShadingPanel::ShadingPanel(QWidget* parent)
+PropertiesPanel::PropertiesPanel(QWidget* parent)
     : QScrollArea(parent), m_projection(new ProjectionSection),
       m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
       m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
@@ -22,7 +22,7 @@ ShadingPanel::ShadingPanel(QWidget* parent)
   connectSections();
 }
 
-void ShadingPanel::layOut() {
+void PropertiesPanel::layOut() {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -44,21 +44,21 @@ void ShadingPanel::layOut() {
   foldUnused();
 }
 
-void ShadingPanel::connectSections() {
+void PropertiesPanel::connectSections() {
   for (ShadingSection* section : m_sections)
     connect(section, &ShadingSection::shadingEdited, this,
             [this](const Shading& shading, const Gesture& gesture) {
               setShading(shading);
               emit shadingEdited(shading, gesture);
             });
-  connect(m_quality, &QualitySection::qualityEdited, this, &ShadingPanel::qualityEdited);
-  connect(m_projection, &ProjectionSection::projectionEdited, this, &ShadingPanel::projectionEdited);
-  connect(m_projection, &ProjectionSection::isovalueEdited, this, &ShadingPanel::isovalueEdited);
-  connect(m_crop, &CropSection::cropEdited, this, &ShadingPanel::cropEdited);
-  connect(m_fog, &FogSection::fogEdited, this, &ShadingPanel::fogEdited);
+  connect(m_quality, &QualitySection::qualityEdited, this, &PropertiesPanel::qualityEdited);
+  connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
+  connect(m_projection, &ProjectionSection::isovalueEdited, this, &PropertiesPanel::isovalueEdited);
+  connect(m_crop, &CropSection::cropEdited, this, &PropertiesPanel::cropEdited);
+  connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
 }
 
-void ShadingPanel::setScene(const Scene& scene) {
+void PropertiesPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
   m_scene = scene;
   setShading(scene.shading);
@@ -70,21 +70,21 @@ void ShadingPanel::setScene(const Scene& scene) {
     showModels();
 }
 
-void ShadingPanel::setShading(const Shading& shading) {
+void PropertiesPanel::setShading(const Shading& shading) {
   for (ShadingSection* section : m_sections)
     section->setShading(shading);
 }
 
-void ShadingPanel::setQuality(const Quality& quality) {
+void PropertiesPanel::setQuality(const Quality& quality) {
   m_quality->setQuality(quality);
 }
 
-void ShadingPanel::setModelsShown(const std::vector<ShadingModel>& models) {
+void PropertiesPanel::setModelsShown(const std::vector<ShadingModel>& models) {
   m_models = models;
   showModels();
 }
 
-void ShadingPanel::showModels() {
+void PropertiesPanel::showModels() {
   const bool lit = usesLight(m_scene.projection);
   for (std::size_t i = 0; i < m_sections.size(); ++i) {
     ShadingSection* section = m_sections[i];
@@ -94,7 +94,7 @@ void ShadingPanel::showModels() {
 }
 
 // What comes to be unused folds, once; what folded so comes back when it is used again.
-void ShadingPanel::setUnused(std::size_t section, const QString& reason) {
+void PropertiesPanel::setUnused(std::size_t section, const QString& reason) {
   FoldingSection* folding = m_sections[section];
   Use& use = m_use[section];
   folding->setSummary(reason);
@@ -109,7 +109,7 @@ void ShadingPanel::setUnused(std::size_t section, const QString& reason) {
   }
 }
 
-void ShadingPanel::foldUnused() {
+void PropertiesPanel::foldUnused() {
   m_crop->setFolded(m_scene.crop == CropBox{});
   m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
 }

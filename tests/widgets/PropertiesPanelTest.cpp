@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/shading/ShadingPanel.h"
+#include "widgets/scene/PropertiesPanel.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/TrackSlider.h"
+#include "widgets/scene/QualitySection.h"
 #include "widgets/shading/LightAngles.h"
-#include "widgets/shading/QualitySection.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QAbstractButton>
@@ -18,15 +18,15 @@
 namespace limn {
 namespace {
 
-class ShadingPanelTest : public testing::Test {
+class PropertiesPanelTest : public testing::Test {
 protected:
-  ShadingPanelTest() {
+  PropertiesPanelTest() {
     m_panel.resize(320, 1200);
     m_panel.show();
     for (ShadingSection* section : m_panel.sections())
       section->setFolded(false);
     QObject::connect(
-        &m_panel, &ShadingPanel::shadingEdited, &m_panel,
+        &m_panel, &PropertiesPanel::shadingEdited, &m_panel,
         [this](const Shading& shading, const Gesture& gesture) { m_edits.emplace_back(shading, gesture); });
   }
 
@@ -38,7 +38,7 @@ protected:
     return nullptr;
   }
 
-  ShadingPanel m_panel;
+  PropertiesPanel m_panel;
   std::vector<std::pair<Shading, Gesture>> m_edits;
 };
 
@@ -58,14 +58,14 @@ Shading unusual() {
   return shading;
 }
 
-TEST_F(ShadingPanelTest, everyChoiceIsWideEnoughForItsText) {
+TEST_F(PropertiesPanelTest, everyChoiceIsWideEnoughForItsText) {
   for (const QComboBox* box : m_panel.findChildren<QComboBox*>())
     EXPECT_GE(box->width(), box->sizeHint().width()) << box->accessibleName().toStdString();
 }
 
-TEST_F(ShadingPanelTest, settingEmitsNothing) {
+TEST_F(PropertiesPanelTest, settingEmitsNothing) {
   int quality = 0;
-  QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel, [&] { ++quality; });
+  QObject::connect(&m_panel, &PropertiesPanel::qualityEdited, &m_panel, [&] { ++quality; });
   m_panel.setShading(unusual());
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::robust});
   Quality fine;
@@ -76,7 +76,7 @@ TEST_F(ShadingPanelTest, settingEmitsNothing) {
   EXPECT_EQ(quality, 0);
 }
 
-TEST_F(ShadingPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
+TEST_F(PropertiesPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
   m_panel.setShading(unusual());
   m_panel.setModelsShown({ShadingModel::robust});
   auto* diffuse = row<ValueSlider>(QStringLiteral("Diffuse (kd)"));
@@ -91,7 +91,7 @@ TEST_F(ShadingPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
   EXPECT_EQ(m_edits.front().first, expected);
 }
 
-TEST_F(ShadingPanelTest, theModelIsChosenFromTheList) {
+TEST_F(PropertiesPanelTest, theModelIsChosenFromTheList) {
   auto* model = row<ChoiceRow>(QStringLiteral("Model"));
   model->box()->setFocus();
   QTest::keyClick(model->box(), Qt::Key_Down);
@@ -99,7 +99,7 @@ TEST_F(ShadingPanelTest, theModelIsChosenFromTheList) {
   EXPECT_EQ(m_edits.front().first.model, ShadingModel::enhanced);
 }
 
-TEST_F(ShadingPanelTest, theRangeOfSharpnessIsOneSliderWithTwoHandles) {
+TEST_F(PropertiesPanelTest, theRangeOfSharpnessIsOneSliderWithTwoHandles) {
   m_panel.setModelsShown({ShadingModel::enhanced});
   auto* range = row<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
   ASSERT_NE(range, nullptr);
@@ -110,7 +110,7 @@ TEST_F(ShadingPanelTest, theRangeOfSharpnessIsOneSliderWithTwoHandles) {
   EXPECT_EQ(m_edits.front().first.exponentRange, (CoefficientRange{1.0, 1024.0}));
 }
 
-TEST_F(ShadingPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
+TEST_F(PropertiesPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
   auto* sharpness = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"));
   auto* emphasis = row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
   m_panel.setModelsShown({ShadingModel::classic});
@@ -124,14 +124,14 @@ TEST_F(ShadingPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
   EXPECT_FALSE(row<ValueSlider>(QStringLiteral("Ambient (ka)"))->isEnabled());
 }
 
-TEST_F(ShadingPanelTest, aComparisonEnablesWhatEitherModelUses) {
+TEST_F(PropertiesPanelTest, aComparisonEnablesWhatEitherModelUses) {
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
   EXPECT_TRUE(row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->isEnabled());
   EXPECT_TRUE(row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"))->isEnabled());
   EXPECT_FALSE(row<ChoiceRow>(QStringLiteral("Model"))->isEnabled());
 }
 
-TEST_F(ShadingPanelTest, aDoubleClickOnANameResets) {
+TEST_F(PropertiesPanelTest, aDoubleClickOnANameResets) {
   Shading shading;
   shading.opacityRange = {1.0, 1.0};
   m_panel.setShading(shading);
@@ -141,7 +141,7 @@ TEST_F(ShadingPanelTest, aDoubleClickOnANameResets) {
   EXPECT_EQ(m_edits.front().first, Shading{});
 }
 
-TEST_F(ShadingPanelTest, aDragIsOneGesture) {
+TEST_F(PropertiesPanelTest, aDragIsOneGesture) {
   auto* slider = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->slider();
   const QPoint from = slider->handleCentre(0).toPoint();
   QTest::mousePress(slider, Qt::LeftButton, {}, from);
@@ -156,9 +156,9 @@ TEST_F(ShadingPanelTest, aDragIsOneGesture) {
   EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change highlight sharpness (SP)"));
 }
 
-TEST_F(ShadingPanelTest, qualityIsEditedOnItsOwn) {
+TEST_F(PropertiesPanelTest, qualityIsEditedOnItsOwn) {
   std::vector<Quality> edits;
-  QObject::connect(&m_panel, &ShadingPanel::qualityEdited, &m_panel,
+  QObject::connect(&m_panel, &PropertiesPanel::qualityEdited, &m_panel,
                    [&](const Quality& quality) { edits.push_back(quality); });
   Quality quality;
   quality.jitter = true;
@@ -173,7 +173,7 @@ TEST_F(ShadingPanelTest, qualityIsEditedOnItsOwn) {
   EXPECT_EQ(edits.front(), quality);
 }
 
-TEST_F(ShadingPanelTest, everyControlHasAnAccessibleNameAndAToolTip) {
+TEST_F(PropertiesPanelTest, everyControlHasAnAccessibleNameAndAToolTip) {
   const auto hasToolTip = [](const QWidget* widget) {
     for (; widget; widget = widget->parentWidget())
       if (!widget->toolTip().isEmpty())
