@@ -7,7 +7,6 @@
 #include "support/AnalyticCases.h"
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"
-#include "support/TestData.h"
 
 #include <cmath>
 #include <iostream>
@@ -113,7 +112,6 @@ std::vector<OperatingPoint> pointsOf(const test::ConvergingRay& ray, PointRender
 }
 
 TEST_F(AnalyticError, reportedIsTheTrueOneAndOfOrderTwo) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   Renderers renderers;
   for (const test::ConvergingRay& ray : rays()) {
     ConvergedPicture converged = convergedPicture(ray.scene, onePixel, drawPrecisely);

@@ -59,7 +59,6 @@ void expectHonest(RayCaster& caster, const test::ConvergingRay& ray) {
 }
 
 TEST_F(Estimate, isNeverBelowHalfOfTheTruthOnSmoothRays) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   RayCaster caster;
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases()) {

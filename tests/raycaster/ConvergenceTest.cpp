@@ -66,7 +66,6 @@ void compareRay(RayCaster& caster, const test::ConvergingRay& ray, Preintegratio
 }
 
 TEST_F(Convergence, midpointSamplingShowsTheOrdersThatTheCasesState) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   std::cout << "largest error of colour and alpha by number of samples (order of the halving)\n";
   RayCaster caster;
   for (const nlohmann::json& one : test::analyticCases())
@@ -78,7 +77,6 @@ TEST_F(Convergence, midpointSamplingShowsTheOrdersThatTheCasesState) {
 // The scalar is taken as linear within a step, and the mean colour lies at no particular depth of it: both
 // cost O(h²) (NUMERICS 1.2, "mean colour x alpha"). Alpha of the ramps is exact and shows no order.
 TEST_F(Convergence, preintegratedStepsAreOfOrderTwo) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   RayCaster caster;
   for (const nlohmann::json& one : test::analyticCases())
     for (test::ConvergingRay& ray : test::convergingRays(one))

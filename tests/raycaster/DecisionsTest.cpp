@@ -7,7 +7,6 @@
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"
 #include "support/Orders.h"
-#include "support/TestData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +104,6 @@ TEST_F(DecisionPixels, voxelsClassifiedBeforeInterpolationMissWhatLiesBetweenThe
 // Finding 9, on the ramps of case B1: the middle of a step is of order 2, its front of order 1 (NUMERICS 1.2;
 // the bands are those of 1.4).
 TEST_F(DecisionPixels, samplesAtTheFrontOfTheirStepsAreOfOrderOne) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   constexpr double floor = 20.0 * 1e-6; // where rounding hides the order
   RayCaster middle;
   RayCaster front = casterWith({.place = SamplePlace::front});

@@ -40,7 +40,6 @@ void expectSecondOrderOn(const test::AnalyticRay& ray, double lengthMm,
 }
 
 TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B1_ramp_linear_tau_k8.0" || one["id"] == "B1_ramp_linear_tau_k2.0")
@@ -52,7 +51,6 @@ TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
 }
 
 TEST_F(SliceOrder, aCubicRampConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B6_trilinear_xyz_diagonal")
