@@ -25,7 +25,7 @@ PrecisePixels oneExactPixel(const test::ConvergingRay& ray, const glm::dvec4& fi
   return {{ray.color.value_or(glm::dvec3(finest)), ray.alpha.value_or(finest.a)}};
 }
 
-// What a renderer in floats is off by anyway (NUMERICS 1.4: 1e-6 of the range), in levels.
+// What a renderer in floats is off by anyway (HARD_CASES section 6: 1e-6 of the range), in levels.
 constexpr double roundingLevels = 255e-6;
 
 // Draws one ray with more and more samples, as refinement does.
