@@ -32,8 +32,7 @@ TEST(BrokenCitations, ofHardCasesAndDocumentsAreNamed) {
 }
 
 TEST(BrokenPaths, inSourcesAreNamed) {
-  EXPECT_EQ(test::missingPathsOfASource("// tests/documents/Tree.h\n#include \"documents/Nothing.h\""),
-            Faults{});
+  EXPECT_EQ(test::missingPathsOfASource("// tests/documents/Tree.h\n#include \"app/Nothing.h\""), Faults{});
   EXPECT_EQ(test::missingPathsOfASource("// as in tests/documents/Forest.h"),
             Faults{"names tests/documents/Forest.h, which does not exist"});
 }

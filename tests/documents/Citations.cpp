@@ -116,8 +116,9 @@ std::vector<std::string> unresolvedCitations(const std::string& text, const Cita
 std::vector<std::string> missingPathsOfASource(const std::string& text) {
   static const std::regex path(
       R"((^|[^A-Za-z0-9_/.-])((?:app|renderer|shaders|tests|widgets)/[A-Za-z0-9_/.-]+\.(?:h|cpp|glsl|md|json)))");
+  static const std::regex include(R"(#include [^\n]*)"); // the compiler's business
   std::vector<std::string> faults;
-  forEach(text, path, [&](const std::smatch& match) {
+  forEach(std::regex_replace(text, include, ""), path, [&](const std::smatch& match) {
     if (!fs::exists(projectRoot() / match.str(2)))
       faults.push_back("names " + match.str(2) + ", which does not exist");
   });

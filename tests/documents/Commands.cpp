@@ -76,7 +76,7 @@ void checkProgram(const std::string& line, const Typeable& known, std::vector<st
 Typeable typeable() {
   const std::vector<TextFile> sources = filesEnding({".cpp", ".h"});
   Typeable known;
-  known.commands = wordsOf(sources, "app/", std::regex(R"re(add_subcommand\(\s*"([a-z]+)")re"));
+  known.commands = wordsOf(sources, "app/", std::regex(R"re(command\(\s*"([a-z]+)")re"));
   known.options = wordsOf(sources, "app/", std::regex(R"re((--[a-z][a-z-]*))re"));
   known.targets = wordsOf(filesEnding({".txt"}), "", std::regex(R"(\b(limn_[a-z0-9_]+))"));
   static const std::regex plain(R"(\bTEST(?:_F)?\(\s*(\w+),\s*(\w+)\s*\))");
