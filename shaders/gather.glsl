@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gather a ray by its standard discretisation (RENDERING 7): each sample stands for its step.
+// Gather a ray by its standard discretisation (DEFINITION section 7): each sample stands for its step.
 
 #ifdef EFFECT_LONG_RAYS
 // One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over empty

@@ -9,7 +9,7 @@ namespace limn {
 // all of them from one discrete set, the levels: facts of each block say with which step to begin
 // (BlockSteps); behind what already hides it a block may be sampled more coarsely; and a step over which the
 // light that it adds changes by more than a limit is taken again with a smaller one. One number makes all of
-// them finer. ARCHITECTURE.md says what that gains.
+// them finer. tests/EVIDENCE.md says what that gains.
 
 /// The step of a level, in units of the smallest spacing: 2 at level 0, shorter by √2 from each to the next.
 double stepOfLevel(int level);

@@ -80,7 +80,7 @@ TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothi
 TEST_F(MainWindowTest, enhancedWithEqualRangesShowsTheClassicPicture) {
   ASSERT_TRUE(open(phantom));
   Shading shading = scene().shading;
-  // RENDERING: the ranges then give the exponent and the opacity factor of classic everywhere.
+  // DEFINITION section 5: the ranges then give the exponent and the opacity factor of classic everywhere.
   shading.exponentRange = {shading.exponent, shading.exponent};
   shading.opacityRange = {1.0, 1.0};
   window->session().setShading(shading, {nextGestureId(), QStringLiteral("equal ranges")});

@@ -33,7 +33,7 @@ TEST(GpuTimer, believesAQueryOnlyWhereTheClockAllowsIt) {
   EXPECT_FALSE(agreesWithClock(31.0, 20.0)) << "longer than it can have taken";
 }
 
-// A driver's own time must lie between nothing and what the clock saw (NUMERICS H45: 0 < gpu < 1.5 · wall).
+// A driver's own time must lie between nothing and what the clock saw (HARD_CASES H45: 0 < gpu < 1.5 · wall).
 TEST_F(GpuTimerOnADriver, countsAllOfTheWork) {
   const Scene scene = phantomScene();
   RayCaster caster;

@@ -9,7 +9,7 @@
 
 namespace limn::test {
 
-/// The error of a picture as RENDERING section 9 counts it, in 8-bit levels.
+/// The error of a picture as DEFINITION section 9 counts it, in 8-bit levels.
 struct Levels {
   double mean = 0.0;
   double p999 = 0.0; ///< 99.9th percentile
