@@ -87,8 +87,8 @@ std::optional<DicomLut> modalityLutOf(const DicomDataset& dataset, bool isSigned
 std::optional<DicomLut> paletteOf(const DicomDataset& dataset) {
   const std::vector<std::uint16_t> descriptor = wordsOf(dataset, tag::redPaletteDescriptor);
   const std::vector<std::uint16_t> red = wordsOf(dataset, tag::redPalette);
-  const std::vector<std::uint16_t> green = wordsOf(dataset, tag::redPalette + 1);
-  const std::vector<std::uint16_t> blue = wordsOf(dataset, tag::redPalette + 2);
+  const std::vector<std::uint16_t> green = wordsOf(dataset, tag::greenPalette);
+  const std::vector<std::uint16_t> blue = wordsOf(dataset, tag::bluePalette);
   const bool isUsable = descriptor.size() >= 3 && descriptor[2] == 16 && !red.empty() &&
                         red.size() == green.size() && red.size() == blue.size();
   if (!isUsable)

@@ -35,29 +35,16 @@ struct Encoding {
 };
 
 bool isVr(std::string_view vr) {
-  static constexpr std::string_view known = "AE AS AT CS DA DS DT FL FD IS LO LT OB OD OF OL OV OW PN SH SL "
-                                            "SQ SS ST SV TM UC UI UL UN UR US UT UV";
-  const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
-  return vr.size() == 2 && isCapital(vr[0]) && isCapital(vr[1]) && known.find(vr) != std::string_view::npos;
+  static constexpr auto known = std::to_array<std::string_view>(
+      {"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO", "LT", "OB", "OD", "OF", "OL", "OV",
+       "OW", "PN", "SH", "SL", "SQ", "SS", "ST", "SV", "TM", "UC", "UI", "UL", "UN", "UR", "US", "UT", "UV"});
+  return std::find(known.begin(), known.end(), vr) != known.end();
 }
 
 bool hasLongLength(std::string_view vr) {
-  static constexpr std::string_view names = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
-  return names.find(vr) != std::string_view::npos;
-}
-
-// In implicit syntax only a dictionary tells a sequence of known length from other bytes.
-bool isKnownSequence(DicomTag tag) {
-  static constexpr std::array sequences = {
-      tag::mrEchoSequence,         tag::mrDiffusionSequence,     tag::cardiacSynchronizationSequence,
-      tag::frameContentSequence,   tag::planePositionSequence,   tag::planeOrientationSequence,
-      tag::modalityLutSequence,    tag::pixelMeasuresSequence,   tag::pixelValueTransformationSequence,
-      tag::sharedFunctionalGroups, tag::perFrameFunctionalGroups};
-  return std::find(sequences.begin(), sequences.end(), tag) != sequences.end();
-}
-
-bool isPixelData(DicomTag tag) {
-  return tag == tag::pixelData || tag == tag::floatPixelData || tag == tag::doubleFloatPixelData;
+  static constexpr auto names = std::to_array<std::string_view>(
+      {"OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC", "UN", "UR", "UT", "UV"});
+  return std::find(names.begin(), names.end(), vr) != names.end();
 }
 
 // Reads a stream forward and never beyond its end.
@@ -144,7 +131,7 @@ public:
       const ElementHeader header = element(encoding);
       if (header.tag == itemEnd)
         return result;
-      if (pixels && isPixelData(header.tag)) {
+      if (pixels && tag::isPixels(header.tag)) {
         *pixels = located(header, encoding);
         return result;
       }
@@ -180,7 +167,7 @@ private:
     const bool isUndefined = header.length == undefinedLength;
     if (isUndefined && (header.vr == "OB" || header.vr == "OW")) {
       skipFragments(encoding); // the compressed pixels of an icon
-    } else if (isUndefined || (isKept && (header.vr == "SQ" || isKnownSequence(header.tag)))) {
+    } else if (isUndefined || (isKept && (header.vr == "SQ" || tag::isSequence(header.tag)))) {
       // A sequence of unknown VR is implicit inside (PS3.5, 6.2.2 note on UN).
       const Encoding inside = header.vr == "UN" ? Encoding{false, false} : encoding;
       auto items = sequence(header.length, inside, depth, isKept);

@@ -2,88 +2,30 @@
 #include "io/dicom/header/DicomTags.h"
 
 #include <algorithm>
-#include <array>
+#include <optional>
 
 namespace limn::tag {
+namespace {
+
+std::optional<Kind> kindOf(DicomTag tag) {
+  const auto row =
+      std::find_if(all.begin(), all.end(), [tag](const Attribute& one) { return one.tag == tag; });
+  return row == all.end() ? std::nullopt : std::optional(row->kind);
+}
+
+} // namespace
 
 bool isKept(DicomTag tag) {
-  // Group 0028 holds the palette in three attributes that follow each other.
-  static constexpr std::array kept = {mediaStorageClass,
-                                      transferSyntax,
-                                      characterSet,
-                                      imageType,
-                                      sopClass,
-                                      sopInstance,
-                                      studyDate,
-                                      acquisitionTime,
-                                      contentTime,
-                                      modality,
-                                      seriesDescription,
-                                      patientName,
-                                      patientId,
-                                      sliceThickness,
-                                      echoTime,
-                                      spacingBetweenSlices,
-                                      triggerTime,
-                                      frameTime,
-                                      frameTimeVector,
-                                      imagerPixelSpacing,
-                                      effectiveEchoTime,
-                                      diffusionBValue,
-                                      mrEchoSequence,
-                                      mrDiffusionSequence,
-                                      cardiacSynchronizationSequence,
-                                      studyInstance,
-                                      seriesInstance,
-                                      seriesNumber,
-                                      acquisitionNumber,
-                                      instanceNumber,
-                                      imagePosition,
-                                      imageOrientation,
-                                      temporalPosition,
-                                      stackId,
-                                      frameContentSequence,
-                                      planePositionSequence,
-                                      planeOrientationSequence,
-                                      temporalPositionIndex,
-                                      cardiacTriggerDelay,
-                                      samplesPerPixel,
-                                      photometricInterpretation,
-                                      planarConfiguration,
-                                      numberOfFrames,
-                                      frameIncrementPointer,
-                                      rows,
-                                      columns,
-                                      pixelSpacing,
-                                      bitsAllocated,
-                                      bitsStored,
-                                      highBit,
-                                      pixelRepresentation,
-                                      pixelPadding,
-                                      pixelPaddingLimit,
-                                      rescaleIntercept,
-                                      rescaleSlope,
-                                      rescaleType,
-                                      redPaletteDescriptor,
-                                      redPalette,
-                                      lossyCompression,
-                                      lossyRatio,
-                                      modalityLutSequence,
-                                      lutDescriptor,
-                                      lutData,
-                                      pixelMeasuresSequence,
-                                      pixelValueTransformationSequence,
-                                      petUnits,
-                                      doseUnits,
-                                      gridFrameOffsets,
-                                      doseGridScaling,
-                                      sharedFunctionalGroups,
-                                      perFrameFunctionalGroups,
-                                      redPaletteDescriptor + 1,
-                                      redPaletteDescriptor + 2,
-                                      redPalette + 1,
-                                      redPalette + 2};
-  return std::find(kept.begin(), kept.end(), tag) != kept.end();
+  const auto kind = kindOf(tag);
+  return kind && *kind != Kind::pixels;
+}
+
+bool isSequence(DicomTag tag) {
+  return kindOf(tag) == Kind::sequence;
+}
+
+bool isPixels(DicomTag tag) {
+  return kindOf(tag) == Kind::pixels;
 }
 
 } // namespace limn::tag
