@@ -3,7 +3,7 @@
 
 #include "scene/Error.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace limn {
 
