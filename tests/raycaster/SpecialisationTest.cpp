@@ -2,9 +2,10 @@
 // Simulating only what a scene calls for loses nothing (NUMERICS 4.3).
 #include "raycaster/RayCaster.h"
 #include "scene/Phantom.h"
-#include "stability/SceneVariations.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+
+#include "EffectSwitches.h"
 
 #include <iostream>
 #include <set>
@@ -35,7 +36,7 @@ using Specialisation = test::GlTest;
 
 TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
-  const auto& switches = limn::switches();
+  const auto& switches = test::switches();
   int compared = 0;
   std::set<std::string> shaders;
   // Each switch alone and with two others, so that each meets neighbours of every kind.
@@ -58,7 +59,7 @@ TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
 }
 
 TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
-  for (const Neutral& neutral : neutralValues()) {
+  for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();
@@ -78,7 +79,7 @@ TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
 
 TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
   RayCaster caster;
-  for (const Neutral& neutral : neutralValues()) {
+  for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();

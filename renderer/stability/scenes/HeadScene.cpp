@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/HeadScene.h"
+#include "stability/scenes/HeadScene.h"
 
 namespace limn {
 

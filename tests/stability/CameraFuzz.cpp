@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/CameraFuzz.h"
+#include "CameraFuzz.h"
 
 #include "scene/RayFrame.h"
-#include "stability/RandomCamera.h"
-#include "stability/RandomVolume.h"
+#include "stability/scenes/RandomCamera.h"
+#include "stability/scenes/RandomVolume.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-namespace limn {
+namespace limn::test {
 namespace {
 
 bool isFinite(const glm::dvec3& v) {
@@ -65,4 +65,4 @@ CameraFuzzReport fuzzCameras(int cameras, std::uint64_t firstSeed) {
   return report;
 }
 
-} // namespace limn
+} // namespace limn::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/RandomShading.h"
+#include "stability/scenes/RandomShading.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include "scene/Grid.h"
 #include "scene/Shading.h"
 #include "scene/Volume.h"
-#include "stability/Dice.h"
+#include "stability/scenes/Dice.h"
 
 namespace limn {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/SimpleScenes.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <cmath>
 

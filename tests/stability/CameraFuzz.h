@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace limn {
+namespace limn::test {
 
 /// What random cameras showed on the CPU (hard case H47).
 struct CameraFuzzReport {
@@ -20,4 +20,4 @@ struct CameraFuzzReport {
 /// random steps: every number must be finite and every count within 1..60000, so that no loop can be endless.
 CameraFuzzReport fuzzCameras(int cameras, std::uint64_t firstSeed);
 
-} // namespace limn
+} // namespace limn::test

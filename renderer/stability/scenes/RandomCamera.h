@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/Camera.h"
-#include "stability/Dice.h"
+#include "stability/scenes/Dice.h"
 
 #include <string>
 

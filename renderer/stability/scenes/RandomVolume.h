@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/Volume.h"
-#include "stability/Dice.h"
+#include "stability/scenes/Dice.h"
 
 #include <memory>
 #include <string>

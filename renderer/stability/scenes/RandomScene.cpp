@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/RandomScene.h"
+#include "stability/scenes/RandomScene.h"
 
 #include "scene/ProjectionName.h"
 #include "scene/RayFrame.h"
-#include "stability/RandomCamera.h"
-#include "stability/RandomShading.h"
-#include "stability/RandomVolume.h"
+#include "stability/scenes/RandomCamera.h"
+#include "stability/scenes/RandomShading.h"
+#include "stability/scenes/RandomVolume.h"
 
 #include <algorithm>
 
