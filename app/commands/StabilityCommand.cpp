@@ -8,6 +8,7 @@
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
+#include "io/reports/StabilityJson.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
 

@@ -9,6 +9,18 @@
 
 namespace limn {
 
+std::string verdictText(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::pass:
+    return "pass";
+  case Verdict::fail:
+    return "fail";
+  case Verdict::notApplicable:
+    return "n/a";
+  }
+  return {};
+}
+
 Finding atMost(std::string engine, std::string what, double figure, double bound, std::string reason) {
   return {std::move(engine), std::move(what), figure, bound, figure <= bound ? Verdict::pass : Verdict::fail,
           std::move(reason)};

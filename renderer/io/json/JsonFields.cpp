@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/scenefile/JsonFields.h"
+#include "io/json/JsonFields.h"
 
 #include "scene/Error.h"
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -129,6 +131,15 @@ void JsonFields::finish() const {
   for (const auto& [key, value] : m_object.items())
     if (!m_known.contains(key))
       fail(key, "is not a key that Limn knows; check its spelling or remove it");
+}
+
+void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
+  int version = 0;
+  if (!fields.integer(key, version, 1, 1000000))
+    fields.fail(key, "is missing, so this is not a Limn " + what);
+  if (version != 1)
+    fields.fail(key,
+                "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/stability/FindingText.h"
-#include "app/stability/StabilityReport.h"
+#include "io/reports/StabilityJson.h"
+
+#include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -56,7 +57,7 @@ std::string stabilityJson(const StabilityReport& report) {
                   {"command", report.command},
                   {"cases", rows},
                   {"fuzz", fuzzOf(report.fuzz)}};
-  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+  return textOf(json);
 }
 
 } // namespace limn

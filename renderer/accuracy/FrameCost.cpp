@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/Timing.h"
+#include "accuracy/FrameCost.h"
 
 namespace limn {
 

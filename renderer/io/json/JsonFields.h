@@ -2,7 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <initializer_list>
 #include <limits>
@@ -75,5 +75,8 @@ private:
   std::string m_where;
   std::set<std::string> m_known;
 };
+
+/// Refuses a document whose `key` is not the version that this program reads; `what` it would be otherwise.
+void requireVersion(JsonFields& fields, const std::string& key, const std::string& what);
 
 } // namespace limn

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/accuracy/AccuracyText.h"
+#include "io/reports/AccuracyJson.h"
 
 #include "accuracy/FigureText.h"
+#include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -87,7 +88,7 @@ std::string accuracyJson(const AccuracyReport& report) {
                   {"points", points},
                   {"decisions", decisions},
                   {"remarks", report.remarks}};
-  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+  return textOf(json);
 }
 
 std::string accuracyCsv(const AccuracyReport& report) {
