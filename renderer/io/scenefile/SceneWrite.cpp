@@ -2,6 +2,7 @@
 #include "io/scenefile/SceneFile.h"
 #include "io/scenefile/SceneJson.h"
 
+#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
 
 namespace limn {
@@ -105,20 +106,6 @@ Json toJson(const Quality& quality) {
 }
 
 } // namespace
-
-const char* nameOf(ShadingModel model) {
-  switch (model) {
-  case ShadingModel::none:
-    return "none";
-  case ShadingModel::classic:
-    return "classic";
-  case ShadingModel::enhanced:
-    return "enhanced";
-  case ShadingModel::robust:
-    return "robust";
-  }
-  return "";
-}
 
 nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) {
   return {{"limn_scene", 1},
