@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/scenes/RandomScene.h"
 
+#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
 #include "scene/RayFrame.h"
 #include "stability/scenes/RandomCamera.h"
@@ -225,11 +226,11 @@ glm::ivec2 randomSize(Dice& dice, double samples) {
 
 std::string describe(const RandomScene& random, const Recipe& recipe, const std::string& volume,
                      const std::string& camera) {
-  static constexpr const char* models[] = {"unlit", "classic", "enhanced", "robust"};
+  const ShadingModel model = recipe.light.model;
   const Scene& scene = random.scene;
-  return std::string(models[static_cast<int>(recipe.light.model)]) + " " + nameOf(scene.projection) + ", " +
-         volume + ", " + camera + ", " + std::to_string(scene.transferFunction.points.size()) + " points, " +
-         std::to_string(random.size.x) + "x" + std::to_string(random.size.y) + " pixels";
+  return std::string(model == ShadingModel::none ? "unlit" : nameOf(model)) + " " + nameOf(scene.projection) +
+         ", " + volume + ", " + camera + ", " + std::to_string(scene.transferFunction.points.size()) +
+         " points, " + std::to_string(random.size.x) + "x" + std::to_string(random.size.y) + " pixels";
 }
 
 } // namespace
