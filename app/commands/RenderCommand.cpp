@@ -2,9 +2,9 @@
 #include "app/commands/RenderCommand.h"
 
 #include "accuracy/SamplePicture.h"
-#include "app/PictureMaker.h"
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
+#include "app/renderers/PictureMaker.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "raycaster/GraphicsMemory.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/bench/Bench.h"
+#include "accuracy/BenchRow.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/accuracy/RealRenderers.h"
+#include "app/renderers/RealRenderers.h"
 
 #include "accuracy/Tolerance.h"
-#include "app/accuracy/MeasureDecisions.h"
-#include "app/bench/ProcessCost.h"
+#include "app/renderers/ProcessCost.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
@@ -161,24 +160,6 @@ Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {
 
 std::string RealRenderers::name() const {
   return rendererName();
-}
-
-AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
-                               const std::vector<OperatingPoint>& points, Decide withDecisions,
-                               RealRenderers& renderers, const ReportProgress& progress) {
-  const auto part = [&](double from, double to) -> ReportProgress {
-    if (!progress)
-      return {};
-    return [=, &progress](double fraction, const std::string& doing) {
-      progress(from + fraction * (to - from), doing);
-    };
-  };
-  const ConvergedPicture converged = convergedPicture(scene, size, renderers.precisely(), part(0.0, 0.3));
-  const double end = withDecisions == Decide::each ? 0.7 : 1.0;
-  AccuracyReport report = measureAccuracy(name, scene, size, points, converged, renderers, part(0.3, end));
-  if (withDecisions == Decide::each)
-    report.decisions = measureDecisions(scene, size, converged.pixels, part(end, 1.0));
-  return report;
 }
 
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,

@@ -3,10 +3,9 @@
 
 #include "accuracy/AccuracySweep.h"
 
-namespace limn {
+#include <string>
 
-/// The report as a table for the terminal.
-std::string accuracyTable(const AccuracyReport& report);
+namespace limn {
 
 /// A page that shows the chart in the file `chart` beside it, the points, and what each decision costs.
 std::string accuracyPage(const AccuracyReport& report, const std::string& chart);

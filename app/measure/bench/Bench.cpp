@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/Bench.h"
+#include "app/measure/bench/Bench.h"
 
 #include <cmath>
 

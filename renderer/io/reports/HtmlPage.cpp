@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/HtmlPage.h"
+#include "io/reports/HtmlPage.h"
 
 namespace limn {
 namespace {

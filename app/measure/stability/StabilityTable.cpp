@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/stability/StabilityReport.h"
+#include "app/measure/stability/StabilityText.h"
 
-#include "app/stability/FindingText.h"
+#include "app/measure/stability/FindingText.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/accuracy/MeasureDecisions.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
 
-#include "app/bench/Bench.h"
-#include "app/bench/Timing.h"
+#include "app/measure/bench/Bench.h"
+#include "app/renderers/ProcessCost.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/DecisionList.h"
 #include "raycaster/RayCaster.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "accuracy/BenchRow.h"
-#include "app/bench/Contender.h"
+#include "app/measure/bench/Contender.h"
 
 #include <functional>
 #include <memory>

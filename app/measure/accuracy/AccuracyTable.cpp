@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/accuracy/AccuracyText.h"
+#include "app/measure/accuracy/AccuracyTable.h"
 
 #include "accuracy/DecisionVerdict.h"
 #include "accuracy/FigureText.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/RivalContender.h"
+#include "app/measure/bench/RivalContender.h"
 
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"

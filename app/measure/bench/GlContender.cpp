@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/Contender.h"
+#include "app/measure/bench/Contender.h"
 #include "io/ImageFile.h"
 #include "widgets/view/PictureTarget.h"
 

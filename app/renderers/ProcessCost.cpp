@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/ProcessCost.h"
+#include "app/renderers/ProcessCost.h"
 
 #include <malloc.h>
 

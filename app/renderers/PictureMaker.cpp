@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/PictureMaker.h"
+#include "app/renderers/PictureMaker.h"
 
 #include "accuracy/Tolerance.h"
 #include "gl/HeadlessContext.h"

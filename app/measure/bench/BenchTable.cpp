@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/BenchReport.h"
+#include "app/measure/bench/BenchTable.h"
 
 #include <algorithm>
 #include <cstdarg>

@@ -33,17 +33,9 @@ private:
   std::unique_ptr<Parts> m_parts;
 };
 
-/// Whether a report also says what each decision about accuracy costs.
-enum class Decide { none, each };
-
-/// Measures error and time of a scene: the converged picture, then every point, then each decision where
-/// wanted; everything else of the report is filled in. Where the picture did not converge the points keep
-/// their times and have no errors to be told.
-AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
-                               const std::vector<OperatingPoint>& points, Decide withDecisions,
-                               RealRenderers& renderers, const ReportProgress& progress);
-
-/// The points alone, against a converged picture of this scene and size that is known already.
+/// Measures error and time of the points of a scene against its converged picture, which is known already;
+/// everything else of the report but the decisions is filled in. Where the picture did not converge the
+/// points keep their times and have no errors to be told.
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
                                const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
                                RealRenderers& renderers, const ReportProgress& progress);

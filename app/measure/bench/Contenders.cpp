@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/bench/Contenders.h"
+#include "app/measure/bench/Contenders.h"
 
-#include "app/bench/RivalContender.h"
+#include "app/measure/bench/RivalContender.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Error.h"
 #include "slices/SliceRenderer.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/accuracy/AccuracyText.h"
+#include "io/reports/AccuracyPage.h"
 
 #include "accuracy/DecisionVerdict.h"
 #include "accuracy/FigureText.h"
-#include "app/HtmlPage.h"
+#include "io/reports/HtmlPage.h"
 
 namespace limn {
 namespace {

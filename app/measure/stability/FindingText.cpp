@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/stability/FindingText.h"
+#include "app/measure/stability/FindingText.h"
 
 #include <array>
 #include <cstdio>
