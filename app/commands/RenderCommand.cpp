@@ -78,8 +78,6 @@ void writeSamples(const Scene& scene, const RenderArguments& arguments) {
 }
 
 void runRender(const RenderArguments& arguments) {
-  if (arguments.engine == "cpu")
-    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   if (arguments.textureMb != anyMb && arguments.engine != "auto" && arguments.engine != "gl")
     throw Error(Error::Kind::usage,
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");

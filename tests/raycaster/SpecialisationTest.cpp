@@ -4,6 +4,7 @@
 #include "scene/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/RendererRules.h"
 
 #include "EffectSwitches.h"
 
@@ -22,14 +23,6 @@ Scene baseScene() {
   scene.quality.earlyTermination = 0.95;
   scene.quality.preintegrated = Preintegration::never;
   return scene;
-}
-
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max<double>(largest, std::abs(a.pixels[i][channel] - b.pixels[i][channel]));
-  return largest;
 }
 
 using Specialisation = test::GlTest;
@@ -86,7 +79,7 @@ TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
     neutral.setJustOff(on);
     neutral.setNeutral(off);
     EXPECT_NE(caster.plan(on).effects, caster.plan(off).effects);
-    EXPECT_GT(largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
+    EXPECT_GT(test::largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
   }
 }
 
