@@ -3,9 +3,9 @@
 
 #include "app/MessageBar.h"
 #include "app/SaveDialog.h"
-#include "app/accuracy/AccuracyText.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyJson.h"
+#include "io/reports/AccuracyPage.h"
 #include "scene/Error.h"
 #include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"

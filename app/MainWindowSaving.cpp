@@ -2,8 +2,8 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
-#include "app/PictureMaker.h"
 #include "app/SaveDialog.h"
+#include "app/renderers/PictureMaker.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"

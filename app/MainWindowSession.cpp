@@ -42,26 +42,6 @@ QString described(const std::filesystem::path& file) {
   return label.isEmpty() ? timeOf(file) : label + QStringLiteral(", ") + timeOf(file);
 }
 
-SessionDocument::Layout layoutOf(CompareLayout layout) {
-  switch (layout) {
-  case CompareLayout::single:
-    return SessionDocument::Layout::single;
-  case CompareLayout::sideBySide:
-    return SessionDocument::Layout::sideBySide;
-  case CompareLayout::wipe:
-    return SessionDocument::Layout::wipe;
-  case CompareLayout::difference:
-    return SessionDocument::Layout::difference;
-  }
-  return SessionDocument::Layout::single;
-}
-
-CompareLayout layoutOf(SessionDocument::Layout layout) {
-  constexpr CompareLayout layouts[] = {CompareLayout::single, CompareLayout::sideBySide, CompareLayout::wipe,
-                                       CompareLayout::difference};
-  return layouts[static_cast<int>(layout)];
-}
-
 } // namespace
 
 void MainWindow::addSessionActions(QMenu& menu) {
@@ -100,7 +80,7 @@ SessionDocument MainWindow::sessionDocument() const {
   session.scene.hasTransferFunction = true;
   session.series = m_shown.options.read.series;
   session.spacingMm = m_shown.options.read.spacingMm;
-  session.layout = layoutOf(m_view->compareLayout());
+  session.layout = m_view->compareLayout();
   session.leftModel = m_leftModel;
   session.rightModel = m_rightModel;
   session.wipe = m_view->wipePosition();
@@ -117,7 +97,7 @@ void MainWindow::showSession(const SessionDocument& session) {
   m_leftModel = session.leftModel;
   m_rightModel = session.rightModel;
   m_view->setWipePosition(session.wipe);
-  setCompareLayout(layoutOf(session.layout));
+  setCompareLayout(session.layout);
   m_cropBoxAction->setChecked(session.cropBoxIsShown);
   m_curves->showGradient(session.gradientCurveIsShown);
   for (QDockWidget* dock : {m_shadingDock, m_effectsDock, m_accuracyDock})

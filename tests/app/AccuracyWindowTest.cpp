@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "app/accuracy/RealRenderers.h"
+#include "app/renderers/RealRenderers.h"
 #include "support/Heart.h"
 #include "widgets/accuracy/AccuracyChart.h"
 #include "widgets/accuracy/AccuracyChartView.h"

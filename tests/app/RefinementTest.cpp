@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
+#include "scene/ModelName.h"
 #include "support/Heart.h"
 #include "support/TestData.h"
 #include "widgets/view/PictureStatus.h"
-#include "widgets/view/SideText.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -64,7 +64,7 @@ protected:
     QProcess program;
     program.start(QStringLiteral(LIMN_PROGRAM),
                   {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
-                   QStringLiteral("--model"), modelName(model).toLower(), QStringLiteral("--size"),
+                   QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
     EXPECT_TRUE(program.waitForFinished(-1));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();

@@ -84,7 +84,7 @@ TEST_F(SessionWindow, aSavedSessionComesBackAsItWas) {
   workALittle();
   EXPECT_TRUE(window->isWindowModified());
   const SessionDocument before = window->sessionDocument();
-  EXPECT_EQ(before.layout, SessionDocument::Layout::wipe);
+  EXPECT_EQ(before.layout, CompareLayout::wipe);
   EXPECT_EQ(before.rightModel, ShadingModel::robust);
   EXPECT_EQ(before.panel, SessionDocument::Panel::effects);
   EXPECT_TRUE(before.cropBoxIsShown);

@@ -7,7 +7,7 @@
 #include "accuracy/ConvergedPicture.h"
 #include "accuracy/DecisionVerdict.h"
 #include "app/BuiltInPresets.h"
-#include "app/accuracy/MeasureDecisions.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
 #include "reference/ReferenceIntegrator.h"

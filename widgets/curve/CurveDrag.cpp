@@ -14,10 +14,6 @@ namespace {
 constexpr double startDistance = 3.0; // pixels before a press becomes a drag
 constexpr double pixelsPerDoubling = 120.0;
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("CurveDrag", text);
-}
-
 TransferFunction draggedPoints(const CurveDrag& drag, const PlotTransform& transform, QPointF travelled,
                                bool lockAxis) {
   if (lockAxis)
@@ -62,17 +58,17 @@ TransferFunction draggedFunction(const CurveDrag& drag, const PlotTransform& tra
 
 QString dragText(const CurveDrag& drag, const TransferFunction& now, const QString& unit, int decimals) {
   if (drag.kind == CurveDrag::Kind::points && drag.moved.size() > 1)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "move %1 points")).arg(drag.moved.size());
+    return QCoreApplication::translate("CurveDrag", "move %1 points").arg(drag.moved.size());
   if (drag.added)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "add point at %1"))
+    return QCoreApplication::translate("CurveDrag", "add point at %1")
         .arg(valueText(now.points[drag.grabbed].value, unit, decimals));
   if (drag.kind == CurveDrag::Kind::points)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "move point to %1"))
+    return QCoreApplication::translate("CurveDrag", "move point to %1")
         .arg(valueText(now.points[drag.grabbed].value, unit, decimals));
   if (drag.kind == CurveDrag::Kind::shift)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "shift curve by %1"))
+    return QCoreApplication::translate("CurveDrag", "shift curve by %1")
         .arg(valueText(middleValue(now) - middleValue(drag.before), unit, decimals));
-  return translated(QT_TRANSLATE_NOOP("CurveDrag", "change width of curve"));
+  return QCoreApplication::translate("CurveDrag", "change width of curve");
 }
 
 } // namespace limn

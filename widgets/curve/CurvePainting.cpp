@@ -16,10 +16,6 @@ namespace {
 constexpr double gripHalfWidth = 14.0;
 constexpr double gripClearance = gripHalfWidth + 4.0;
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("CurvePainting", text);
-}
-
 bool isSelected(const CanvasPicture& picture, std::size_t index) {
   return std::find(picture.selected.begin(), picture.selected.end(), index) != picture.selected.end();
 }
@@ -134,11 +130,11 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
   if (picture.pinnedValue)
     paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
-                   translated(QT_TRANSLATE_NOOP("CurvePainting", "pinned: %1"))
+                   QCoreApplication::translate("CurvePainting", "pinned: %1")
                        .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
-                   translated(QT_TRANSLATE_NOOP("CurvePainting", "in the picture: %1"))
+                   QCoreApplication::translate("CurvePainting", "in the picture: %1")
                        .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
 }
 
@@ -167,7 +163,7 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
   const ControlPoint& point = picture.function.points[*picture.readOut];
   const QPointF centre = positionOf(picture.transform, point);
   paintBubble(painter, picture,
-              translated(QT_TRANSLATE_NOOP("CurvePainting", "%1 · opacity %2"))
+              QCoreApplication::translate("CurvePainting", "%1 · opacity %2")
                   .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
               centre - QPointF(0.0, 12.0));
 }
@@ -188,7 +184,7 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   const double value = *picture.hoveredValue;
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
-    text += translated(QT_TRANSLATE_NOOP("CurvePainting", " · opacity %1"))
+    text += QCoreApplication::translate("CurvePainting", " · opacity %1")
                 .arg(opacityText(classify(picture.function, value).opacity));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;
