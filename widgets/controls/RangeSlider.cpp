@@ -56,7 +56,8 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
       tr("%1, %2").arg(spec.label, spec.lowerName.isEmpty() ? tr("from") : spec.lowerName));
   m_upper->setAccessibleName(
       tr("%1, %2").arg(spec.label, spec.upperName.isEmpty() ? tr("to") : spec.upperName));
-  m_slider->setAccessibleName(tr("%1, slider with two handles").arg(spec.label));
+  m_slider->setAccessibleName(spec.label);
+  m_slider->setHandleNames({m_lower->accessibleName(), m_upper->accessibleName()});
   if (isEnabled())
     setToolTip(toolTipOf(spec, true));
 }

@@ -3,14 +3,18 @@
 
 #include "widgets/Gesture.h"
 #include "widgets/Theme.h"
+#include "widgets/controls/AccessibleTrack.h"
 
+#include <QAccessible>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -45,6 +49,7 @@ std::optional<double> fractionAfterKey(int key, double fraction) {
 TrackSlider::TrackSlider(const SliderScale& scale, int handles, QWidget* parent)
     : QWidget(parent), m_scale(scale), m_values(static_cast<std::size_t>(handles), scale.lowest),
       m_origin(scale.lowest) {
+  makeTracksAccessible();
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
@@ -59,8 +64,11 @@ void TrackSlider::setScale(const SliderScale& scale) {
 void TrackSlider::setValues(const std::vector<double>& values) {
   if (values == m_values)
     return;
-  m_values = values;
+  const std::vector<double> former = std::exchange(m_values, values);
   update();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] != former[i])
+      tellValue(*this, static_cast<int>(i));
 }
 
 void TrackSlider::setOrigin(double value) {
@@ -78,6 +86,44 @@ QSize TrackSlider::sizeHint() const {
 }
 QSize TrackSlider::minimumSizeHint() const {
   return {60, 20};
+}
+
+void TrackSlider::moveHandle(int handle, double value) {
+  if (m_dragging)
+    return;
+  m_active = handle;
+  moveActive(value, nextGestureId());
+  emit dragEnded();
+}
+
+void TrackSlider::focusHandle(int handle) {
+  m_active = handle;
+  update();
+  if (hasFocus())
+    tellFocus(*this);
+  else
+    setFocus();
+}
+
+SliderScale TrackSlider::reachOf(int handle) const {
+  const auto index = static_cast<std::size_t>(handle);
+  SliderScale reach = m_scale;
+  if (index > 0) {
+    reach.lowest = std::max(reach.lowest, m_values[index - 1]);
+    reach.highest = std::max(reach.highest, m_values[index - 1]); // which may lie beyond the scale
+  }
+  if (index + 1 < m_values.size()) {
+    reach.lowest = std::min(reach.lowest, m_values[index + 1]);
+    reach.highest = std::min(reach.highest, m_values[index + 1]);
+  }
+  return reach;
+}
+
+double TrackSlider::keyStepOf(int handle) const {
+  const double value = m_values[static_cast<std::size_t>(handle)];
+  const double fraction = fractionOf(m_scale, value);
+  const double next = valueAtFraction(m_scale, fraction < 0.5 ? fraction + keyStep : fraction - keyStep);
+  return std::max(std::abs(next - value), std::pow(10.0, -m_decimals));
 }
 
 double TrackSlider::trackWidth() const {
@@ -104,12 +150,9 @@ double TrackSlider::valueUnder(double x) const {
 void TrackSlider::moveActive(double value, std::uint64_t gestureId) {
   const auto active = static_cast<std::size_t>(m_active);
   const double unit = std::pow(10.0, m_decimals);
+  const SliderScale reach = reachOf(m_active);
   std::vector<double> values = m_values;
-  values[active] = std::clamp(std::round(value * unit) / unit, m_scale.lowest, m_scale.highest);
-  if (active > 0)
-    values[active] = std::max(values[active], values[active - 1]);
-  if (active + 1 < values.size())
-    values[active] = std::min(values[active], values[active + 1]);
+  values[active] = std::clamp(std::round(value * unit) / unit, reach.lowest, reach.highest);
   if (values == m_values)
     return;
   setValues(values);
@@ -213,14 +256,20 @@ void TrackSlider::wheelEvent(QWheelEvent* event) {
   emit dragEnded();
 }
 
+void TrackSlider::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  // Behind Qt's own word that the whole slider has the focus.
+  if (QAccessible::isActive())
+    QTimer::singleShot(0, this, [this] { tellFocus(*this); });
+}
+
 bool TrackSlider::focusNextPrevChild(bool next) {
   const int wanted = m_active + (next ? 1 : -1);
   if (wanted < 0 || wanted >= static_cast<int>(m_values.size())) {
     m_active = next ? 0 : static_cast<int>(m_values.size()) - 1;
     return QWidget::focusNextPrevChild(next);
   }
-  m_active = wanted;
-  update();
+  focusHandle(wanted);
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "widgets/controls/SliderScale.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <cstdint>
@@ -21,6 +22,7 @@ public:
 
   /// Another track; the numbers stay.
   void setScale(const SliderScale& scale);
+  const SliderScale& scale() const { return m_scale; }
 
   /// Ascending, one number per handle; numbers outside the scale sit at its ends.
   void setValues(const std::vector<double>& values);
@@ -28,6 +30,23 @@ public:
 
   /// Numbers the user picks are rounded to so many decimals; numbers set are not.
   void setDecimals(int decimals) { m_decimals = decimals; }
+
+  /// What assistive technology calls the handles of a range, one name each.
+  void setHandleNames(const QStringList& names) { m_handleNames = names; }
+  const QStringList& handleNames() const { return m_handleNames; }
+
+  /// Moves a handle as a gesture of the user's own, up to its neighbours.
+  void moveHandle(int handle, double value);
+
+  /// Gives the focus to one handle.
+  void focusHandle(int handle);
+  int activeHandle() const { return m_active; }
+
+  /// The part of the scale that a handle can go to, as another bounds it.
+  SliderScale reachOf(int handle) const;
+
+  /// How far an arrow key moves a handle from where it is.
+  double keyStepOf(int handle) const;
 
   /// Where the coloured bar of a single handle starts; the left end unless set.
   void setOrigin(double value);
@@ -51,6 +70,7 @@ protected:
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   bool focusNextPrevChild(bool next) override;
 
 private:
@@ -63,6 +83,7 @@ private:
 
   SliderScale m_scale;
   std::vector<double> m_values;
+  QStringList m_handleNames;
   std::vector<double> m_before;
   double m_origin;
   int m_decimals = 9;

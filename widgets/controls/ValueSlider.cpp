@@ -54,7 +54,7 @@ void ValueSlider::setSpec(const NumberSpec& spec) {
   m_slider->setScale(spec.scale);
   m_slider->setDecimals(spec.decimals);
   m_field->setAccessibleName(spec.label);
-  m_slider->setAccessibleName(tr("%1, slider").arg(spec.label));
+  m_slider->setAccessibleName(spec.label);
   if (isEnabled())
     setToolTip(toolTipOf(spec, false));
 }
