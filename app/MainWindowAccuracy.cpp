@@ -6,9 +6,9 @@
 #include "app/accuracy/AccuracyText.h"
 #include "io/AtomicFile.h"
 #include "scene/Error.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
+#include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/view/SideText.h"
 
 #include <QBuffer>

@@ -7,7 +7,7 @@
 #include "app/accuracy/RealRenderers.h"
 #include "app/commands/SceneArguments.h"
 #include "io/AtomicFile.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QApplication>
 

@@ -4,8 +4,8 @@
 #include "app/MainWindow.h"
 #include "app/MessageBar.h"
 #include "support/TemporaryFolder.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/view/ViewPanels.h"
 
 #include <QAction>
