@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/canvas/CurveDrag.h"
 
+#include "widgets/Gesture.h"
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,6 @@ namespace {
 
 constexpr double startDistance = 3.0; // pixels before a press becomes a drag
 constexpr double pixelsPerDoubling = 120.0;
-
-QString translated(const char* text) {
-  return QCoreApplication::translate("CurveDrag", text);
-}
 
 TransferFunction draggedPoints(const CurveDrag& drag, const PlotTransform& transform, QPointF travelled,
                                bool lockAxis) {
@@ -40,6 +36,39 @@ double widthFactor(const CurveDrag& drag, const PlotTransform& transform) {
 
 } // namespace
 
+CurveDrag begunDrag(CurveDrag::Kind kind, const TransferFunction& function, const PlotTransform& transform,
+                    const QPointF& press) {
+  CurveDrag drag;
+  drag.kind = kind;
+  drag.before = drag.restored = function;
+  drag.press = drag.last = press;
+  drag.pressValue = valueAtX(transform, press.x());
+  drag.gestureId = nextGestureId();
+  return drag;
+}
+
+CurveDrag begunDrag(const CurveHit& hit, const CurvePlot& plot, const PlotTransform& transform,
+                    const QPointF& press, Qt::KeyboardModifiers modifiers) {
+  CurveDrag drag = begunDrag(CurveDrag::Kind::band, plot.function, transform, press);
+  switch (hit.part) {
+  case CurveHit::Part::point:
+    drag.kind = CurveDrag::Kind::points;
+    drag.grabbed = hit.index;
+    drag.moved = plot.selected;
+    break;
+  case CurveHit::Part::barGrip:
+    drag.fromGrip = modifiers & Qt::AltModifier;
+    drag.kind = drag.fromGrip ? CurveDrag::Kind::width : CurveDrag::Kind::shift;
+    break;
+  case CurveHit::Part::barEnd:
+    drag.kind = CurveDrag::Kind::width;
+    break;
+  default:
+    drag.selectedBefore = modifiers & Qt::ControlModifier ? plot.selected : PointIndices{};
+  }
+  return drag;
+}
+
 void travel(CurveDrag& drag, const QPointF& position, bool fine) {
   drag.travelled += (position - drag.last) * (fine ? 0.1 : 1.0);
   drag.last = position;
@@ -60,19 +89,24 @@ TransferFunction draggedFunction(const CurveDrag& drag, const PlotTransform& tra
   }
 }
 
+PointIndices bandedPoints(const CurveDrag& drag, const PlotTransform& transform,
+                          const TransferFunction& function) {
+  PointIndices banded = pointsInside(transform, function, QRectF(drag.press, drag.last).normalized());
+  for (const std::size_t index : drag.selectedBefore)
+    banded = withIndex(banded, index);
+  return banded;
+}
+
 QString dragText(const CurveDrag& drag, const TransferFunction& now, const QString& unit, int decimals) {
-  if (drag.kind == CurveDrag::Kind::points && drag.moved.size() > 1)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "move %1 points")).arg(drag.moved.size());
-  if (drag.added)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "add point at %1"))
-        .arg(valueText(now.points[drag.grabbed].value, unit, decimals));
-  if (drag.kind == CurveDrag::Kind::points)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "move point to %1"))
-        .arg(valueText(now.points[drag.grabbed].value, unit, decimals));
+  if (drag.kind == CurveDrag::Kind::points) {
+    const QString value = valueText(now.points[drag.grabbed].value, unit, decimals);
+    return drag.added ? translated(QT_TRANSLATE_NOOP("limn", "add point at %1")).arg(value)
+                      : movedText(drag.moved.size(), value);
+  }
   if (drag.kind == CurveDrag::Kind::shift)
-    return translated(QT_TRANSLATE_NOOP("CurveDrag", "shift curve by %1"))
+    return translated(QT_TRANSLATE_NOOP("limn", "shift curve by %1"))
         .arg(valueText(middleValue(now) - middleValue(drag.before), unit, decimals));
-  return translated(QT_TRANSLATE_NOOP("CurveDrag", "change width of curve"));
+  return translated(QT_TRANSLATE_NOOP("limn", "change width of curve"));
 }
 
 } // namespace limn

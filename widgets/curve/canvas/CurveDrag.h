@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/curve/edits/CurvePlot.h"
 #include "widgets/curve/plot/CurveGeometry.h"
-
-#include <QString>
 
 #include <cstdint>
 
@@ -28,11 +27,24 @@ struct CurveDrag {
   std::uint64_t gestureId = 0;
 };
 
+/// A drag of a kind that begins at a press.
+CurveDrag begunDrag(CurveDrag::Kind kind, const TransferFunction& function, const PlotTransform& transform,
+                    const QPointF& press);
+
+/// The drag that a press on a point, on the bar or beside everything begins. A point takes all points in hand
+/// with it, Alt makes the grip change the width, Ctrl lets a band add to what is in hand.
+CurveDrag begunDrag(const CurveHit& hit, const CurvePlot& plot, const PlotTransform& transform,
+                    const QPointF& press, Qt::KeyboardModifiers modifiers);
+
 /// Adds a pointer move. `fine` counts it a tenth.
 void travel(CurveDrag& drag, const QPointF& position, bool fine);
 
 /// The function as the drag has it now. `lockAxis` keeps the axis along which the drag went less.
 TransferFunction draggedFunction(const CurveDrag& drag, const PlotTransform& transform, bool lockAxis);
+
+/// The points in hand with those that a band encloses now.
+PointIndices bandedPoints(const CurveDrag& drag, const PlotTransform& transform,
+                          const TransferFunction& function);
 
 /// What undo shows: "move point to 310 HU".
 QString dragText(const CurveDrag& drag, const TransferFunction& now, const QString& unit, int decimals);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Histogram.h"
 #include "widgets/Gesture.h"
 #include "widgets/curve/canvas/CurveDrag.h"
-#include "widgets/curve/edits/CurveSubject.h"
-#include "widgets/curve/plot/CanvasPicture.h"
+#include "widgets/curve/edits/CurvePlot.h"
+#include "widgets/curve/plot/HistogramPicture.h"
 
 #include <QWidget>
 
@@ -14,6 +13,8 @@
 class QMenu;
 
 namespace limn {
+
+struct CanvasPicture;
 
 /// The plot of a transfer function over the histogram, with all its gestures (the table "TF canvas" of the
 /// users' conventions): see the members of TransferFunctionEditor for what is shown. Every point can be
@@ -28,31 +29,26 @@ public:
   void setTransferFunction(const TransferFunction& function);
   /// Shows every value of another range; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
-  void setUnit(const QString& unit);
-  void setMarkedValue(std::optional<double> value);
-  void setPinnedValue(std::optional<double> value);
-  void setFineLowOpacities(bool fine);
+  void setUnit(const QString& unit) { show(m_plot.unit, unit); }
+  void setMarkedValue(std::optional<double> value) { show(m_markedValue, value); }
+  void setPinnedValue(std::optional<double> value) { show(m_pinnedValue, value); }
+  void setFineLowOpacities(bool fine) { show(m_fineLowOpacities, fine); }
   /// A sentence in the middle of the plot; empty for none. Without a histogram the plot has its own.
-  void setHint(const QString& hint);
+  void setHint(const QString& hint) { show(m_hint, hint); }
 
-  CurveSubject subject() const { return m_subject; }
-  const TransferFunction& transferFunction() const { return m_function; }
-  const PointIndices& selected() const { return m_selected; }
+  CurveSubject subject() const { return m_plot.subject; }
+  const TransferFunction& transferFunction() const { return m_plot.function; }
+  const PointIndices& selected() const { return m_plot.selected; }
+  const QString& unit() const { return m_plot.unit; }
   PlotTransform transform() const;
-  QString unit() const { return m_unit; }
 
   /// Decimals that tell neighbouring pixels apart.
   int shownDecimals() const;
-
-  /// The smallest step of a value that matters to the data: 1 HU for CT.
-  double valueUnit() const;
 
   /// Shows every value of the volume and every point again.
   void resetView();
 
   void selectPoints(const PointIndices& indices);
-  void selectAll();
-  void deleteSelected();
 
   /// Replaces the function as one edit of the user's, from the controls beside the plot.
   void edit(const TransferFunction& function, const Gesture& gesture);
@@ -85,39 +81,40 @@ protected:
   bool focusNextPrevChild(bool next) override;
 
 private:
-  ValueRange fullRange() const;
+  template <class Value>
+  void show(Value& shown, const Value& value) {
+    shown = value;
+    update();
+  }
   CanvasPicture picture();
-  void showView(const ValueRange& visible);
-  bool isSelected(std::size_t index) const;
-  QString textOf(double value) const;
+  void selectAll();
+  void deleteSelected();
+  void apply(const CurveChange& change, std::uint64_t gestureId);
 
-  void pressLeft(const QMouseEvent& event);
-  void pressPoint(std::size_t index, const QMouseEvent& event);
+  bool isDragging() const { return m_drag.kind != CurveDrag::Kind::none; }
+  void press(const CurveHit& hit, const QMouseEvent& event);
   void pressCurve(const QPointF& position);
-  void beginDrag(CurveDrag::Kind kind, const QPointF& position);
+  void begin(const CurveDrag& drag);
   void continueDrag(const QMouseEvent& event);
   void endDrag();
   void cancelDrag();
   void addPoint(const QPointF& position);
+
   void hover(const QPointF& position);
+  void setHoveredValue(std::optional<double> value);
   void showMenu(const QPoint& position);
   void addPointActions(QMenu& menu, std::size_t index);
-
   bool isOwnKey(const QKeyEvent& event) const;
-  bool selectionKey(const QKeyEvent& event);
-  bool nudgeKey(const QKeyEvent& event);
+  void nudge(const QKeyEvent& event);
 
-  CurveSubject m_subject;
-  TransferFunction m_function;
-  Histogram m_histogram;
-  QString m_unit;
+  CurvePlot m_plot;
+  HistogramCache m_histogram;
   QString m_hint;
   ValueRange m_visible{0.0, 1.0};
   std::optional<double> m_markedValue;
   std::optional<double> m_pinnedValue;
   bool m_fineLowOpacities = false;
 
-  PointIndices m_selected;
   CurveDrag m_drag;
   CurveHit m_hovered;
   std::optional<double> m_hoveredValue;
@@ -125,15 +122,6 @@ private:
       m_addedByPress; ///< so that a double click on the curve does not also open details
   std::uint64_t m_keyGestureId = 0;
   bool m_spaceHeld = false;
-
-  struct HistogramCache {
-    PlotTransform transform;
-    QColor color;
-    double devicePixelRatio = 0.0;
-    bool operator==(const HistogramCache&) const = default;
-  };
-  HistogramCache m_histogramKey;
-  QPixmap m_histogramPicture;
 };
 
 } // namespace limn

@@ -2,15 +2,41 @@
 #include "widgets/curve/edits/CurveEdits.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace limn {
-namespace {
+
+PointIndices allPoints(const TransferFunction& function) {
+  PointIndices all(function.points.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
 
 bool contains(const PointIndices& indices, std::size_t index) {
   return std::find(indices.begin(), indices.end(), index) != indices.end();
 }
 
-} // namespace
+PointIndices withIndex(const PointIndices& indices, std::size_t index) {
+  PointIndices more = withoutIndex(indices, index);
+  more.insert(std::upper_bound(more.begin(), more.end(), index), index);
+  return more;
+}
+
+PointIndices withoutIndex(const PointIndices& indices, std::size_t index) {
+  PointIndices fewer = indices;
+  std::erase(fewer, index);
+  return fewer;
+}
+
+std::optional<std::size_t> pointAfter(const PointIndices& selected, std::size_t count, bool next) {
+  if (count == 0)
+    return std::nullopt;
+  if (selected.empty())
+    return next ? 0 : count - 1;
+  if (next)
+    return selected.back() + 1 < count ? std::optional(selected.back() + 1) : std::nullopt;
+  return selected.front() > 0 ? std::optional(selected.front() - 1) : std::nullopt;
+}
 
 TransferFunction withPointsMoved(const TransferFunction& function, const PointIndices& indices,
                                  double valueOffset, double opacityOffset) {

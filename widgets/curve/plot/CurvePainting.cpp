@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/plot/CanvasPicture.h"
 
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/color/ColorConversion.h"
 #include "widgets/curve/plot/Tissue.h"
 
-#include <QCoreApplication>
 #include <QPainter>
 
 #include <algorithm>
@@ -15,14 +15,6 @@ namespace {
 
 constexpr double gripHalfWidth = 14.0;
 constexpr double gripClearance = gripHalfWidth + 4.0;
-
-QString translated(const char* text) {
-  return QCoreApplication::translate("CurvePainting", text);
-}
-
-bool isSelected(const CanvasPicture& picture, std::size_t index) {
-  return std::find(picture.selected.begin(), picture.selected.end(), index) != picture.selected.end();
-}
 
 QColor withAlpha(QColor color, int alpha) {
   color.setAlpha(alpha);
@@ -134,11 +126,11 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
   if (picture.pinnedValue)
     paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
-                   translated(QT_TRANSLATE_NOOP("CurvePainting", "pinned: %1"))
+                   translated(QT_TRANSLATE_NOOP("limn", "pinned: %1"))
                        .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
-                   translated(QT_TRANSLATE_NOOP("CurvePainting", "in the picture: %1"))
+                   translated(QT_TRANSLATE_NOOP("limn", "in the picture: %1"))
                        .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
 }
 
@@ -149,10 +141,10 @@ void paintPoints(QPainter& painter, const CanvasPicture& picture) {
     const QRectF& plot = picture.transform.plot;
     if (centre.x() < plot.left() - pointDiameter || centre.x() > plot.right() + pointDiameter)
       continue;
-    if (isSelected(picture, i) || picture.hoveredPoint == i) {
+    if (contains(picture.selected, i) || picture.hoveredPoint == i) {
       painter.setBrush(Qt::NoBrush);
       painter.setPen(
-          QPen(isSelected(picture, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
+          QPen(contains(picture.selected, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
       painter.drawEllipse(centre, pointDiameter / 2.0 + 3.0, pointDiameter / 2.0 + 3.0);
     }
     painter.setBrush(toQColor(point.color));
@@ -167,7 +159,7 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
   const ControlPoint& point = picture.function.points[*picture.readOut];
   const QPointF centre = positionOf(picture.transform, point);
   paintBubble(painter, picture,
-              translated(QT_TRANSLATE_NOOP("CurvePainting", "%1 · opacity %2"))
+              translated(QT_TRANSLATE_NOOP("limn", "%1 · opacity %2"))
                   .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
               centre - QPointF(0.0, 12.0));
 }
@@ -188,7 +180,7 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   const double value = *picture.hoveredValue;
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
-    text += translated(QT_TRANSLATE_NOOP("CurvePainting", " · opacity %1"))
+    text += translated(QT_TRANSLATE_NOOP("limn", " · opacity %1"))
                 .arg(opacityText(classify(picture.function, value).opacity));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;

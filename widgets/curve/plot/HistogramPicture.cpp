@@ -72,4 +72,21 @@ QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transf
   return picture;
 }
 
+void HistogramCache::setHistogram(const Histogram& histogram) {
+  m_histogram = histogram;
+  m_picture = {};
+}
+
+QPixmap HistogramCache::picture(const PlotTransform& transform, const QColor& color,
+                                double devicePixelRatio) {
+  if (m_histogram.counts.empty())
+    return {};
+  const Key key{transform, color, devicePixelRatio};
+  if (m_picture.isNull() || key != m_key) {
+    m_key = key;
+    m_picture = histogramPicture(m_histogram, transform, color, devicePixelRatio);
+  }
+  return m_picture;
+}
+
 } // namespace limn

@@ -18,4 +18,24 @@ std::vector<double> histogramHeights(const Histogram& histogram, const ValueRang
 QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform, const QColor& color,
                          double devicePixelRatio);
 
+/// A histogram with its picture, which is made anew only where something of it changed.
+class HistogramCache {
+public:
+  void setHistogram(const Histogram& histogram);
+
+  /// Null for a histogram without counts.
+  QPixmap picture(const PlotTransform& transform, const QColor& color, double devicePixelRatio);
+
+private:
+  struct Key {
+    PlotTransform transform;
+    QColor color;
+    double devicePixelRatio = 0.0;
+    bool operator==(const Key&) const = default;
+  };
+  Histogram m_histogram;
+  Key m_key;
+  QPixmap m_picture;
+};
+
 } // namespace limn
