@@ -166,27 +166,6 @@ TEST_F(AccessibleRange, handlesGoWithTheirSlider) {
   EXPECT_EQ(QAccessible::accessibleInterface(id), nullptr);
 }
 
-// What updateAccessibility was told of, as (type, child).
-std::vector<std::pair<QAccessible::Event, int>>& told() {
-  static std::vector<std::pair<QAccessible::Event, int>> events;
-  return events;
-}
-
-TEST_F(AccessibleRange, aChangeIsToldOfTheHandleThatMoved) {
-  QAccessible::setActive(true);
-  const auto former = QAccessible::installUpdateHandler([](QAccessibleEvent* event) {
-    if (event->type() == QAccessible::ValueChanged && qobject_cast<TrackSlider*>(event->object()))
-      told().emplace_back(event->type(), event->child());
-  });
-  m_range.setRange(1.0, 6.0);
-  m_range.setRange(1.0, 6.0);
-  m_range.setRange(0.5, 6.0);
-  QAccessible::installUpdateHandler(former);
-  QAccessible::setActive(false);
-  EXPECT_EQ(told(), (std::vector<std::pair<QAccessible::Event, int>>{{QAccessible::ValueChanged, 1},
-                                                                     {QAccessible::ValueChanged, 0}}));
-}
-
 TEST(AccessibleFolding, aHeaderIsAButtonThatIsExpandedOrCollapsed) {
   FoldingSection section(QStringLiteral("Light"));
   section.show();

@@ -83,8 +83,7 @@ FoldingHeader::FoldingHeader(const QString& title, QWidget* parent)
   showArrow();
   connect(this, &QAbstractButton::toggled, this, [this] {
     showArrow();
-    if (QAccessible::isActive())
-      tellExpandedOrCollapsed(*this);
+    tellExpandedOrCollapsed(*this);
   });
 }
 

@@ -164,8 +164,6 @@ void makeTracksAccessible() {
 }
 
 void tellValue(TrackSlider& slider, int handle) {
-  if (!QAccessible::isActive())
-    return;
   QAccessibleValueChangeEvent event(&slider, slider.values()[static_cast<std::size_t>(handle)]);
   if (isRange(slider))
     event.setChild(handle);

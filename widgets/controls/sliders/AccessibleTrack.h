@@ -9,7 +9,7 @@ class TrackSlider;
 /// handles it finds a group with a slider each, which ends where the other handle is.
 void makeTracksAccessible();
 
-/// Says to assistive technology, where there is any, that a number changed.
+/// Says to assistive technology that a number changed.
 void tellValue(TrackSlider& slider, int handle);
 
 /// Says which of two handles has the focus, where one has it.

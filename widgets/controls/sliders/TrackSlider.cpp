@@ -122,7 +122,8 @@ SliderScale TrackSlider::reachOf(int handle) const {
 double TrackSlider::keyStepOf(int handle) const {
   const double value = m_values[static_cast<std::size_t>(handle)];
   const double fraction = fractionOf(m_scale, value);
-  const double next = valueAtFraction(m_scale, fraction < 0.5 ? fraction + keyStep : fraction - keyStep);
+  const bool atEnd = fraction + keyStep > 1.0;
+  const double next = valueAtFraction(m_scale, atEnd ? fraction - keyStep : fraction + keyStep);
   return std::max(std::abs(next - value), std::pow(10.0, -m_decimals));
 }
 

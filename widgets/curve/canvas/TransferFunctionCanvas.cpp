@@ -58,7 +58,7 @@ int TransferFunctionCanvas::shownDecimals() const {
 }
 
 void TransferFunctionCanvas::resetView() {
-  show(m_visible, fullRange(m_plot));
+  setShown(m_visible, fullRange(m_plot));
 }
 
 void TransferFunctionCanvas::selectPoints(const PointIndices& indices) {
@@ -193,7 +193,7 @@ void TransferFunctionCanvas::continueDrag(const QMouseEvent& event) {
   if (!m_drag.started)
     return;
   if (m_drag.kind == CurveDrag::Kind::pan)
-    return show(m_visible, pannedBy(plot, last.x() - event.position().x(), fullRange(m_plot)));
+    return setShown(m_visible, pannedBy(plot, last.x() - event.position().x(), fullRange(m_plot)));
   if (m_drag.kind == CurveDrag::Kind::band) {
     selectPoints(bandedPoints(m_drag, plot, m_plot.function));
     return update();
@@ -257,7 +257,7 @@ void TransferFunctionCanvas::addPoint(const QPointF& position) {
 void TransferFunctionCanvas::wheelEvent(QWheelEvent* event) {
   if (isDragging())
     return;
-  show(m_visible, wheeledView(transform(), *event, fullRange(m_plot)));
+  setShown(m_visible, wheeledView(transform(), *event, fullRange(m_plot)));
   hover(event->position());
   event->accept();
 }

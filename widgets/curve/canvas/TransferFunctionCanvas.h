@@ -29,12 +29,12 @@ public:
   void setTransferFunction(const TransferFunction& function);
   /// Shows every value of another range; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
-  void setUnit(const QString& unit) { show(m_plot.unit, unit); }
-  void setMarkedValue(std::optional<double> value) { show(m_markedValue, value); }
-  void setPinnedValue(std::optional<double> value) { show(m_pinnedValue, value); }
-  void setFineLowOpacities(bool fine) { show(m_fineLowOpacities, fine); }
+  void setUnit(const QString& unit) { setShown(m_plot.unit, unit); }
+  void setMarkedValue(std::optional<double> value) { setShown(m_markedValue, value); }
+  void setPinnedValue(std::optional<double> value) { setShown(m_pinnedValue, value); }
+  void setFineLowOpacities(bool fine) { setShown(m_fineLowOpacities, fine); }
   /// A sentence in the middle of the plot; empty for none. Without a histogram the plot has its own.
-  void setHint(const QString& hint) { show(m_hint, hint); }
+  void setHint(const QString& hint) { setShown(m_hint, hint); }
 
   CurveSubject subject() const { return m_plot.subject; }
   const TransferFunction& transferFunction() const { return m_plot.function; }
@@ -82,7 +82,7 @@ protected:
 
 private:
   template <class Value>
-  void show(Value& shown, const Value& value) {
+  void setShown(Value& shown, const Value& value) {
     shown = value;
     update();
   }
