@@ -2,8 +2,9 @@
 #include "widgets/curve/canvas/CurveDrag.h"
 
 #include "widgets/Gesture.h"
-#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -100,13 +101,13 @@ PointIndices bandedPoints(const CurveDrag& drag, const PlotTransform& transform,
 QString dragText(const CurveDrag& drag, const TransferFunction& now, const QString& unit, int decimals) {
   if (drag.kind == CurveDrag::Kind::points) {
     const QString value = valueText(now.points[drag.grabbed].value, unit, decimals);
-    return drag.added ? translated(QT_TRANSLATE_NOOP("limn", "add point at %1")).arg(value)
+    return drag.added ? QCoreApplication::translate("CurveDrag", "add point at %1").arg(value)
                       : movedText(drag.moved.size(), value);
   }
   if (drag.kind == CurveDrag::Kind::shift)
-    return translated(QT_TRANSLATE_NOOP("limn", "shift curve by %1"))
+    return QCoreApplication::translate("CurveDrag", "shift curve by %1")
         .arg(valueText(middleValue(now) - middleValue(drag.before), unit, decimals));
-  return translated(QT_TRANSLATE_NOOP("limn", "change width of curve"));
+  return QCoreApplication::translate("CurveDrag", "change width of curve");
 }
 
 } // namespace limn

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/edits/CurvePlot.h"
 
-#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ CurveChange withPointAt(const CurvePlot& plot, double value, double opacity, int
   return {
       std::move(function),
       {index},
-      translated(QT_TRANSLATE_NOOP("limn", "add point at %1")).arg(valueText(place, plot.unit, decimals))};
+      QCoreApplication::translate("CurvePlot", "add point at %1").arg(valueText(place, plot.unit, decimals))};
 }
 
 CurveChange withoutSelected(const CurvePlot& plot, int decimals) {
@@ -47,8 +48,8 @@ CurveChange withoutSelected(const CurvePlot& plot, int decimals) {
   const std::size_t first = plot.selected.front();
   const QString text =
       plot.selected.size() > 1
-          ? translated(QT_TRANSLATE_NOOP("limn", "delete %1 points")).arg(plot.selected.size())
-          : translated(QT_TRANSLATE_NOOP("limn", "delete point at %1"))
+          ? QCoreApplication::translate("CurvePlot", "delete %1 points").arg(plot.selected.size())
+          : QCoreApplication::translate("CurvePlot", "delete point at %1")
                 .arg(valueText(plot.function.points[first].value, plot.unit, decimals));
   return {remaining, {std::min(first, remaining.points.size() - 1)}, text};
 }
@@ -62,8 +63,8 @@ CurveChange nudged(const CurvePlot& plot, double units, double hundredths, int d
 }
 
 QString movedText(std::size_t count, const QString& value) {
-  return count > 1 ? translated(QT_TRANSLATE_NOOP("limn", "move %1 points")).arg(count)
-                   : translated(QT_TRANSLATE_NOOP("limn", "move point to %1")).arg(value);
+  return count > 1 ? QCoreApplication::translate("CurvePlot", "move %1 points").arg(count)
+                   : QCoreApplication::translate("CurvePlot", "move point to %1").arg(value);
 }
 
 } // namespace limn

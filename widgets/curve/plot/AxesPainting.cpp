@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/plot/CanvasPicture.h"
 
-#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/color/ColorConversion.h"
 #include "widgets/curve/plot/AxisTicks.h"
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -47,15 +47,16 @@ void paintOpacityAxis(QPainter& painter, const CanvasPicture& picture) {
   painter.rotate(-90.0);
   painter.setPen(picture.colors.secondaryText);
   painter.drawText(QRectF(-60.0, -8.0, 120.0, 16.0), Qt::AlignCenter,
-                   translated(QT_TRANSLATE_NOOP("limn", "Opacity")));
+                   QCoreApplication::translate("AxesPainting", "Opacity"));
   painter.restore();
 }
 
 QString axisText(const CanvasPicture& picture) {
   if (picture.subject == CurveSubject::value)
-    return picture.unit.isEmpty() ? translated(QT_TRANSLATE_NOOP("limn", "value")) : picture.unit;
-  return picture.unit.isEmpty() ? translated(QT_TRANSLATE_NOOP("limn", "gradient"))
-                                : translated(QT_TRANSLATE_NOOP("limn", "gradient, %1")).arg(picture.unit);
+    return picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
+  return picture.unit.isEmpty()
+             ? QCoreApplication::translate("AxesPainting", "gradient")
+             : QCoreApplication::translate("AxesPainting", "gradient, %1").arg(picture.unit);
 }
 
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
