@@ -7,9 +7,9 @@
 #include "io/reports/AccuracyJson.h"
 #include "io/reports/AccuracyPage.h"
 #include "scene/Error.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
+#include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/view/SideText.h"
 
 #include <QBuffer>

@@ -4,8 +4,8 @@
 #include "app/MessageBar.h"
 #include "app/PrivateNames.h"
 #include "app/SeriesDialog.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/PropertiesPanel.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "support/Heart.h"
-#include "widgets/controls/RangeSlider.h"
 #include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/TrackSlider.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/TrackSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/scene/FogSection.h"
 #include "widgets/scene/PropertiesPanel.h"
 #include "widgets/shading/ShadingSection.h"

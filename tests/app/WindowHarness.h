@@ -5,8 +5,8 @@
 #include "app/MessageBar.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/view/ViewPanels.h"
 
 #include <QAction>
