@@ -6,7 +6,7 @@
 //   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/ConvergedPicture.h"
 #include "accuracy/DecisionVerdict.h"
-#include "app/BuiltInPresets.h"
+#include "app/presets/BuiltInPresets.h"
 #include "app/accuracy/MeasureDecisions.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
