@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "app/SaveDialog.h"
+#include "app/saving/SaveDialog.h"
 #include "io/ImageFile.h"
 #include "scene/Error.h"
 #include "support/FileBytes.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/MainWindow.h"
-#include "app/MessageBar.h"
+#include "app/desks/MessageBar.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
 #include "widgets/curve/TransferFunctionEditor.h"
