@@ -2,6 +2,7 @@
 #include "WindowHarness.h"
 #include "scene/ModelName.h"
 #include "support/Heart.h"
+#include "support/Places.h"
 #include "support/TestData.h"
 #include "widgets/view/PictureStatus.h"
 
@@ -62,7 +63,7 @@ protected:
   std::vector<float> renderedByTheProgram(const QString& scene, ShadingModel model, const glm::ivec2& size) {
     const QString out = pathTo("rendered.exr");
     QProcess program;
-    program.start(QStringLiteral(LIMN_PROGRAM),
+    program.start(QString::fromStdString(test::programPath()),
                   {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
                    QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
