@@ -2,11 +2,13 @@
 #include "app/commands/BenchCommand.h"
 
 #include "app/PrivateNames.h"
-#include "app/bench/BenchReport.h"
-#include "app/bench/Contenders.h"
 #include "app/commands/SceneArguments.h"
+#include "app/measure/bench/Bench.h"
+#include "app/measure/bench/BenchTable.h"
+#include "app/measure/bench/Contenders.h"
 #include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
+#include "io/reports/BenchJson.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 

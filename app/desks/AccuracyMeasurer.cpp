@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desks/AccuracyMeasurer.h"
 
-#include "app/accuracy/RealRenderers.h"
+#include "app/renderers/RealRenderers.h"
 #include "scene/Error.h"
 #include "scene/Gradient.h"
 

@@ -3,8 +3,8 @@
 
 #include "accuracy/ConvergedPicture.h"
 #include "accuracy/Tolerance.h"
-#include "widgets/accuracy/ComparedPicture.h"
-#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/map/ComparedPicture.h"
+#include "widgets/accuracy/points/PointUse.h"
 
 #include <QObject>
 #include <QString>

@@ -3,8 +3,8 @@
 
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/scene/ProjectionSection.h"
 
 namespace limn {

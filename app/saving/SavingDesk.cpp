@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/SavingDesk.h"
 
-#include "app/PictureMaker.h"
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
 #include "app/document/DocumentText.h"
 #include "app/document/OpenDocument.h"
+#include "app/renderers/PictureMaker.h"
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "io/AtomicFile.h"
