@@ -49,10 +49,10 @@ TEST_F(MarkedWindow, DISABLED_writesAllItCan) {
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue(QStringLiteral("Marked"));
   dialog->accept();
-  window->writeScene(out("scene.json"));
-  window->writeSession(out("session.json"));
+  saving().writeScene(out("scene.json"));
+  saving().writeSession(out("session.json"));
   for (const char* picture : {"window.png", "window.tif", "window.exr", "window.jpg"})
-    window->writePicture(out(picture));
+    saving().writePicture(out(picture));
   window->grab().save(out("grabbed.png"));
   dragAPoint();
   // The session that a dead window leaves, and one that is closed with changes.
