@@ -80,6 +80,16 @@ TEST(Layering, widgetsIncludeNeitherIoNorApp) {
   expectNoIncludes("widgets", "^(io|app)/", "widgets show values and ask for edits");
 }
 
+TEST(Layering, readersShareWhatStandsBelowThemAndKnowNoOtherReader) {
+  expectNoIncludes("renderer/io/reading", "^io/(?!reading/)", "what readers share stands below them");
+  expectNoIncludes("renderer/io/dicom", "^io/(?!(reading|dicom)/)", "DICOM is read by itself");
+  for (const auto& room : fs::directory_iterator(root / "renderer/io/formats"))
+    if (room.is_directory())
+      expectNoIncludes(fs::relative(room.path(), root),
+                       "^io/(?!reading/|formats/(voxels|" + room.path().filename().string() + ")/)",
+                       "a format is read by itself");
+}
+
 TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {
   expectNoIncludes("renderer/io", "^(gl|raycaster|slices|reference|widgets|app)/", "readers make values");
 }
