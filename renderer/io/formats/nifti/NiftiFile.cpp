@@ -144,6 +144,10 @@ Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<std::st
 
 } // namespace
 
+bool isNifti(std::string_view bytes) {
+  return parseNiftiHeader(bytes) || isAnalyzeHeader(bytes);
+}
+
 VolumeParts readNifti(const fs::path& path, const Progress& progress) {
   const fs::path headerFile = isVoxelFile(path) ? partner(path, ".hdr") : path;
   const NiftiHeader header = headerOf(headerFile);
