@@ -64,24 +64,10 @@ TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
 }
 
 TEST(Layering, onlyIoTalksToFileLibraries) {
-  for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference",
-                             "renderer/accuracy", "renderer/stability", "widgets"})
-    expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
-                     "files are read and written in io");
-}
-
-TEST(Layering, allJsonAndXmlIsMadeAndReadInIo) {
   for (const char* folder : {"renderer", "widgets", "app"})
-    expectNoIncludes(folder, "nlohmann|json.hpp|json_fwd|pugixml|QJson|QXml|QDom",
-                     "texts of files are made and read in renderer/io", "renderer/io");
-}
-
-TEST(Layering, theWindowNeedsNoLaboratory) {
-  for (const Include& include : includesBelow("app"))
-    if (!include.file.string().starts_with("app/measure/") &&
-        !include.file.string().starts_with("app/commands/"))
-      EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
-          << include.file << " includes " << include.header << ": reports belong to the command line";
+    expectNoIncludes(folder,
+                     "^(vtk|itk|gdcm|OpenImageIO|nlohmann|json|pugixml|archive|tiff|zlib|QJson|QXml|QDom)",
+                     "files, JSON and XML are read and written in renderer/io", "renderer/io");
 }
 
 TEST(Layering, widgetsIncludeNeitherIoNorApp) {
