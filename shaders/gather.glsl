@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gather a ray by its standard discretisation (RENDERING 7): each sample stands for its step. What is fetched at
-// a sample, and what makes a material of it, stands in the block before.
+// Gather a ray by its standard discretisation (DEFINITION section 7): each sample stands for its step. What is
+// fetched at a sample, and what makes a material of it, stands in the block before.
 
 #ifdef EFFECT_LONG_RAYS
 // One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over empty

@@ -9,7 +9,7 @@
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyJson.h"
 #include "io/reports/AccuracyPage.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QApplication>
 

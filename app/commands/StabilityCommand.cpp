@@ -11,6 +11,7 @@
 #include "io/reports/StabilityJson.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
+#include "stability/cases/Cases.h"
 
 #include <QDate>
 #include <QString>

@@ -8,7 +8,7 @@
 namespace limn {
 
 /// How far a picture lies from another, in 8-bit levels (premultiplied channels × 255, not quantised), over
-/// the four channels of the pixels that either covers (RENDERING section 9). All 0 where none is covered.
+/// the four channels of the pixels that either covers (DEFINITION section 9). All 0 where none is covered.
 struct ImageError {
   double largest = 0.0;
   double p99_9 = 0.0; ///< 99.9th percentile of the channels, linearly interpolated

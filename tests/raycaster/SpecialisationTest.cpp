@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Simulating only what a scene calls for loses nothing (NUMERICS 4.3).
+// Simulating only what a scene calls for loses nothing.
 #include "raycaster/RayCaster.h"
 #include "scene/Phantom.h"
 #include "support/GlTest.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slices, ray caster and reference on heads: all approach one picture as the step shrinks, at order 2 where
-// the integrand is smooth (RENDERING section 7). It has jumps under classic light, whose normal is switched
+// the integrand is smooth (DEFINITION section 7). It has jumps under classic light, whose normal is switched
 // off in flat tissue, and in the shell of cut faces; there any fixed sampling is of order 1. Enhanced light
 // makes flat tissue transparent. The ray caster cuts each ray's own chord into equal steps while slices share
 // their planes, so the two agree in the limit only. SliceOrderTest holds smooth fields to the order alone.

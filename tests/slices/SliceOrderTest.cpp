@@ -15,12 +15,12 @@ namespace {
 
 using SliceOrder = test::GlTest;
 
-// NUMERICS 1.4: an order counts as 2 from 1.8 to 2.2.
+// HARD_CASES section 6: an order counts as 2 from 1.8 to 2.2.
 void expectSecondOrder(double coarse, double fine, const std::string& what) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2) << what << ": " << coarse << " to " << fine;
 }
 
-// Steps at which the error exceeds 20 times the floor of float, about 1e-6 (NUMERICS 1.4).
+// Steps at which the error exceeds 20 times the floor of float, about 1e-6 (HARD_CASES section 6).
 void expectSecondOrderOn(const test::AnalyticRay& ray, double lengthMm,
                          std::initializer_list<double> samples) {
   SliceRenderer renderer;
@@ -39,7 +39,6 @@ void expectSecondOrderOn(const test::AnalyticRay& ray, double lengthMm,
 }
 
 TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B1_ramp_linear_tau_k8.0" || one["id"] == "B1_ramp_linear_tau_k2.0")
@@ -51,7 +50,6 @@ TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
 }
 
 TEST_F(SliceOrder, aCubicRampConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B6_trilinear_xyz_diagonal")

@@ -2,7 +2,7 @@
 #include "widgets/presets/PresetModel.h"
 
 #include "widgets/Theme.h"
-#include "widgets/curve/CanvasPicture.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QCoreApplication>
 #include <QPainter>

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/VolumeReader.h"
+#include "io/reading/SeriesSummary.h"
+#include "scene/Volume.h"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace limn {
 

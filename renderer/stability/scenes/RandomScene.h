@@ -23,10 +23,10 @@ struct RandomScene {
 /// few programs for it. Over many blocks every combination comes up.
 inline constexpr std::uint64_t seedsPerBlock = 192;
 
-/// The scene of a seed, the same on every machine (NUMERICS 3.3): volume, camera, 0 to 8 control points,
-/// light, fog, crop, projection and quality within what a scene file may say, at and beyond what anybody
-/// would choose; its rays take at most 60000 samples. Throws Error (input) where the volume drawn is one that
-/// Volume refuses.
+/// The scene of a seed, the same on every machine (HARD_CASES section 5): volume, camera, 0 to 8 control
+/// points, light, fog, crop, projection and quality within what a scene file may say, at and beyond what
+/// anybody would choose; its rays take at most 60000 samples. Throws Error (input) where the volume drawn is
+/// one that Volume refuses.
 RandomScene randomScene(std::uint64_t seed);
 
 } // namespace limn
