@@ -5,6 +5,7 @@
 #include "app/SaveDialog.h"
 #include "app/accuracy/AccuracyText.h"
 #include "io/AtomicFile.h"
+#include "io/reports/AccuracyJson.h"
 #include "scene/Error.h"
 #include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"

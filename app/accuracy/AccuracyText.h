@@ -8,13 +8,6 @@ namespace limn {
 /// The report as a table for the terminal.
 std::string accuracyTable(const AccuracyReport& report);
 
-/// The report as one JSON object, keys as the command line documents them; errors are null where the exact
-/// picture did not converge.
-std::string accuracyJson(const AccuracyReport& report);
-
-/// One line per point, comma separated, with a header; errors are empty where there are none.
-std::string accuracyCsv(const AccuracyReport& report);
-
 /// A page that shows the chart in the file `chart` beside it, the points, and what each decision costs.
 std::string accuracyPage(const AccuracyReport& report, const std::string& chart);
 

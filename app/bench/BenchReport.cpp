@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/bench/BenchReport.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 
 namespace limn {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string formatted(const char* format, ...) {
   char text[240];
@@ -19,20 +15,6 @@ std::string formatted(const char* format, ...) {
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   return text;
-}
-
-Json toJson(const BenchRow& row) {
-  const Timing ms = timingOf(wallTimes(row.views));
-  return {{"program", row.program},
-          {"scene", row.scene},
-          {"size", {row.size.x, row.size.y}},
-          {"step_voxels", row.stepVoxels},
-          {"ms", {{"median", ms.median}, {"min", ms.least}, {"max", ms.most}}},
-          {"cpu_ms", timingOf(processorTimes(row.views)).median},
-          {"first_ms", row.firstMs},
-          {"edit_ms", row.editMs ? Json(*row.editMs) : Json()},
-          {"peak_mb", row.peakMb},
-          {"mean_error", Json()}};
 }
 
 // What a row's times are compared with, if it was drawn.
@@ -68,13 +50,6 @@ std::string lineOf(const BenchRow& row, const BenchRow* yardstick, int sceneWidt
 }
 
 } // namespace
-
-std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows) {
-  Json list = Json::array();
-  for (const BenchRow& row : rows)
-    list.push_back(toJson(row));
-  return Json{{"machine", machine}, {"rows", list}}.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
-}
 
 std::string benchTable(const std::string& machine, const std::vector<BenchRow>& rows) {
   std::size_t width = 5;

@@ -8,9 +8,6 @@
 
 namespace limn {
 
-/// Rows as one JSON object, keys as the command line documents them. `machine` names processor and renderer.
-std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows);
-
 /// Rows as a table for the terminal, with the effects of each scene. Where VTK's GPU mapper, or else the
 /// program with all effects, drew the same views, the share of its time that each took: the median over the
 /// views.

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/Timing.h"
+#include "accuracy/FrameCost.h"
 #include "app/bench/ProcessCost.h"
 
 #include <chrono>
-#include <vector>
 
 namespace limn {
-
-/// What one picture cost.
-struct FrameCost {
-  double ms = 0.0;    ///< on the clock, until the picture is finished
-  double cpuMs = 0.0; ///< of all threads
-};
 
 template <class Work>
 FrameCost costOf(const Work& work) {
@@ -23,9 +16,5 @@ FrameCost costOf(const Work& work) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   return {ms.count(), processorMs() - processorBefore};
 }
-
-/// The wall times and the processor times of frames.
-std::vector<double> wallTimes(const std::vector<FrameCost>& frames);
-std::vector<double> processorTimes(const std::vector<FrameCost>& frames);
 
 } // namespace limn

@@ -7,6 +7,7 @@
 #include "app/accuracy/RealRenderers.h"
 #include "app/commands/SceneArguments.h"
 #include "io/AtomicFile.h"
+#include "io/reports/AccuracyJson.h"
 #include "widgets/accuracy/AccuracyChartPicture.h"
 
 #include <QApplication>

@@ -7,6 +7,7 @@
 #include "app/bench/BenchReport.h"
 #include "app/bench/Contenders.h"
 #include "app/commands/SceneArguments.h"
+#include "io/reports/BenchJson.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 

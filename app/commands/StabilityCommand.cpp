@@ -8,8 +8,10 @@
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
+#include "io/reports/StabilityJson.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
+#include "stability/cases/Cases.h"
 
 #include <QDate>
 #include <QString>

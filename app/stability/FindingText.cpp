@@ -6,18 +6,6 @@
 
 namespace limn {
 
-std::string verdictText(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::pass:
-    return "pass";
-  case Verdict::fail:
-    return "fail";
-  case Verdict::notApplicable:
-    return "n/a";
-  }
-  return {};
-}
-
 Verdict verdictOf(const MeasuredCase& one) {
   Verdict verdict = Verdict::notApplicable;
   for (const Finding& finding : one.findings) {

@@ -7,9 +7,6 @@
 
 namespace limn {
 
-/// "pass", "fail" or "n/a".
-std::string verdictText(Verdict verdict);
-
 /// Fails where any row fails; applies where any does.
 Verdict verdictOf(const MeasuredCase& one);
 

@@ -41,7 +41,7 @@ protected:
   void release(const QPoint& at) { QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, at); }
 
   [[nodiscard]] bool gradientsCounted() {
-    return QTest::qWaitFor([this] { return gradientEditor().useBox()->isEnabled(); }, 30000);
+    return test::waitUntil([this] { return gradientEditor().useBox()->isEnabled(); });
   }
 
   void saveAsPreset(const QString& name) {

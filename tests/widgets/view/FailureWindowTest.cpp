@@ -30,7 +30,7 @@ struct RestingHost : ViewHost {
     showPhantom(12.0);
   }
   bool isOnProcessor() {
-    return QTest::qWaitFor([this] { return view.pictureState().processorIsDone; }, 60000);
+    return test::waitUntil([this] { return view.pictureState().processorIsDone; });
   }
   const ReferencePanel& panel() { return *view.findChild<ReferencePanel*>(); }
 };
@@ -62,7 +62,7 @@ TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   });
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return restored.count() == 1; }));
   EXPECT_TRUE(isMadeAnew);
   EXPECT_TRUE(host.errors.empty());
   host.scene.transferFunction.points[2].opacity = 0.5;
@@ -85,7 +85,7 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   host.view.doneCurrent();
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return restored.count() == 1; }));
   host.scene.transferFunction.points[2].opacity = 0.5;
   host.view.setScene(host.scene);
   ASSERT_TRUE(host.rest());
@@ -143,7 +143,7 @@ TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
   host.showPhantom(12.0);
   const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
   EXPECT_FALSE(host.view.drawsOnProcessor());
 }
 
