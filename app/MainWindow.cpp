@@ -66,7 +66,7 @@ void MainWindow::layOut() {
   m_unsafe = new MessageBar(centre);
   m_unsafe->setObjectName(QStringLiteral("unsafeBar"));
   m_messages = new MessageBar(centre);
-  m_view = new CompareView(centre);
+  m_view = new CompareView(viewEngines(), centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

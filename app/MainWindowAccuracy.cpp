@@ -9,7 +9,7 @@
 #include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/ErrorMapOverlay.h"
-#include "widgets/view/SideText.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QBuffer>
 #include <QDockWidget>

@@ -3,7 +3,7 @@
 
 #include "app/MessageBar.h"
 #include "reference/ReferenceIntegrator.h"
-#include "widgets/view/PictureStatus.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <QAction>
 #include <QLabel>
@@ -44,7 +44,7 @@ void MainWindow::makeWaitingRow() {
 }
 
 void MainWindow::showPictureState(const PictureState& state) {
-  m_pictureStatus->setText(accuracyText(state, m_session.scene()));
+  m_pictureStatus->setText(pictureStatusText(state, m_session.scene()));
   if (!state.limitation.isEmpty() && m_messages->sentence() != state.limitation)
     m_messages->show(MessageBar::Kind::warning, state.limitation);
   // Not here: the view may be in the middle of drawing.
@@ -52,12 +52,7 @@ void MainWindow::showPictureState(const PictureState& state) {
     QTimer::singleShot(0, this, &MainWindow::writeAwaitedPicture);
 }
 
-// The definition itself draws when the driver does not, in double precision.
 void MainWindow::prepareForDriverFailure() {
-  m_view->setProcessorRenderer(
-      [](const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
-        return toImage(renderReference(scene, size, 0, isCancelled));
-      });
   connect(m_view, &CompareView::graphicsRestored, this,
           [this](const QString& sentence) { m_messages->show(MessageBar::Kind::warning, sentence); });
 }

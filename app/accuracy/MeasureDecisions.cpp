@@ -4,9 +4,9 @@
 #include "app/bench/Bench.h"
 #include "app/bench/Timing.h"
 #include "gl/HeadlessContext.h"
+#include "gl/PictureTarget.h"
 #include "raycaster/DecisionList.h"
 #include "raycaster/RayCaster.h"
-#include "widgets/view/PictureTarget.h"
 
 #include <epoxy/gl.h>
 

@@ -2,7 +2,7 @@
 #include "support/BrokenShaders.h" // before any OpenGL header of Qt
 
 #include "WindowHarness.h"
-#include "widgets/view/ReferencePanel.h"
+#include "widgets/view/panels/ReferencePanel.h"
 
 #include <QPushButton>
 

@@ -3,7 +3,7 @@
 #include "scene/ModelName.h"
 #include "support/Heart.h"
 #include "support/TestData.h"
-#include "widgets/view/PictureStatus.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -179,7 +179,7 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   status.resize(status.sizeHint());
   ASSERT_NE(partSaying("ms"), nullptr);
   const int place = partSaying("ms")->x();
-  AccuracyText text = status.text();
+  PictureStatusText text = status.text();
   text.estimate = QStringLiteral("not resolved");
   text.step = QStringLiteral("step 1/8 voxel, refining");
   status.setText(text);

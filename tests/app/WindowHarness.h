@@ -6,7 +6,7 @@
 #include "support/TemporaryFolder.h"
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
-#include "widgets/view/ViewPanels.h"
+#include "widgets/view/panels/ViewPanels.h"
 
 #include <QAction>
 #include <QLabel>

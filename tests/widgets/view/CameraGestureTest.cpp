@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/CameraGesture.h"
+#include "widgets/view/gestures/CameraGesture.h"
 
 #include <gtest/gtest.h>
 

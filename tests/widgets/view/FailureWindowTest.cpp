@@ -3,8 +3,8 @@
 
 #include "ViewHost.h"
 #include "reference/ReferenceIntegrator.h"
-#include "widgets/view/PictureBytes.h"
-#include "widgets/view/ReferencePanel.h"
+#include "widgets/view/pictures/PictureBytes.h"
+#include "widgets/view/panels/ReferencePanel.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/InteractionQuality.h"
+#include "widgets/view/pictures/InteractionQuality.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/CompareLayout.h"
-#include "widgets/view/OrientationLetters.h"
-#include "widgets/view/ScaleBar.h"
-#include "widgets/view/SideText.h"
+#include "widgets/view/ViewGeometry.h"
+#include "widgets/view/overlay/OrientationLetters.h"
+#include "widgets/view/overlay/ScaleBar.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "ViewHost.h"
 #include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/ViewPanels.h"
+#include "widgets/view/panels/ViewPanels.h"
 
 #include <QGuiApplication>
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/Probe.h"
+#include "widgets/view/gestures/Probe.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "support/Heart.h"
-#include "widgets/view/Refinement.h"
+#include "widgets/view/pictures/Refinement.h"
 
 #include <QColorSpace>
 

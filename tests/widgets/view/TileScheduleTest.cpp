@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/TileSchedule.h"
+#include "widgets/view/pictures/TileSchedule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/ViewKeys.h"
+#include "widgets/view/gestures/ViewKeys.h"
 
 #include <QKeyEvent>
 

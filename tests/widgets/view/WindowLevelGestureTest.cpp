@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/WindowLevelGesture.h"
+#include "widgets/view/gestures/WindowLevelGesture.h"
 
 #include <gtest/gtest.h>
 
