@@ -10,6 +10,7 @@
 #include "app/commands/PresetsCommand.h"
 #include "app/commands/RenderCommand.h"
 #include "app/commands/StabilityCommand.h"
+#include "app/commands/Syntax.h"
 #include "scene/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -78,21 +79,21 @@ int runCommandLine(int argc, char** argv) {
   program.set_version_flag("--version", LIMN_VERSION);
   RootArguments arguments;
   WindowArguments& window = arguments.window;
-  program.add_option("PATH", window.path,
-                     "open the window on this volume, DICOM folder, session, scene or Limn picture");
-  program.add_option("--screenshot", window.screenshot,
-                     "save a PNG of the window once its picture rests, then quit");
-  program.add_option("--theme", window.theme, "light or dark, for this run")
-      ->check(CLI::IsMember({"light", "dark"}));
-  addSourceOptions(program, arguments.source);
-  program.footer("Example: limn head.nii.gz");
-  addInfoCommand(program);
-  addRenderCommand(program);
-  addEffectsCommand(program);
-  addPresetsCommand(program);
-  addAccuracyCommand(program);
-  addStabilityCommand(program);
-  addBenchCommand(program);
+  CommandSyntax syntax(program);
+  syntax.option("PATH", window.path,
+                "open the window on this volume, DICOM folder, session, scene or Limn picture");
+  syntax.option("--screenshot", window.screenshot,
+                "save a PNG of the window once its picture rests, then quit");
+  syntax.option("--theme", window.theme, "light or dark, for this run").oneOf({"light", "dark"});
+  addSourceOptions(syntax, arguments.source);
+  syntax.footer("Example: limn head.nii.gz");
+  addInfoCommand(syntax);
+  addRenderCommand(syntax);
+  addEffectsCommand(syntax);
+  addPresetsCommand(syntax);
+  addAccuracyCommand(syntax);
+  addStabilityCommand(syntax);
+  addBenchCommand(syntax);
   return parseAndRun(program, argc, argv, arguments);
 }
 

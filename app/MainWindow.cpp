@@ -3,6 +3,7 @@
 
 #include "app/MessageBar.h"
 #include "app/PrivateNames.h"
+#include "app/ViewEngines.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/presets/PresetBrowser.h"

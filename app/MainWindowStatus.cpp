@@ -2,7 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/MessageBar.h"
-#include "reference/ReferenceIntegrator.h"
+#include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/status/PictureStatus.h"
 
 #include <QAction>

@@ -88,27 +88,26 @@ void runAccuracy(const AccuracyArguments& arguments) {
 
 } // namespace
 
-void addAccuracyCommand(CLI::App& root) {
+void addAccuracyCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<AccuracyArguments>();
-  CLI::App* command = root.add_subcommand("accuracy", "error against time of a scene");
-  addSceneArguments(*command, arguments->scene, "none, classic, enhanced or robust");
-  command->add_option("-o,--output", arguments->folder, "folder for accuracy.json, .csv, .png and .html")
-      ->required();
-  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--quick", arguments->isQuick,
-                    "equal steps of the ray caster only, without what each decision costs");
+  CommandSyntax command = root.command("accuracy", "error against time of a scene");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  command.option("-o,--output", arguments->folder, "folder for accuracy.json, .csv, .png and .html")
+      .required();
+  command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      .within(1, 4096);
+  command.flag("--quick", arguments->isQuick,
+               "equal steps of the ray caster only, without what each decision costs");
   command
-      ->add_option("--within", arguments->withinLevels,
-                   "say which point is the fastest within that many levels (99.9th percentile)")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
-      ->check(CLI::PositiveNumber);
-  command->footer(
+      .option("--within", arguments->withinLevels,
+              "say which point is the fastest within that many levels (99.9th percentile)")
+      .positive();
+  command.option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
+      .positive();
+  command.footer(
       "Errors are told in levels of 255 against a picture in double precision that finer steps no "
       "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report");
-  command->callback([arguments] { runAccuracy(*arguments); });
+  command.runs([arguments] { runAccuracy(*arguments); });
 }
 
 } // namespace limn

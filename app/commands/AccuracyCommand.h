@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 namespace limn {
 
+class CommandSyntax;
+
 /// `limn accuracy SOURCE -o DIR`: error against time of a scene.
-void addAccuracyCommand(CLI::App& root);
+void addAccuracyCommand(CommandSyntax& root);
 
 } // namespace limn

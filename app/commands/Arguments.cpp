@@ -11,19 +11,18 @@
 
 namespace limn {
 
-void addSourceOptions(CLI::App& command, SourceArguments& arguments) {
-  command.add_option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
+void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
+  command.option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
   command
-      .add_option("--series", arguments.series,
-                  "number of the series in a DICOM folder, as `limn info` lists it")
-      ->check(CLI::Range(1, 100000));
-  command.add_option("--volume", arguments.volume, "where the volume of a scene or picture is now");
+      .option("--series", arguments.series, "number of the series in a DICOM folder, as `limn info` lists it")
+      .within(1, 100000);
+  command.option("--volume", arguments.volume, "where the volume of a scene or picture is now");
 }
 
-void addSourceArguments(CLI::App& command, SourceArguments& arguments, const std::string& what) {
-  command.add_option("SOURCE", arguments.source, what)->required();
+void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, const std::string& what) {
+  command.option("SOURCE", arguments.source, what).required();
   addSourceOptions(command, arguments);
-  command.add_flag("--quiet", arguments.quiet, "no progress and no remarks on stderr");
+  command.flag("--quiet", arguments.quiet, "no progress and no remarks on stderr");
 }
 
 SourceOptions sourceOptions(const SourceArguments& arguments) {

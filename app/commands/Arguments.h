@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/SceneSource.h"
-
-#include <CLI/CLI.hpp>
+#include "app/commands/Syntax.h"
 
 #include <optional>
 #include <string>
@@ -20,10 +19,10 @@ struct SourceArguments {
 };
 
 /// Adds the options that say how to read a source.
-void addSourceOptions(CLI::App& command, SourceArguments& arguments);
+void addSourceOptions(CommandSyntax& command, SourceArguments& arguments);
 
 /// Adds SOURCE and its options to a command.
-void addSourceArguments(CLI::App& command, SourceArguments& arguments, const std::string& what);
+void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, const std::string& what);
 
 /// What the arguments ask for. Throws Error (usage) for a spacing that is not three positive numbers.
 SourceOptions sourceOptions(const SourceArguments& arguments);

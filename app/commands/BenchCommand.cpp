@@ -158,40 +158,38 @@ void runBench(const BenchArguments& arguments) {
 
 } // namespace
 
-void addBenchCommand(CLI::App& root) {
+void addBenchCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<BenchArguments>();
-  CLI::App* command = root.add_subcommand("bench", "milliseconds per frame by renderer, scene and step");
-  command->add_option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`")->required();
-  addSourceOptions(*command, arguments->source);
-  command->add_flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
-  command->add_flag("--json", arguments->json, "one JSON object on stdout");
-  command->add_option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
-  command->add_option("--step", arguments->steps, "sampling steps in voxels, such as 1,0.5")
-      ->delimiter(',')
-      ->check(CLI::Range(1e-4, 1e4));
-  command->add_option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--model", arguments->models, "shading models, such as classic,enhanced")
-      ->delimiter(',');
-  command->add_option("--preset", arguments->presets,
-                      "name of a preset, several times if wanted, or all: every built-in one");
+  CommandSyntax command = root.command("bench", "milliseconds per frame by renderer, scene and step");
+  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`").required();
+  addSourceOptions(command, arguments->source);
+  command.flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
+  command.flag("--json", arguments->json, "one JSON object on stdout");
+  command.option("--size", arguments->size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command.option("--step", arguments->steps, "sampling steps in voxels, such as 1,0.5")
+      .separatedByCommas()
+      .within(1e-4, 1e4);
+  command.option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
+      .within(1, 10000);
+  command.option("--model", arguments->models, "shading models, such as classic,enhanced")
+      .separatedByCommas();
+  command.option("--preset", arguments->presets,
+                 "name of a preset, several times if wanted, or all: every built-in one");
   command
-      ->add_option("--engine", arguments->entries.engines,
-                   "gl (default), slices, reference, or several: gl,slices")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"gl", "slices", "reference"}));
-  command
-      ->add_option("--threads", arguments->entries.threads, "threads of the reference (default: every core)")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag("--all-effects", arguments->entries.allEffects,
-                    "the program with every effect compiled in draws the same views in turn");
-  command->add_flag(
-      "--rivals", arguments->entries.rivals,
-      "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
-  command->add_option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
-  command->footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
-                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");
-  command->callback([arguments] { runBench(*arguments); });
+      .option("--engine", arguments->entries.engines,
+              "gl (default), slices, reference, or several: gl,slices")
+      .separatedByCommas()
+      .oneOf({"gl", "slices", "reference"});
+  command.option("--threads", arguments->entries.threads, "threads of the reference (default: every core)")
+      .within(1, 4096);
+  command.flag("--all-effects", arguments->entries.allEffects,
+               "the program with every effect compiled in draws the same views in turn");
+  command.flag("--rivals", arguments->entries.rivals,
+               "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
+  command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
+  command.footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
+                 "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");
+  command.runs([arguments] { runBench(*arguments); });
 }
 
 } // namespace limn

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 namespace limn {
 
+class CommandSyntax;
+
 /// Adds `limn bench`: milliseconds per frame by renderer, scene and step.
-void addBenchCommand(CLI::App& root);
+void addBenchCommand(CommandSyntax& root);
 
 } // namespace limn

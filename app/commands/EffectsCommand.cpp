@@ -124,17 +124,17 @@ void runEffects(const EffectsArguments& arguments) {
 
 } // namespace
 
-void addEffectsCommand(CLI::App& root) {
+void addEffectsCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<EffectsArguments>();
-  CLI::App* command =
-      root.add_subcommand("effects", "which effects a picture simulates, why, and what each costs");
-  addSceneArguments(*command, arguments->scene, "none, classic, enhanced or robust");
-  command->add_option("--frames", arguments->frames, "pictures per effect of which the median counts")
-      ->check(CLI::Range(5, 1000));
-  command->add_flag("--json", arguments->json, "one JSON object on stdout");
-  command->add_flag("--shader", arguments->shader, "print the assembled GLSL instead");
-  command->footer("Example: limn effects head.nii.gz --model enhanced --size 800x600");
-  command->callback([arguments] { runEffects(*arguments); });
+  CommandSyntax command =
+      root.command("effects", "which effects a picture simulates, why, and what each costs");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  command.option("--frames", arguments->frames, "pictures per effect of which the median counts")
+      .within(5, 1000);
+  command.flag("--json", arguments->json, "one JSON object on stdout");
+  command.flag("--shader", arguments->shader, "print the assembled GLSL instead");
+  command.footer("Example: limn effects head.nii.gz --model enhanced --size 800x600");
+  command.runs([arguments] { runEffects(*arguments); });
 }
 
 } // namespace limn

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 namespace limn {
 
+class CommandSyntax;
+
 /// Adds `limn effects`: what a picture simulates, why, and what each effect costs.
-void addEffectsCommand(CLI::App& root);
+void addEffectsCommand(CommandSyntax& root);
 
 } // namespace limn

@@ -112,17 +112,16 @@ void runInfo(const InfoArguments& arguments) {
 
 } // namespace
 
-void addInfoCommand(CLI::App& root) {
+void addInfoCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command =
-      root.add_subcommand("info", "what a volume is: grid, values, gradients, series, warnings");
-  addSourceArguments(*command, arguments->source, "volume, DICOM folder, scene, or `phantom:SPACING`");
-  command->get_option("SOURCE")->required(false);
-  command->add_flag("--json", arguments->json, "one JSON object on stdout");
-  command->add_flag("--system", arguments->system,
-                    "versions, renderer and limits for a bug report; nothing personal");
-  command->footer("Example: limn info head.nii.gz --json");
-  command->callback([arguments] { runInfo(*arguments); });
+  CommandSyntax command = root.command("info", "what a volume is: grid, values, gradients, series, warnings");
+  addSourceArguments(command, arguments->source, "volume, DICOM folder, scene, or `phantom:SPACING`");
+  command.added("SOURCE").required(false);
+  command.flag("--json", arguments->json, "one JSON object on stdout");
+  command.flag("--system", arguments->system,
+               "versions, renderer and limits for a bug report; nothing personal");
+  command.footer("Example: limn info head.nii.gz --json");
+  command.runs([arguments] { runInfo(*arguments); });
 }
 
 } // namespace limn

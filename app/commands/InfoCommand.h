@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 namespace limn {
 
+class CommandSyntax;
+
 /// Adds `limn info`: what a volume is, or with --system what a bug report needs.
-void addInfoCommand(CLI::App& root);
+void addInfoCommand(CommandSyntax& root);
 
 } // namespace limn

@@ -31,16 +31,16 @@ void showPreset(const std::string& name) {
 
 } // namespace
 
-void addPresetsCommand(CLI::App& root) {
-  CLI::App* command = root.add_subcommand("presets", "the built-in presets and your own");
-  command->require_subcommand(1);
-  command->footer("Example: limn presets show \"CT bone\"");
-  command->add_subcommand("list", "names, modality and what each shows")->callback(listPresets);
+void addPresetsCommand(CommandSyntax& root) {
+  CommandSyntax command = root.command("presets", "the built-in presets and your own");
+  command.needsCommand();
+  command.footer("Example: limn presets show \"CT bone\"");
+  command.command("list", "names, modality and what each shows").runs(listPresets);
   auto name = std::make_shared<std::string>();
-  CLI::App* show = command->add_subcommand("show", "one preset as JSON");
-  show->add_option("NAME", *name, "the preset's name")->required();
-  show->footer("Example: limn presets show \"CT bone\"");
-  show->callback([name] { showPreset(*name); });
+  CommandSyntax show = command.command("show", "one preset as JSON");
+  show.option("NAME", *name, "the preset's name").required();
+  show.footer("Example: limn presets show \"CT bone\"");
+  show.runs([name] { showPreset(*name); });
 }
 
 } // namespace limn

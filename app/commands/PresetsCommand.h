@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 namespace limn {
 
+class CommandSyntax;
+
 /// Adds `limn presets list` and `limn presets show NAME`.
-void addPresetsCommand(CLI::App& root);
+void addPresetsCommand(CommandSyntax& root);
 
 } // namespace limn

@@ -126,30 +126,30 @@ void runRender(const RenderArguments& arguments) {
 
 } // namespace
 
-void addRenderCommand(CLI::App& root) {
+void addRenderCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = root.add_subcommand("render", "a picture of a scene or volume");
-  addSceneArguments(*command, arguments->scene,
+  CommandSyntax command = root.command("render", "a picture of a scene or volume");
+  addSceneArguments(command, arguments->scene,
                     "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
-  command->add_option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr")->required();
-  command->add_option("--engine", arguments->engine,
-                      "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
-                      "slices-back-to-front, or reference (double precision, slow)");
-  command->add_option("--threads", arguments->threads, "threads of the reference (default: every core)")
-      ->check(CLI::Range(1, 4096));
-  command->add_flag(
+  command.option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr").required();
+  command.option("--engine", arguments->engine,
+                 "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
+                 "slices-back-to-front, or reference (double precision, slow)");
+  command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
+      .within(1, 4096);
+  command.flag(
       "--figures", arguments->printsFigures,
       "print contrast, overflow of highlights, and how much can be seen of what lies at or above the "
       "scene's isovalue (300 if not set)");
-  command->add_option("--samples-spent", arguments->samplesSpent,
-                      "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
+  command.option("--samples-spent", arguments->samplesSpent,
+                 "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
   command
-      ->add_option("--texture-mb", arguments->textureMb,
-                   "the most that the volume may take on the graphics card, MB; a larger one is shown with "
-                   "fewer voxels (default: what the driver takes; --engine auto or gl)")
-      ->check(CLI::Range(1.0, 1e6));
-  command->footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
-  command->callback([arguments] { runRender(*arguments); });
+      .option("--texture-mb", arguments->textureMb,
+              "the most that the volume may take on the graphics card, MB; a larger one is shown with "
+              "fewer voxels (default: what the driver takes; --engine auto or gl)")
+      .within(1.0, 1e6);
+  command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
+  command.runs([arguments] { runRender(*arguments); });
 }
 
 } // namespace limn

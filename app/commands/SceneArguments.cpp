@@ -50,22 +50,22 @@ Scene adjusted(Scene scene, const SceneArguments& arguments) {
   return scene;
 }
 
-void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::string& models) {
+void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models) {
   addSourceArguments(command, arguments.source,
                      "scene or session file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
-  command.add_option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
-  command.add_option("--model", arguments.model, models);
-  command.add_option(
+  command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
+  command.option("--model", arguments.model, models);
+  command.option(
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
-  command.add_option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
-  command.add_option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
-      ->check(CLI::Range(1e-4, 1e4));
+  command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command.option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
+      .within(1e-4, 1e4);
   command
-      .add_option(
+      .option(
           "--tolerance", arguments.toleranceLevels,
           "error-controlled steps that keep within LEVELS of 255 (99.9th percentile) of the exact picture")
-      ->check(CLI::Range(0.01, 255.0));
+      .within(0.01, 255.0);
 }
 
 } // namespace limn

@@ -20,7 +20,7 @@ struct SceneArguments {
 };
 
 /// Adds SOURCE and the options; `models` says which models `--model` takes.
-void addSceneArguments(CLI::App& command, SceneArguments& arguments, const std::string& models);
+void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models);
 
 /// The scene with everything that was given but the model. Throws Error (usage).
 Scene adjusted(Scene scene, const SceneArguments& arguments);

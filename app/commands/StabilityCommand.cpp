@@ -128,20 +128,20 @@ void runStability(const StabilityArguments& arguments) {
 
 } // namespace
 
-void addStabilityCommand(CLI::App& root) {
+void addStabilityCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<StabilityArguments>();
-  CLI::App* command = root.add_subcommand("stability", "hard cases and random scenes on this driver");
-  command->add_option("-o,--output", arguments->folder, "folder for stability.json and stability.html");
-  command->add_option("--only", arguments->only, "these cases alone, e.g. H9,H12")->delimiter(',');
+  CommandSyntax command = root.command("stability", "hard cases and random scenes on this driver");
+  command.option("-o,--output", arguments->folder, "folder for stability.json and stability.html");
+  command.option("--only", arguments->only, "these cases alone, e.g. H9,H12").separatedByCommas();
   command
-      ->add_option("--fuzz", arguments->seeds,
-                   "how many random scenes to draw (default: 200 beside a report); alone: nothing else")
-      ->check(CLI::Range(0, 100000000));
-  command->add_option("--seed", arguments->firstSeed, "the first random scene (default 1)");
-  command->add_flag("--quiet", arguments->quiet, "no progress");
-  command->footer("Every row has a figure, a bound and a verdict; the exit status is 1 where one fails.\n"
-                  "Example: limn stability -o report");
-  command->callback([arguments] { runStability(*arguments); });
+      .option("--fuzz", arguments->seeds,
+              "how many random scenes to draw (default: 200 beside a report); alone: nothing else")
+      .within(0, 100000000);
+  command.option("--seed", arguments->firstSeed, "the first random scene (default 1)");
+  command.flag("--quiet", arguments->quiet, "no progress");
+  command.footer("Every row has a figure, a bound and a verdict; the exit status is 1 where one fails.\n"
+                 "Example: limn stability -o report");
+  command.runs([arguments] { runStability(*arguments); });
 }
 
 } // namespace limn

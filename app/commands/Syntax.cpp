@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Syntax.h"
+
+#include <CLI/CLI.hpp>
+
+namespace limn {
+
+OptionSyntax& OptionSyntax::required(bool isRequired) {
+  m_option->required(isRequired);
+  return *this;
+}
+
+OptionSyntax& OptionSyntax::within(int lowest, int highest) {
+  m_option->check(CLI::Range(lowest, highest));
+  return *this;
+}
+
+OptionSyntax& OptionSyntax::within(double lowest, double highest) {
+  m_option->check(CLI::Range(lowest, highest));
+  return *this;
+}
+
+OptionSyntax& OptionSyntax::positive() {
+  m_option->check(CLI::PositiveNumber);
+  return *this;
+}
+
+OptionSyntax& OptionSyntax::oneOf(const std::vector<std::string>& words) {
+  m_option->check(CLI::IsMember(words));
+  return *this;
+}
+
+OptionSyntax& OptionSyntax::separatedByCommas() {
+  m_option->delimiter(',');
+  return *this;
+}
+
+CommandSyntax CommandSyntax::command(const std::string& name, const std::string& what) {
+  return CommandSyntax(*m_app->add_subcommand(name, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, std::string& value, const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, value, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, int& value, const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, value, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, double& value, const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, value, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, std::uint64_t& value, const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, value, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, std::vector<std::string>& values,
+                                   const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, values, what));
+}
+
+OptionSyntax CommandSyntax::option(const std::string& names, std::vector<double>& values,
+                                   const std::string& what) {
+  return OptionSyntax(*m_app->add_option(names, values, what));
+}
+
+void CommandSyntax::flag(const std::string& names, bool& value, const std::string& what) {
+  m_app->add_flag(names, value, what);
+}
+
+OptionSyntax CommandSyntax::added(const std::string& name) {
+  return OptionSyntax(*m_app->get_option(name));
+}
+
+void CommandSyntax::needsCommand() {
+  m_app->require_subcommand(1);
+}
+
+void CommandSyntax::footer(const std::string& text) {
+  m_app->footer(text);
+}
+
+void CommandSyntax::runs(std::function<void()> work) {
+  m_app->callback(std::move(work));
+}
+
+} // namespace limn

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
+namespace limn {
+
+/// What may be said of an option that was added. What breaks a rule ends the program with a usage error.
+class OptionSyntax {
+public:
+  explicit OptionSyntax(CLI::Option& option) : m_option(&option) {}
+
+  OptionSyntax& required(bool isRequired = true);
+  OptionSyntax& within(int lowest, int highest);
+  OptionSyntax& within(double lowest, double highest);
+  OptionSyntax& positive();
+  OptionSyntax& oneOf(const std::vector<std::string>& words);
+  OptionSyntax& separatedByCommas();
+
+private:
+  CLI::Option* m_option;
+};
+
+/// The words that a command takes: its options, each bound to the variable that it fills, which has to live
+/// until the command runs. A thin face of CLI11, which takes seconds to compile and stands in one source.
+class CommandSyntax {
+public:
+  explicit CommandSyntax(CLI::App& app) : m_app(&app) {}
+
+  /// A command below this one, such as `list` of `limn presets list`.
+  CommandSyntax command(const std::string& name, const std::string& what);
+
+  /// `names` such as "-o,--output", or "SOURCE" for a word without a name.
+  OptionSyntax option(const std::string& names, std::string& value, const std::string& what);
+  OptionSyntax option(const std::string& names, int& value, const std::string& what);
+  OptionSyntax option(const std::string& names, double& value, const std::string& what);
+  OptionSyntax option(const std::string& names, std::uint64_t& value, const std::string& what);
+  OptionSyntax option(const std::string& names, std::vector<std::string>& values, const std::string& what);
+  OptionSyntax option(const std::string& names, std::vector<double>& values, const std::string& what);
+  void flag(const std::string& names, bool& value, const std::string& what);
+  /// One that was added before.
+  OptionSyntax added(const std::string& name);
+
+  void needsCommand(); ///< one of those below
+  void footer(const std::string& text);
+  void runs(std::function<void()> work); ///< when the command was given
+
+private:
+  CLI::App* m_app;
+};
+
+} // namespace limn
