@@ -75,7 +75,7 @@ protected:
   DragFigures drag(TrackSlider& slider, int handle, int pixels) {
     DragFigures figures;
     const QPoint from = slider.handleCentre(handle).toPoint();
-    const int programs = view().compiledPrograms();
+    const int programs = compiledPrograms();
     std::vector<double> ms;
     QTest::mousePress(&slider, Qt::LeftButton, {}, from);
     for (int i = 1; i <= frames; ++i) {
@@ -83,7 +83,7 @@ protected:
       const int part = i <= half ? i : frames - i;
       ms.push_back(frameMs(slider, from + QPoint(pixels * part / half, 0)));
     }
-    figures.compiled = view().compiledPrograms() - programs;
+    figures.compiled = compiledPrograms() - programs;
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, from);
     std::sort(ms.begin(), ms.end());
     figures.medianMs = ms[ms.size() / 2];
@@ -151,7 +151,7 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
   const test::Heart heart;
   ASSERT_TRUE(idle());
   // A program is compiled in one piece, so a driver without its cache decides how long a turn can be.
-  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", view().compiledPrograms(),
+  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", compiledPrograms(),
               heart.longestMs());
   const PictureState& state = view().pictureState();
   ASSERT_EQ(state.sides.size(), 2u);
@@ -159,11 +159,11 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
     EXPECT_TRUE(side.contrast);
     EXPECT_TRUE(side.overflow);
   }
-  const int programs = view().compiledPrograms();
+  const int programs = compiledPrograms();
   // The same scene at rest again compiles nothing more.
   view().update();
   ASSERT_TRUE(idle());
-  EXPECT_EQ(view().compiledPrograms(), programs);
+  EXPECT_EQ(compiledPrograms(), programs);
 }
 
 } // namespace

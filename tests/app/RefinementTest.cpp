@@ -58,7 +58,7 @@ protected:
   }
 
   [[nodiscard]] bool refined() {
-    return QTest::qWaitFor([this] { return view().isIdle() && view().pictureState().refinementEnd; },
+    return QTest::qWaitFor([this] { return loop().isIdle() && view().pictureState().refinementEnd; },
                            patienceMs);
   }
 
@@ -161,9 +161,9 @@ TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
   ASSERT_NE(refine, nullptr);
   refine->trigger();
   EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());
-  EXPECT_FALSE(view().refinesAtRest());
+  EXPECT_FALSE(loop().refines());
   refine->trigger();
-  EXPECT_TRUE(view().refinesAtRest());
+  EXPECT_TRUE(loop().refines());
 }
 
 TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {

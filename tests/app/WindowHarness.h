@@ -3,10 +3,12 @@
 
 #include "app/MainWindow.h"
 #include "app/MessageBar.h"
+#include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
 #include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/view/panels/ViewPanels.h"
+#include "widgets/view/pictures/PictureLoop.h"
 
 #include <QAction>
 #include <QLabel>
@@ -45,6 +47,8 @@ protected:
   const Scene& scene() const { return std::as_const(*window).session().scene(); }
   QUndoStack& undo() { return window->session().undoStack(); }
   CompareView& view() { return window->view(); }
+  PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
+  int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
 
   /// Waits until nothing loads and every picture is complete.
   [[nodiscard]] bool rest() {
@@ -54,7 +58,7 @@ protected:
 
   /// Waits until nothing is left to do at rest either.
   [[nodiscard]] bool idle() {
-    return QTest::qWaitFor([this] { return !window->loader().isLoading() && view().isIdle(); }, 30000);
+    return QTest::qWaitFor([this] { return !window->loader().isLoading() && loop().isIdle(); }, 30000);
   }
 
   [[nodiscard]] bool open(const QString& source) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "engine/DrawingEngines.h"
+#include "scene/EffectRows.h"
 #include "scene/Image.h"
 #include "widgets/Gesture.h"
 #include "widgets/view/Comparison.h"
 #include "widgets/view/ViewGeometry.h"
+#include "widgets/view/gestures/Probe.h"
 
 #include <QImage>
 #include <QOpenGLWidget>
@@ -20,11 +22,9 @@ class LabelFade;
 class PanelStack;
 class PictureLoop;
 class ViewInput;
-struct EffectRow;
 struct EffectTimes;
 struct OverlaySource;
 struct PictureState;
-struct Probe;
 
 /// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
 /// engine, one copy of the volume. Draws coarsely while something moves and strip by strip to full quality at

@@ -20,7 +20,7 @@ using test::ViewHost;
 struct RefiningHost : ViewHost {
   explicit RefiningHost(const QSize& size = {240, 160}) : ViewHost(size) { view.setRefinesAtRest(true); }
   [[nodiscard]] bool refined() {
-    return QTest::qWaitFor([this] { return view.isIdle() && view.pictureState().refinementEnd; }, 120000);
+    return QTest::qWaitFor([this] { return isIdle() && view.pictureState().refinementEnd; }, 120000);
   }
   [[nodiscard]] bool firstPass() {
     return QTest::qWaitFor(
@@ -121,7 +121,7 @@ TEST(Refinement, canBeSwitchedOffAndOnAtRest) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.firstPass());
   host.view.setRefinesAtRest(false);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.isIdle(); }, 30000));
   const double step = host.view.sceneOfRestingImage(0).quality.stepVoxels;
   EXPECT_FALSE(host.view.pictureState().refines);
   EXPECT_LT(step, 0.5) << "what was drawn stays";
@@ -169,8 +169,8 @@ TEST(Refinement, estimatesWhatMovesFromSmallPictures) {
   ViewHost host;
   host.showPhantom();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000));
-  const int programs = host.view.compiledPrograms();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return host.isIdle(); }, 30000));
+  const int programs = host.compiledPrograms();
   for (int frame = 0; frame < 10; ++frame) {
     host.scene.camera = orbited(host.scene.camera, 0.05, 0.0);
     host.view.setScene(host.scene);
@@ -180,7 +180,7 @@ TEST(Refinement, estimatesWhatMovesFromSmallPictures) {
     EXPECT_TRUE(side.isRough);
     EXPECT_GT(side.estimate->p99_9, 0.0);
   }
-  EXPECT_EQ(host.view.compiledPrograms(), programs) << "a hand must not wait for a shader";
+  EXPECT_EQ(host.compiledPrograms(), programs) << "a hand must not wait for a shader";
 }
 
 } // namespace

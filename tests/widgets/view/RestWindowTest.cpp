@@ -34,7 +34,7 @@ struct Told {
 };
 
 [[nodiscard]] bool idle(ViewHost& host) {
-  return QTest::qWaitFor([&] { return host.view.isIdle(); }, 30000);
+  return QTest::qWaitFor([&] { return host.isIdle(); }, 30000);
 }
 
 TEST(AtRest, tellsTheEffectsOfTheRightPictureAndOfEveryChange) {

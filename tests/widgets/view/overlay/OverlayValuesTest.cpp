@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/ViewGeometry.h"
 #include "widgets/view/overlay/OrientationLetters.h"
 #include "widgets/view/overlay/ScaleBar.h"
 #include "widgets/view/overlay/SideText.h"
@@ -46,36 +45,6 @@ TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
   EXPECT_NEAR(mmPerPixel(perspective, 400.0), 0.5, 1e-12); // 2 · 100 mm · tan 45° over 400 pixels
   const Camera parallel{.projection = Camera::Projection::orthographic, .heightMm = 200.0};
   EXPECT_EQ(mmPerPixel(parallel, 400.0), 0.5);
-}
-
-TEST(CompareLayout, sidesAreEqualWhateverTheWidth) {
-  for (const int width : {800, 801}) {
-    const auto rects = pictureRects(CompareLayout::sideBySide, {width, 300}, 2);
-    ASSERT_EQ(rects.size(), 2u);
-    EXPECT_EQ(rects[0].size, glm::ivec2(399, 300));
-    EXPECT_EQ(rects[1].size, rects[0].size);
-    EXPECT_EQ(rects[1].topLeft.x + rects[1].size.x, width);
-  }
-}
-
-TEST(CompareLayout, bothPicturesOfAWipeFillTheView) {
-  const auto rects = pictureRects(CompareLayout::wipe, {800, 300}, 2);
-  ASSERT_EQ(rects.size(), 2u);
-  EXPECT_EQ(rects[0].size, glm::ivec2(800, 300));
-  EXPECT_EQ(rects[1], rects[0]);
-}
-
-TEST(CompareLayout, knowsThePictureUnderAPoint) {
-  EXPECT_EQ(pictureAt(CompareLayout::sideBySide, {800, 300}, 0.5, 399.0), 0);
-  EXPECT_EQ(pictureAt(CompareLayout::sideBySide, {800, 300}, 0.5, 401.0), 1);
-  EXPECT_EQ(pictureAt(CompareLayout::wipe, {800, 300}, 0.25, 199.0), 0);
-  EXPECT_EQ(pictureAt(CompareLayout::wipe, {800, 300}, 0.25, 200.0), 1);
-  EXPECT_EQ(pictureAt(CompareLayout::single, {800, 300}, 0.25, 700.0), 0);
-}
-
-TEST(CompareLayout, hasNoPictureWhereTheViewIsTooSmall) {
-  EXPECT_TRUE(pictureRects(CompareLayout::sideBySide, {3, 300}, 2).empty());
-  EXPECT_TRUE(pictureRects(CompareLayout::single, {0, 0}, 2).empty());
 }
 
 TEST(SideText, namesTheFewNumbersThatMatter) {
