@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gather a ray from its pre-integrated steps (RENDERING 7): the field is taken as linear within each. The ends
+// Gather a ray from its pre-integrated steps (DEFINITION section 7): the field is taken as linear within each. The ends
 // of step i lie half a step before and behind its sample.
 
 #ifdef EFFECT_LONG_RAYS

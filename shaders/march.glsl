@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The samples of a ray (RENDERING 7): equal steps, one sample in the middle of each.
+// The samples of a ray (DEFINITION section 7): equal steps, one sample in the middle of each.
 
 // What all samples of a ray share. Sample 0 lies half a step behind the entry.
 struct March {

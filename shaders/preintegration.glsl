@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mean extinction and the mean colour, weighted by extinction, of the transfer function between two values
-// (RENDERING 7): exact integrals over its linear pieces, so they depend on no step and on no resolution.
+// (DEFINITION section 7): exact integrals over its linear pieces, so they depend on no step and on no resolution.
 
 // Whether anything between two scalars may have an opacity.
 bool mayBeSeenBetween(float a, float b) {

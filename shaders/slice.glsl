@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One slice of the integral of RENDERING 7: the piece of the ray between two planes as one step, to be blended
+// One slice of the integral of DEFINITION section 7: the piece of the ray between two planes as one step, to be blended
 // with over.
 
 flat in vec2 v_planes; // lengths along the view from the anchor plane

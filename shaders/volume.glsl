@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scalar field, normalised to 0..1 over the volume's range; texels carry a one-voxel apron extrapolated
-// linearly, so that trilinear fetches one voxel beside a clamped position are the gradient of RENDERING 2.
+// linearly, so that trilinear fetches one voxel beside a clamped position are the gradient of DEFINITION section 2.
 
 uniform sampler3D u_volume;
 uniform vec3 u_textureScale;  // texture coordinates per voxel

@@ -33,6 +33,12 @@ void setDisabled(QPalette& palette, const ThemeColors& colors) {
 
 } // namespace
 
+ThemeChoice themeNamed(const QString& name) {
+  if (name == QStringLiteral("dark"))
+    return ThemeChoice::dark;
+  return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
+}
+
 ThemeColors themeColors(bool dark) {
   if (dark)
     return {.window = "#212428",

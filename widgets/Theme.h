@@ -12,6 +12,9 @@ namespace limn {
 /// What the user asks for: `system` follows the platform's own lightness.
 enum class ThemeChoice { system, light, dark };
 
+/// The choice called "light" or "dark"; `system` for any other name.
+ThemeChoice themeNamed(const QString& name);
+
 /// The colours of one look. The palette carries the roles Qt knows; our own painting takes the rest here.
 struct ThemeColors {
   QColor window;        ///< behind panels

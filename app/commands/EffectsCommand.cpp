@@ -4,11 +4,10 @@
 #include "app/commands/SceneArguments.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
+#include "io/reports/EffectsJson.h"
 #include "raycaster/EffectCosts.h"
 #include "raycaster/RayCaster.h"
 #include "scene/PictureFigures.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -53,16 +52,10 @@ Report measuredReport(RayCaster& caster, const Scene& scene, int frames, const P
 }
 
 void printJson(const Report& report) {
-  nlohmann::ordered_json effects = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < report.rows.size(); ++i) {
-    const EffectRow& row = report.rows[i];
-    effects.push_back({{"name", row.name},
-                       {"on", row.isOn},
-                       {"reason", row.reason},
-                       {"cost_ms", report.costs[i] ? report.costs[i]->ms : 0.0}});
-  }
-  const nlohmann::ordered_json json = {{"renderer", report.renderer}, {"effects", effects}};
-  std::cout << json.dump(2) << '\n';
+  std::vector<double> costsMs;
+  for (const auto& cost : report.costs)
+    costsMs.push_back(cost ? cost->ms : 0.0);
+  std::cout << effectsJson(report.renderer, report.rows, costsMs);
 }
 
 std::string methodLine(const Report& report, const Scene& scene, int frames) {

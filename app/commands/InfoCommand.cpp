@@ -3,10 +3,9 @@
 
 #include "app/commands/Arguments.h"
 #include "app/commands/SystemInfo.h"
+#include "io/reports/VolumeJson.h"
 #include "scene/Error.h"
 #include "scene/Gradient.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <iostream>
@@ -21,49 +20,7 @@ struct InfoArguments {
   bool system = false;
 };
 
-struct Facts {
-  std::shared_ptr<const Volume> volume;
-  std::vector<SeriesSummary> series;
-  double gradientMax = 0.0;
-  double gradientPercentile = 0.0;
-};
-
-nlohmann::ordered_json toJson(const glm::dvec3& v) {
-  return nlohmann::ordered_json::array({v.x, v.y, v.z});
-}
-
-nlohmann::ordered_json toJson(const SeriesSummary& series) {
-  return {{"number", series.number},
-          {"description", series.description},
-          {"modality", series.modality},
-          {"dims", {series.dims.x, series.dims.y, series.dims.z}}};
-}
-
-void printJson(const Facts& facts) {
-  const Volume& volume = *facts.volume;
-  const Grid& grid = volume.grid();
-  nlohmann::ordered_json direction = nlohmann::ordered_json::array();
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column)
-      direction.push_back(grid.direction[column][row]);
-  nlohmann::ordered_json series = nlohmann::ordered_json::array();
-  for (const SeriesSummary& one : facts.series)
-    series.push_back(toJson(one));
-  const nlohmann::ordered_json json = {
-      {"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
-      {"spacing_mm", toJson(grid.spacingMm)},
-      {"origin_mm", toJson(grid.originMm)},
-      {"direction", direction},
-      {"type", voxelTypeName(volume.stored())},
-      {"range", {volume.range().lowest, volume.range().highest}},
-      {"invalid_voxels", volume.invalidVoxels()},
-      {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
-      {"series", series},
-      {"warnings", volume.info().warnings}};
-  std::cout << json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-}
-
-void printText(const Facts& facts) {
+void printText(const VolumeFacts& facts) {
   const Volume& volume = *facts.volume;
   const Grid& grid = volume.grid();
   const std::string unit = volume.info().unit.empty() ? "" : " " + volume.info().unit;
@@ -99,7 +56,7 @@ void runInfo(const InfoArguments& arguments) {
   }
   if (arguments.source.source.empty())
     throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
-  Facts facts;
+  VolumeFacts facts;
   const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
                                        terminalProgress(arguments.source.quiet));
   facts.volume = loaded.scene.volume;
@@ -107,7 +64,10 @@ void runInfo(const InfoArguments& arguments) {
     facts.series = listSeries(loaded.volumePath);
   facts.gradientMax = largestGradient(*facts.volume);
   facts.gradientPercentile = gradientPercentile(*facts.volume, 99.5);
-  arguments.json ? printJson(facts) : printText(facts);
+  if (arguments.json)
+    std::cout << volumeJson(facts);
+  else
+    printText(facts);
 }
 
 } // namespace

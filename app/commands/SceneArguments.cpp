@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/SceneArguments.h"
 
-#include "app/PresetStore.h"
+#include "app/presets/PresetStore.h"
 #include "scene/ModelName.h"
 #include "scene/PresetFit.h"
 

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/StabilityCommand.h"
 
-#include "app/bench/ProcessCost.h"
 #include "app/commands/Arguments.h"
-#include "app/stability/StabilityReport.h"
+#include "app/measure/stability/StabilityText.h"
+#include "app/renderers/ProcessCost.h"
 #include "gl/DriverFacts.h"
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
+#include "io/reports/StabilityJson.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
+#include "stability/cases/Cases.h"
 
 #include <QDate>
 #include <QString>

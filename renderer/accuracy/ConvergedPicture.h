@@ -22,11 +22,11 @@ struct ConvergedPicture {
   ReferenceFacts facts;
 };
 
-/// The picture against which errors are measured (RENDERING section 9): no early termination, the step halved
-/// for the pixels that still change until the last halving changes the 99.9th percentile by at most 0.15
-/// level and the mean by at most 0.005. Begins at 1/4 voxel or at the scene's step, whichever is smaller;
-/// `facts.converged` is false where that was not reached at a step of 1/1024 voxel or, from a finer one, by
-/// four halvings.
+/// The picture against which errors are measured (DEFINITION section 9): no early termination, the step
+/// halved for the pixels that still change until the last halving changes the 99.9th percentile by at most
+/// 0.15 level and the mean by at most 0.005. Begins at 1/4 voxel or at the scene's step, whichever is
+/// smaller; `facts.converged` is false where that was not reached at a step of 1/1024 voxel or, from a finer
+/// one, by four halvings.
 ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, const DrawPrecisely& draw,
                                   const ReportProgress& report = {});
 

@@ -29,13 +29,6 @@ ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<I
   return {halving.p99_9 / gain, halving.mean / gain, order};
 }
 
-ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before) {
-  ErrorEstimate estimate = errorAfterHalving(halving, before);
-  estimate.p99_9 *= std::exp2(estimate.order);
-  estimate.mean *= std::exp2(estimate.order);
-  return estimate;
-}
-
 ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene) {
   const bool canEnd =
       scene.projection == Projection::composite || scene.projection == Projection::compositeIsosurface;

@@ -10,7 +10,7 @@
 namespace limn {
 
 /// The error of a picture as far as pictures of other steps tell it, without an exact one (Richardson;
-/// NUMERICS section 6). With I_h - I = C h^p the picture of half the step is off by |I_h - I_h/2| / (2^p -
+/// HARD_CASES section 6). With I_h - I = C h^p the picture of half the step is off by |I_h - I_h/2| / (2^p -
 /// 1). All figures in 8-bit levels.
 struct ErrorEstimate {
   double p99_9 = 0.0;
@@ -27,9 +27,6 @@ double observedOrder(double coarseDifference, double fineDifference);
 /// `before` of the halving before it, where there was one; without it the order is taken to be 1.
 ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
 
-/// The error of the picture of step h: 2^p times that after the halving.
-ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
-
 /// The error of the last of many pictures whose steps halve, from the differences between them, the newest
 /// last; at least one. Careful where data have edges, whose differences can fall by chance: the order is the
 /// smaller of the last two observed (1.5 at most where only one was), and unless these two agree, the error
@@ -40,7 +37,7 @@ ErrorEstimate errorAfterHalvings(const std::vector<ImageError>& halvings);
 /// least four times the second, which at order 1 is all that is left.
 ErrorEstimate errorBeforeHalvings(const ImageError& first, const ImageError& second);
 
-/// Half a level as the default early termination counts it (RENDERING section 7): what it leaves out of a
+/// Half a level as the default early termination counts it (DEFINITION section 7): what it leaves out of a
 /// picture however small the step, 255 · (1 - 0.998).
 inline constexpr double halfALevel = 0.51;
 

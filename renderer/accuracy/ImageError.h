@@ -8,7 +8,7 @@
 namespace limn {
 
 /// How far a picture lies from another, in 8-bit levels (premultiplied channels × 255, not quantised), over
-/// the four channels of the pixels that either covers (RENDERING section 9). All 0 where none is covered.
+/// the four channels of the pixels that either covers (DEFINITION section 9). All 0 where none is covered.
 struct ImageError {
   double largest = 0.0;
   double p99_9 = 0.0; ///< 99.9th percentile of the channels, linearly interpolated
@@ -27,10 +27,5 @@ ImageError imageError(const Image& picture, const PrecisePixels& exact);
 ImageError imageError(const Image& picture, const Image& other);
 
 PrecisePixels precise(const Image& image);
-
-/// "Accurate to the screen": the 99.9th percentile is at most one level.
-inline bool isAccurateToTheScreen(const ImageError& error) {
-  return error.p99_9 <= 1.0;
-}
 
 } // namespace limn

@@ -50,7 +50,7 @@ struct MeasuredPoint {
   bool operator==(const MeasuredPoint&) const = default;
 };
 
-/// How far the picture itself has converged that errors are measured against (RENDERING section 9).
+/// How far the picture itself has converged that errors are measured against (DEFINITION section 9).
 struct ReferenceFacts {
   bool converged = false;
   double stepVoxels = 0.0;       ///< the last step

@@ -23,7 +23,7 @@ struct WithinTolerance {
   Scene scene;                 ///< its quality has what was found: the tolerance with its fineness or, where
                                ///< steps are equal, a step without tolerance; and the early termination that
                                ///< the tolerance allows
-  double estimateLevels = 0.0; ///< of its 99.9th percentile (RENDERING section 9)
+  double estimateLevels = 0.0; ///< of its 99.9th percentile (DEFINITION section 9)
   bool holds = false;
   std::string sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
 };

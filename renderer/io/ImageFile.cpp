@@ -2,7 +2,8 @@
 #include "io/ImageFile.h"
 
 #include "io/AtomicFile.h"
-#include "scene/Error.h"
+#include "io/reading/HeaderText.h"
+#include "io/reading/ReadError.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -18,9 +19,7 @@ namespace fs = std::filesystem;
 enum class Kind { png, tiff, jpeg, exr };
 
 Kind kindOf(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string ending = lowerCase(path.extension().string());
   if (ending == ".png")
     return Kind::png;
   if (ending == ".tif" || ending == ".tiff")
@@ -114,8 +113,7 @@ std::string readImageDescription(const fs::path& path) {
     const char* reason = !isThere  ? "there is no such file"
                          : isEmpty ? "the file is empty"
                                    : "it is no picture, or a damaged one";
-    throw Error(Error::Kind::input, "Cannot read " + path.string() + ": " + reason +
-                                        "; choose a PNG, TIFF, JPEG or EXR picture.");
+    failReading(path, reason, "choose a PNG, TIFF, JPEG or EXR picture");
   }
   return input->spec().get_string_attribute("ImageDescription");
 }

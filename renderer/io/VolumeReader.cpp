@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/VolumeReader.h"
 
-#include "io/PlainText.h"
-#include "io/PlausibleGrid.h"
 #include "io/dicom/DicomReader.h"
-#include "io/formats/Bytes.h"
-#include "io/formats/HeaderText.h"
-#include "io/formats/InVesaliusProject.h"
-#include "io/formats/MetaImageFile.h"
-#include "io/formats/NiftiFile.h"
-#include "io/formats/NrrdFile.h"
-#include "io/formats/NrrdHeader.h"
-#include "io/formats/PictureStack.h"
-#include "io/formats/ReadError.h"
-#include "io/formats/VtkLegacyFile.h"
-#include "io/formats/VtkXmlFile.h"
+#include "io/formats/invesalius/InVesaliusProject.h"
+#include "io/formats/metaimage/MetaImageFile.h"
+#include "io/formats/nifti/NiftiFile.h"
+#include "io/formats/nrrd/NrrdFile.h"
+#include "io/formats/nrrd/NrrdHeader.h"
+#include "io/formats/pictures/PictureStack.h"
+#include "io/formats/voxels/Bytes.h"
+#include "io/formats/vtk/VtkLegacyFile.h"
+#include "io/formats/vtk/VtkXmlFile.h"
+#include "io/reading/HeaderText.h"
+#include "io/reading/PlainText.h"
+#include "io/reading/PlausibleGrid.h"
+#include "io/reading/ReadError.h"
 
 #include <cmath>
 #include <new>
@@ -120,7 +120,7 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
                                           std::move(info));
   } catch (const Error& error) {
-    throw Error(error.kind(), "Cannot read " + path.string() + ": " + error.what());
+    failReading(path, error);
   }
 }
 

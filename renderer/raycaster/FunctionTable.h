@@ -9,7 +9,7 @@
 namespace limn {
 
 /// The entries of a format's table: the function at equal distances over the volume's range, both ends
-/// included (NUMERICS finding 5, cases K1 and K2). None for the exact format. `stepMm` is the step for which
+/// included (HARD_CASES H26 and H27). None for the exact format. `stepMm` is the step for which
 /// corrected entries hold their opacity.
 std::vector<glm::vec4> tableEntries(const TransferFunction& function, const ValueRange& range,
                                     TableFormat format, double stepMm);

@@ -42,7 +42,7 @@ public:
   /// Draws a whole picture off screen in 32-bit floats and reads it back.
   Image render(const Scene& scene, const glm::ivec2& size);
 
-  /// The picture whose light terms are neither clamped nor compressed (RENDERING section 4), which shows by
+  /// The picture whose light terms are neither clamped nor compressed (DEFINITION section 4), which shows by
   /// how much they overflow. Not limited to 0..1.
   Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
 

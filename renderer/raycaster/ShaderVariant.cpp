@@ -61,13 +61,17 @@ const char* gradientBlock(const Decisions& decisions) {
   return "";
 }
 
-const char* gatherBlock(EffectSet effects, const Decisions& decisions) {
-  if (effects.has(Effect::localSteps))
-    return "gather_local_steps.glsl";
-  if (effects.has(Effect::preintegration))
-    return "gather_segments.glsl";
-  return decisions.classification == ClassificationOrder::afterInterpolation ? "gather.glsl"
-                                                                             : "gather_classified.glsl";
+void appendGathering(ShaderSource& source, EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::localSteps)) {
+    appendBlock(source, "local_steps.glsl");
+    appendBlock(source, "gather_local_steps.glsl");
+  } else if (effects.has(Effect::preintegration)) {
+    appendBlock(source, "gather_segments.glsl");
+  } else {
+    const bool isInterpolatedFirst = decisions.classification == ClassificationOrder::afterInterpolation;
+    appendBlock(source, isInterpolatedFirst ? "fetched.glsl" : "fetched_classified.glsl");
+    appendBlock(source, "gather.glsl");
+  }
 }
 
 // A sample at the front of its step takes the place of a jittered one.
@@ -148,9 +152,7 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
     appendBlock(source, "first_hit.glsl");
     return source;
   }
-  if (effects.has(Effect::localSteps))
-    appendBlock(source, "local_steps.glsl");
-  appendBlock(source, gatherBlock(effects, decisions));
+  appendGathering(source, effects, decisions);
   appendBlock(source, "composite.glsl");
   return source;
 }

@@ -16,7 +16,7 @@ struct StoredGradients {
 
 /// `scale` leads from a difference over two texels to the unit of gradients in the shaders, whose components
 /// then are at most 1. Halves are off by at most 2⁻¹¹ of a component (eleven binary digits) down to
-/// components of 2⁻²⁹; what is interpolated are vectors, as RENDERING section 2 asks. Directions are off by
+/// components of 2⁻²⁹; what is interpolated are vectors, as DEFINITION section 2 asks. Directions are off by
 /// at most 1/255 in each component, moduli by 1/510 of the largest; interpolated apart, a weak gradient turns
 /// a strong neighbour's direction as much as that turns its own.
 StoredGradients storedGradients(const TextureVoxels& voxels, const glm::dvec3& scale, GradientFormat format);

@@ -14,7 +14,8 @@ struct Cell {
   glm::dvec3 weight{0.0}; ///< 0..1 towards low + 1
 };
 
-/// Reads a volume in its stored type: trilinear scalars and gradients in double (RENDERING sections 1 and 2).
+/// Reads a volume in its stored type: trilinear scalars and gradients in double (DEFINITION sections 1 and
+/// 2).
 template <class T>
 class FieldSampler {
 public:

@@ -33,7 +33,7 @@ struct PictureTerms {
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 
-/// One ray of a picture in equal steps, a sample `offset` steps behind the start of each (RENDERING section
+/// One ray of a picture in equal steps, a sample `offset` steps behind the start of each (DEFINITION section
 /// 7). Places along it are in steps from the entry.
 template <class T>
 class RayMarcher {

@@ -20,11 +20,11 @@ struct ReferencePicture {
       samples; ///< the N of each pixel's ray, or the error-controlled ones it took; 0 where it misses
 };
 
-/// Whether the sum of the light terms is limited (RENDERING section 4) or left as it is, which shows by how
+/// Whether the sum of the light terms is limited (DEFINITION section 4) or left as it is, which shows by how
 /// much it overflows.
 enum class Limiting { clampOrKnee, none };
 
-/// Draws the definition itself (RENDERING section 7) in double precision, on every
+/// Draws the definition itself (DEFINITION section 7) in double precision, on every
 /// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled. Pixels outside
 /// `tile` stay zero.
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,

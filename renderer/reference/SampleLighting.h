@@ -17,14 +17,14 @@ struct RayLight {
 /// The light along a ray of unit direction (grid axes). `towardsLight` absent: headlight.
 RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>& towardsLight);
 
-/// The normalised gradient modulus r after its curve (RENDERING section 2).
+/// The normalised gradient modulus r after its curve (DEFINITION section 2).
 double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus);
 
-/// The colour of a lit sample (RENDERING sections 4 and 5); the material itself where the terms are unlit.
+/// The colour of a lit sample (DEFINITION sections 4 and 5); the material itself where the terms are unlit.
 glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
                const glm::dvec3& normal, double ratio);
 
-/// The factor on the colour of an object at `z` mm from the eye (RENDERING section 6).
+/// The factor on the colour of an object at `z` mm from the eye (DEFINITION section 6).
 double fogFactor(const Fog& fog, double z);
 
 /// The outward normal of the cut face within `depthMm` of a position, otherwise `normal` (section 7). Of two

@@ -5,7 +5,7 @@
 
 namespace limn {
 
-/// Where the picture is taken from, world millimetres (RENDERING section 8).
+/// Where the picture is taken from, world millimetres (DEFINITION section 8).
 struct Camera {
   enum class Projection { perspective, orthographic };
   Projection projection = Projection::perspective;
@@ -35,7 +35,7 @@ struct Ray {
 /// position equal to the target looks along +y.
 CameraBasis basisOf(const Camera& camera);
 
-/// The ray through the centre of pixel (x, y), y down, of a picture of `size` pixels (RENDERING section 8).
+/// The ray through the centre of pixel (x, y), y down, of a picture of `size` pixels (DEFINITION section 8).
 Ray rayThroughPixel(const Camera& camera, int x, int y, const glm::ivec2& size);
 
 /// Half the picture's height in mm at unit distance (perspective: tan(fov/2)) or at any (orthographic:

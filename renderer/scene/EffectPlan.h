@@ -35,7 +35,7 @@ struct EffectPlan {
   bool operator==(const EffectPlan&) const = default;
 };
 
-/// A pure function of the scene and of facts about its data (NUMERICS section 4.2). A control point or the
+/// A pure function of the scene and of facts about its data. A control point or the
 /// camera can change the plan where they decide whether an effect shows at all: whether anything is opaque,
 /// whether rays can end early, whether the step resolves the function, whether fog begins before the volume's
 /// end. `canStandIn` lets a program go on drawing across such a change.

@@ -82,10 +82,6 @@ private:
   std::uint64_t m_bits = 0;
 };
 
-/// The effects that choose between projections; none is the composite.
-inline const EffectSet projectionEffects{Effect::mip,  Effect::minip,      Effect::average,
-                                         Effect::xray, Effect::isosurface, Effect::hybrid};
-
 /// Whether a program of these effects reads the normalised gradient modulus r.
 bool usesRatio(EffectSet effects);
 

@@ -7,7 +7,7 @@
 namespace limn {
 
 /// The gradient at voxel (i, j, k), value/mm in world axes: central differences, one-sided over the real
-/// distance at the border, 0 along an axis of one voxel (RENDERING section 2; paper eq. 5 with the sign and
+/// distance at the border, 0 along an axis of one voxel (DEFINITION section 2; paper eq. 5 with the sign and
 /// the spacing put right).
 glm::dvec3 gradientAtVoxel(const Volume& volume, const glm::ivec3& index);
 

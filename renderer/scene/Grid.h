@@ -7,7 +7,7 @@ namespace limn {
 
 /// Where the voxels of a volume lie: `world = origin + direction · diag(spacing) · index`, world in the
 /// patient space LPS, millimetres. A voxel owns its full extent, so the volume fills [-0.5, n-0.5) on each
-/// index axis (RENDERING section 1).
+/// index axis (DEFINITION section 1).
 struct Grid {
   glm::ivec3 dims{0};
   glm::dvec3 spacingMm{1.0}; ///< each > 0

@@ -11,7 +11,7 @@ struct MeanMaterial {
   glm::dvec3 color{0.0};   ///< mean, weighted by the extinction; 0 where nothing absorbs
 };
 
-/// The mean over all values between `a` and `b`, in either order (RENDERING section 7): exact, piece by
+/// The mean over all values between `a` and `b`, in either order (DEFINITION section 7): exact, piece by
 /// linear piece, from closed forms of the integrals of -log(1-a). Depends on no step.
 MeanMaterial meanMaterial(const TransferFunction& function, double a, double b);
 

@@ -6,7 +6,7 @@
 
 namespace limn {
 
-/// Which pixels of a picture count: those that the volume covers, alpha ≥ 1/510 (RENDERING section 9).
+/// Which pixels of a picture count: those that the volume covers, alpha ≥ 1/510 (DEFINITION section 9).
 bool isCovered(const glm::vec4& pixel);
 
 /// How far the light terms of a picture overflow before they are limited (paper, section 7: "partial overflow

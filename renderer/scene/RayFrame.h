@@ -63,7 +63,7 @@ struct RaySpan {
 
 RaySpan spanInBox(const FramedRay& ray, const IndexBox& box);
 
-/// The most samples of one ray (RENDERING section 7).
+/// The most samples of one ray (DEFINITION section 7).
 inline constexpr int mostSamples = 60000;
 
 /// The share by which a span may exceed a whole number of steps before it gets one step more. Rounding would

@@ -11,7 +11,7 @@
 
 namespace limn {
 
-/// Fog (RENDERING section 6; lecture, "OpenGL fog"): weighs a sample's colour by its distance to the eye.
+/// Fog (DEFINITION section 6; lecture, "OpenGL fog"): weighs a sample's colour by its distance to the eye.
 struct Fog {
   enum class Mode { none, linear, exp, exp2 };
   Mode mode = Mode::none;
@@ -29,7 +29,7 @@ struct CropBox {
   bool operator==(const CropBox&) const = default;
 };
 
-/// How the samples along a ray become one pixel (RENDERING section 7).
+/// How the samples along a ray become one pixel (DEFINITION section 7).
 enum class Projection { composite, mip, minip, average, xray, isosurface, compositeIsosurface };
 
 enum class Preintegration { automatic, always, never };

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-/// How a sample is lit (RENDERING sections 4 and 5): `none` is unlit, `classic` Blinn-Phong, `enhanced` the
+/// How a sample is lit (DEFINITION sections 4 and 5): `none` is unlit, `classic` Blinn-Phong, `enhanced` the
 /// paper's model literally, `robust` our answer to its overflowing highlights.
 enum class ShadingModel { none, classic, enhanced, robust };
 
@@ -56,7 +56,7 @@ struct Significance {
 enum class Reflection { blinn, phong };
 enum class SpecularColor { material, light };
 
-/// Every number of the lighting model. Paper eq. 1–9; RENDERING sections 4 and 5 hold formulas and limits.
+/// Every number of the lighting model. Paper eq. 1–9; DEFINITION sections 4 and 5 hold formulas and limits.
 struct Shading {
   ShadingModel model = ShadingModel::classic;
   double ambient = 1.0;                      ///< ka ≥ 0

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-/// The formulas of RENDERING in forms that lose no digits, in double. `shaders/stable_math.glsl` holds a twin
-/// of each function in float under the same name; the GL tests compare the two over their whole range.
+/// The formulas of the definition in forms that lose no digits, in double. `shaders/stable_math.glsl` holds a
+/// twin of each function in float under the same name; the GL tests compare the two over their whole range.
 namespace limn {
 
 /// The largest opacity that becomes an extinction, 1 - 2⁻²⁴: -log1p(-1) would be infinite.

@@ -18,7 +18,7 @@ struct ControlPoint {
 };
 
 /// Maps a scalar to colour and opacity: linear between control points, constant outside, a step where two
-/// points share a value (RENDERING section 3; lecture, "transfer function"). A plain value: edits return
+/// points share a value (DEFINITION section 3; lecture, "transfer function"). A plain value: edits return
 /// copies.
 struct TransferFunction {
   double unitDistanceMm = 1.0;      ///< the length over which a point's opacity holds, > 0

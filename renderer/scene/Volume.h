@@ -57,7 +57,7 @@ struct VolumeInfo {
 };
 
 /// A grid of scalars, immutable once made. Every voxel is finite: invalid ones were replaced by the smallest
-/// valid value (RENDERING section 1).
+/// valid value (DEFINITION section 1).
 class Volume {
 public:
   /// Takes the stored voxels and sanitises them: NaN, ±Inf and declared padding are replaced by the voxel

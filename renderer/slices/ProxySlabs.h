@@ -22,7 +22,7 @@ struct ProxySlab {
 /// The slabs of a scene's cropped box from the nearest to the farthest, of equal thickness, at most one step:
 /// the far plane of each is the near plane of the next. The very first plane and the very last lie far
 /// outside: the box's faces end it there, and rounding a plane to float loses nothing. Slabs beside the
-/// picture are left out; there are none behind the eye. At most `mostSamples` (RENDERING section 7).
+/// picture are left out; there are none behind the eye. At most `mostSamples` (DEFINITION section 7).
 std::vector<ProxySlab> proxySlabs(const Scene& scene, const glm::ivec2& size);
 
 /// How many slabs of one step the scene's box would need before that limit.

@@ -10,6 +10,9 @@ namespace limn {
 
 enum class Verdict { pass, fail, notApplicable };
 
+/// "pass", "fail" or "n/a".
+std::string verdictText(Verdict verdict);
+
 /// One row of the report on a hard case.
 struct Finding {
   std::string engine;  ///< "reference", "gl", "slices"; "cpp", "glsl" for functions that draw nothing

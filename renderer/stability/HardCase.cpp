@@ -2,12 +2,22 @@
 #include "stability/HardCase.h"
 
 #include "scene/Error.h"
-#include "stability/cases/Cases.h"
 
-#include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace limn {
+
+std::string verdictText(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::pass:
+    return "pass";
+  case Verdict::fail:
+    return "fail";
+  case Verdict::notApplicable:
+    return "n/a";
+  }
+  return {};
+}
 
 Finding atMost(std::string engine, std::string what, double figure, double bound, std::string reason) {
   return {std::move(engine), std::move(what), figure, bound, figure <= bound ? Verdict::pass : Verdict::fail,
@@ -16,22 +26,6 @@ Finding atMost(std::string engine, std::string what, double figure, double bound
 
 Finding notApplicable(std::string engine, std::string what, std::string reason) {
   return {std::move(engine), std::move(what), 0.0, 0.0, Verdict::notApplicable, std::move(reason)};
-}
-
-std::vector<HardCase> hardCases() {
-  std::vector<HardCase> cases;
-  for (const auto& group :
-       {formulaCases, opacityCases, stepCases, rayCases, cameraCases, voxelCases, functionCases,
-        volumeShapeCases, gradientCases, samplingCases, reuseCases, preintegrationCases, blendingCases,
-        highlightCases, projectionCases, driverCases}) {
-    std::vector<HardCase> more = group();
-    std::move(more.begin(), more.end(), std::back_inserter(cases));
-  }
-  // "H10" after "H9".
-  std::stable_sort(cases.begin(), cases.end(), [](const HardCase& a, const HardCase& b) {
-    return std::stoi(a.id.substr(1)) < std::stoi(b.id.substr(1));
-  });
-  return cases;
 }
 
 std::vector<MeasuredCase> measure(const std::vector<HardCase>& cases, Workbench& bench,

@@ -19,9 +19,6 @@ struct HardCase {
   std::vector<Finding> (*measure)(Workbench& bench);
 };
 
-/// All hard cases, in order of their numbers.
-std::vector<HardCase> hardCases();
-
 /// What was measured of a case.
 struct MeasuredCase {
   std::string id;

@@ -6,7 +6,7 @@
 #include "scene/Error.h"
 #include "slices/SliceRenderer.h"
 #include "stability/PictureInvariants.h"
-#include "stability/RandomScene.h"
+#include "stability/scenes/RandomScene.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-// NUMERICS 3.3.
+// HARD_CASES section 5.
 constexpr double referenceTolerance = 2e-4;
 // A part of the seeds, because a fresh ray caster compiles its programs.
 constexpr std::uint64_t seedsPerFreshCaster = 32;

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-/// What must hold for every picture, whatever it shows (NUMERICS section 2), as sentences about what does
+/// What must hold for every picture, whatever it shows (HARD_CASES section 4), as sentences about what does
 /// not, each with the first pixel at fault; empty where all holds. Every channel is finite, 0 ≤ A ≤ 1, every
 /// premultiplied colour lies within 0..A + `rounding` (each model limits the light to 0..1 and fog is no
 /// brighter), and pixels whose rays surely miss what the crop leaves of the volume are zero bit for bit.

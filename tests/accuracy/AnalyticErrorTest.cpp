@@ -7,7 +7,6 @@
 #include "support/AnalyticCases.h"
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"
-#include "support/TestData.h"
 
 #include <cmath>
 #include <iostream>
@@ -113,7 +112,6 @@ std::vector<OperatingPoint> pointsOf(const test::ConvergingRay& ray, PointRender
 }
 
 TEST_F(AnalyticError, reportedIsTheTrueOneAndOfOrderTwo) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   Renderers renderers;
   for (const test::ConvergingRay& ray : rays()) {
     ConvergedPicture converged = convergedPicture(ray.scene, onePixel, drawPrecisely);
@@ -133,7 +131,7 @@ TEST_F(AnalyticError, reportedIsTheTrueOneAndOfOrderTwo) {
             << ray.what << ", step " << point.point.stepVoxels;
         EXPECT_NEAR(point.error.mean, trueError.mean, std::max(0.02, 0.05 * trueError.mean)) << ray.what;
         std::cout << "  " << point.error.largest << "/" << trueError.largest;
-        // NUMERICS 1.4: the order shows while the error stands 20 times above float rounding (1e-6).
+        // HARD_CASES section 6: the order shows while the error stands 20 times above float rounding (1e-6).
         const bool isAboveRounding = trueError.mean > 20.0 * 255e-6;
         if (!point.order || !isAboveRounding)
           continue;

@@ -25,7 +25,7 @@ PrecisePixels oneExactPixel(const test::ConvergingRay& ray, const glm::dvec4& fi
   return {{ray.color.value_or(glm::dvec3(finest)), ray.alpha.value_or(finest.a)}};
 }
 
-// What a renderer in floats is off by anyway (NUMERICS 1.4: 1e-6 of the range), in levels.
+// What a renderer in floats is off by anyway (HARD_CASES section 6: 1e-6 of the range), in levels.
 constexpr double roundingLevels = 255e-6;
 
 // Draws one ray with more and more samples, as refinement does.
@@ -59,7 +59,6 @@ void expectHonest(RayCaster& caster, const test::ConvergingRay& ray) {
 }
 
 TEST_F(Estimate, isNeverBelowHalfOfTheTruthOnSmoothRays) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   RayCaster caster;
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases()) {

@@ -44,7 +44,6 @@ std::vector<test::ConvergingRay> raysWithLimits() {
 }
 
 TEST_F(Tolerance, holdsOnTheAnalyticScenesWithBothRenderers) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   RayCaster caster;
   const DrawScene gl = [&](const Scene& scene, const glm::ivec2& size) { return caster.render(scene, size); };
   int kept = 0;

@@ -62,7 +62,7 @@ bool isOfFamily(const Json& point, const Json& family) {
 }
 
 // The mean error falls with every halving of the step, far enough. What the exact picture itself is uncertain
-// by cannot be told from nothing (RENDERING section 9): there it has only to stay.
+// by cannot be told from nothing (DEFINITION section 9): there it has only to stay.
 void expectMonotone(const Json& report, const Json& expected) {
   const double least = report["reference"]["least_mean"];
   double before = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ TEST_F(DriverWindow, aSessionGoesOnWhereTheDriverRefusesEveryShader) {
   auto broken = std::make_unique<test::BrokenShaders>();
   ASSERT_TRUE(open(QStringLiteral("phantom:12")));
   const auto isDone = [this] {
-    return QTest::qWaitFor([this] { return view().pictureState().processorIsDone; }, 60000);
+    return test::waitUntil([this] { return view().pictureState().processorIsDone; });
   };
   ASSERT_TRUE(isDone());
   EXPECT_TRUE(labelSays(QStringLiteral("drawn by the processor")));

@@ -2,11 +2,11 @@
 #include "WindowHarness.h"
 #include "support/CropHandle.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/PropertiesPanel.h"
@@ -44,7 +44,7 @@ protected:
   void release(const QPoint& at) { QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, at); }
 
   [[nodiscard]] bool gradientsCounted() {
-    return QTest::qWaitFor([this] { return gradientEditor().useBox()->isEnabled(); }, 30000);
+    return test::waitUntil([this] { return gradientEditor().useBox()->isEnabled(); });
   }
 
   void saveAsPreset(const QString& name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of what each decision about accuracy costs, on a small phantom.
-#include "app/accuracy/MeasureDecisions.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
 
 #include "raycaster/DecisionList.h"
 #include "raycaster/RayCaster.h"
@@ -67,8 +67,7 @@ TEST_F(MeasuredDecisions, areEachComparedWithTheProgramsOwn) {
   EXPECT_NEAR(costOf(costs, "gradient", "stored as 8").extraMb, 4.0 * texels, 1e-9);
   EXPECT_NEAR(costOf(costs, "classification", "before interpolation, 16").extraMb, 8.0 * texels, 1e-9);
   EXPECT_FALSE(costOf(costs, "classification", "before interpolation, 16").remark.empty());
-  // Ending at 0.98 leaves out up to 5.1 levels, at 0.998 half a level, never ending none (NUMERICS finding
-  // 11).
+  // Ending at 0.98 leaves out up to 5.1 levels, at 0.998 half a level, never ending none (HARD_CASES H32).
   EXPECT_GT(costOf(costs, "early termination", "at 0.98").fineError.mean,
             costOf(costs, "early termination", "at 0.998").fineError.mean);
   EXPECT_EQ(costOf(costs, "early termination", "never").fineError, own.fineError);

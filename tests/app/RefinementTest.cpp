@@ -7,7 +7,6 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <QElapsedTimer>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStatusBar>
@@ -18,8 +17,6 @@
 
 namespace limn {
 namespace {
-
-constexpr int patienceMs = 120000;
 
 // Premultiplied RGBA as the file holds it.
 std::vector<float> samplesOf(const QString& file) {
@@ -58,8 +55,7 @@ protected:
   }
 
   [[nodiscard]] bool refined() {
-    return QTest::qWaitFor([this] { return loop().isIdle() && view().pictureState().refinementEnd; },
-                           patienceMs);
+    return test::waitUntil([this] { return loop().isIdle() && view().pictureState().refinementEnd; });
   }
 
   // The picture of the saved scene by the program that is shipped.
@@ -70,7 +66,7 @@ protected:
                   {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
                    QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
-    EXPECT_TRUE(program.waitForFinished(patienceMs));
+    EXPECT_TRUE(program.waitForFinished(-1));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     return samplesOf(out);
   }
@@ -80,20 +76,15 @@ protected:
   void editAndCompare() {
     const double step = scene().quality.stepVoxels;
     const Scene before = scene();
-    QElapsedTimer clock;
-    clock.start();
     dragAPoint();
     ASSERT_NE(scene(), before);
     // Before the first finer picture programs are compiled and the light's overflow is measured.
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return view().pictureState().resting && view().pictureState().sides[0].stepVoxels < step; },
-        patienceMs));
+    ASSERT_TRUE(test::waitUntil(
+        [&] { return view().pictureState().resting && view().pictureState().sides[0].stepVoxels < step; }));
     const test::Heart heart;
     ASSERT_TRUE(refined());
-    std::printf("%.1f s, longest turn of the event loop %.0f ms: %s\n",
-                1e-3 * static_cast<double>(clock.elapsed()), heart.longestMs(), qPrintable(statusText()));
     // A turn aims at 30 ms of drawing and a few of showing.
-    EXPECT_LE(heart.longestMs(), 100.0);
+    test::expectShortTurns(heart, "until " + statusText().toStdString(), 100.0);
     const bool isClose = statedLevels() >= 0.0 && statedLevels() <= 0.5;
     EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
     EXPECT_EQ(scene().quality.stepVoxels, step) << "the step that the user chose stays";
@@ -136,7 +127,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   Scene moved = scene();
   moved.camera = orbited(moved.camera, 0.3, 0.0);
   window->session().setCamera(moved.camera);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !view().pictureState().resting; }, 5000));
+  ASSERT_TRUE(test::waitUntil([&] { return !view().pictureState().resting; }));
   QCoreApplication::processEvents();
   EXPECT_GT(statedLevels(), 0.0) << "what was known of the former view is scaled: "
                                  << statusText().toStdString();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "app/SaveDialog.h"
+#include "app/saving/SaveDialog.h"
 #include "io/ImageFile.h"
 #include "scene/Error.h"
 #include "support/FileBytes.h"
@@ -112,7 +112,7 @@ TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
   ASSERT_FALSE(view().pictureState().resting);
   typeName(pathTo("mypicture"));
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return fs::exists(folder.path() / "mypicture.png"); }, 30000));
+  ASSERT_TRUE(test::waitUntil([this] { return fs::exists(folder.path() / "mypicture.png"); }));
   EXPECT_TRUE(view().pictureState().resting);
   EXPECT_FALSE(stop().isVisible());
   EXPECT_FALSE(readImageDescription(folder.path() / "mypicture.png").empty());
@@ -153,7 +153,7 @@ TEST_F(Saving, thatWorkIsNotSafeIsSaidAsLongAsItIsTrue) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   dragAPoint();
   MessageBar& unsafe = bar("unsafeBar");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return unsafe.isVisible(); }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return unsafe.isVisible(); }));
   window->writeScene(pathTo("none/scene.json"));
   EXPECT_TRUE(unsafe.isVisible());
   EXPECT_TRUE(messages().isVisible());
@@ -162,7 +162,7 @@ TEST_F(Saving, thatWorkIsNotSafeIsSaidAsLongAsItIsTrue) {
   EXPECT_FALSE(messages().isVisible());
   // There is room again, although nothing changes.
   fs::rename(folder.path() / "elsewhere", places);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !unsafe.isVisible(); }, 30000));
+  EXPECT_TRUE(test::waitUntil([&] { return !unsafe.isVisible(); }));
   EXPECT_TRUE(fs::exists(place / "session.json"));
 }
 

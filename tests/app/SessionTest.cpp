@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/Session.h"
+#include "app/document/Session.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "app/MainWindow.h"
-#include "app/MessageBar.h"
+#include "app/desks/MessageBar.h"
 #include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
+#include "support/Waiting.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/view/panels/ViewPanels.h"
 #include "widgets/view/pictures/PictureLoop.h"
 
@@ -23,8 +24,7 @@
 
 namespace limn::test {
 
-/// The program's window on settings, presets and files of a folder of its own. Half a minute of waiting is
-/// for machines that do much else.
+/// The program's window on settings, presets and files of a folder of its own.
 class WindowHarness : public testing::Test {
 protected:
   WindowHarness() {
@@ -38,9 +38,9 @@ protected:
   }
 
   void SetUp() override {
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    ASSERT_TRUE(test::waitUntilExposed(*window));
     window->activateWindow(); // shortcuts are those of the active window
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    ASSERT_TRUE(test::waitUntil([this] { return window->isActiveWindow(); }));
   }
 
   QString pathTo(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
@@ -52,18 +52,17 @@ protected:
 
   /// Waits until nothing loads and every picture is complete.
   [[nodiscard]] bool rest() {
-    return QTest::qWaitFor([this] { return !window->loader().isLoading() && view().pictureState().resting; },
-                           30000);
+    return test::waitUntil([this] { return !window->loader().isLoading() && view().pictureState().resting; });
   }
 
   /// Waits until nothing is left to do at rest either.
   [[nodiscard]] bool idle() {
-    return QTest::qWaitFor([this] { return !window->loader().isLoading() && loop().isIdle(); }, 30000);
+    return test::waitUntil([this] { return !window->loader().isLoading() && loop().isIdle(); });
   }
 
   [[nodiscard]] bool open(const QString& source) {
     window->openSource(source);
-    return QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000);
+    return test::waitUntil([this] { return !window->loader().isLoading(); });
   }
 
   /// Whether a label of the window says this.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VolumeFuzz.h"
 
-#include "io/formats/InVesaliusProject.h"
+#include "io/formats/invesalius/InVesaliusProject.h"
 
 // The archive of an InVesalius project and its entries.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

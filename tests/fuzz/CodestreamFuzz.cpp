@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FuzzInput.h"
 
-#include "io/dicom/DicomCodestream.h"
+#include "io/dicom/pixels/DicomCodestream.h"
 
 // What a JPEG, JPEG-LS or JPEG 2000 stream says of its picture; and the same bytes as run lengths of a small
 // picture, which the first of them chooses.

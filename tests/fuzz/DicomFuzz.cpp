@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FuzzInput.h"
 
-#include "io/dicom/DicomHeader.h"
-#include "io/dicom/DicomPixelReader.h"
-#include "io/dicom/DicomTags.h"
+#include "io/dicom/header/DicomHeader.h"
+#include "io/dicom/header/DicomTags.h"
+#include "io/dicom/pixels/DicomPixelReader.h"
 
 // The header of a DICOM file, deflated or not, the facts of its frames, and the pixels of those that no
 // library decodes.

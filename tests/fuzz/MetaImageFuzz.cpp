@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VolumeFuzz.h"
 
-#include "io/formats/MetaImageFile.h"
+#include "io/formats/metaimage/MetaImageFile.h"
 
 // MetaImage: header, raw, text and zlib voxels, names of detached raw files.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VolumeFuzz.h"
 
-#include "io/formats/InVesaliusProject.h"
+#include "io/formats/invesalius/InVesaliusProject.h"
 
 #include <cstring>
 

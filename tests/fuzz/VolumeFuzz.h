@@ -3,8 +3,8 @@
 
 #include "FuzzInput.h"
 
-#include "io/formats/VolumeParts.h"
-#include "io/formats/Voxels.h"
+#include "io/formats/voxels/VolumeParts.h"
+#include "io/formats/voxels/Voxels.h"
 
 namespace limn::test {
 

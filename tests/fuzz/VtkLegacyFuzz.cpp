@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VolumeFuzz.h"
 
-#include "io/formats/VtkLegacyFile.h"
+#include "io/formats/vtk/VtkLegacyFile.h"
 
 // Legacy VTK files.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VolumeFuzz.h"
 
-#include "io/formats/VtkXmlFile.h"
+#include "io/formats/vtk/VtkXmlFile.h"
 
 // VTI files: text, base64, appended and compressed arrays.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -112,7 +112,6 @@ const std::pair<const char*, test::HelperCheck> rows[] = {
 using FactCases = test::GlTest;
 
 TEST_F(FactCases, theCodeAgreesWithTheFactsItRestsOn) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   test::CaseLedger ledger;
   const auto isIn = [](const json& one, const char* prefix) {
     return one["id"].get_ref<const std::string&>().rfind(prefix, 0) == 0;

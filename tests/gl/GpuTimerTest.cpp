@@ -33,7 +33,7 @@ TEST(GpuTimer, believesAQueryOnlyWhereTheClockAllowsIt) {
   EXPECT_FALSE(agreesWithClock(31.0, 20.0)) << "longer than it can have taken";
 }
 
-// A driver's own time must lie between nothing and what the clock saw (NUMERICS H45: 0 < gpu < 1.5 · wall).
+// A driver's own time must lie between nothing and what the clock saw (HARD_CASES H45: 0 < gpu < 1.5 · wall).
 TEST_F(GpuTimerOnADriver, countsAllOfTheWork) {
   const Scene scene = phantomScene();
   RayCaster caster;
@@ -61,11 +61,15 @@ TEST_F(GpuTimerOnADriver, waitsForTheWorkAndForWhatWasDrawnBefore) {
   draw();
   GpuTimer timer;
   timer.calibrate(draw);
-  const double alone = timer.measureMs([] {});
-  for (int i = 0; i < 4; ++i)
-    draw();
-  const double afterFour = timer.measureMs([] {});
-  const double one = timer.measureMs(draw);
+  // The least of many: what other programs take of the processor is in no smallest time.
+  double alone = 1e9, afterFour = 1e9, one = 1e9;
+  for (int round = 0; round < 20; ++round) {
+    alone = std::min(alone, timer.measureMs([] {}));
+    for (int i = 0; i < 4; ++i)
+      draw();
+    afterFour = std::min(afterFour, timer.measureMs([] {}));
+    one = std::min(one, timer.measureMs(draw));
+  }
   EXPECT_LT(alone, 0.5 * one);
   EXPECT_LT(afterFour, 0.5 * one) << "earlier drawing is counted in";
 }

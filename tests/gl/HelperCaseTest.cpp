@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every case of kind `helper` of the shared file, in C++ and in GLSL. The table says who checks which cases;
-// the ledger knows which were really compared.
+// Every case of kind `helper` of analytic_cases.json, in C++ and in GLSL. The table says who checks which
+// cases; the ledger knows which were really compared.
 #include "gl/HelperCases.h"
 #include "support/AnalyticCases.h"
 #include "support/GlTest.h"
@@ -32,7 +32,6 @@ const Row rows[] = {
 using HelperCases = test::GlTest;
 
 TEST_F(HelperCases, everyHelperCaseHoldsOnBothSides) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   const nlohmann::json cases = test::analyticCases();
   test::CaseLedger ledger;
   for (const nlohmann::json& one : cases)

@@ -5,7 +5,7 @@
 
 namespace limn::test {
 
-/// Checks of the shared file's cases of kind `helper`, one per group: the C++ function and its GLSL twin
+/// Checks of the cases of kind `helper`, one per group: the C++ function and its GLSL twin
 /// against the case's figures. They need a current context and count in the ledger what they compare.
 using HelperCheck = void (*)(const nlohmann::json& one, CaseLedger& ledger);
 

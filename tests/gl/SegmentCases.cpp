@@ -62,9 +62,9 @@ glm::dvec2 composited(const std::vector<glm::dvec2>& means, double lengthMm) {
 
 } // namespace
 
-// H1: alpha is exact. The colour of one segment is that of its mean material, as the definition says, and not
-// I_exact, which weighs the front more because it hides the back: the difference falls with order 2 as the
-// segment is divided. Without self-attenuation at all the colour would exceed alpha (H37).
+// Closed form H1: alpha is exact. The colour of one segment is that of its mean material, as the definition
+// says, and not I_exact, which weighs the front more because it hides the back: the difference falls with
+// order 2 as the segment is divided. Without self-attenuation at all the colour would exceed alpha (H37).
 void checkSegment(const json& one, CaseLedger& ledger) {
   const json& p = one["parameters"];
   const double ta = p["ta"], tb = p["tb"], ca = p["ca"], cb = p["cb"], length = p["d"];
@@ -98,8 +98,8 @@ void checkSegment(const json& one, CaseLedger& ledger) {
       ledger.expectWithin(one["id"], "order of the colour", order, 1.8, 2.2);
 }
 
-// H2: no quotient of differences where both ends are the same value, and none that loses digits where they
-// are almost the same; the mean of a linear extinction between s ∓ δ is that at s.
+// Closed form H2: no quotient of differences where both ends are the same value, and none that loses digits
+// where they are almost the same; the mean of a linear extinction between s ∓ δ is that at s.
 void checkEqualEndpoints(const json& one, CaseLedger& ledger) {
   const double tau = one["parameters"]["tau"], length = one["parameters"]["d"];
   const Scene scene = segmentScene(0.0, 2.0 * tau, 0.5, 0.5);

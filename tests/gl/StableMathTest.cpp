@@ -48,8 +48,8 @@ private:
 };
 
 TEST_F(StableMath, oneMinusExpNegKeepsItsDigitsFromTinyToLarge) {
-  // exp2 of llvmpipe is good to 2.3e-7 relative (NUMERICS 3.0); at the series' end 1 - e^-x is a quarter of
-  // it.
+  // exp2 of llvmpipe is good to 2.3e-7 relative (HARD_CASES section 1); at the series' end 1 - e^-x is a
+  // quarter of it.
   const auto twin = [](const glm::dvec4& v) { return oneMinusExpNeg(v.x); };
   compare("oneMinusExpNeg(v.x)", geometric(1e-30, 100.0), twin, 2e-6);
   compare("oneMinusExpNeg(v.x)", {glm::vec4(0.0f), glm::vec4(1e30f)}, twin, 2e-7);

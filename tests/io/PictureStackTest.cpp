@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/formats/PictureStack.h"
+#include "io/formats/pictures/PictureStack.h"
 
 #include "io/ImageFile.h"
 #include "io/VolumeBytes.h"

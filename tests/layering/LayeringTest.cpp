@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
+#include "Includes.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
+#include <gtest/gtest.h>
 
 // Who may include whom (ARCHITECTURE.md). Link lines enforce most of it; includes that need no linking are
 // caught here.
@@ -16,38 +10,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = LIMN_SOURCE_DIR;
+const fs::path& root = test::sourceRoot;
 
-struct Include {
-  fs::path file; // relative to the root
-  std::string header;
-};
-
-std::vector<Include> includesBelow(const fs::path& folder) {
-  static const std::regex include(R"re(^\s*#\s*include\s*["<]([^">]+)[">])re");
-  std::vector<Include> found;
-  for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".h" && extension != ".cpp")
-      continue;
-    std::ifstream file(entry.path());
-    for (std::string line; std::getline(file, line);) {
-      std::smatch match;
-      if (std::regex_search(line, match, include))
-        found.push_back({fs::relative(entry.path(), root), match[1]});
-    }
-  }
-  return found;
-}
-
-// Fails for every include below `folder` whose header matches one of the patterns.
-void expectNoIncludes(const fs::path& folder, const std::string& pattern, const std::string& why) {
-  const std::vector<Include> includes = includesBelow(folder);
+// Fails for every include below `folder`, but for those below `except`, whose header matches the pattern.
+void expectNoIncludes(const fs::path& folder, const std::string& pattern, const std::string& why,
+                      const std::string& except = "nothing") {
+  const std::vector<test::Include> includes = test::includesBelow(folder);
   ASSERT_FALSE(includes.empty()) << folder << " holds no includes: is the folder still there?";
   const std::regex forbidden(pattern);
-  for (const Include& include : includes)
+  for (const test::Include& include : includes) {
+    if (include.file.string().starts_with(except + "/"))
+      continue;
     EXPECT_FALSE(std::regex_search(include.header, forbidden))
         << include.file << " includes " << include.header << ": " << why;
+  }
 }
 
 TEST(Layering, rendererContainsNoQt) {
@@ -92,6 +68,20 @@ TEST(Layering, onlyIoTalksToFileLibraries) {
                              "renderer/accuracy", "renderer/stability", "widgets"})
     expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
                      "files are read and written in io");
+}
+
+TEST(Layering, allJsonAndXmlIsMadeAndReadInIo) {
+  for (const char* folder : {"renderer", "widgets", "app"})
+    expectNoIncludes(folder, "nlohmann|json.hpp|json_fwd|pugixml|QJson|QXml|QDom",
+                     "texts of files are made and read in renderer/io", "renderer/io");
+}
+
+TEST(Layering, theWindowNeedsNoLaboratory) {
+  for (const Include& include : includesBelow("app"))
+    if (!include.file.string().starts_with("app/measure/") &&
+        !include.file.string().starts_with("app/commands/"))
+      EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
+          << include.file << " includes " << include.header << ": reports belong to the command line";
 }
 
 TEST(Layering, widgetsIncludeNeitherIoNorApp) {

@@ -12,7 +12,6 @@ namespace {
 using RayCasterAnalytic = test::GlTest;
 
 TEST_F(RayCasterAnalytic, everyGridExactCaseMeetsItsClosedForm) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   const nlohmann::json cases = test::analyticCases();
   RayCaster caster;
   test::CaseLedger ledger;

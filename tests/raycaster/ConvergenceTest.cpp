@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How fast the reference and the GLSL ray caster approach what they approximate when the step is halved. The
-// midpoint rule claims order 2 where the integrand is smooth. Tables are printed; bands are those of NUMERICS
-// 1.4, 1.8 to 2.2 over two halvings or more, where the error stands 20 times above the renderer's rounding.
+// midpoint rule claims order 2 where the integrand is smooth. Tables are printed; bands are those of
+// HARD_CASES section 6, 1.8 to 2.2 over two halvings or more, where the error stands 20 times above the
+// renderer's rounding.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Phantom.h"
@@ -19,7 +20,7 @@
 namespace limn {
 namespace {
 
-// |float - double| of one pixel under the same discretisation, in NUMERICS 1.4.
+// |float - double| of one pixel under the same discretisation, by HARD_CASES section 6.
 constexpr double floatFloor = 1e-6;
 constexpr double overFloor = 20.0;
 
@@ -66,7 +67,6 @@ void compareRay(RayCaster& caster, const test::ConvergingRay& ray, Preintegratio
 }
 
 TEST_F(Convergence, midpointSamplingShowsTheOrdersThatTheCasesState) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   std::cout << "largest error of colour and alpha by number of samples (order of the halving)\n";
   RayCaster caster;
   for (const nlohmann::json& one : test::analyticCases())
@@ -76,9 +76,8 @@ TEST_F(Convergence, midpointSamplingShowsTheOrdersThatTheCasesState) {
 }
 
 // The scalar is taken as linear within a step, and the mean colour lies at no particular depth of it: both
-// cost O(h²) (NUMERICS 1.2, "mean colour x alpha"). Alpha of the ramps is exact and shows no order.
+// cost O(h²) (HARD_CASES section 6, "mean colour x alpha"). Alpha of the ramps is exact and shows no order.
 TEST_F(Convergence, preintegratedStepsAreOfOrderTwo) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   RayCaster caster;
   for (const nlohmann::json& one : test::analyticCases())
     for (test::ConvergingRay& ray : test::convergingRays(one))

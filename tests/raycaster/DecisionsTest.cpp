@@ -7,7 +7,6 @@
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"
 #include "support/Orders.h"
-#include "support/TestData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +40,7 @@ Scene betweenTwoVoxels(const TransferFunction& function) {
   return scene;
 }
 
-// Finding 5 (case A5): between an entry of opacity 0 and one of opacity 1 lies 1/2, which over a tenth of the
+// H27, closed form A5: between an entry of opacity 0 and one of opacity 1 lies 1/2, which over a tenth of the
 // unit distance is 1 - (1/2)^(1/10) = 0.067. Corrected first, the entries are 0 and 1 - (2^-24)^(1/10) =
 // 0.811, because opacity is limited to 1 - 2^-24, and half of that lies between: six times too much. (The
 // case has no such limit and comes to 0.5.)
@@ -59,7 +58,7 @@ TEST_F(DecisionPixels, anOpacityCorrectedInTheTableIsFarTooHighBetweenItsEntries
               rounding);
 }
 
-// Finding 6 (case K2): an opacity of 0.001 is 0 in 8 bits, and 1/255 the least that is not.
+// H27, closed form K2: an opacity of 0.001 is 0 in 8 bits, and 1/255 the least that is not.
 TEST_F(DecisionPixels, aTableOfBytesLosesWhatIsFaintAndDeep) {
   Scene scene = test::rayThrough(test::boxOf(glm::dvec3(1000.0)));
   scene.transferFunction = test::constantFunction(0.001, glm::dvec3(1.0));
@@ -102,10 +101,9 @@ TEST_F(DecisionPixels, voxelsClassifiedBeforeInterpolationMissWhatLiesBetweenThe
   }
 }
 
-// Finding 9, on the ramps of case B1: the middle of a step is of order 2, its front of order 1 (NUMERICS 1.2;
-// the bands are those of 1.4).
+// On the ramps of closed form B1: the middle of a step is of order 2, its front of order 1 (bands of
+// HARD_CASES section 6).
 TEST_F(DecisionPixels, samplesAtTheFrontOfTheirStepsAreOfOrderOne) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   constexpr double floor = 20.0 * 1e-6; // where rounding hides the order
   RayCaster middle;
   RayCaster front = casterWith({.place = SamplePlace::front});
@@ -135,7 +133,7 @@ TEST_F(DecisionPixels, samplesAtTheFrontOfTheirStepsAreOfOrderOne) {
   EXPECT_GT(rays, 0);
 }
 
-// A pixel's colour is the scalar at its place between two voxels of 0 and 1 (finding 7).
+// A pixel's colour is the scalar at its place between two voxels of 0 and 1 (H30).
 std::vector<float> interpolated(VolumeFormat format, int pixels) {
   Scene scene = betweenTwoVoxels({1.0, {{0.0, glm::dvec3(0.0), 1.0}, {1.0, glm::dvec3(1.0), 1.0}}});
   scene.projection = Projection::mip;

@@ -4,6 +4,7 @@
 #include "scene/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/JudgedTime.h"
 #include "support/Sanitizers.h"
 #include "support/TestData.h"
 
@@ -91,20 +92,22 @@ TEST(EmptySpaceDistances, anEditOnTheCtHeadIsAnsweredWithinFiveMilliseconds) {
   const auto volume = test::ctHead();
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
   TransferFunction function = test::skinMuscleBone();
-  // The best of many: what else the machine does must not count.
-  double best = 1e9;
+  // The best of many; of its own thread, because what else the machine does must not count.
+  double bestMs = 1e9, bestOwnMs = 1e9;
   for (int i = 0; i < 25; ++i) {
     function = withPointMoved(function, 3, 41.0 + i, 0.12);
+    const double ownBefore = test::threadMs();
     const auto start = std::chrono::steady_clock::now();
     const PiecewiseTable table = tableOf(function, volume->range());
     const std::vector<std::uint8_t> distances = emptyDistances(ranges, {&table, {}});
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     ASSERT_EQ(distances.size(), ranges.ranges.size());
-    best = std::min(best, ms.count());
+    bestMs = std::min(bestMs, ms.count());
+    bestOwnMs = std::min(bestOwnMs, test::threadMs() - ownBefore);
   }
-  std::cout << best << " ms for " << ranges.ranges.size() << " blocks\n";
   LIMN_NEEDS_ITS_OWN_TIME;
-  EXPECT_LE(best, 5.0);
+  EXPECT_LE(bestOwnMs, 5.0);
+  test::judgeMs("the best of 25 edits on the CT head", bestMs, 5.0);
 }
 
 using EmptySpaceSkipping = test::GlTest;

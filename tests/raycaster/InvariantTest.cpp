@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold for every picture of every renderer, without knowing what it shows (NUMERICS 2). One row per
-// renderer: the tolerance is its rounding, for positions that are computed from another side or in other
-// units.
+// What must hold for every picture of every renderer, without knowing what it shows (HARD_CASES section 4).
+// One row per renderer: the tolerance is its rounding, for positions that are computed from another side or
+// in other units.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Phantom.h"
@@ -33,7 +33,7 @@ std::vector<Renderer> renderers() {
     return Pixels(image.pixels.begin(), image.pixels.end());
   };
   const auto exact = [](const Scene& scene) { return renderReference(scene, pictureSize).pixels; };
-  // GLSL: NUMERICS 3.3 for the whole picture, 2 for the order of colour and alpha.
+  // GLSL: HARD_CASES section 5 for the whole picture, 4 for the order of colour and alpha.
   return {{"reference", exact, 1e-10, 1e-14}, {"GLSL", drawn, 2e-4, 1e-6}};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program fetches no more texels than its effects need: counted in the assembled text, through every
-// function that is called (NUMERICS 4.3).
+// function that is called.
 #include "raycaster/ShaderVariant.h"
 
 #include <gtest/gtest.h>

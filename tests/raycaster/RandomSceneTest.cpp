@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random scenes: the reference and GLSL against each other where nobody would think of looking
-// (NUMERICS 3.3). A kind chooses the effects, so that a few programs serve many seeds; a seed chooses all
-// numbers.
+// (HARD_CASES section 5). A kind chooses the effects, so that a few programs serve many seeds; a seed chooses
+// all numbers.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/RayFrame.h"
@@ -126,7 +126,7 @@ const Kind kinds[] = {
     {"X-ray", ShadingModel::none, [](Scene& scene, Dice&, double) { scene.projection = Projection::xray; }},
 };
 
-constexpr double tolerance = 2e-4; // NUMERICS 3.3
+constexpr double tolerance = 2e-4; // HARD_CASES section 5
 // The share of pixels where the last bit may decide: on a step of the transfer function, a tangent of a
 // surface, the edge between two cut faces.
 constexpr double decidedByRounding = 0.001;

@@ -129,8 +129,8 @@ TEST(ShaderVariantText, everyBlockIsAscii) {
 }
 
 TEST(ShaderVariantText, noBlockAsksWhetherANumberIsOneOrRaisesItUnguarded) {
-  // Drivers differ in all of these (NUMERICS 3.0): numbers are sound before they reach a shader, and the
-  // guarded forms stand in stable_math.glsl.
+  // Drivers differ in all of these (HARD_CASES section 1): numbers are sound before they reach a shader, and
+  // the guarded forms stand in stable_math.glsl.
   const std::regex unguarded(R"(\b(isnan|isinf|pow|normalize)\s*\()");
   for (const EmbeddedShader& shader : embeddedShaders())
     EXPECT_FALSE(std::regex_search(std::string(shader.text), unguarded)) << shader.name;

@@ -65,7 +65,6 @@ void compareRefined(const test::RefinedRay& ray, CaseLedger& ledger) {
 }
 
 TEST(ReferenceAnalytic, everyRenderCaseMeetsItsClosedForm) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   const nlohmann::json cases = test::analyticCases();
   CaseLedger ledger;
   for (const test::AnalyticRay& ray : test::analyticRays(cases))

@@ -30,7 +30,7 @@ TEST(Camera, defaultLooksAtThePatientsFaceFromTheDistanceOfTheDefinition) {
   Grid grid;
   grid.dims = {10, 20, 30};
   const Camera camera = defaultCamera(grid);
-  // RENDERING section 8: centre + (0,-1,0) · 1.1 · R / sin 15°.
+  // DEFINITION section 8: centre + (0,-1,0) · 1.1 · R / sin 15°.
   const double distance = 1.1 * std::sqrt(1400.0) / 2.0 / std::sin(std::numbers::pi / 12.0);
   EXPECT_NEAR(camera.position.y, 9.5 - distance, 1e-9);
   EXPECT_NEAR(camera.target.x, 4.5, 1e-12);

@@ -30,7 +30,6 @@ bool isSliceable(const Scene& scene) {
 }
 
 TEST_P(SliceAnalytic, everyGridExactCaseThatSlicesDrawMeetsItsClosedForm) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   const nlohmann::json cases = test::analyticCases();
   SliceRenderer renderer(GetParam());
   test::CaseLedger ledger;

@@ -2,12 +2,11 @@
 // The slice renderer claims order 2 in its step: the error falls to a quarter as the step halves. Measured
 // against closed forms on single rays and, for whole pictures of a smooth field, against the reference at a
 // step eight times finer than the finest, whose own error is a 64th of the smallest measured.
+#include "accuracy/ImageError.h"
 #include "slices/SliceRenderer.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
-
-#include "Levels.h"
 
 #include <cstdio>
 
@@ -16,12 +15,12 @@ namespace {
 
 using SliceOrder = test::GlTest;
 
-// NUMERICS 1.4: an order counts as 2 from 1.8 to 2.2.
+// HARD_CASES section 6: an order counts as 2 from 1.8 to 2.2.
 void expectSecondOrder(double coarse, double fine, const std::string& what) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2) << what << ": " << coarse << " to " << fine;
 }
 
-// Steps at which the error exceeds 20 times the floor of float, about 1e-6 (NUMERICS 1.4).
+// Steps at which the error exceeds 20 times the floor of float, about 1e-6 (HARD_CASES section 6).
 void expectSecondOrderOn(const test::AnalyticRay& ray, double lengthMm,
                          std::initializer_list<double> samples) {
   SliceRenderer renderer;
@@ -40,7 +39,6 @@ void expectSecondOrderOn(const test::AnalyticRay& ray, double lengthMm,
 }
 
 TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B1_ramp_linear_tau_k8.0" || one["id"] == "B1_ramp_linear_tau_k2.0")
@@ -52,7 +50,6 @@ TEST_F(SliceOrder, aRampOfExtinctionConvergesWithTheSquareOfTheStep) {
 }
 
 TEST_F(SliceOrder, aCubicRampConvergesWithTheSquareOfTheStep) {
-  LIMN_NEEDS_SHARED(test::analyticCasesFile);
   int rays = 0;
   for (const nlohmann::json& one : test::analyticCases())
     if (one["id"] == "B6_trilinear_xyz_diagonal")
@@ -143,12 +140,11 @@ TEST_F(SliceOrder, picturesOfASmoothFieldConvergeWithTheSquareOfTheStep) {
     row.apply(scene);
     scene.quality.stepVoxels = 1.0 / 64.0;
     const ReferencePicture reference = renderReference(scene, size);
-    test::Levels before;
+    ImageError before;
     for (const double step : {0.5, 0.25, 0.125}) {
       scene.quality.stepVoxels = step;
-      const test::Levels error =
-          test::levelsBetween(test::toDouble(renderer.render(scene, size)), reference.pixels);
-      std::printf("%-26s %8.4f %9.5f %9.5f", row.what, step, error.mean, error.p999);
+      const ImageError error = imageError(renderer.render(scene, size), reference.pixels);
+      std::printf("%-26s %8.4f %9.5f %9.5f", row.what, step, error.mean, error.p99_9);
       if (before.mean > 0.0) {
         std::printf(" %6.2f\n", std::log2(before.mean / error.mean));
         expectSecondOrder(before.mean, error.mean, row.what);

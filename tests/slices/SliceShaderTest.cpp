@@ -14,9 +14,16 @@ namespace limn {
 namespace {
 
 // Refused or dropped by sliceEffects, or drawn by tests alone.
-const EffectSet notOfSlices = projectionEffects.without(Effect::xray)
-                                  .with({Effect::earlyTermination, Effect::emptySpaceSkipping,
-                                         Effect::longRays, Effect::unlimited, Effect::sampleCounts});
+const EffectSet notOfSlices{Effect::mip,
+                            Effect::minip,
+                            Effect::average,
+                            Effect::isosurface,
+                            Effect::hybrid,
+                            Effect::earlyTermination,
+                            Effect::emptySpaceSkipping,
+                            Effect::longRays,
+                            Effect::unlimited,
+                            Effect::sampleCounts};
 
 std::set<EffectSet> sliceSets() {
   const EffectSet lit{Effect::lighting, Effect::diffuse, Effect::specular};

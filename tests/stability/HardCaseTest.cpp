@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/HardCase.h"
 #include "stability/Workbench.h"
+#include "stability/cases/Cases.h"
 #include "support/GlTest.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 2000 random scenes (NUMERICS 3.3), in parts so that they run beside each other. `limn stability --fuzz N
+// 2000 random scenes (HARD_CASES section 5), in parts so that they run beside each other. `limn stability
+// --fuzz N
 // --seed S` draws any others.
 #include "stability/PictureFuzz.h"
 #include "support/GlTest.h"

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "support/TestData.h"
-
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 
 namespace limn::test {
 
-inline const char* const analyticCasesFile = "analytic_cases.json";
-
-/// The array of cases of the shared file; it must exist (LIMN_NEEDS_SHARED).
+/// The array of cases of analytic_cases.json, which lies beside this file.
 inline nlohmann::json analyticCases() {
-  std::ifstream stream(sharedFolder() / analyticCasesFile);
+  std::ifstream stream(std::filesystem::path(LIMN_SOURCE_DIR) / "tests/support/analytic_cases.json");
   return nlohmann::json::parse(stream)["cases"];
 }
 

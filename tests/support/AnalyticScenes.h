@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/SimpleScenes.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -45,7 +45,7 @@ struct RefinedRay {
   int channel = 3;       ///< of the pixel, which shows the figure: alpha
   double expected = 0.0; ///< of the field
   double coarsestMm = 0.0;
-  static constexpr int halvings = 2; ///< "two consecutive halvings" (NUMERICS 1.4)
+  static constexpr int halvings = 2; ///< "two consecutive halvings" (HARD_CASES section 6)
   int lattices = 0;                  ///< to average over
   double lowestOrder = 0.0; ///< the band in which log2 of the ratio of mean errors must lie at every halving
   double highestOrder = 0.0;

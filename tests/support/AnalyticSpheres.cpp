@@ -55,8 +55,9 @@ RefinedRay refinedRay(const json& one, const char* what, const RadialField& fiel
     return radialScene(field, b, halfLength, function, voxelMm, shift);
   };
   ray.coarsestMm = 1.0 / 64.0;
-  // NUMERICS 1.4: an order 1 shows as 0.85 to 1.15, an order 2 as 1.8 to 2.2. The errors of jumps spread by
-  // about 0.7 of their mean, so an order between means of n of them is uncertain by 0.7·√2/(√n·ln 2), 0.045.
+  // HARD_CASES section 6: an order 1 shows as 0.85 to 1.15, an order 2 as 1.8 to 2.2. The errors of jumps
+  // spread by about 0.7 of their mean, so an order between means of n of them is uncertain by 0.7·√2/(√n·ln
+  // 2), 0.045.
   const bool isFirst = one["tolerance"]["order_in_voxel_size"] == 1;
   ray.lowestOrder = isFirst ? 0.85 : 1.8;
   ray.highestOrder = isFirst ? 1.15 : 2.2;

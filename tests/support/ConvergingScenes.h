@@ -10,7 +10,7 @@ namespace limn::test {
 
 /// A ray, and the premultiplied colour and alpha that finer steps approach.
 struct ConvergingRay {
-  std::string what; ///< the case or NUMERICS 1.2
+  std::string what; ///< the closed form, or N1
   Scene scene;
   double lengthMm = 1.0;
   std::optional<double> alpha;
@@ -25,7 +25,7 @@ struct ConvergingRay {
 /// The rays of a case for which it states an order in the step: B1, B2, B6 and K3.
 std::vector<ConvergingRay> convergingRays(const nlohmann::json& one);
 
-/// N1, a wave through a narrow function, which has no closed form.
+/// N1 (HARD_CASES section 6), a wave through a narrow function, which has no closed form.
 ConvergingRay convergingWave();
 
 /// The ray's scene with a step that makes so many samples.

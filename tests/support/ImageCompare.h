@@ -9,7 +9,7 @@
 
 namespace limn::test {
 
-/// Differences of premultiplied channels in 8-bit levels (RENDERING section 9, before quantising).
+/// Differences of premultiplied channels in 8-bit levels (DEFINITION section 9, before quantising).
 struct Difference {
   double largest = 0.0;
   double mean = 0.0; ///< over the four channels of pixels that either picture covers (alpha ≥ 1/510)

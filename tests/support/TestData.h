@@ -7,7 +7,7 @@
 
 namespace limn::test {
 
-/// The folder of real volumes and facts shared beside the checkout (environment variable LIMN_SHARED, by
+/// The folder of real volumes shared beside the checkout (environment variable LIMN_SHARED, by
 /// default ../shared); it may not exist.
 inline std::filesystem::path sharedFolder() {
   if (const char* given = std::getenv("LIMN_SHARED"))

@@ -2,16 +2,17 @@
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
-#include "widgets/accuracy/AccuracyChartView.h"
-#include "widgets/accuracy/DialSection.h"
-#include "widgets/accuracy/MapSection.h"
-#include "widgets/accuracy/MeasuredSection.h"
-#include "widgets/accuracy/StopSlider.h"
-#include "widgets/accuracy/WishSection.h"
-#include "widgets/accuracy/WorkRow.h"
+#include "widgets/accuracy/chart/AccuracyChartView.h"
+#include "widgets/accuracy/sections/DialSection.h"
+#include "widgets/accuracy/sections/MapSection.h"
+#include "widgets/accuracy/sections/MeasuredSection.h"
+#include "widgets/accuracy/sections/StopSlider.h"
+#include "widgets/accuracy/sections/WishSection.h"
+#include "widgets/accuracy/sections/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
@@ -260,6 +261,20 @@ TEST_F(AccuracyPanelTest, theTimeWhileMovingIsChosenFromAFew) {
   QTest::keyClick(box, Qt::Key_Up);
   ASSERT_EQ(picked.count(), 1);
   EXPECT_EQ(picked[0][0].toDouble(), 33.0);
+}
+
+TEST_F(AccuracyPanelTest, theDialIsASliderForThoseWhoCannotSeeIt) {
+  measure();
+  QAccessibleInterface* slider = QAccessible::queryAccessibleInterface(&dial());
+  EXPECT_EQ(slider->role(), QAccessible::Slider);
+  EXPECT_EQ(slider->text(QAccessible::Name), QStringLiteral("Faster or closer to exact"));
+  QAccessibleValueInterface* value = slider->valueInterface();
+  ASSERT_NE(value, nullptr);
+  EXPECT_EQ(value->minimumValue().toInt(), 0);
+  EXPECT_EQ(value->maximumValue().toInt(), dial().maximum());
+  EXPECT_EQ(value->currentValue().toInt(), dial().value());
+  value->setCurrentValue(dial().value() + 1);
+  EXPECT_EQ(edits, 1);
 }
 
 TEST_F(AccuracyPanelTest, everyControlHasANameForThoseWhoCannotSeeIt) {

@@ -2,10 +2,10 @@
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
 #include "widgets/Theme.h"
-#include "widgets/accuracy/ErrorMapOverlay.h"
-#include "widgets/accuracy/ErrorScale.h"
-#include "widgets/accuracy/PointText.h"
-#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/map/ErrorMapOverlay.h"
+#include "widgets/accuracy/map/ErrorScale.h"
+#include "widgets/accuracy/points/PointText.h"
+#include "widgets/accuracy/points/PointUse.h"
 
 #include <QLocale>
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/ColorButton.h"
-#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/RangeSlider.h"
 #include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/SpringSlider.h"
-#include "widgets/controls/TrackSlider.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/color/ColorButton.h"
+#include "widgets/controls/color/ColorPicker.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/SpringSlider.h"
+#include "widgets/controls/sliders/TrackSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QApplication>
 #include <QComboBox>

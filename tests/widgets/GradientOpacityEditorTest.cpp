@@ -2,14 +2,14 @@
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "scene/GradientHistogram.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/controls/ColorButton.h"
-#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/color/ColorButton.h"
+#include "widgets/controls/color/ColorPicker.h"
 #include "widgets/curve/CurvePanel.h"
-#include "widgets/curve/PointFields.h"
-#include "widgets/curve/PointPopup.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/curve/points/PointFields.h"
+#include "widgets/curve/points/PointPopup.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 #include "widgets/scene/PropertiesPanel.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/TrackSlider.h"
+#include "widgets/controls/sliders/TrackSlider.h"
 #include "widgets/scene/QualitySection.h"
 #include "widgets/shading/LightAngles.h"
 #include "widgets/shading/ShadingSection.h"

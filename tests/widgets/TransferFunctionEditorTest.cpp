@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/SpringSlider.h"
-#include "widgets/controls/TrackSlider.h"
-#include "widgets/curve/PointFields.h"
-#include "widgets/curve/PointPopup.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/controls/color/ColorPicker.h"
+#include "widgets/controls/sliders/SpringSlider.h"
+#include "widgets/controls/sliders/TrackSlider.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/curve/points/PointFields.h"
+#include "widgets/curve/points/PointPopup.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "widgets/Gesture.h"
-#include "widgets/accuracy/ComparedPicture.h"
-#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/map/ComparedPicture.h"
+#include "widgets/accuracy/points/PointUse.h"
 
 #include <QScrollArea>
 

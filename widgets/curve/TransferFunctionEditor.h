@@ -4,7 +4,7 @@
 #include "scene/Histogram.h"
 #include "scene/TransferFunction.h"
 #include "widgets/Gesture.h"
-#include "widgets/curve/CurveSubject.h"
+#include "widgets/curve/edits/CurveSubject.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 #include "widgets/presets/PresetModel.h"
 
 #include "widgets/Theme.h"
-#include "widgets/curve/CanvasPicture.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -13,12 +13,8 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("PresetModel", text);
-}
-
 QString groupTitle(const QString& modality) {
-  return modality.isEmpty() ? translated(QT_TRANSLATE_NOOP("PresetModel", "Any data")) : modality;
+  return modality.isEmpty() ? QCoreApplication::translate("PresetModel", "Any data") : modality;
 }
 
 QStandardItem* groupItem(QStandardItemModel& model, const QString& title) {
@@ -98,7 +94,7 @@ void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& built
     groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
   };
   for (const Preset& preset : own)
-    add(preset, true, translated(QT_TRANSLATE_NOOP("PresetModel", "My presets")));
+    add(preset, true, QCoreApplication::translate("PresetModel", "My presets"));
   for (const Preset& preset : builtIn)
     add(preset, false, groupTitle(QString::fromStdString(preset.modality)));
 }

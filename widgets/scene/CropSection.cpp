@@ -2,7 +2,7 @@
 #include "widgets/scene/CropSection.h"
 
 #include "widgets/ValueText.h"
-#include "widgets/controls/RangeSlider.h"
+#include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/scene/AxisNames.h"
 #include "widgets/scene/CropFaces.h"
 

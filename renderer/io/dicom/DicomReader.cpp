@@ -1,36 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomReader.h"
 
-#include "io/MachineMemory.h"
-#include "io/PlainText.h"
-#include "io/PlausibleGrid.h"
-#include "io/RealFolder.h"
-#include "io/dicom/DicomGeometry.h"
-#include "io/dicom/DicomPhases.h"
 #include "io/dicom/DicomResample.h"
-#include "io/dicom/DicomScan.h"
 #include "io/dicom/DicomVoxels.h"
-#include "scene/Error.h"
+#include "io/dicom/series/DicomGeometry.h"
+#include "io/dicom/series/DicomPhases.h"
+#include "io/dicom/series/DicomScan.h"
+#include "io/reading/MachineMemory.h"
+#include "io/reading/PlainText.h"
+#include "io/reading/PlausibleGrid.h"
+#include "io/reading/ReadError.h"
+#include "io/reading/RealFolder.h"
 
 #include <algorithm>
-#include <new>
 
 namespace limn {
 namespace {
 
 constexpr std::size_t mostFilesLookedAt = 2000;
 constexpr double mostVoxels = 4e9;
-
-// The part of the progress that a step takes.
-Progress part(const Progress& whole, double from, double to) {
-  Progress result;
-  result.isCancelled = whole.isCancelled;
-  if (whole.report)
-    result.report = [report = whole.report, from, to](double fraction, const std::string& what) {
-      report(from + (to - from) * fraction, what);
-    };
-  return result;
-}
 
 std::string nameOf(const std::filesystem::path& path) {
   return path.has_filename() ? path.filename().string() : path.string();
@@ -130,7 +118,7 @@ auto named(const std::filesystem::path& path, Step&& step) {
   try {
     return step();
   } catch (const Error& error) {
-    throw Error(error.kind(), "Cannot read " + path.string() + ": " + error.what());
+    failReading(path, error);
   }
 }
 
@@ -201,23 +189,16 @@ bool isDicom(const std::filesystem::path& path) {
 
 std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const ReadOptions& options,
                                         const Progress& progress) {
-  try {
-    const DicomScan scan = scanDicom(path, part(progress, 0.0, 0.3));
-    requireImages(path, scan);
-    std::vector<std::string> warnings;
-    noteScan(path, scan, warnings);
-    DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
-    series = withoutCopies(std::move(series), warnings);
-    if (isPlaced(series))
-      series = onePhase(series, warnings);
-    requireSeries(series);
-    return volumeOf(path, series, options, progress, std::move(warnings));
-  } catch (const std::bad_alloc&) {
-    throw Error(Error::Kind::input,
-                nameOf(path) + " does not fit into the memory of this computer; choose a smaller series.");
-  } catch (const std::filesystem::filesystem_error& error) {
-    throw Error(Error::Kind::input, nameOf(path) + " cannot be read (" + error.code().message() + ").");
-  }
+  const DicomScan scan = scanDicom(path, part(progress, 0.0, 0.3));
+  requireImages(path, scan);
+  std::vector<std::string> warnings;
+  noteScan(path, scan, warnings);
+  DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
+  series = withoutCopies(std::move(series), warnings);
+  if (isPlaced(series))
+    series = onePhase(series, warnings);
+  requireSeries(series);
+  return volumeOf(path, series, options, progress, std::move(warnings));
 }
 
 std::vector<SeriesSummary> listDicomSeries(const std::filesystem::path& path) {

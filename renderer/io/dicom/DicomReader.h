@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/VolumeReader.h"
+#include "io/reading/Progress.h"
+#include "io/reading/ReadOptions.h"
+#include "io/reading/SeriesSummary.h"
+#include "scene/Volume.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace limn {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomResample.h"
 
-#include "io/dicom/DicomScan.h"
+#include "io/dicom/series/DicomScan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/dicom/DicomGeometry.h"
 #include "io/dicom/DicomVoxels.h"
+#include "io/dicom/series/DicomGeometry.h"
 
 namespace limn {
 

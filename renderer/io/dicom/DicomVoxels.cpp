@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomVoxels.h"
 
-#include "io/dicom/DicomPixelReader.h"
-#include "io/dicom/DicomScan.h"
-#include "io/dicom/DicomUnpack.h"
+#include "io/dicom/pixels/DicomPixelReader.h"
+#include "io/dicom/pixels/DicomUnpack.h"
+#include "io/dicom/series/DicomScan.h"
 #include "scene/Error.h"
 
 #include <algorithm>

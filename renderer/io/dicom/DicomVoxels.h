@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/VolumeReader.h"
-#include "io/dicom/DicomSeries.h"
+#include "io/dicom/series/DicomSeries.h"
+#include "io/reading/Progress.h"
 
 namespace limn {
 

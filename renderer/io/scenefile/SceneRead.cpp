@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/scenefile/JsonFields.h"
 #include "io/scenefile/SceneFile.h"
-#include "io/scenefile/SceneJson.h"
 
+#include "io/json/JsonText.h"
+#include "io/scenefile/SceneJson.h"
 #include "scene/LocalSteps.h"
 #include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+
+#include <nlohmann/json.hpp>
 
 namespace limn {
 namespace {

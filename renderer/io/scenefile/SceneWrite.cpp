@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
-#include "io/scenefile/SceneJson.h"
 
+#include "io/json/JsonText.h"
+#include "io/scenefile/SceneJson.h"
 #include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+
+#include <nlohmann/json.hpp>
 
 namespace limn {
 namespace {
@@ -123,11 +126,6 @@ nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) 
            {{"width", scene.image.width},
             {"height", scene.image.height},
             {"background", toJson(scene.image.background)}}}};
-}
-
-std::string textOf(const nlohmann::ordered_json& json) {
-  // File names may hold bytes that are not UTF-8; they are replaced rather than lost with the whole scene.
-  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 std::string sceneToJson(const Scene& scene, const std::string& volume) {

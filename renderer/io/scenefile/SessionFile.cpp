@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SessionFile.h"
+
+#include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
 #include "scene/ModelName.h"
+
+#include <nlohmann/json.hpp>
 
 namespace limn {
 namespace {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SettingsFile.h"
-#include "io/scenefile/SceneJson.h"
+
+#include "io/json/JsonFields.h"
+#include "io/json/JsonText.h"
+
+#include <nlohmann/json.hpp>
 
 namespace limn {
 

@@ -6,6 +6,9 @@
 /// The hard cases by what they are about. Their numbers are those of the project's notes on numerics.
 namespace limn {
 
+/// All hard cases, in order of their numbers.
+std::vector<HardCase> hardCases();
+
 std::vector<HardCase> formulaCases();  ///< gradients, powers: H1 to H3
 std::vector<HardCase> opacityCases();  ///< opacities of 0 and 1: H4, H5
 std::vector<HardCase> stepCases();     ///< tiny and huge steps, long sums: H6 to H8

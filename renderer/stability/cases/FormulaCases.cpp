@@ -84,7 +84,7 @@ std::vector<Finding> gradients(Workbench& bench) {
 }
 
 // The error of cosine^exponent, relative to what conditioning allows: exponent · 1.2e-7 of the value, at
-// least 1e-6 (NUMERICS H2). Cosines and exponents are floats that both languages hold exactly.
+// least 1e-6 (HARD_CASES H2). Cosines and exponents are floats that both languages hold exactly.
 double powerError(double value, double cosine, double exponent) {
   const double expected = cosine > 0.0 ? std::pow(std::min(cosine, 1.0), exponent) : 0.0;
   const double allowed = std::max(1e-6, exponent * 1.2e-7 * expected);

@@ -33,7 +33,7 @@ TEST_F(MarkedWindow, DISABLED_writesAllItCan) {
   window = std::make_unique<MainWindow>(); // on the folders of the user that the variables say
   window->resize(900, 640);
   window->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  ASSERT_TRUE(test::waitUntilExposed(*window));
   window->keepSessions();
   ASSERT_TRUE(open(QString::fromLocal8Bit(std::getenv(seriesVariable))));
   ASSERT_NE(scene().volume, nullptr) << messages().sentence().toStdString();
@@ -56,7 +56,7 @@ TEST_F(MarkedWindow, DISABLED_writesAllItCan) {
   dragAPoint();
   // The session that a dead window leaves, and one that is closed with changes.
   window->openSource(QStringLiteral("phantom:8"));
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
   ASSERT_TRUE(open(out("session.json")));
   ASSERT_NE(scene().volume, nullptr) << messages().sentence().toStdString();
   EXPECT_EQ(scene().volume->info().patient.id, "PID774411"); // the session found its volume

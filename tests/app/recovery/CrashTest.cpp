@@ -45,7 +45,7 @@ TEST_F(CrashVictim, DISABLED_editsAndReadsUntilItDies) {
   window = std::make_unique<MainWindow>(UserFolders::below(own));
   window->resize(900, 640);
   window->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  ASSERT_TRUE(test::waitUntilExposed(*window));
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   dragAPoint();
@@ -60,7 +60,7 @@ TEST_F(CrashVictim, DISABLED_editsAndReadsUntilItDies) {
                          ::kill(::getpid(), SIGKILL);
                      });
   window->openSource(QString::fromStdString((own / "volume.nhdr").string()));
-  EXPECT_FALSE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
+  EXPECT_FALSE(test::waitUntil([this] { return !window->loader().isLoading(); })) << "the volume was read";
 }
 
 class Crash : public test::WindowHarness {
@@ -95,7 +95,7 @@ protected:
         restore = button;
     ASSERT_NE(restore, nullptr);
     QTest::mouseClick(restore, Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !window->loader().isLoading(); }, 30000));
+    ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
     EXPECT_EQ(sessionToJson(window->sessionDocument()), test::bytesOfFile(folder.path() / "expected"));
     EXPECT_TRUE(window->isWindowModified());
   }

@@ -26,10 +26,19 @@ void limitMemory() {
     setrlimit(RLIMIT_AS, &limit);
 }
 
+// What hangs comes to an end: by the time that it works, whatever else the machine does, or by the clock
+// where it waits for something that never comes.
+void limitTime(int seconds) {
+  const auto limit = static_cast<rlim_t>(seconds);
+  const rlimit processor{limit, limit + 1}; // at the second the kernel kills without saying why
+  setrlimit(RLIMIT_CPU, &processor);
+  alarm(10 * static_cast<unsigned>(seconds));
+}
+
 [[noreturn]] void runChild(const std::function<void(const std::function<void(const std::string&)>&)>& work,
                            int seconds, int out) {
   limitMemory();
-  alarm(static_cast<unsigned>(seconds));
+  limitTime(seconds);
   work([out](const std::string& text) {
     for (std::size_t done = 0; done < text.size();) {
       const ssize_t wrote = write(out, text.data() + done, text.size() - done);
@@ -86,6 +95,14 @@ void read(const std::filesystem::path& path, const std::function<void(const std:
   say("E\n");
 }
 
+std::string howStopped(int signal, int seconds) {
+  if (signal == SIGXCPU)
+    return "took longer than " + std::to_string(seconds) + " s";
+  if (signal == SIGALRM)
+    return "waited longer than " + std::to_string(10 * seconds) + " s";
+  return "killed by signal " + std::to_string(signal);
+}
+
 } // namespace
 
 ChildEnd inChild(const std::function<void(const std::function<void(const std::string&)>& say)>& work,
@@ -112,8 +129,7 @@ ChildEnd inChild(const std::function<void(const std::function<void(const std::st
   end.peakBytes = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
   end.isWell = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (WIFSIGNALED(status))
-    end.how = WTERMSIG(status) == SIGALRM ? "took longer than " + std::to_string(seconds) + " s"
-                                          : "killed by signal " + std::to_string(WTERMSIG(status));
+    end.how = howStopped(WTERMSIG(status), seconds);
   else if (!end.isWell)
     end.how = "ended with status " + std::to_string(WEXITSTATUS(status));
   return end;

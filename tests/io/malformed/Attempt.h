@@ -12,7 +12,7 @@
 
 namespace limn::test {
 
-/// Longest time that reading may take, in seconds.
+/// Longest time that reading may take, in seconds: of a processor, and on the clock of a quiet machine.
 inline constexpr int longestSeconds = isSanitised ? 200 : 20;
 
 /// What running in a process of its own came to.
@@ -24,8 +24,8 @@ struct ChildEnd {
   std::uint64_t peakBytes = 0; ///< largest resident memory, libraries included
 };
 
-/// Runs `work` in a forked child, which is stopped after `seconds`; `work` writes by `say`. The caller must
-/// have started no thread.
+/// Runs `work` in a forked child, which is stopped after `seconds` of processor time, and where it only waits
+/// after ten times as long; `work` writes by `say`. The caller must have started no thread.
 ChildEnd inChild(const std::function<void(const std::function<void(const std::string&)>& say)>& work,
                  int seconds = longestSeconds);
 

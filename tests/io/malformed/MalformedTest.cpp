@@ -2,6 +2,7 @@
 #include "Attempt.h"
 
 #include "support/FileBytes.h"
+#include "support/JudgedTime.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
 
@@ -40,6 +41,7 @@ TEST_P(Malformed, inputBecomesTheVolumeOrAWarningOrOneSentence) {
     return;
   const FormatReport report = triedFormat(GetParam());
   EXPECT_FALSE(report.rows.empty());
+  judgeMs("the longest opening of " + report.format, 1e3 * report.worstSeconds, 1e3 * longestSeconds);
   for (const std::string& failure : report.failures)
     ADD_FAILURE() << failure;
 }

@@ -83,8 +83,6 @@ std::vector<std::string> flawsOf(const MalformedInput& input, const Attempt& att
     flaws.push_back("took " + std::to_string((attempt.peakBytes - standing.peakBytes) >> 20) +
                     " MiB more than a sound file, for " + std::to_string(attempt.decodedBytes >> 20) +
                     " MiB of voxels");
-  if (attempt.seconds > longestSeconds)
-    flaws.push_back("took " + std::to_string(attempt.seconds) + " s");
   return flaws;
 }
 

@@ -114,7 +114,7 @@ TEST_P(CropBoxInSingleView, theBoxLeavesThePictureAtRestAsItIs) {
   host.view.setCropBoxVisible(false);
   host.view.setCropBoxVisible(true);
   host.move(handle({0, true}));
-  QTest::qWait(0);
+  QCoreApplication::processEvents();
   EXPECT_TRUE(host.view.pictureState().resting); // nothing is drawn anew for it
   EXPECT_TRUE(host.view.restingImage(0) == picture);
 }

@@ -28,7 +28,7 @@ Image drawnByReference(const Scene& scene, const glm::ivec2& size) {
 struct RestingHost : ViewHost {
   RestingHost() : ViewHost({400, 240}, [] { return makeReferenceEngine(1); }) { showPhantom(12.0); }
   bool isOnProcessor() {
-    return QTest::qWaitFor([this] { return view.pictureState().processorIsDone; }, 60000);
+    return test::waitUntil([this] { return view.pictureState().processorIsDone; });
   }
   const ReferencePanel& panel() { return *view.findChild<ReferencePanel*>(); }
 };
@@ -60,7 +60,7 @@ TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   });
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return restored.count() == 1; }));
   EXPECT_TRUE(isMadeAnew);
   EXPECT_TRUE(host.errors.empty());
   host.scene.transferFunction.points[2].opacity = 0.5;
@@ -83,7 +83,7 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   host.view.doneCurrent();
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return restored.count() == 1; }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return restored.count() == 1; }));
   host.scene.transferFunction.points[2].opacity = 0.5;
   host.view.setScene(host.scene);
   ASSERT_TRUE(host.rest());
@@ -141,7 +141,7 @@ TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
   host.showPhantom(12.0);
   const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 60000));
+  ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
   EXPECT_FALSE(host.drawsOnProcessor());
 }
 

@@ -66,7 +66,7 @@ TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
   host.showPhantom();
   auto refused = std::make_unique<DriverWithoutTextures>();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !host.errors.empty(); }, 10000));
+  ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
   refused.reset();
   auto* panel = host.view.findChild<MessagePanel*>();
   EXPECT_TRUE(panel->isVisible());

@@ -34,7 +34,7 @@ struct Told {
 };
 
 [[nodiscard]] bool idle(ViewHost& host) {
-  return QTest::qWaitFor([&] { return host.isIdle(); }, 30000);
+  return test::waitUntil([&] { return host.isIdle(); });
 }
 
 TEST(AtRest, tellsTheEffectsOfTheRightPictureAndOfEveryChange) {
@@ -43,20 +43,20 @@ TEST(AtRest, tellsTheEffectsOfTheRightPictureAndOfEveryChange) {
   host.view.setCompareLayout(CompareLayout::sideBySide);
   host.showPhantom();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return told.changes == 1; }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return told.changes == 1; }));
   EXPECT_EQ(told.picture, QStringLiteral("Enhanced (right)"));
   EXPECT_TRUE(told.isOn("opacity_map"));
   EXPECT_FALSE(told.isOn("fog"));
   host.scene.fog = {Fog::Mode::exp, glm::dvec3(0.1), 0.001, 0.0, 0.0};
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return told.isOn("fog"); }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return told.isOn("fog"); }));
   host.scene.camera.position *= 1.01;
   const int changes = told.changes;
   host.view.setScene(host.scene);
   ASSERT_TRUE(host.rest());
   EXPECT_EQ(told.changes, changes) << "another camera calls for the same";
   host.view.setScene({});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return told.rows.empty(); }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return told.rows.empty(); }));
 }
 
 TEST(AtRest, measuresTheCostsOnRequestAndStopsWhenTheSceneChanges) {
@@ -67,16 +67,16 @@ TEST(AtRest, measuresTheCostsOnRequestAndStopsWhenTheSceneChanges) {
   ASSERT_TRUE(idle(host));
   EXPECT_TRUE(told.times.costs.empty()) << "nobody asked";
   host.view.measureEffects();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return told.times.fraction > 0.2; }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return told.times.fraction > 0.2; }));
   EXPECT_TRUE(told.times.isMeasuring);
   host.scene.camera.position *= 1.01;
   host.view.setScene(host.scene);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return told.times == EffectTimes{}; }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return told.times == EffectTimes{}; }));
   ASSERT_TRUE(idle(host));
   EXPECT_EQ(told.times, EffectTimes{}) << "it does not begin again by itself";
   const QImage before = host.view.currentPicture(0);
   host.view.measureEffects();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !told.times.costs.empty(); }, 30000));
+  ASSERT_TRUE(test::waitUntil([&] { return !told.times.costs.empty(); }));
   ASSERT_EQ(told.times.costs.size(), told.rows.size());
   for (std::size_t i = 0; i < told.rows.size(); ++i)
     EXPECT_EQ(told.times.costs[i].has_value(), told.rows[i].isOn) << told.rows[i].name;

@@ -4,6 +4,7 @@
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCasterEngine.h"
 #include "scene/Phantom.h"
+#include "support/Waiting.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/pictures/PictureLoop.h"
 
@@ -56,12 +57,12 @@ public:
   /// Shows the window; a test cannot go on without.
   [[nodiscard]] bool show() {
     view.show();
-    return QTest::qWaitForWindowExposed(&view);
+    return test::waitUntilExposed(view);
   }
 
-  /// Waits until every picture is complete. Half a minute is for machines that do much else.
+  /// Waits until every picture is complete.
   [[nodiscard]] bool rest() {
-    return QTest::qWaitFor([this] { return view.pictureState().resting; }, 30000);
+    return test::waitUntil([this] { return view.pictureState().resting; });
   }
 
   const PictureLoop& loop() const { return *view.findChild<PictureLoop*>(); }

@@ -60,7 +60,7 @@ double gradientOpacityAt(const GradientOpacity& curve, double modulus) {
   return glm::mix(left->opacity, right->opacity, w);
 }
 
-// The opacity of samples as the side's model shows them (RENDERING sections 3 and 5).
+// The opacity of samples as the side's model shows them (DEFINITION sections 3 and 5).
 class SampleOpacity {
 public:
   SampleOpacity(const Scene& scene, const GradientScale& scale)

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/dicom/series/DicomPhases.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+namespace limn {
+namespace {
+
+/// All slices at one position.
+using Station = std::vector<DicomSlice>;
+
+struct PhaseName {
+  DicomPhase phase;
+  const char* name;
+  bool isTime; // differs from slice to slice, so that only its order at a position means something
+};
+
+constexpr PhaseName phaseNames[dicomPhaseCount] = {
+    {DicomPhase::temporalPosition, "temporal position", false},
+    {DicomPhase::triggerTime, "trigger time", true},
+    {DicomPhase::cardiacDelay, "delay after the heart beat", true},
+    {DicomPhase::echoTime, "echo time", false},
+    {DicomPhase::diffusionBValue, "diffusion b-value", false},
+    {DicomPhase::imageType, "image type", false},
+    {DicomPhase::acquisitionNumber, "acquisition number", false},
+    {DicomPhase::acquisitionTime, "acquisition time", true},
+    {DicomPhase::contentTime, "content time", true}};
+
+const std::string& phaseOf(const DicomSlice& slice, DicomPhase phase) {
+  return slice.frame().phase[static_cast<std::size_t>(phase)];
+}
+
+// Numbers by size, text by its letters.
+bool comesBefore(const std::string& a, const std::string& b) {
+  double x = 0.0;
+  double y = 0.0;
+  const auto readA = std::from_chars(a.data(), a.data() + a.size(), x);
+  const auto readB = std::from_chars(b.data(), b.data() + b.size(), y);
+  const bool areNumbers = readA.ec == std::errc() && readB.ec == std::errc();
+  return areNumbers && x != y ? x < y : a < b;
+}
+
+struct Before {
+  bool operator()(const std::string& a, const std::string& b) const { return comesBefore(a, b); }
+};
+
+std::vector<Station> stationsOf(const DicomSeries& series) {
+  std::vector<Station> stations;
+  const double tolerance = sameDistanceMm(series);
+  double last = 0.0;
+  for (const DicomSlice& slice : series) {
+    const double distance = distanceMm(slice, series);
+    if (stations.empty() || distance - last > tolerance)
+      stations.emplace_back();
+    stations.back().push_back(slice);
+    last = distance;
+  }
+  return stations;
+}
+
+bool isSettled(const std::vector<Station>& stations) {
+  return std::all_of(stations.begin(), stations.end(), [](const Station& s) { return s.size() == 1; });
+}
+
+// How many positions show each value.
+std::map<std::string, std::size_t, Before> coverage(const std::vector<Station>& stations, DicomPhase phase) {
+  std::map<std::string, std::size_t, Before> counts;
+  for (const Station& station : stations) {
+    std::set<std::string> values;
+    for (const DicomSlice& slice : station)
+      values.insert(phaseOf(slice, phase));
+    for (const std::string& value : values)
+      ++counts[value];
+  }
+  return counts;
+}
+
+bool tellsSlicesApart(const std::vector<Station>& stations, DicomPhase phase) {
+  return std::any_of(stations.begin(), stations.end(), [&](const Station& station) {
+    return std::any_of(station.begin(), station.end(), [&](const DicomSlice& slice) {
+      return phaseOf(slice, phase) != phaseOf(station.front(), phase);
+    });
+  });
+}
+
+void keepValue(Station& station, DicomPhase phase, const std::string& value) {
+  const auto has = [&](const DicomSlice& slice) { return phaseOf(slice, phase) == value; };
+  if (std::any_of(station.begin(), station.end(), has))
+    std::erase_if(station, [&](const DicomSlice& slice) { return !has(slice); });
+}
+
+// Keeps the value that most positions show; of times, which differ from slice to slice, each position's
+// first.
+void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<std::string>& chosen) {
+  const auto counts = coverage(stations, name.phase);
+  const auto most = std::max_element(counts.begin(), counts.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const bool isShared = most->second == stations.size();
+  for (Station& station : stations) {
+    const auto first = std::min_element(station.begin(), station.end(), [&](const auto& a, const auto& b) {
+      return comesBefore(phaseOf(a, name.phase), phaseOf(b, name.phase));
+    });
+    keepValue(station, name.phase,
+              name.isTime && !isShared ? std::string(phaseOf(*first, name.phase)) : most->first);
+  }
+  chosen.push_back(isShared ? name.name + (" " + (most->first.empty() ? std::string("unset") : most->first)) +
+                                  " of " + std::to_string(counts.size())
+                            : std::string("the first ") + name.name + " at each position");
+}
+
+} // namespace
+
+DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings) {
+  std::set<std::pair<std::string, int>> seen;
+  const auto copies = std::erase_if(series, [&](const DicomSlice& slice) {
+    return !slice.header->sopInstance.empty() &&
+           !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
+  });
+  if (copies > 0)
+    warnings.push_back(std::to_string(copies) + (copies == 1 ? " image is a copy" : " images are copies") +
+                       " of another of the series and left out.");
+  return series;
+}
+
+DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings) {
+  std::vector<Station> stations = stationsOf(series);
+  const auto repeated = static_cast<std::size_t>(
+      std::count_if(stations.begin(), stations.end(), [](const Station& s) { return s.size() > 1; }));
+  std::size_t images = 0;
+  for (const Station& station : stations)
+    images += station.size();
+  const std::size_t leftOut = images - stations.size();
+
+  std::vector<std::string> chosen;
+  for (const PhaseName& name : phaseNames)
+    if (!isSettled(stations) && tellsSlicesApart(stations, name.phase))
+      settle(stations, name, chosen);
+  if (!isSettled(stations))
+    chosen.emplace_back("the lowest image number at each position");
+
+  if (leftOut > 0) {
+    std::string text = 2 * repeated >= stations.size() ? "The series holds several phases"
+                                                       : "The series repeats some positions";
+    text += " (" + std::to_string(images) + " images at " + std::to_string(stations.size()) +
+            " positions); shown is: " + chosen.front();
+    for (std::size_t i = 1; i < chosen.size(); ++i)
+      text += ", " + chosen[i];
+    warnings.push_back(text + ".");
+  }
+  DicomSeries result;
+  for (const Station& station : stations)
+    result.push_back(*std::min_element(station.begin(), station.end(), [](const auto& a, const auto& b) {
+      return a.header->instanceNumber.value_or(0.0) < b.header->instanceNumber.value_or(0.0);
+    }));
+  return result;
+}
+
+} // namespace limn

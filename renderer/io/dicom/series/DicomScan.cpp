@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/dicom/series/DicomScan.h"
+
+#include "io/dicom/header/DicomObjectKind.h"
+#include "io/reading/NameLikeness.h"
+#include "io/reading/ReadError.h"
+#include "io/reading/RealFolder.h"
+
+#include <algorithm>
+#include <set>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t mostFiles = 50000;
+constexpr int deepestFolder = 8;
+
+const std::string dicomDirClass = "1.2.840.10008.1.3.10";
+
+// What is known of the files of a folder while it is looked through.
+struct Findings {
+  DicomScan scan;
+  std::vector<DicomHeader> withoutPicture;
+  std::vector<std::filesystem::path> foreign; ///< they do not start as DICOM
+  std::vector<std::filesystem::path> damaged;
+};
+
+void addFile(const std::filesystem::path& path, Findings& found) {
+  try {
+    DicomHeader header = headerOf(path, parseDicom(path));
+    if (header.pixels)
+      found.scan.images.push_back(std::move(header));
+    else if (hasLostPicture(header))
+      found.damaged.push_back(path);
+    else
+      found.withoutPicture.push_back(std::move(header));
+  } catch (const Error&) {
+    found.damaged.push_back(path);
+  }
+}
+
+bool hasDicomEnding(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  const std::string name = path.filename().string();
+  return name.front() != '.' &&
+         (ending == ".dcm" || ending == ".DCM" || ending == ".dicom" || ending == ".ima" || ending == ".IMA");
+}
+
+// What the images tell of the other files: which names slices have, and which kinds hold pictures.
+DicomScan judged(Findings found) {
+  NameLikeness names;
+  std::set<std::string> classes;
+  for (const DicomHeader& image : found.scan.images) {
+    names.add(image.path);
+    classes.insert(image.sopClass);
+  }
+  for (const DicomHeader& header : found.withoutPicture)
+    if (classes.contains(header.sopClass))
+      found.damaged.push_back(header.path);
+    else
+      ++found.scan.withoutImage;
+  for (const std::filesystem::path& file : found.foreign)
+    if (names.isLike(file) || hasDicomEnding(file))
+      found.damaged.push_back(file);
+  std::sort(found.damaged.begin(), found.damaged.end());
+  for (const std::filesystem::path& file : found.damaged)
+    found.scan.damaged.push_back(file.filename().string());
+  return std::move(found.scan);
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (entry.depth() >= deepestFolder || (entry->is_directory(ignored) && isPseudoFolder(entry->path())))
+      entry.disable_recursion_pending();
+    if (entry->is_regular_file(ignored))
+      files.push_back(entry->path());
+    if (files.size() > mostFiles)
+      throw Error(Error::Kind::input, "The folder " + folder.string() + " holds more than " +
+                                          std::to_string(mostFiles) +
+                                          " files; open the folder of one study instead.");
+  }
+  if (error)
+    failReading(folder, error.message(), "check the name and the right to read it");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+DicomScan scanDicom(const std::filesystem::path& path, const Progress& progress) {
+  Findings found;
+  if (!std::filesystem::is_directory(path)) {
+    DicomHeader header = headerOf(path, parseDicom(path));
+    if (header.sopClass == dicomDirClass)
+      return scanDicom(std::filesystem::absolute(path).parent_path(), progress);
+    found.scan.images.push_back(std::move(header));
+    return std::move(found.scan);
+  }
+  const std::vector<std::filesystem::path> files = filesUnder(path);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    reportOrStop(progress, static_cast<double>(i) / static_cast<double>(files.size()), "Reading headers");
+    if (startsAsDicom(files[i]))
+      addFile(files[i], found);
+    else
+      found.foreign.push_back(files[i]);
+  }
+  return judged(std::move(found));
+}
+
+} // namespace limn

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/invesalius/InVesaliusProject.h"
+
+#include "io/formats/invesalius/TarEntries.h"
+#include "io/formats/voxels/AxisGrid.h"
+#include "io/formats/voxels/Voxels.h"
+#include "io/reading/HeaderText.h"
+#include "io/reading/ReadError.h"
+
+#include <pugixml.hpp>
+
+#include <map>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t longestPlist = 1 << 20;
+constexpr int axialSlices = 1;
+
+// The value that follows a key among the children of a <dict>.
+pugi::xml_node valueOf(const pugi::xml_node& dict, const char* key) {
+  for (const pugi::xml_node& child : dict.children("key"))
+    if (std::string(child.text().as_string()) == key)
+      return child.next_sibling();
+  return {};
+}
+
+std::vector<double> listOf(const fs::path& file, const pugi::xml_node& array) {
+  std::vector<double> values;
+  for (const pugi::xml_node& item : array.children())
+    values.push_back(number(file, item.text().as_string()));
+  if (values.size() != 3)
+    failReading(file, "its project list names no volume of three dimensions",
+                "open it in InVesalius and save it again");
+  return values;
+}
+
+// The dictionary of main.plist.
+pugi::xml_document mainList(const fs::path& file) {
+  pugi::xml_document document;
+  const bool found = withTarEntry(file, "main.plist", [&](std::uint64_t size, const ByteReader& bytes) {
+    if (size > longestPlist)
+      failReading(file, "its project list is too long", copyAgain);
+    std::string text(size, '\0');
+    text.resize(bytes(reinterpret_cast<unsigned char*>(text.data()), text.size()));
+    if (!document.load_buffer(text.data(), text.size()))
+      failReading(file, "its project list is damaged", copyAgain);
+  });
+  if (!found)
+    failReading(file, "it is an archive but no InVesalius 3 project (it has no main.plist)",
+                "unpack it and open the volume inside");
+  return document;
+}
+
+VoxelType typeOf(const fs::path& file, const std::string& name) {
+  static const std::map<std::string, VoxelType> types = {
+      {"uint8", VoxelType::uint8},     {"int8", VoxelType::int8},       {"uint16", VoxelType::uint16},
+      {"int16", VoxelType::int16},     {"int32", VoxelType::int32},     {"uint32", VoxelType::uint32},
+      {"float32", VoxelType::float32}, {"float64", VoxelType::float64},
+  };
+  const auto found = types.find(name);
+  if (found == types.end())
+    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
+                "open it in InVesalius and save it again");
+  return found->second;
+}
+
+bool orientationIsKnown(const pugi::xml_node& project) {
+  const bool isAxial = valueOf(project, "orientation").text().as_int() == axialSlices;
+  // Projects made from a NIfTI file carry an affine map and keep another order of rows.
+  const pugi::xml_node affine = valueOf(project, "affine");
+  const bool hasAffine = affine && std::string(affine.name()) == "array" && affine.first_child();
+  return isAxial && !hasAffine;
+}
+
+void describe(const pugi::xml_node& project, VolumeInfo& info) {
+  info.format = "InVesalius";
+  const std::string modality = valueOf(project, "modality").text().as_string();
+  info.modality = modality == "MRI" ? "MR" : modality;
+  info.unit = modality == "CT" ? "HU" : "";
+  info.patient.name = valueOf(project, "name").text().as_string();
+  info.orientationKnown = orientationIsKnown(project);
+}
+
+// Axial slices in InVesalius: columns to the patient's left, rows to the front, slices to the head.
+Grid gridOf(const fs::path& file, const glm::ivec3& dims, const std::vector<double>& spacing) {
+  const glm::dmat3 steps({spacing[0], 0.0, 0.0}, {0.0, -spacing[1], 0.0}, {0.0, 0.0, spacing[2]});
+  return gridFromAxes(file, dims, steps, steps * (-0.5 * glm::dvec3(dims - 1)));
+}
+
+} // namespace
+
+bool isTar(std::string_view bytes) {
+  return bytes.size() >= 262 && bytes.substr(257, 5) == "ustar";
+}
+
+VolumeParts readInVesalius(const fs::path& path, const Progress& progress) {
+  const pugi::xml_document document = mainList(path);
+  const pugi::xml_node project = document.child("plist").child("dict");
+  const pugi::xml_node matrix = valueOf(project, "matrix");
+  const std::vector<double> shape = listOf(path, valueOf(matrix, "shape"));
+  const glm::ivec3 dims(dimension(path, shape[2]), dimension(path, shape[1]), dimension(path, shape[0]));
+  const std::string name = valueOf(matrix, "filename").text().as_string();
+
+  VolumeParts parts;
+  describe(project, parts.info);
+  parts.grid = gridOf(path, dims, listOf(path, valueOf(project, "spacing")));
+  VoxelLayout layout;
+  layout.type = typeOf(path, valueOf(matrix, "dtype").text().as_string());
+  layout.count = voxelCount(path, dims);
+  const bool found = withTarEntry(path, name, [&](std::uint64_t size, const ByteReader& bytes) {
+    if (size != bytesOf(layout))
+      failReading(path,
+                  "its matrix has " + std::to_string(size) + " bytes where the project asks for " +
+                      std::to_string(bytesOf(layout)),
+                  copyAgain);
+    parts.stored = readVoxels(path, bytes, layout, progress);
+  });
+  if (!found)
+    failReading(path, "its matrix \"" + name + "\" is missing", copyAgain);
+  return parts;
+}
+
+} // namespace limn

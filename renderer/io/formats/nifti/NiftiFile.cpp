@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/nifti/NiftiFile.h"
+
+#include "io/formats/voxels/AxisGrid.h"
+#include "io/formats/voxels/Voxels.h"
+#include "io/reading/ReadError.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double mostVolumes = 1e9;
+constexpr double farthestOffset = 1 << 30; // of the voxels: behind it no header ends
+
+struct Sample {
+  VoxelType type;
+  int components = 1;
+};
+
+Sample sampleOf(const fs::path& file, int datatype) {
+  switch (datatype) {
+  case 2:
+    return {VoxelType::uint8};
+  case 4:
+    return {VoxelType::int16};
+  case 8:
+    return {VoxelType::int32};
+  case 16:
+    return {VoxelType::float32};
+  case 64:
+    return {VoxelType::float64};
+  case 128:
+    return {VoxelType::uint8, 3};
+  case 256:
+    return {VoxelType::int8};
+  case 512:
+    return {VoxelType::uint16};
+  case 768:
+    return {VoxelType::uint32};
+  case 1024:
+    return {VoxelType::int64};
+  case 1280:
+    return {VoxelType::uint64};
+  case 2304:
+    return {VoxelType::uint8, 4};
+  default:
+    failReading(file,
+                "its voxels are of NIfTI type " + std::to_string(datatype) +
+                    " (binary, complex or 128-bit numbers are not supported)",
+                "convert it to integers or floats first");
+  }
+}
+
+// The other half of a pair: the same name with the other ending, compressed or not.
+fs::path partner(const fs::path& path, const std::string& ending) {
+  fs::path stem = path;
+  if (stem.extension() == ".gz")
+    stem.replace_extension();
+  stem.replace_extension();
+  for (const std::string& end : {ending, ending + ".gz"}) {
+    fs::path candidate = stem;
+    candidate += end;
+    std::error_code problem;
+    if (fs::is_regular_file(candidate, problem))
+      return candidate;
+  }
+  failReading(path, "its other half " + stem.string() + ending + " is missing",
+              "copy both files of the pair into one folder");
+}
+
+bool isVoxelFile(const fs::path& path) {
+  const fs::path name = path.extension() == ".gz" ? path.stem() : path.filename();
+  return name.extension() == ".img";
+}
+
+NiftiHeader headerOf(const fs::path& file) {
+  const std::string bytes = firstBytes(file, niftiHeaderBytes);
+  if (const auto header = parseNiftiHeader(bytes))
+    return *header;
+  if (isAnalyzeHeader(bytes))
+    failReading(file, "it is an Analyze 7.5 file, which does not say which side is left",
+                "convert it to NIfTI (.nii) first");
+  failReading(file, "its NIfTI header is cut off or damaged", copyAgain);
+}
+
+glm::ivec3 dimsOf(const fs::path& file, const NiftiHeader& header) {
+  if (!(header.dim[0] >= 2.0 && header.dim[0] <= 7.0))
+    failReading(file, "its header does not give 2 to 7 dimensions", copyAgain);
+  glm::ivec3 dims(1);
+  for (int axis = 0; axis < 3 && axis < header.dim[0]; ++axis)
+    dims[axis] = dimension(file, header.dim[static_cast<std::size_t>(axis) + 1]);
+  return dims;
+}
+
+// How many volumes the file says it holds.
+std::uint64_t volumesOf(const fs::path& file, const NiftiHeader& header) {
+  double volumes = 1.0;
+  for (std::size_t i = 4; i <= 7 && static_cast<double>(i) <= header.dim[0]; ++i)
+    volumes *= std::max(header.dim[i], 1.0);
+  if (volumes > mostVolumes)
+    failReading(file, "its header gives more volumes than any file holds", copyAgain);
+  return static_cast<std::uint64_t>(volumes);
+}
+
+// The type of a voxel stands in the header twice.
+void requireOneType(const fs::path& file, const NiftiHeader& header, const Sample& sample) {
+  const auto bits = static_cast<int>(8 * bytesPerVoxel(sample.type)) * sample.components;
+  if (header.bitsPerVoxel != 0 && header.bitsPerVoxel != bits)
+    failReading(file,
+                "its header contradicts itself: voxels of " + std::to_string(header.bitsPerVoxel) +
+                    " bits, and of a type that has " + std::to_string(bits),
+                copyAgain);
+}
+
+ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
+  const double headerBytes = header.version == 1 ? 348.0 : 540.0;
+  // Some writers leave the offset of a single file 0: the voxels follow the header and its four flag bytes.
+  const double offset =
+      header.singleFile && header.voxelOffset == 0.0 ? headerBytes + 4.0 : header.voxelOffset;
+  const double least = header.singleFile ? headerBytes : 0.0;
+  if (!(offset >= least) || offset > farthestOffset || offset != std::floor(offset))
+    failReading(voxelFile, "its header places the voxels at an impossible offset", copyAgain);
+  ByteLocation location;
+  location.file = voxelFile;
+  location.encoding = isGzip(voxelFile) ? Encoding::deflated : Encoding::raw;
+  location.skip = static_cast<std::uint64_t>(offset);
+  return location;
+}
+
+// Writers that do not scale leave slope and intercept 0, or NaN.
+Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<std::string>& warnings) {
+  const bool isAbsent = header.slope == 0.0 || (std::isnan(header.slope) && std::isnan(header.intercept));
+  if (components > 1 || isAbsent)
+    return {};
+  if (std::isfinite(header.slope) && std::isfinite(header.intercept))
+    return {header.slope, header.intercept};
+  warnings.emplace_back("The file's scaling is damaged: the values are those stored, in no known unit.");
+  return {};
+}
+
+} // namespace
+
+VolumeParts readNifti(const fs::path& path, const Progress& progress) {
+  const fs::path headerFile = isVoxelFile(path) ? partner(path, ".hdr") : path;
+  const NiftiHeader header = headerOf(headerFile);
+  const fs::path voxelFile = header.singleFile   ? headerFile
+                             : isVoxelFile(path) ? path
+                                                 : partner(path, ".img");
+  const glm::ivec3 dims = dimsOf(headerFile, header);
+  const Sample sample = sampleOf(headerFile, header.datatype);
+  const NiftiPlacement placement = placementOf(header);
+
+  VolumeParts parts;
+  parts.grid = gridFromAxes(headerFile, dims, placement.stepsMm, placement.originMm);
+  parts.info.format = "NIfTI-" + std::to_string(header.version);
+  parts.info.orientationKnown = placement.orientationKnown;
+  parts.info.spacingKnown = placement.spacingKnown;
+  parts.info.warnings = placement.warnings;
+  requireOneType(headerFile, header, sample);
+  const std::uint64_t volumes = volumesOf(headerFile, header);
+  if (volumes > 1)
+    parts.info.warnings.push_back("The file holds " + std::to_string(volumes) +
+                                  " volumes; the first is shown.");
+  if (sample.components > 1)
+    parts.info.warnings.emplace_back(colorWarning);
+  parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
+
+  VoxelLayout layout;
+  layout.type = sample.type;
+  layout.bigEndian = header.bigEndian;
+  layout.components = sample.components;
+  layout.count = voxelCount(headerFile, dims);
+  layout.volumes = volumes;
+  parts.stored = readVoxels(locationOf(voxelFile, header), layout, progress, parts.info.warnings);
+  return parts;
+}
+
+} // namespace limn

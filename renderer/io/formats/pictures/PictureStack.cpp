@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/pictures/PictureStack.h"
+
+#include "io/formats/pictures/Picture.h"
+#include "io/formats/pictures/TiffPages.h"
+#include "io/formats/voxels/StoredType.h"
+#include "io/reading/MachineMemory.h"
+#include "io/reading/NameLikeness.h"
+#include "io/reading/ReadError.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t bytesPerBand = 1 << 20;
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Takes the run of digits at `at` without its leading zeros.
+std::string_view takeDigits(std::string_view text, std::size_t& at) {
+  while (at < text.size() && text[at] == '0')
+    ++at;
+  const std::size_t first = at;
+  while (at < text.size() && isDigit(text[at]))
+    ++at;
+  return text.substr(first, at - first);
+}
+
+// The kind of picture by its first bytes; empty where it is none.
+std::string kindOf(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  if (bytes.starts_with("\x89PNG\r\n\x1a\n"sv))
+    return "PNG";
+  if (bytes.starts_with("\xff\xd8\xff"sv))
+    return "JPEG";
+  for (const std::string_view magic : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
+    if (bytes.starts_with(magic))
+      return "TIFF";
+  return {};
+}
+
+std::string kindOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(8, '\0');
+  stream.read(bytes.data(), 8);
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return kindOf(std::string_view(bytes));
+}
+
+// Collects slices that all look like the first.
+class Stack {
+public:
+  explicit Stack(fs::path path) : m_path(std::move(path)) {}
+
+  // Reads a picture; `expectedSlices` only guides the room made.
+  void add(const Picture& picture, const fs::path& file, int page, std::size_t expectedSlices) {
+    if (m_slices == 0)
+      start(picture.shape, expectedSlices);
+    else if (picture.shape != m_shape)
+      failReading(m_path,
+                  "its picture " + file.filename().string() + " (page " + std::to_string(page + 1) +
+                      ") has another size or type than the first",
+                  "keep only the slices of one stack in the folder");
+    withStoredType(m_shape.type, [&](auto value) { append<decltype(value)>(picture); });
+    ++m_slices;
+  }
+
+  VolumeParts parts() && {
+    VolumeParts parts;
+    parts.grid.dims = {m_shape.width, m_shape.height, m_slices};
+    parts.stored = std::move(m_stored);
+    parts.info.spacingKnown = false;
+    parts.info.orientationKnown = false;
+    if (m_shape.channels > 2)
+      parts.info.warnings.emplace_back(colorWarning);
+    return parts;
+  }
+
+private:
+  void start(const PictureShape& shape, std::size_t expectedSlices) {
+    m_shape = shape;
+    const std::size_t voxels =
+        static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) * expectedSlices;
+    requireMemory(m_path, static_cast<double>(voxels) * static_cast<double>(bytesPerVoxel(shape.type)));
+    withStoredType(shape.type, [&](auto value) {
+      std::vector<Kept<decltype(value)>> stored;
+      stored.reserve(voxels);
+      m_stored = std::move(stored);
+    });
+  }
+
+  // Decodes band after band, so that a picture that promises more than it holds takes little memory.
+  template <class Stored>
+  void append(const Picture& picture) {
+    auto& voxels = std::get<std::vector<Kept<Stored>>>(m_stored);
+    const auto channels = static_cast<std::size_t>(m_shape.channels);
+    const auto width = static_cast<std::size_t>(m_shape.width);
+    const auto band = static_cast<int>(std::max<std::size_t>(1, bytesPerBand / rowBytes(m_shape)));
+    std::vector<Stored> samples;
+    for (int y = 0; y < m_shape.height; y += band) {
+      const int rows = std::min(band, m_shape.height - y);
+      samples.resize(width * channels * static_cast<std::size_t>(rows));
+      picture.readRows(reinterpret_cast<unsigned char*>(samples.data()), y, rows);
+      for (std::size_t i = 0; i < samples.size(); i += channels)
+        voxels.push_back(keptValue(samples.data() + i, m_shape.channels));
+    }
+  }
+
+  fs::path m_path;
+  PictureShape m_shape;
+  VoxelArray m_stored;
+  int m_slices = 0;
+};
+
+// Whether the last numbers in the names rise by one step throughout.
+bool numbersAreEven(const std::vector<fs::path>& files) {
+  std::set<long long> steps;
+  std::optional<long long> last;
+  for (const fs::path& file : files) {
+    const std::string stem = file.stem().string();
+    const std::size_t end = stem.find_last_of("0123456789");
+    if (end == std::string::npos || end > 17 + stem.find_last_not_of("0123456789", end))
+      return true;
+    const std::size_t before = stem.find_last_not_of("0123456789", end);
+    const std::size_t first = before == std::string::npos ? 0 : before + 1;
+    const long long number = std::stoll(stem.substr(first, std::min<std::size_t>(end - first + 1, 17)));
+    if (last)
+      steps.insert(number - *last);
+    last = number;
+  }
+  return steps.size() <= 1;
+}
+
+} // namespace
+
+bool isPicture(std::string_view bytes) {
+  return !kindOf(bytes).empty();
+}
+
+bool naturalLess(std::string_view a, std::string_view b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (isDigit(a[i]) && isDigit(b[j])) {
+      const std::string_view x = takeDigits(a, i);
+      const std::string_view y = takeDigits(b, j);
+      if (x != y)
+        return x.size() != y.size() ? x.size() < y.size() : x < y;
+    } else if (a[i] != b[j]) {
+      return a[i] < b[j];
+    } else {
+      ++i;
+      ++j;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
+std::vector<fs::path> picturesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (std::error_code ignored; entry.is_regular_file(ignored) &&
+                                 !entry.path().filename().string().starts_with('.') &&
+                                 !kindOf(entry.path()).empty())
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return naturalLess(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+void requireWholeStack(const fs::path& folder, const std::vector<fs::path>& pictures) {
+  NameLikeness names;
+  for (const fs::path& picture : pictures)
+    names.add(picture);
+  std::set<fs::path> lost;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (std::error_code ignored; entry.is_regular_file(ignored) && names.isLike(entry.path()) &&
+                                 std::find(pictures.begin(), pictures.end(), entry.path()) == pictures.end())
+      lost.insert(entry.path());
+  if (lost.empty())
+    return;
+  const fs::path& first = *lost.begin();
+  std::error_code ignored;
+  failReading(first,
+              (fs::file_size(first, ignored) == 0 ? std::string("the file is empty")
+                                                  : std::string("it does not start as a picture does")) +
+                  ", so that a slice is missing from the stack",
+              "copy it again, or take it out of the folder if it is no slice");
+}
+
+VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const Progress& progress) {
+  Stack stack(path);
+  std::set<std::string> kinds;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string kind = kindOf(files[i]);
+    kinds.insert(kind);
+    const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
+    if (files.size() > 1 && pages > 1)
+      failReading(path, "its picture " + files[i].filename().string() + " has several pages",
+                  "open that file by itself");
+    if (files.size() == 1 && pages == 1)
+      failReading(files[i], "it is a single picture, and a volume needs a stack of slices",
+                  "open the folder that holds all slices, or a TIFF file with several pages");
+    const std::size_t slices = std::max(files.size(), static_cast<std::size_t>(pages));
+    int page = 0;
+    const auto add = [&](const Picture& picture) {
+      reportOrStop(progress,
+                   static_cast<double>(i + static_cast<std::size_t>(page)) / static_cast<double>(slices),
+                   "Reading slices");
+      stack.add(picture, files[i], page++, slices);
+    };
+    if (kind == "TIFF")
+      forEachTiffPage(files[i], add);
+    else
+      add(openPicture(files[i]));
+  }
+  if (kinds.size() > 1)
+    failReading(path, "it holds pictures of several kinds",
+                "keep only the slices of one stack in the folder");
+  VolumeParts parts = std::move(stack).parts();
+  parts.info.format = *kinds.begin() + " stack";
+  if (kinds.contains("JPEG"))
+    parts.info.warnings.emplace_back("JPEG compression is lossy: the values are not the original ones.");
+  if (!numbersAreEven(files))
+    parts.info.warnings.emplace_back("The numbers in the file names are uneven: slices may be missing.");
+  return parts;
+}
+
+} // namespace limn

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/voxels/Voxels.h"
+
+#include "io/formats/voxels/StoredType.h"
+#include "io/reading/MachineMemory.h"
+#include "io/reading/ReadError.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t bytesPerStep = 1 << 20;
+
+template <class Stored>
+void swapBytes(Stored* values, std::size_t count) {
+  auto* bytes = reinterpret_cast<unsigned char*>(values);
+  for (std::size_t i = 0; i < count; ++i)
+    std::reverse(bytes + i * sizeof(Stored), bytes + (i + 1) * sizeof(Stored));
+}
+
+// Makes room for `step` more voxels, at most doubling what has been filled from real bytes.
+template <class T>
+void growBy(std::vector<T>& voxels, std::size_t step, std::uint64_t final) {
+  const std::size_t wanted = voxels.size() + step;
+  if (wanted > voxels.capacity())
+    voxels.reserve(std::min<std::uint64_t>(final, std::max(wanted, 2 * voxels.capacity())));
+  voxels.resize(wanted);
+}
+
+template <class Stored>
+std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                                 const Progress& progress, std::uint64_t certain) {
+  const auto components = static_cast<std::size_t>(layout.components);
+  const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
+  const std::size_t perStep =
+      std::min<std::uint64_t>(bytesPerStep / sizeof(Stored) / components, layout.count);
+  std::vector<Stored> samples(perStep * components);
+  std::vector<Kept<Stored>> voxels;
+  voxels.reserve(certain);
+  while (voxels.size() < layout.count) {
+    reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
+                 "Reading voxels");
+    const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - voxels.size());
+    const std::size_t wanted = step * components * sizeof(Stored);
+    const std::size_t got = bytes(reinterpret_cast<unsigned char*>(samples.data()), wanted);
+    if (got < wanted)
+      failShort(file, voxels.size() + got / (components * sizeof(Stored)), layout.count);
+    if (swap)
+      swapBytes(samples.data(), step * components);
+    const std::size_t first = voxels.size();
+    growBy(voxels, step, layout.count);
+    for (std::size_t i = 0; i < step; ++i)
+      voxels[first + i] = keptValue(samples.data() + i * components, layout.components);
+  }
+  reportOrStop(progress, 1.0, "Reading voxels");
+  return voxels;
+}
+
+// Whether the bytes behind the first volume are as many as the header says.
+void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool moreFollows,
+                 std::vector<std::string>& warnings) {
+  if (layout.volumes == 1 && layout.endsFile && moreFollows)
+    warnings.emplace_back(surplusWarning);
+  if (layout.volumes == 1 || location.encoding != Encoding::raw)
+    return;
+  const std::uint64_t held = fs::file_size(location.file) - location.offset - location.skip;
+  const std::uint64_t bytes = bytesOf(layout);
+  if (held / bytes < layout.volumes)
+    warnings.emplace_back("The file ends before the last of its volumes: it may be cut off.");
+  else if (held > bytes * layout.volumes)
+    warnings.emplace_back(surplusWarning);
+}
+
+} // namespace
+
+void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
+  failReading(file,
+              "its voxels end after " + std::to_string(got) + " of the " + std::to_string(wanted) +
+                  " that its header asks for",
+              copyAgain);
+}
+
+std::size_t bytesPerVoxel(VoxelType type) {
+  return withStoredType(type, [](auto value) { return sizeof(value); });
+}
+
+std::uint64_t bytesOf(const VoxelLayout& layout) {
+  return layout.count * static_cast<std::uint64_t>(layout.components) * bytesPerVoxel(layout.type);
+}
+
+std::uint64_t voxelCount(const fs::path& file, const glm::ivec3& dims) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 40;
+  std::uint64_t count = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string given = "its header gives the dimensions " + std::to_string(dims.x) + " x " +
+                              std::to_string(dims.y) + " x " + std::to_string(dims.z);
+    if (dims[axis] < 1)
+      failReading(file, given + ", which leave no voxels", copyAgain);
+    if (count > most / static_cast<std::uint64_t>(dims[axis]))
+      failReading(file, given + ", which is too large for any computer",
+                  "if they are right, save a smaller part of the volume; otherwise export the file again");
+    count *= static_cast<std::uint64_t>(dims[axis]);
+  }
+  return count;
+}
+
+int dimension(const fs::path& file, double value) {
+  if (!(value >= 1.0) || value > 2147483647.0 || value != std::floor(value))
+    failReading(file, "its header gives a dimension that is not a positive whole number", copyAgain);
+  return static_cast<int>(value);
+}
+
+VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                      const Progress& progress, std::uint64_t certain) {
+  requireMemory(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)));
+  return withStoredType(layout.type, [&](auto value) -> VoxelArray {
+    return readAs<decltype(value)>(file, bytes, layout, progress, certain);
+  });
+}
+
+VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
+                      std::vector<std::string>& warnings) {
+  const ByteReader bytes = openBytes(location, bytesOf(layout));
+  const bool isChecked = location.encoding == Encoding::raw;
+  VoxelArray voxels = readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);
+  // At the end of compressed data this makes zlib compare the check sum.
+  unsigned char beyond = 0;
+  noteSurplus(location, layout, bytes(&beyond, 1) > 0, warnings);
+  return voxels;
+}
+
+double luminance(const double* samples, int components) {
+  if (components < 3)
+    return samples[0];
+  return 0.2126 * samples[0] + 0.7152 * samples[1] + 0.0722 * samples[2];
+}
+
+} // namespace limn

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/formats/voxels/Bytes.h"
+#include "io/reading/Progress.h"
+#include "scene/Volume.h"
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// The number types that files store; 64-bit integers become double.
+enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
+
+std::size_t bytesPerVoxel(VoxelType type);
+
+/// How the voxels of a file lie in its bytes.
+struct VoxelLayout {
+  VoxelType type = VoxelType::uint8;
+  bool bigEndian = false;
+  int components = 1;        ///< 1; 2 (grey, alpha), 3 (RGB) and 4 (RGBA) become luminance
+  std::uint64_t count = 0;   ///< voxels
+  std::uint64_t volumes = 1; ///< of which the first is read; the others follow it
+  bool endsFile = true;      ///< nothing else follows
+};
+
+/// Bytes that the voxels of one volume fill.
+std::uint64_t bytesOf(const VoxelLayout& layout);
+
+/// Product of the dimensions. Throws Error where one is not positive or the product is beyond any file.
+std::uint64_t voxelCount(const std::filesystem::path& file, const glm::ivec3& dims);
+
+/// A header's number as a dimension. Throws Error where it is not within 1 .. 2³¹-1.
+int dimension(const std::filesystem::path& file, double value);
+
+/// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
+/// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end
+/// early; Cancelled.
+VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                      const Progress& progress, std::uint64_t certain = 0);
+
+/// Opens `location` and reads exactly the voxels that `layout` describes. Warns where the file holds more
+/// than its header asks for, which then is likely wrong, or ends within the volumes behind the first.
+VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
+                      std::vector<std::string>& warnings);
+
+/// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
+double luminance(const double* samples, int components);
+
+/// The sentence for a volume whose colours became luminance.
+inline constexpr const char* colorWarning = "The file holds colours; their luminance is shown.";
+
+} // namespace limn

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/formats/voxels/VolumeParts.h"
+#include "io/reading/Progress.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace limn {
+
+/// Whether the bytes start as a legacy VTK file does.
+bool isVtkLegacy(std::string_view bytes);
+
+/// Reads the first scalars of a legacy VTK file of STRUCTURED_POINTS, binary or text. Its axes say nothing
+/// of the patient: the orientation is unknown. Throws Error; Cancelled.
+/// Source: VTK User's Guide, "Simple Legacy Formats".
+VolumeParts readVtkLegacy(const std::filesystem::path& path, const Progress& progress);
+
+} // namespace limn

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/formats/vtk/VtkXmlFile.h"
+
+#include "io/formats/voxels/AxisGrid.h"
+#include "io/formats/voxels/TextVoxels.h"
+#include "io/formats/voxels/Voxels.h"
+#include "io/formats/vtk/VtkXmlArray.h"
+#include "io/formats/vtk/VtkXmlText.h"
+#include "io/reading/HeaderText.h"
+#include "io/reading/ReadError.h"
+
+#include <pugixml.hpp>
+
+#include <map>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The elements of the file, and where its appended bytes start.
+struct Document {
+  pugi::xml_document xml;
+  VtkXmlText text;
+
+  pugi::xml_node root() const { return xml.child("VTKFile"); }
+  pugi::xml_node image() const { return root().child("ImageData"); }
+};
+
+Document parse(const fs::path& file) {
+  Document document;
+  document.text = readVtkXmlText(file);
+  // With appended bytes the text is cut before its last elements close; the tree up to there is kept.
+  const pugi::xml_parse_result result =
+      document.xml.load_buffer(document.text.xml.data(), document.text.xml.size());
+  const std::string type = document.root().attribute("type").as_string();
+  if (type != "ImageData")
+    failReading(file, "it holds VTK data of the type \"" + type + "\", not image data",
+                "export the volume as image data (.vti)");
+  if (document.text.appended == 0 && !result)
+    failReading(file, "its text is cut off or damaged", copyAgain);
+  return document;
+}
+
+std::vector<double> listOf(const fs::path& file, const pugi::xml_node& node, const char* name,
+                           std::size_t count) {
+  const std::vector<double> values = numbers(file, node.attribute(name).as_string());
+  if (!values.empty() && values.size() != count)
+    failReading(file, std::string("its attribute ") + name + " has the wrong number of numbers", copyAgain);
+  return values;
+}
+
+// Where the points lie.
+struct Points {
+  glm::ivec3 dims{0};
+  glm::dmat3 stepsMm{1.0};
+  glm::dvec3 firstMm{0.0};
+  bool spacingKnown = false;
+};
+
+Points pointsOf(const fs::path& file, const pugi::xml_node& image) {
+  const std::vector<double> extent = listOf(file, image, "WholeExtent", 6);
+  const std::vector<double> spacing = listOf(file, image, "Spacing", 3);
+  const std::vector<double> origin = listOf(file, image, "Origin", 3);
+  const std::vector<double> direction = listOf(file, image, "Direction", 9);
+  if (extent.empty())
+    failReading(file, "its header has no WholeExtent", copyAgain);
+  Points points;
+  points.spacingKnown = !spacing.empty();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    points.dims[axis] = dimension(file, extent[2 * a + 1] - extent[2 * a] + 1.0);
+    for (int row = 0; row < 3 && !direction.empty(); ++row)
+      points.stepsMm[axis][row] = direction[static_cast<std::size_t>(row) * 3 + a];
+    points.stepsMm[axis] *= spacing.empty() ? 1.0 : spacing[a];
+    points.firstMm[axis] = origin.empty() ? 0.0 : origin[a];
+  }
+  points.firstMm += points.stepsMm * glm::dvec3(extent[0], extent[2], extent[4]);
+  return points;
+}
+
+pugi::xml_node pieceOf(const fs::path& file, const pugi::xml_node& image) {
+  const pugi::xml_node piece = image.child("Piece");
+  if (!piece || piece.next_sibling("Piece"))
+    failReading(file, "it does not hold exactly one piece", "save it as one piece");
+  if (numbers(file, piece.attribute("Extent").as_string()) != listOf(file, image, "WholeExtent", 6))
+    failReading(file, "its piece does not fill its extent", copyAgain);
+  return piece;
+}
+
+// The active array of values, else the first.
+pugi::xml_node arrayIn(const pugi::xml_node& data) {
+  const std::string active = data.attribute("Scalars").as_string();
+  const pugi::xml_node named = data.find_child_by_attribute("DataArray", "Name", active.c_str());
+  return named ? named : data.child("DataArray");
+}
+
+VoxelLayout layoutOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
+                     const glm::ivec3& dims) {
+  static const std::map<std::string, VoxelType> types = {
+      {"UInt8", VoxelType::uint8},     {"Int8", VoxelType::int8},     {"UInt16", VoxelType::uint16},
+      {"Int16", VoxelType::int16},     {"UInt32", VoxelType::uint32}, {"Int32", VoxelType::int32},
+      {"UInt64", VoxelType::uint64},   {"Int64", VoxelType::int64},   {"Float32", VoxelType::float32},
+      {"Float64", VoxelType::float64},
+  };
+  const std::string name = array.attribute("type").as_string();
+  const auto type = types.find(name);
+  if (type == types.end())
+    failReading(file, "its values are of the type \"" + name + "\", which is not supported",
+                "convert it to integers or floats first");
+  VoxelLayout layout;
+  layout.type = type->second;
+  layout.bigEndian = std::string(document.root().attribute("byte_order").as_string()) == "BigEndian";
+  layout.components = array.attribute("NumberOfComponents").as_int(1);
+  if (layout.components != 1 && layout.components != 3 && layout.components != 4)
+    failReading(file,
+                "it holds " + std::to_string(layout.components) + " values per voxel, and a volume needs one",
+                "save one component as a volume of its own");
+  layout.count = voxelCount(file, dims);
+  return layout;
+}
+
+VtkXmlEncoding encodingOf(const fs::path& file, const Document& document) {
+  const std::string compressor = document.root().attribute("compressor").as_string();
+  if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
+    failReading(file, "its compression " + compressor + " is not supported",
+                "save it with ZLib or uncompressed");
+  VtkXmlEncoding encoding;
+  encoding.bigEndian = std::string(document.root().attribute("byte_order").as_string()) == "BigEndian";
+  encoding.bytesPerLength =
+      std::string(document.root().attribute("header_type").as_string()) == "UInt64" ? 8 : 4;
+  encoding.isCompressed = !compressor.empty();
+  return encoding;
+}
+
+// The coded bytes of an array that stands in its element, or among the appended ones.
+ByteReader codedBytes(const fs::path& file, const Document& document, const pugi::xml_node& array,
+                      std::uint64_t least) {
+  const std::string format = array.attribute("format").as_string("ascii");
+  if (format != "appended") {
+    const VtkXmlRun run = runOf(array.text().as_string());
+    if (run.length < least)
+      failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
+    return bytesOfRun(file, run);
+  }
+  if (document.text.appended == 0)
+    failReading(file, "its array of values is missing", copyAgain);
+  const double offset = number(file, array.attribute("offset").as_string());
+  if (!(offset >= 0.0) || offset > static_cast<double>(fs::file_size(file)))
+    failReading(file, "its array of values lies behind the end of the file", copyAgain);
+  return openBytes({file, document.text.appended + static_cast<std::uint64_t>(offset)}, least);
+}
+
+VoxelArray voxelsOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
+                    const VoxelLayout& layout, const Progress& progress, std::vector<std::string>& warnings) {
+  const std::string format = array.attribute("format").as_string("ascii");
+  if (format == "ascii")
+    return readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, progress,
+                          false, warnings);
+  if (format != "binary" && format != "appended")
+    failReading(file, "its array of values is missing", copyAgain);
+  VtkXmlEncoding encoding = encodingOf(file, document);
+  encoding.isBase64 = format == "binary" || document.text.appendedIsBase64;
+  const std::uint64_t bytes = bytesOf(layout);
+  const std::uint64_t least = encoding.isCompressed ? 1 : bytes;
+  return readVoxels(file, arrayBytes(file, codedBytes(file, document, array, least), encoding, bytes), layout,
+                    progress, encoding.isCompressed ? 0 : layout.count);
+}
+
+} // namespace
+
+bool isVtkXml(std::string_view bytes) {
+  return bytes.find("<VTKFile") != std::string_view::npos && trimmed(bytes).starts_with('<');
+}
+
+VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
+  const Document document = parse(path);
+  const Points points = pointsOf(path, document.image());
+  const pugi::xml_node piece = pieceOf(path, document.image());
+  const pugi::xml_node ofPoints = arrayIn(piece.child("PointData"));
+  const pugi::xml_node array = ofPoints ? ofPoints : arrayIn(piece.child("CellData"));
+  if (!array)
+    failReading(path, "it holds no array of values", "export the volume with its scalars");
+
+  VolumeParts parts;
+  parts.info.format = "VTI";
+  parts.info.orientationKnown = false;
+  parts.info.spacingKnown = points.spacingKnown;
+  // Values of cells sit half a step behind the points.
+  const glm::ivec3 dims = ofPoints ? points.dims : glm::max(points.dims - 1, glm::ivec3(1));
+  const glm::dvec3 shift = ofPoints ? glm::dvec3(0.0) : glm::dvec3(0.5);
+  parts.grid = gridFromAxes(path, dims, points.stepsMm, points.firstMm + points.stepsMm * shift);
+  const VoxelLayout layout = layoutOf(path, document, array, dims);
+  if (layout.components > 1)
+    parts.info.warnings.emplace_back(colorWarning);
+  parts.stored = voxelsOf(path, document, array, layout, progress, parts.info.warnings);
+  return parts;
+}
+
+} // namespace limn

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/json/JsonFields.h"
+
+#include "scene/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace limn {
+namespace {
+
+std::string written(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+std::string described(const Limits& limits) {
+  const bool below = limits.lowest > std::numeric_limits<double>::lowest();
+  const bool above = limits.highest < std::numeric_limits<double>::max();
+  if (below && above)
+    return (limits.openBelow ? "above " : "from ") + written(limits.lowest) + " to " +
+           written(limits.highest);
+  if (below)
+    return (limits.openBelow ? "above " : "at least ") + written(limits.lowest);
+  return above ? "at most " + written(limits.highest) : "any number";
+}
+
+} // namespace
+
+JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::string where)
+    : m_object(object), m_document(std::move(document)), m_where(std::move(where)) {
+  if (!m_object.is_object())
+    throw Error(Error::Kind::input, m_document + ": " +
+                                        (m_where.empty() ? "the file" : "\"" + m_where + "\"") +
+                                        " must be a JSON object in braces.");
+}
+
+std::string JsonFields::pathOf(const std::string& key) const {
+  return m_where.empty() ? key : m_where + "." + key;
+}
+
+void JsonFields::fail(const std::string& key, const std::string& problem) const {
+  throw Error(Error::Kind::input, m_document + ": \"" + pathOf(key) + "\" " + problem + ".");
+}
+
+bool JsonFields::has(const std::string& key) {
+  m_known.insert(key);
+  return m_object.contains(key);
+}
+
+const nlohmann::json& JsonFields::child(const std::string& key) {
+  m_known.insert(key);
+  return m_object.at(key);
+}
+
+JsonFields JsonFields::object(const std::string& key) {
+  return JsonFields(child(key), m_document, pathOf(key));
+}
+
+double JsonFields::numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const {
+  if (!value.is_number())
+    fail(key, "must be a number");
+  const double number = value.get<double>();
+  const bool tooLow = limits.openBelow ? !(number > limits.lowest) : !(number >= limits.lowest);
+  if (tooLow || !(number <= limits.highest) || !std::isfinite(number))
+    fail(key, "is " + written(number) + "; it must be " + described(limits));
+  return number;
+}
+
+bool JsonFields::number(const std::string& key, double& target, const Limits& limits) {
+  if (!has(key))
+    return false;
+  target = numberIn(m_object.at(key), key, limits);
+  return true;
+}
+
+bool JsonFields::integer(const std::string& key, int& target, int lowest, int highest) {
+  if (!has(key))
+    return false;
+  if (!m_object.at(key).is_number_integer())
+    fail(key, "must be a whole number");
+  target = static_cast<int>(
+      numberIn(m_object.at(key), key, {static_cast<double>(lowest), static_cast<double>(highest)}));
+  return true;
+}
+
+bool JsonFields::boolean(const std::string& key, bool& target) {
+  if (!has(key))
+    return false;
+  if (!m_object.at(key).is_boolean())
+    fail(key, "must be true or false");
+  target = m_object.at(key).get<bool>();
+  return true;
+}
+
+bool JsonFields::text(const std::string& key, std::string& target) {
+  if (!has(key))
+    return false;
+  if (!m_object.at(key).is_string())
+    fail(key, "must be a text in quotes");
+  target = m_object.at(key).get<std::string>();
+  return true;
+}
+
+bool JsonFields::vector(const std::string& key, glm::dvec3& target, const Limits& limits) {
+  if (!has(key))
+    return false;
+  const nlohmann::json& value = m_object.at(key);
+  if (!value.is_array() || value.size() != 3)
+    fail(key, "must be a list of three numbers");
+  for (int axis = 0; axis < 3; ++axis)
+    target[axis] = numberIn(value[static_cast<std::size_t>(axis)], key, limits);
+  return true;
+}
+
+bool JsonFields::pair(const std::string& key, double& first, double& second, const Limits& limits) {
+  if (!has(key))
+    return false;
+  const nlohmann::json& value = m_object.at(key);
+  if (!value.is_array() || value.size() != 2)
+    fail(key, "must be a list of two numbers");
+  first = numberIn(value[0], key, limits);
+  second = numberIn(value[1], key, limits);
+  return true;
+}
+
+void JsonFields::finish() const {
+  for (const auto& [key, value] : m_object.items())
+    if (!m_known.contains(key))
+      fail(key, "is not a key that Limn knows; check its spelling or remove it");
+}
+
+void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
+  int version = 0;
+  if (!fields.integer(key, version, 1, 1000000))
+    fields.fail(key, "is missing, so this is not a Limn " + what);
+  if (version != 1)
+    fields.fail(key,
+                "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
+}
+
+} // namespace limn

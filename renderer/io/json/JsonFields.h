@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace limn {
+
+/// A closed or half-open range of numbers a field accepts.
+struct Limits {
+  double lowest = std::numeric_limits<double>::lowest();
+  double highest = std::numeric_limits<double>::max();
+  bool openBelow = false; ///< true: `lowest` itself is refused
+};
+
+inline constexpr Limits anyNumber{};
+inline constexpr Limits notNegative{0.0, std::numeric_limits<double>::max()};
+inline constexpr Limits positive{0.0, std::numeric_limits<double>::max(), true};
+inline constexpr Limits fraction{0.0, 1.0};
+
+/// Reads one JSON object field by field and refuses what it was not asked for. Every method leaves its target
+/// alone where the field is absent and throws Error (input) naming document, field and rule where it is
+/// wrong.
+class JsonFields {
+public:
+  /// `where` names the object in errors, e.g. `shading`; empty for the document itself.
+  JsonFields(const nlohmann::json& object, std::string document, std::string where);
+
+  bool has(const std::string& key);
+  const nlohmann::json& child(const std::string& key);
+  JsonFields object(const std::string& key);
+
+  bool number(const std::string& key, double& target, const Limits& limits = anyNumber);
+  bool integer(const std::string& key, int& target, int lowest, int highest);
+  bool boolean(const std::string& key, bool& target);
+  bool text(const std::string& key, std::string& target);
+  bool vector(const std::string& key, glm::dvec3& target, const Limits& limits = anyNumber);
+  bool pair(const std::string& key, double& first, double& second, const Limits& limits);
+
+  template <class Enum, class Choices = std::initializer_list<std::pair<const char*, Enum>>>
+  bool choice(const std::string& key, Enum& target, const Choices& choices) {
+    std::string word;
+    if (!text(key, word))
+      return false;
+    std::string known;
+    for (const auto& [name, value] : choices) {
+      if (word == name) {
+        target = value;
+        return true;
+      }
+      known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    fail(key, "is \"" + word + "\"; choose one of " + known);
+  }
+
+  /// The same for values that `nameOf` names.
+  template <class Enum, std::size_t size>
+  bool choice(const std::string& key, Enum& target, const std::array<Enum, size>& choices) {
+    std::vector<std::pair<const char*, Enum>> named;
+    for (const Enum value : choices)
+      named.emplace_back(nameOf(value), value);
+    return choice(key, target, named);
+  }
+
+  /// Refuses every field that no method asked for, by name.
+  void finish() const;
+
+  [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+  const std::string& document() const { return m_document; }
+
+private:
+  std::string pathOf(const std::string& key) const;
+  double numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const;
+
+  const nlohmann::json& m_object;
+  std::string m_document;
+  std::string m_where;
+  std::set<std::string> m_known;
+};
+
+/// Refuses a document whose `key` is not the version that this program reads; `what` it would be otherwise.
+void requireVersion(JsonFields& fields, const std::string& key, const std::string& what);
+
+} // namespace limn

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/reading/HeaderText.h"
+
+#include "io/reading/ReadError.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace limn {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+} // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+std::vector<std::string> words(std::string_view text) {
+  std::vector<std::string> result;
+  while (!(text = trimmed(text)).empty()) {
+    const std::size_t end = std::min(text.find_first_of(blanks), text.size());
+    result.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return result;
+}
+
+std::vector<double> numbers(const std::filesystem::path& file, std::string_view text) {
+  std::vector<double> result;
+  for (const std::string& word : words(text))
+    result.push_back(number(file, word));
+  return result;
+}
+
+double number(const std::filesystem::path& file, std::string_view text) {
+  std::string_view word = trimmed(text);
+  if (word.starts_with('+'))
+    word.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (problem != std::errc{} || end != word.data() + word.size() || word.empty())
+    failReading(file, "its header has \"" + std::string(word.substr(0, 40)) + "\" where a number is needed",
+                copyAgain);
+  return value;
+}
+
+} // namespace limn

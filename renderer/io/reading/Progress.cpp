@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/reading/Progress.h"
+
+#include "scene/Error.h"
+
+namespace limn {
+
+void reportOrStop(const Progress& progress, double fraction, const std::string& what) {
+  if (progress.isCancelled && progress.isCancelled())
+    throw Cancelled();
+  if (progress.report)
+    progress.report(fraction, what);
+}
+
+Progress part(const Progress& whole, double from, double to) {
+  Progress result;
+  result.isCancelled = whole.isCancelled;
+  if (whole.report)
+    result.report = [report = whole.report, from, to](double fraction, const std::string& what) {
+      report(from + (to - from) * fraction, what);
+    };
+  return result;
+}
+
+} // namespace limn

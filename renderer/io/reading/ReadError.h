@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Error.h"
+
+#include <filesystem>
+#include <string>
+
+namespace limn {
+
+/// Throws Error (input) with the one sentence of a file that cannot be read. `reason` continues "Cannot read
+/// FILE: " and `wayOut` is an instruction without a full stop. What a damaged header put into the reason
+/// becomes plain text of some length.
+[[noreturn]] void failReading(const std::filesystem::path& file, const std::string& reason,
+                              const std::string& wayOut);
+
+/// Throws an error of the same kind whose sentence says which file was being read.
+[[noreturn]] void failReading(const std::filesystem::path& file, const Error& cause);
+
+/// The way out where a file ends early or its header lies.
+inline constexpr const char* copyAgain = "copy or export the file again";
+
+} // namespace limn

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include <time.h>
+
+namespace limn::test {
+
+/// Processor time that the calling thread has taken, ms. What else the machine does is not in it, nor what
+/// other threads do for this one.
+inline double threadMs() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+/// Prints a time on the clock and its bound. Only `./dev bench`, which sets LIMN_BENCH and runs nothing
+/// beside it, fails where the bound is exceeded: a busy machine must fail no test.
+inline void judgeMs(const std::string& what, double ms, double mostMs) {
+  std::printf("time: %s: %.1f ms of at most %.0f\n", what.c_str(), ms, mostMs);
+  if (std::getenv("LIMN_BENCH"))
+    EXPECT_LE(ms, mostMs) << what;
+}
+
+} // namespace limn::test
