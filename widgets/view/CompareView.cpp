@@ -12,10 +12,8 @@
 #include "widgets/view/recovery/DriverRecovery.h"
 
 #include <QCoreApplication>
-#include <QEnterEvent>
 #include <QKeyEvent>
 #include <QOpenGLContext>
-#include <QWheelEvent>
 
 #include <algorithm>
 
@@ -62,22 +60,15 @@ void CompareView::connectRecovery() {
   connect(m_recovery, &DriverRecovery::givenUp, this, &CompareView::giveUpDriver);
   connect(m_recovery, &DriverRecovery::restored, this, &CompareView::graphicsRestored);
   connect(m_recovery, &DriverRecovery::stateChanged, this, &CompareView::pictureStateChanged);
-  connect(m_recovery, &DriverRecovery::drawn, this, [this](const std::vector<QImage>& pictures) {
-    m_panels->setPictures(pictures);
-    updatePanels();
-  });
-  connect(m_recovery, &DriverRecovery::failed, this, [this](const QString& sentence) {
-    updatePanels();
-    emit errorOccurred(sentence);
-  });
-  connect(m_panels, &PanelStack::retryRequested, this, [this] {
-    m_recovery->retry();
-    redraw();
-  });
-  connect(m_panels, &PanelStack::driverRetryRequested, this, [this] {
-    m_recovery->forget();
-    redraw();
-  });
+  // Slots are called in the order in which they were connected.
+  connect(m_recovery, &DriverRecovery::drawn, m_panels, &PanelStack::setPictures);
+  connect(m_recovery, &DriverRecovery::drawn, this, &CompareView::updatePanels);
+  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::updatePanels);
+  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::errorOccurred);
+  connect(m_panels, &PanelStack::retryRequested, m_recovery, &DriverRecovery::retry);
+  connect(m_panels, &PanelStack::retryRequested, this, &CompareView::redraw);
+  connect(m_panels, &PanelStack::driverRetryRequested, m_recovery, &DriverRecovery::forget);
+  connect(m_panels, &PanelStack::driverRetryRequested, this, &CompareView::redraw);
 }
 
 void CompareView::connectInput() {

@@ -21,7 +21,7 @@ PictureRequest requestOf(const Comparison& comparison, const ViewGeometry& geome
   const QString title = sideTitle(request.scenes.back());
   request.lastName = request.scenes.size() == 1
                          ? title
-                         : QCoreApplication::translate("limn::PictureOrders", "%1 (right)").arg(title);
+                         : QCoreApplication::translate("PictureOrders", "%1 (right)").arg(title);
   return request;
 }
 

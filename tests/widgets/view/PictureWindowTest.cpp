@@ -2,6 +2,7 @@
 #include "ViewHost.h"
 #include "gl/HeadlessContext.h"
 #include "io/ImageFile.h"
+#include "raycaster/RayCaster.h"
 #include "support/Heart.h"
 #include "support/TemporaryFolder.h"
 

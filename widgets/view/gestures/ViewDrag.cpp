@@ -15,15 +15,12 @@ namespace {
 
 constexpr double clickSlack = 3.0; // a click may tremble by this many logical pixels
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("limn::ViewDrag", text);
-}
-
 QString textOf(const ViewDrag& drag) {
   if (drag.kind == DragKind::cropFace)
-    return translated("move crop face: %1").arg(cropFaceName(*drag.before.volume, drag.face));
-  return drag.kind == DragKind::opacity ? translated("change opacity")
-                                        : translated("change window and level");
+    return QCoreApplication::translate("ViewDrag", "move crop face: %1")
+        .arg(cropFaceName(*drag.before.volume, drag.face));
+  return drag.kind == DragKind::opacity ? QCoreApplication::translate("ViewDrag", "change opacity")
+                                        : QCoreApplication::translate("ViewDrag", "change window and level");
 }
 
 // Only what differs from what is shown is worth asking for.

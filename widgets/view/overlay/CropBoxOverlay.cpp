@@ -11,19 +11,17 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("limn::CropBoxOverlay", text);
-}
-
 // What a held face cuts off, beside its handle.
 Note cropNote(const OverlaySource& source, const CropHandle& handle) {
   const Volume& volume = source.volume();
   const CropFace face = handle.face;
   const double place = placeOf(source.comparison.scene.crop, face);
   const double cut = face.isUpper ? 1.0 - place : place;
-  QString text = translated("%1: %2 % cut").arg(cropFaceName(volume, face), plainNumber(100.0 * cut, 1));
+  QString text = QCoreApplication::translate("CropBoxOverlay", "%1: %2 % cut")
+                     .arg(cropFaceName(volume, face), plainNumber(100.0 * cut, 1));
   if (volume.info().spacingKnown)
-    text += translated(" · %1 mm").arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
+    text += QCoreApplication::translate("CropBoxOverlay", " · %1 mm")
+                .arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
   Note note = noteAt(source.font, text, {0.0, 0.0}, Qt::AlignLeft, source.geometry.size.width());
   note.plate.moveCenter(handle.centre + QPointF(0.0, -28.0));
   const QRectF room = source.view().adjusted(4.0, 4.0, -4.0, -4.0);

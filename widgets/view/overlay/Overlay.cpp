@@ -11,10 +11,6 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("limn::Overlay", text);
-}
-
 // A value with as many digits as its range makes sensible.
 QString valueText(double value, const Volume& volume) {
   const double span = volume.range().highest - volume.range().lowest;
@@ -32,10 +28,11 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height()), std::min(160.0, side.width() / 4));
   if (bar.pixels < 8.0)
     return std::nullopt;
-  const QString length = translated("%1 mm").arg(bar.lengthMm);
+  const QString length = QCoreApplication::translate("Overlay", "%1 mm").arg(bar.lengthMm);
   // In perspective a length holds at one distance only.
   const bool perspective = camera.projection == Camera::Projection::perspective;
-  const QString text = perspective ? translated("%1 at the centre").arg(length) : length;
+  const QString text =
+      perspective ? QCoreApplication::translate("Overlay", "%1 at the centre").arg(length) : length;
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, side)};
 }
 
@@ -57,7 +54,7 @@ std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
   const double height = source.geometry.size.height();
   const double room = width - 2 * overlayMargin;
-  const Note warning = noteAt(source.font, translated("Not for diagnosis"),
+  const Note warning = noteAt(source.font, QCoreApplication::translate("Overlay", "Not for diagnosis"),
                               {width - overlayMargin, height - overlayMargin}, Qt::AlignRight, room);
   overlay.notes.push_back(warning);
   std::vector<QRectF> plates{warning.plate};
@@ -93,8 +90,8 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, const std::ve
   const double lowest = source.geometry.size.height() - overlayMargin;
   const std::vector<double> columns = letterColumns(source.geometry);
   if (!source.volume().info().orientationKnown) {
-    Note note = noteAt(source.font, translated("Orientation unknown"), {0.0, 0.0}, Qt::AlignHCenter,
-                       pictureRect(source.geometry, 0).width());
+    Note note = noteAt(source.font, QCoreApplication::translate("Overlay", "Orientation unknown"), {0.0, 0.0},
+                       Qt::AlignHCenter, pictureRect(source.geometry, 0).width());
     note.plate.moveBottom(clearRowAbove(lowest, note.plate.size(), columns, plates));
     for (const double column : columns) {
       note.plate.moveLeft(column - note.plate.width() / 2);

@@ -11,10 +11,6 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("limn::SideText", text);
-}
-
 QString number(double value) {
   return QString::number(value, 'g', 4);
 }
@@ -28,10 +24,11 @@ QString lightingText(const Shading& shading) {
   case ShadingModel::none:
     return {};
   case ShadingModel::classic:
-    return translated("SP %1").arg(number(shading.exponent));
+    return QCoreApplication::translate("SideText", "SP %1").arg(number(shading.exponent));
   case ShadingModel::enhanced:
   case ShadingModel::robust:
-    return translated("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+    return QCoreApplication::translate("SideText", "SP %1 · O %2")
+        .arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
   }
   return {};
 }
@@ -45,15 +42,19 @@ QString sideTitle(const Scene& scene) {
 QString sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.contrast)
-    parts << translated("contrast %1").arg(*state.contrast, 0, 'f', 3);
+    parts << QCoreApplication::translate("SideText", "contrast %1").arg(*state.contrast, 0, 'f', 3);
   if (state.overflow)
-    parts << translated("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
+    parts << QCoreApplication::translate("SideText", "overflow %1 %")
+                 .arg(100.0 * state.overflow->share, 0, 'f', 1);
   if (state.completeMs)
-    parts << translated("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+    parts << QCoreApplication::translate("SideText", "%1 ms")
+                 .arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
   if (state.estimate && !state.isRough && state.isResolved)
-    parts << translated("within %1 levels").arg(levelsText(state.estimate->p99_9));
-  const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
-                                                       : translated("unlit, the same with every model");
+    parts
+        << QCoreApplication::translate("SideText", "within %1 levels").arg(levelsText(state.estimate->p99_9));
+  const QString lighting = usesLight(scene.projection)
+                               ? lightingText(scene.shading)
+                               : QCoreApplication::translate("SideText", "unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
   return parts.join(QStringLiteral(" · "));

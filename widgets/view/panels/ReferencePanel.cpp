@@ -45,6 +45,7 @@ ReferencePanel::ReferencePanel(QWidget* parent)
   setAccessibleName(tr("Picture drawn by the processor"));
   m_bar->setObjectName(QStringLiteral("graphicsFailure"));
   m_bar->setStyleSheet(barStyle);
+  m_text->setObjectName(QStringLiteral("failureReason"));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* copy = button(tr("Copy details"), QStringLiteral("copyFailure"), m_bar);
@@ -66,10 +67,6 @@ void ReferencePanel::setReason(const QString& sentence, const QString& details) 
   m_details = details;
   m_text->setText(
       tr("%1 Until it works again, the processor draws the picture, with few pixels.").arg(sentence));
-}
-
-QString ReferencePanel::reason() const {
-  return m_text->text();
 }
 
 void ReferencePanel::setPictures(const std::vector<QImage>& pictures) {

@@ -21,7 +21,6 @@ public:
 
   /// `details`: what the driver wrote, for the clipboard.
   void setReason(const QString& sentence, const QString& details);
-  QString reason() const;
   void setPictures(const std::vector<QImage>& pictures);
   const std::vector<QImage>& pictures() const { return m_pictures; }
 

@@ -110,6 +110,7 @@ MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(
   setStyleSheet(panelStyle);
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("The picture cannot be drawn"), this);
+  m_text->setObjectName(QStringLiteral("sentence"));
   m_text->setWordWrap(true);
   m_text->setAlignment(Qt::AlignCenter);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -135,10 +136,6 @@ MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(
 
 void MessagePanel::setSentence(const QString& sentence) {
   m_text->setText(sentence);
-}
-
-QString MessagePanel::sentence() const {
-  return m_text->text();
 }
 
 LoadingPanel::LoadingPanel(QWidget* parent)

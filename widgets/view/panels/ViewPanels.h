@@ -35,7 +35,6 @@ class MessagePanel : public QFrame {
 public:
   explicit MessagePanel(QWidget* parent);
   void setSentence(const QString& sentence);
-  QString sentence() const;
 
 signals:
   void retryRequested();

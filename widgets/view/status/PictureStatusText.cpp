@@ -13,10 +13,6 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("limn::PictureStatusText", text);
-}
-
 // As few digits as give the number back exactly: it can be typed after --step.
 QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
@@ -33,8 +29,8 @@ QString fractionText(double value) {
 
 QString timeText(double ms) {
   if (ms < 1000.0)
-    return translated("%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
-  return translated("%1 s").arg(ms / 1000.0, 0, 'f', 1);
+    return QCoreApplication::translate("PictureStatusText", "%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
+  return QCoreApplication::translate("PictureStatusText", "%1 s").arg(ms / 1000.0, 0, 'f', 1);
 }
 
 // The side that lies farthest from its exact picture.
@@ -56,77 +52,95 @@ bool isResolved(const PictureState& state) {
 
 QString estimateText(const PictureState& state) {
   if (!isResolved(state))
-    return translated("not resolved");
+    return QCoreApplication::translate("PictureStatusText", "not resolved");
   if (!isKnown(state))
-    return translated("estimating…");
+    return QCoreApplication::translate("PictureStatusText", "estimating…");
   const SideState& worst = worstOf(state);
   const QString levels = levelsText(worst.estimate->p99_9);
-  return (worst.isRough ? translated("within about %1 of 255 levels") : translated("within %1 of 255 levels"))
+  return (worst.isRough ? QCoreApplication::translate("PictureStatusText", "within about %1 of 255 levels")
+                        : QCoreApplication::translate("PictureStatusText", "within %1 of 255 levels"))
       .arg(levels);
 }
 
 // The step of a preview is in the tool tip: what strikes is its resolution.
 QString previewText(const SideState& side) {
   if (side.imageScale >= 1.0)
-    return translated("preview, step %1").arg(stepText(side.stepVoxels));
-  return translated("preview at %1 resolution").arg(fractionText(side.imageScale));
+    return QCoreApplication::translate("PictureStatusText", "preview, step %1")
+        .arg(stepText(side.stepVoxels));
+  return QCoreApplication::translate("PictureStatusText", "preview at %1 resolution")
+      .arg(fractionText(side.imageScale));
 }
 
 // Under a tolerance there is no one step to tell.
 QString restingText(const PictureState& state, const Scene& scene) {
-  const QString step = scene.quality.toleranceLevels ? translated("chosen by error")
-                                                     : stepText(state.sides.front().stepVoxels);
+  const QString step = scene.quality.toleranceLevels
+                           ? QCoreApplication::translate("PictureStatusText", "chosen by error")
+                           : stepText(state.sides.front().stepVoxels);
   if (!state.refinementEnd)
-    return (state.refines ? translated("step %1, refining") : translated("step %1")).arg(step);
+    return (state.refines ? QCoreApplication::translate("PictureStatusText", "step %1, refining")
+                          : QCoreApplication::translate("PictureStatusText", "step %1"))
+        .arg(step);
   switch (*state.refinementEnd) {
   case RefinementEnd::withinHalfALevel:
-    return translated("refined, step %1").arg(step);
+    return QCoreApplication::translate("PictureStatusText", "refined, step %1").arg(step);
   case RefinementEnd::smallestStep:
-    return translated("smallest step, %1").arg(step);
+    return QCoreApplication::translate("PictureStatusText", "smallest step, %1").arg(step);
   case RefinementEnd::sampleLimit:
-    return translated("smallest possible step, %1").arg(step);
+    return QCoreApplication::translate("PictureStatusText", "smallest possible step, %1").arg(step);
   case RefinementEnd::patience:
-    return translated("smallest practical step, %1").arg(step);
+    return QCoreApplication::translate("PictureStatusText", "smallest practical step, %1").arg(step);
   case RefinementEnd::failed:
-    return translated("step %1, not refined").arg(step);
+    return QCoreApplication::translate("PictureStatusText", "step %1, not refined").arg(step);
   }
   return {};
 }
 
 QString explanationOf(const PictureState& state) {
   if (!isResolved(state))
-    return translated(
+    return QCoreApplication::translate(
+        "PictureStatusText",
         "Not resolved: a band of the curve is narrower than what the value changes by within one "
         "step, so the picture may miss it and no number would be right. Pre-integrated steps, or "
         "smaller ones, see it.");
   if (!isKnown(state))
-    return translated("How far the picture lies from the exact one is being estimated.");
-  QString text =
-      translated("999 of 1000 colour values of the picture are estimated to lie within %1 levels of "
-                 "the exact picture; black and white are 255 levels apart.")
-          .arg(levelsText(worstOf(state).estimate->p99_9));
+    return QCoreApplication::translate("PictureStatusText",
+                                       "How far the picture lies from the exact one is being estimated.");
+  QString text = QCoreApplication::translate(
+                     "PictureStatusText",
+                     "999 of 1000 colour values of the picture are estimated to lie within %1 levels of "
+                     "the exact picture; black and white are 255 levels apart.")
+                     .arg(levelsText(worstOf(state).estimate->p99_9));
   if (worstOf(state).isRough)
-    text += QLatin1Char(' ') + translated("Estimated from a smaller picture.");
+    text += QLatin1Char(' ') +
+            QCoreApplication::translate("PictureStatusText", "Estimated from a smaller picture.");
   if (state.sides.front().imageScale < 1.0)
     text += QLatin1Char(' ') +
-            translated("The preview also has fewer pixels than the window; that comes on top.");
+            QCoreApplication::translate(
+                "PictureStatusText", "The preview also has fewer pixels than the window; that comes on top.");
   return text;
 }
 
 QString endText(const PictureState& state) {
   if (!state.refinementEnd)
-    return state.refines ? translated("The picture is being drawn again with half the step.") : QString();
+    return state.refines ? QCoreApplication::translate("PictureStatusText",
+                                                       "The picture is being drawn again with half the step.")
+                         : QString();
   switch (*state.refinementEnd) {
   case RefinementEnd::withinHalfALevel:
-    return translated("The steps cost no more than half a level: smaller ones would show no difference.");
+    return QCoreApplication::translate(
+        "PictureStatusText",
+        "The steps cost no more than half a level: smaller ones would show no difference.");
   case RefinementEnd::smallestStep:
-    return translated("No smaller step is drawn: it would take long and show little.");
+    return QCoreApplication::translate("PictureStatusText",
+                                       "No smaller step is drawn: it would take long and show little.");
   case RefinementEnd::sampleLimit:
-    return translated("With a smaller step rays would need more samples than the driver allows.");
+    return QCoreApplication::translate(
+        "PictureStatusText", "With a smaller step rays would need more samples than the driver allows.");
   case RefinementEnd::patience:
-    return translated("The next smaller step would take too long on this machine.");
+    return QCoreApplication::translate("PictureStatusText",
+                                       "The next smaller step would take too long on this machine.");
   case RefinementEnd::failed:
-    return translated("Refining the picture failed.");
+    return QCoreApplication::translate("PictureStatusText", "Refining the picture failed.");
   }
   return {};
 }
@@ -135,18 +149,20 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
   if (scene.quality.toleranceLevels) {
-    parts << translated("error-controlled steps (--tolerance %1)")
+    parts << QCoreApplication::translate("PictureStatusText", "error-controlled steps (--tolerance %1)")
                  .arg(exactNumber(*scene.quality.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
-    parts << translated("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
+    parts << QCoreApplication::translate("PictureStatusText",
+                                         "step %1 of the smallest voxel spacing, %2 mm (--step %3)")
                  .arg(fractionText(side.stepVoxels))
                  .arg(mm, 0, 'g', 3)
                  .arg(exactNumber(side.stepVoxels));
   }
   if (isResolved(state) && isKnown(state)) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
-    parts << translated("99.9th percentile %1, mean %2 levels, observed order %3")
+    parts << QCoreApplication::translate("PictureStatusText",
+                                         "99.9th percentile %1, mean %2 levels, observed order %3")
                  .arg(estimate.p99_9, 0, 'g', 3)
                  .arg(estimate.mean, 0, 'g', 2)
                  .arg(estimate.order, 0, 'f', 2);
@@ -159,9 +175,10 @@ QString numbersText(const PictureState& state, const Scene& scene) {
 // Nobody measured the small picture; it is exact in each of its pixels.
 PictureStatusText processorText(const PictureState& state) {
   PictureStatusText text;
-  text.estimate = state.processorIsDone ? translated("drawn by the processor, few pixels")
-                                        : translated("the processor is drawing…");
-  text.engine = translated("reference");
+  text.estimate = state.processorIsDone
+                      ? QCoreApplication::translate("PictureStatusText", "drawn by the processor, few pixels")
+                      : QCoreApplication::translate("PictureStatusText", "the processor is drawing…");
+  text.engine = QCoreApplication::translate("PictureStatusText", "reference");
   text.toolTip = state.driverFailure;
   return text;
 }
@@ -169,7 +186,9 @@ PictureStatusText processorText(const PictureState& state) {
 } // namespace
 
 QString stepText(double stepVoxels) {
-  return (stepVoxels > 1.0 ? translated("%1 voxels") : translated("%1 voxel")).arg(fractionText(stepVoxels));
+  return (stepVoxels > 1.0 ? QCoreApplication::translate("PictureStatusText", "%1 voxels")
+                           : QCoreApplication::translate("PictureStatusText", "%1 voxel"))
+      .arg(fractionText(stepVoxels));
 }
 
 QString levelsText(double levels) {
@@ -194,7 +213,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   for (const SideState& side : state.sides)
     ms += side.shownMs;
   text.time = timeText(ms);
-  text.engine = translated("GLSL");
+  text.engine = QCoreApplication::translate("PictureStatusText", "GLSL");
   QStringList lines{explanationOf(state), endText(state), numbersText(state, scene)};
   lines.removeAll(QString());
   text.toolTip = lines.join(QLatin1Char('\n'));

@@ -3,8 +3,8 @@
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCaster.h"
 #include "raycaster/RayCasterEngine.h"
-#include "scene/HeadScene.h"
 #include "scene/Phantom.h"
+#include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 
 #include <QCoreApplication>

@@ -6,8 +6,8 @@
 #include "raycaster/RayCasterEngine.h"
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/HeadScene.h"
 #include "scene/Phantom.h"
+#include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 
 // Pictures on their way from coarse to exact, without a window, with every engine that there is.

@@ -4,8 +4,8 @@
 #include "gl/DriverHealth.h"
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/HeadScene.h"
 #include "scene/Phantom.h"
+#include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 #include "widgets/view/pictures/PictureBytes.h"
 
