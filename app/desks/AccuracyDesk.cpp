@@ -15,7 +15,7 @@
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/SideText.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QBuffer>
 #include <QFileInfo>

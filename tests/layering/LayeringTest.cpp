@@ -88,6 +88,19 @@ TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {
   expectNoIncludes("renderer/io", "^(gl|raycaster|slices|reference|widgets|app)/", "readers make values");
 }
 
+TEST(Layering, anEngineIsAnInterfaceOverScenes) {
+  expectNoIncludes("renderer/engine",
+                   "^(io|gl|raycaster|slices|reference|accuracy|stability|widgets|app)/|epoxy",
+                   "whoever asks an engine need not know which it is");
+}
+
+TEST(Layering, theViewAsksEnginesAndKnowsNone) {
+  expectNoIncludes("widgets", "^(slices|reference|stability)/|^raycaster/(?!PicturePresenter.h)",
+                   "the program chooses what draws");
+  expectNoIncludes("widgets/view/pictures", "^Q(Widget|OpenGLWidget|Application)|^widgets/view/(?!pictures/)",
+                   "pictures are drawn without a window");
+}
+
 TEST(Sources, carryTheirLicence) {
   for (const char* folder : {"renderer", "widgets", "app", "tests", "shaders"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
