@@ -77,7 +77,7 @@ TEST(Layering, allJsonAndXmlIsMadeAndReadInIo) {
 }
 
 TEST(Layering, theWindowNeedsNoLaboratory) {
-  for (const Include& include : includesBelow("app"))
+  for (const test::Include& include : test::includesBelow("app"))
     if (!include.file.string().starts_with("app/measure/") &&
         !include.file.string().starts_with("app/commands/"))
       EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
