@@ -183,14 +183,14 @@ TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges)
 
 TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
   ASSERT_TRUE(measure());
-  window->writeAccuracy(pathTo("chart.png"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("chart.png"));
   EXPECT_EQ(QImage(pathTo("chart.png")).size(), QSize(1200, 750));
-  window->writeAccuracy(pathTo("table.csv"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("table.csv"));
   QFile table(pathTo("table.csv"));
   ASSERT_TRUE(table.open(QIODevice::ReadOnly));
   const auto lines = QString::fromUtf8(table.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   EXPECT_EQ(lines.size(), 1 + static_cast<int>(panel().measured()->report.points.size()));
-  window->writeAccuracy(pathTo("page.html"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("page.html"));
   QFile page(pathTo("page.html"));
   ASSERT_TRUE(page.open(QIODevice::ReadOnly));
   const QByteArray text = page.readAll();

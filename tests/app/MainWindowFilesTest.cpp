@@ -89,8 +89,8 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue(QStringLiteral("Marked"));
   dialog->accept();
-  window->writeScene(pathTo("scene.json"));
-  window->writePicture(pathTo("picture.png"));
+  saving().writeScene(pathTo("scene.json"));
+  saving().writePicture(pathTo("picture.png"));
   window->close();
   window.reset();
   std::filesystem::remove_all(folder.path() / "series");

@@ -25,12 +25,12 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    window->setCompareLayout(CompareLayout::single);
-    window->session().setCamera(orbited(scene().camera, 0.5, 0.4));
+    setLayout(CompareLayout::single);
+    session().setCamera(orbited(scene().camera, 0.5, 0.4));
   }
 
   PropertiesPanel& properties() { return *window->findChild<PropertiesPanel*>(); }
-  GradientOpacityEditor& gradientEditor() { return *window->curves().gradientEditor(); }
+  GradientOpacityEditor& gradientEditor() { return *curves().gradientEditor(); }
 
   QPoint handle(CropFace face) { return view().mapTo(window.get(), view().cropHandle(face)->toPoint()); }
   void press(const QPoint& at) { QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, at); }
@@ -110,17 +110,17 @@ TEST_F(MainWindowScene, theLetterOfTheCropBoxCanBeTypedElsewhere) {
 TEST_F(MainWindowScene, gradientsAreCountedOnlyOnceTheirCurveIsLookedAt) {
   QCoreApplication::processEvents();
   EXPECT_FALSE(gradientEditor().useBox()->isEnabled());
-  window->curves().showGradient(true);
+  curves().showGradient(true);
   ASSERT_TRUE(gradientsCounted());
-  window->curves().showGradient(false);
-  window->curves().showGradient(true);
+  curves().showGradient(false);
+  curves().showGradient(true);
   EXPECT_TRUE(gradientEditor().useBox()->isEnabled()); // and not again
   ASSERT_TRUE(open(QStringLiteral("phantom:5")));      // another volume, whose curve is in view
   EXPECT_TRUE(gradientsCounted());
 }
 
 TEST_F(MainWindowScene, theCurveOverTheGradientIsSwitchedOnDraggedAndUndone) {
-  window->curves().showGradient(true);
+  curves().showGradient(true);
   ASSERT_TRUE(gradientsCounted());
   QCheckBox* use = gradientEditor().useBox();
   QTest::mouseClick(use, Qt::LeftButton, {}, {8, use->height() / 2});
@@ -150,7 +150,7 @@ TEST_F(MainWindowScene, theCurveOverTheGradientIsSwitchedOnDraggedAndUndone) {
 TEST_F(MainWindowScene, aSurfaceBeginsAtAValueThatTheVolumeHas) {
   Scene far = scene();
   far.isovalue = 1e6;
-  window->session().edit(far, {nextGestureId(), QStringLiteral("far")});
+  session().edit(far, {nextGestureId(), QStringLiteral("far")});
   emit properties().projectionEdited(Projection::isosurface, {nextGestureId(), QStringLiteral("surface")});
   EXPECT_EQ(scene().projection, Projection::isosurface);
   EXPECT_GT(scene().isovalue, scene().volume->range().lowest);
@@ -169,13 +169,13 @@ TEST_F(MainWindowScene, aPresetKeepsCurveOverTheGradientAndSurface) {
   shaped.gradientOpacity = GradientOpacity{{{5.0, 0.25}, {80.0, 0.75}}};
   shaped.projection = Projection::compositeIsosurface;
   shaped.isovalue = 123.5;
-  window->session().edit(shaped, {nextGestureId(), QStringLiteral("shape")});
+  session().edit(shaped, {nextGestureId(), QStringLiteral("shape")});
   saveAsPreset(QStringLiteral("Mine"));
   Scene plain = shaped;
   plain.gradientOpacity.reset();
   plain.projection = Projection::composite;
   plain.isovalue = 300.0;
-  window->session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
+  session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
   auto& browser = *window->findChild<PresetBrowser*>();
   EXPECT_NE(browser.list()->currentIndex().data().toString(), QStringLiteral("Mine"));
   emit browser.presetChosen(QStringLiteral("Mine"));

@@ -48,12 +48,12 @@ protected:
   [[nodiscard]] bool show(const std::function<void(Scene&)>& change, CompareLayout layout) {
     if (!open(QStringLiteral("phantom:4")))
       return false;
-    window->setCompareLayout(layout);
+    setLayout(layout);
     for (FoldingSection* section : window->findChildren<FoldingSection*>())
       section->setFolded(false);
     Scene changed = scene();
     change(changed);
-    window->session().edit(changed, {nextGestureId(), QStringLiteral("start")});
+    session().edit(changed, {nextGestureId(), QStringLiteral("start")});
     return idle();
   }
 
