@@ -1,241 +1,351 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/MessageBar.h"
-#include "app/PrivateNames.h"
+#include "app/actions/HelpBoxes.h"
+#include "app/desks/MessageBar.h"
+#include "app/document/DocumentText.h"
+#include "app/document/SceneEdits.h"
+#include "reference/ReferenceIntegrator.h"
+#include "widgets/Theme.h"
+#include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/effects/EffectsPanel.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/PropertiesPanel.h"
+#include "widgets/view/CompareView.h"
 
-#include <QActionGroup>
 #include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileInfo>
-#include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace limn {
 
+Centre::Centre(QMainWindow& window) {
+  auto* centre = new QWidget(&window);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  for (MessageBar** bar : {&recovery, &unsafe, &messages})
+    column->addWidget(*bar = new MessageBar(centre));
+  recovery->setObjectName(QStringLiteral("recoveryBar"));
+  unsafe->setObjectName(QStringLiteral("unsafeBar"));
+  view = new CompareView(centre);
+  column->addWidget(view, 1);
+  window.setCentralWidget(centre);
+}
+
 MainWindow::MainWindow(UserFolders folders, QWidget* parent)
-    : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings),
-      m_presetStore(m_folders.presets) {
+    : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings), m_session(this),
+      m_document(m_session), m_centre(*this), m_panels(*this), m_docks(*this, m_panels),
+      m_notes(*statusBar(), *m_centre.messages), m_pictures(*m_centre.view, *statusBar(), this),
+      m_status(*statusBar()), m_actions(*this, m_session.undoStack()),
+      m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
+      m_comparison(m_session, *m_centre.view, m_actions, this),
+      m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
+      m_curves(*m_panels.curves),
+      m_presets(PresetStore(m_folders.presets),
+                {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
+      m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
+                  m_notes},
+                 this),
+      m_saving(
+          m_document, *m_centre.view, m_settings, m_notes, [this] { return sessionDocument(); }, *this),
+      m_safety(m_document, [this] { return sessionDocument(); },
+               {*m_centre.recovery, *m_centre.unsafe, *m_menus.unsavedSessions, *this}),
+      m_opening(
+          m_settings, *m_actions.patientInTitle, *m_centre.messages,
+          [this] { return m_safety.savingOfNow(); }, *this),
+      m_recent(m_settings, *m_menus.recentSources) {
   setObjectName(QStringLiteral("limnWindow"));
   setAcceptDrops(true);
   setMinimumSize(800, 560);
-  layOut();
-  makeActions();
+  connectSettings();
   connectView();
   connectPanels();
-  connectEffects();
-  connectAccuracy();
-  connectMeasurer();
-  connectSceneSections();
-  connectGradientCurve();
-  connectLoader();
-  followPanels();
-  refreshPresets();
-  m_settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
-  connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
-  connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
-          [this](bool clean) { setWindowModified(!clean); });
+  connectScene();
+  connectOpening();
+  connectSaving();
+  connectActions();
+  m_presets.refresh();
   resize(1440, 900);
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
   updateTitle();
-  setCompareLayout(CompareLayout::sideBySide);
+  m_comparison.setLayout(CompareLayout::sideBySide);
   showScene(m_session.scene());
 }
 
+// Last words of children must not reach a window half gone.
 MainWindow::~MainWindow() {
-  // Last words must not reach a window half gone.
-  m_view->disconnect(this);
-  for (QDockWidget* dock : findChildren<QDockWidget*>())
-    dock->disconnect(this);
-  qApp->disconnect(this);
-}
-
-void MainWindow::layOut() {
-  auto* centre = new QWidget(this);
-  m_recovery = new MessageBar(centre);
-  m_recovery->setObjectName(QStringLiteral("recoveryBar"));
-  m_unsafe = new MessageBar(centre);
-  m_unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  m_messages = new MessageBar(centre);
-  m_view = new CompareView(centre);
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(m_recovery);
-  column->addWidget(m_unsafe);
-  column->addWidget(m_messages);
-  column->addWidget(m_view, 1);
-  setCentralWidget(centre);
-
-  m_curves = new CurvePanel(this);
-  m_editor = m_curves->valueEditor();
-  m_properties = new PropertiesPanel(this);
-  m_presets = new PresetBrowser(this);
-  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  m_presetDock = addDock(tr("Presets"), QStringLiteral("presetDock"), m_presets, Qt::LeftDockWidgetArea);
-  m_shadingDock =
-      addDock(tr("Properties"), QStringLiteral("shadingDock"), m_properties, Qt::RightDockWidgetArea);
-  makeEffectsDock();
-  makeAccuracyDock();
-  m_curveDock =
-      addDock(tr("Transfer function"), QStringLiteral("curveDock"), m_curves, Qt::BottomDockWidgetArea);
-  resizeDocks({m_presetDock, m_shadingDock}, {220, 300}, Qt::Horizontal);
-  resizeDocks({m_curveDock}, {280}, Qt::Vertical);
-
-  makeStatusBar();
-}
-
-QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content,
-                                 Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  return dock;
+  m_centre.view->disconnect(this);
 }
 
 void MainWindow::connectView() {
-  connect(m_view, &CompareView::cameraEdited, &m_session, &Session::setCamera);
-  connect(m_view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
-  connect(m_view, &CompareView::probed, this, &MainWindow::showProbe);
-  connect(m_view, &CompareView::pictureStateChanged, this, &MainWindow::showPictureState);
-  connect(m_view, &CompareView::errorOccurred, this, &MainWindow::showError);
-  prepareForDriverFailure();
-  connect(m_view, &CompareView::modelChosen, this, &MainWindow::setSideModel);
-  connect(m_view, &CompareView::windowPresetRequested, this, &MainWindow::applyWindowPreset);
-  connect(m_view, &CompareView::shortcutListRequested, this, &MainWindow::showShortcuts);
-  connect(m_view, &CompareView::maximiseRequested, m_focusAction, &QAction::trigger);
-  connect(m_view, &CompareView::openFolderRequested, this, &MainWindow::openFolder);
-  connect(m_view, &CompareView::openFileRequested, this, &MainWindow::openFile);
-  connect(m_view, &CompareView::sampleRequested, this, [this] { openSource(QStringLiteral("sample")); });
-  connect(m_view, &CompareView::loadingCancelled, &m_loader, &VolumeLoader::cancel);
-  connect(m_view, &CompareView::wipeMoved, this, &MainWindow::noteChange);
-  connect(m_view, &CompareView::pinRequested, m_editor, &TransferFunctionEditor::setPinnedValue);
+  CompareView* view = m_centre.view;
+  // The definition itself draws when the driver does not, in double precision.
+  view->setProcessorRenderer(
+      [](const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
+        return toImage(renderReference(scene, size, 0, isCancelled));
+      });
+  connect(view, &CompareView::cameraEdited, &m_session, &Session::setCamera);
+  connect(view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
+  connect(view, &CompareView::cropEdited, &m_session, &Session::setCrop);
+  connect(view, &CompareView::pinRequested, m_panels.curves->valueEditor(),
+          &TransferFunctionEditor::setPinnedValue);
+  connect(view, &CompareView::probed, this, [this](const std::optional<Probe>& probe) {
+    m_panels.curves->valueEditor()->setMarkedValue(probe ? std::optional(probe->value) : std::nullopt);
+    m_status.showProbe(probe, m_session.scene().volume.get());
+  });
+  connect(view, &CompareView::pictureStateChanged, this, [this](const PictureState& state) {
+    m_status.showPicture(state, m_session.scene());
+    if (!state.limitation.isEmpty() && m_centre.messages->sentence() != state.limitation)
+      m_centre.messages->show(MessageBar::Kind::warning, state.limitation);
+    m_pictures.lookSoon();
+  });
+  connect(view, &CompareView::errorOccurred, this, &MainWindow::showError);
+  connect(view, &CompareView::graphicsRestored, this,
+          [this](const QString& sentence) { m_centre.messages->show(MessageBar::Kind::warning, sentence); });
+  connect(view, &CompareView::windowPresetRequested, &m_presets, &PresetDesk::useNumber);
+  connect(view, &CompareView::shortcutListRequested, m_actions.shortcuts, &QAction::trigger);
+  connect(view, &CompareView::maximiseRequested, m_actions.pictureAndCurveOnly, &QAction::trigger);
+  connect(view, &CompareView::openFolderRequested, &m_opening, &OpeningDesk::askForFolder);
+  connect(view, &CompareView::openFileRequested, &m_opening, &OpeningDesk::askForFile);
+  connect(view, &CompareView::sampleRequested, &m_opening, &OpeningDesk::openSample);
+  connect(view, &CompareView::loadingCancelled, &m_opening, &OpeningDesk::cancel);
+  connect(view, &CompareView::wipeMoved, &m_safety, &SessionSafety::noteChange);
 }
 
 void MainWindow::connectPanels() {
-  connect(m_editor, &TransferFunctionEditor::transferFunctionEdited, &m_session,
+  connect(m_panels.curves->valueEditor(), &TransferFunctionEditor::transferFunctionEdited, &m_session,
           &Session::setTransferFunction);
-  connect(m_properties, &PropertiesPanel::shadingEdited, &m_session, &Session::setShading);
-  connect(m_properties, &PropertiesPanel::qualityEdited, &m_session, &Session::setQuality);
-  connect(m_presets, &PresetBrowser::presetChosen, this, &MainWindow::applyPreset);
-  connect(m_presets, &PresetBrowser::saveRequested, this, &MainWindow::savePreset);
-  connect(m_presets, &PresetBrowser::deleteRequested, this, &MainWindow::deletePreset);
+  connect(m_panels.curves->gradientEditor(), &GradientOpacityEditor::gradientOpacityEdited, &m_session,
+          &Session::setGradientOpacity);
+  PropertiesPanel* properties = m_panels.properties;
+  connect(properties, &PropertiesPanel::shadingEdited, &m_session, &Session::setShading);
+  connect(properties, &PropertiesPanel::qualityEdited, &m_session, &Session::setQuality);
+  connect(properties, &PropertiesPanel::isovalueEdited, &m_session, &Session::setIsovalue);
+  connect(properties, &PropertiesPanel::fogEdited, &m_session, &Session::setFog);
+  connect(properties, &PropertiesPanel::cropEdited, &m_session, &Session::setCrop);
+  connect(properties, &PropertiesPanel::projectionEdited, this,
+          [this](Projection projection, const Gesture& gesture) {
+            m_session.edit(withProjection(m_session.scene(), projection, m_document.histogram()), gesture);
+          });
+  connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
+  connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
+  connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
+  connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
+  connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);
+  connect(m_panels.effects, &EffectsPanel::measureRequested, m_centre.view, &CompareView::measureEffects);
+  connect(&m_docks, &Docks::panelChanged, &m_safety, &SessionSafety::noteChange);
+}
+
+void MainWindow::connectScene() {
+  connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
+  connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
+          [this](bool clean) { setWindowModified(!clean); });
+  connect(&m_comparison, &ComparisonDesk::modelsShown, m_panels.properties, &PropertiesPanel::setModelsShown);
+  connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
+  connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
+  connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
+}
+
+void MainWindow::connectOpening() {
+  connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
+  connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
+  connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
+  connect(&m_opening, &OpeningDesk::failed, this, [this](const QString& source, const QString& sentence) {
+    m_recent.remove(source);
+    showError(sentence);
+  });
+  connect(&m_recent, &RecentMenu::chosen, this, [this](const QString& path) { openSource(path); });
+  connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningDesk::restore);
+  connect(m_menus.file, &QMenu::aboutToShow, &m_safety, &SessionSafety::refreshMenu);
+}
+
+void MainWindow::connectSaving() {
+  connect(&m_pictures, &PictureSaving::complete, &m_saving, &SavingDesk::writePicture);
+  connect(&m_pictures, &PictureSaving::failed, this,
+          [this](const QString& sentence) { m_notes.sayFailure(sentence); });
+  connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingDesk::saveSession);
+  connect(&m_saving, &SavingDesk::sessionSaved, &m_safety, &SessionSafety::noteChange);
+  connect(&m_saving, &SavingDesk::sessionSaved, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::connectActions() {
+  const auto run = [this](const QAction* action, auto* receiver, auto slot) {
+    connect(action, &QAction::triggered, receiver, slot);
+  };
+  run(m_actions.openFile, &m_opening, &OpeningDesk::askForFile);
+  run(m_actions.openFolder, &m_opening, &OpeningDesk::askForFolder);
+  run(m_actions.openSample, &m_opening, &OpeningDesk::openSample);
+  run(m_actions.saveSession, &m_saving, &SavingDesk::saveSession);
+  run(m_actions.saveSessionAs, &m_saving, &SavingDesk::saveSessionAs);
+  run(m_actions.saveScene, &m_saving, &SavingDesk::saveScene);
+  run(m_actions.savePicture, this, [this] { m_pictures.ask(suggestedName(m_document)); });
+  run(m_actions.closeVolume, this, &MainWindow::closeVolume);
+  run(m_actions.quit, this, &QWidget::close);
+  run(m_actions.copyPicture, this, &MainWindow::copyPicture);
+  run(m_actions.resetCamera, m_centre.view, &CompareView::resetCamera);
+  run(m_actions.orthographic, this, [this](bool isChosen) {
+    const Camera& camera = m_session.scene().camera;
+    m_session.setCamera(withProjection(camera, isChosen ? Camera::Projection::orthographic
+                                                        : Camera::Projection::perspective));
+  });
+  connect(m_actions.views, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
+    m_centre.view->lookFrom(static_cast<StandardView>(chosen->data().toInt()));
+  });
+  connect(m_actions.pictureAndCurveOnly, &QAction::toggled, this, &MainWindow::setFocusMode);
+  run(m_actions.findPreset, this, [this] {
+    m_docks.showPresets();
+    m_panels.presets->focusSearch();
+  });
+  run(m_actions.savePreset, &m_presets, &PresetDesk::askForName);
+  run(m_actions.shortcuts, this, [this] { showShortcuts(this); });
+  run(m_actions.about, this, [this] { showAbout(this); });
+}
+
+// Actions that show settings and change them.
+void MainWindow::connectSettings() {
+  m_settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
+  m_actions.refineAtRest->setChecked(m_settings.refinesAtRest());
+  connect(m_actions.refineAtRest, &QAction::toggled, &m_accuracy, &AccuracyDesk::setRefinesAtRest);
+  m_actions.patientInTitle->setChecked(m_settings.patientIsShown());
+  connect(m_actions.patientInTitle, &QAction::toggled, this, [this](bool shown) {
+    m_settings.setPatientIsShown(shown);
+    updateTitle();
+  });
+  check(*m_actions.themes, m_settings.theme());
+  connect(m_actions.themes, &QActionGroup::triggered, this, [this](const QAction* chosen) {
+    const QString theme = chosen->data().toString();
+    m_settings.setTheme(theme);
+    applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
+  });
+}
+
+void MainWindow::openSource(const QString& source, const SourceOptions& options) {
+  m_opening.open(source, options);
+}
+
+void MainWindow::keepSessions() {
+  m_safety.begin(m_folders.sessions);
+}
+
+SessionDocument MainWindow::sessionDocument() const {
+  SessionDocument session = m_document.described();
+  m_comparison.describe(session);
+  session.panel = m_docks.panel();
+  session.cropBoxIsShown = m_actions.cropBox->isChecked();
+  session.gradientCurveIsShown = m_panels.curves->gradientIsShown();
+  return session;
+}
+
+// Brings back what a session says beside its scene.
+void MainWindow::restoreSession(const SessionDocument& session) {
+  m_comparison.restore(session);
+  m_actions.cropBox->setChecked(session.cropBoxIsShown);
+  m_panels.curves->showGradient(session.gradientCurveIsShown);
+  m_docks.show(session.panel);
 }
 
 void MainWindow::showScene(const Scene& scene) {
-  m_view->setScene(scene);
-  m_editor->setTransferFunction(scene.transferFunction);
-  showGradientCurve(scene);
-  m_properties->setScene(scene);
-  m_presets->setCurrent(showsPreset(scene) ? QString::fromStdString(m_preset.name) : QString());
-  showModels();
-  m_orthographicAction->setChecked(scene.camera.projection == Camera::Projection::orthographic);
-  for (QAction* action : m_sceneActions)
-    action->setEnabled(scene.volume != nullptr);
-  noteChange();
+  m_centre.view->setScene(scene);
+  m_curves.showScene(scene);
+  m_panels.properties->setScene(scene);
+  m_presets.markShown();
+  m_comparison.show();
+  m_actions.orthographic->setChecked(scene.camera.projection == Camera::Projection::orthographic);
+  m_actions.setVolumeOpen(scene.volume != nullptr);
 }
 
-bool MainWindow::showsPreset(const Scene& scene) const {
-  return scene.volume && scene.transferFunction == m_preset.transferFunction &&
-         scene.gradientOpacity == m_preset.gradientOpacity;
-}
-
-void MainWindow::showModels() {
-  const ShadingModel single = m_session.scene().shading.model;
-  m_view->setModels(m_leftModel, m_rightModel);
-  const bool isSingle = m_view->compareLayout() == CompareLayout::single;
-  if (isSingle)
-    m_properties->setModelsShown({single});
-  else
-    m_properties->setModelsShown({m_leftModel, m_rightModel});
-  // A comparison names its models on the pictures; the buttons then only offer to leave it.
-  for (QAction* action : m_modelActions->actions())
-    action->setChecked(isSingle && action->data().toInt() == static_cast<int>(single));
-  showAccuracyScene();
-  noteChange();
-}
-
-void MainWindow::setCompareLayout(CompareLayout layout) {
-  m_view->setCompareLayout(layout);
-  for (QAction* action : m_layoutActions->actions())
-    if (action->data().toInt() == static_cast<int>(layout))
-      action->setChecked(true);
-  showModels();
-}
-
-void MainWindow::showProbe(const std::optional<Probe>& probe) {
-  m_editor->setMarkedValue(probe ? std::optional(probe->value) : std::nullopt);
-  if (!probe || !m_session.scene().volume) {
-    m_probeLabel->clear();
+void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request) {
+  if (!m_safety.mayLeave())
     return;
+  LoadedScene shown = loaded;
+  if (!loaded.hasOwnCamera)
+    shown.scene.camera =
+        framed(loaded.scene.camera, loaded.scene.volume->grid(), m_centre.view->pictureAspect());
+  m_document.open(shown, request, histogram);
+  m_curves.showVolume(loaded.scene.volume, histogram);
+  m_panels.properties->foldUnused();
+  m_status.showVolume(loaded.scene.volume.get());
+  showRemarks(loaded);
+  if (loaded.session)
+    restoreSession(*loaded.session);
+  if (request.isUnsavedSession) {
+    m_safety.takeOver(request.source);
+  } else {
+    m_document.settle(sessionDocument());
+    m_safety.noteChange();
   }
-  const QString unit = QString::fromStdString(m_session.scene().volume->info().unit);
-  m_probeLabel->setText(tr("%1 %2 at cursor · %3, %4, %5 mm")
-                            .arg(probe->value, 0, 'f', unit.isEmpty() ? 2 : 0)
-                            .arg(unit)
-                            .arg(probe->positionMm.x, 0, 'f', 1)
-                            .arg(probe->positionMm.y, 0, 'f', 1)
-                            .arg(probe->positionMm.z, 0, 'f', 1));
+  m_recent.add(m_document.request().source, labelOf(m_document));
+  updateTitle();
+}
+
+void MainWindow::showRemarks(const LoadedScene& loaded) {
+  const Volume& volume = *loaded.scene.volume;
+  const QStringList remarks = remarksOn(volume, loaded.notes);
+  if (remarks.isEmpty())
+    return;
+  const MessageBar::Action setSpacing{
+      tr("Set spacing…"), [this] {
+        const auto& open = m_session.scene().volume;
+        m_opening.askForSpacing(m_document.request(), open ? open->grid().spacingMm : glm::dvec3(1.0));
+      }};
+  m_centre.messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
+                          volume.info().spacingKnown ? MessageBar::Action{} : setSpacing);
+}
+
+void MainWindow::closeVolume() {
+  if (!m_safety.mayLeave())
+    return;
+  m_centre.messages->hide();
+  m_document.close();
+  m_curves.showVolume(nullptr, {});
+  m_status.showVolume(nullptr);
+  updateTitle();
+}
+
+void MainWindow::copyPicture() {
+  if (const QImage picture = m_centre.view->currentPicture(0); !picture.isNull())
+    QApplication::clipboard()->setImage(picture);
+  else
+    statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."), 4000);
+}
+
+void MainWindow::setFocusMode(bool on) {
+  m_docks.setAllVisible(!on);
+  for (QToolBar* bar : findChildren<QToolBar*>())
+    bar->setVisible(!on);
+  statusBar()->setVisible(!on);
 }
 
 void MainWindow::updateTitle() {
-  const auto& volume = m_session.scene().volume;
-  // Where [*] stands, unsaved changes are marked.
-  QString title = tr("Limn · not for diagnosis") + QStringLiteral("[*]");
-  if (volume) {
-    const QString path = QString::fromStdString(m_session.volumePath());
-    const bool showsPatient = m_patientAction->isChecked();
-    QString what = m_shown.source == QStringLiteral("sample") ? tr("Sample head")
-                   : showsPatient                             ? QFileInfo(path).fileName()
-                                                              : shareableName(path, *volume);
-    const PatientLabel& patient = volume->info().patient;
-    const QString session = QFileInfo(m_sessionFile).fileName();
-    if (!session.isEmpty() && (showsPatient || !mayNameThePatient(session, patient)))
-      what.prepend(session + QStringLiteral(" · "));
-    if (showsPatient)
-      for (const std::string& part : {patient.name, patient.id, patient.studyDate})
-        if (!part.empty())
-          what += QStringLiteral(" · ") + QString::fromStdString(part);
-    title = what.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")) + QStringLiteral("[*] — ") +
-            tr("Limn · not for diagnosis");
-  }
-  setWindowTitle(title);
+  setWindowTitle(titleOf(m_document, m_actions.patientInTitle->isChecked()));
 }
 
 void MainWindow::showError(const QString& sentence) {
-  m_messages->show(MessageBar::Kind::error, sentence);
+  m_centre.messages->show(MessageBar::Kind::error, sentence);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLeaveScene()) {
+  if (!m_safety.mayLeave()) {
     event->ignore();
     return;
   }
-  if (m_focusAction->isChecked())
-    m_focusAction->trigger();
+  if (m_actions.pictureAndCurveOnly->isChecked())
+    m_actions.pictureAndCurveOnly->trigger();
   m_settings.setWindow(saveGeometry(), saveState());
-  m_loader.cancel();
-  if (m_keeper)
-    m_keeper->close();
-  m_keeper.reset();
+  m_opening.cancel();
+  m_safety.end();
   event->accept();
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-  QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && m_focusAction)
-    refreshIcons();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

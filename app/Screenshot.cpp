@@ -2,6 +2,7 @@
 #include "app/Screenshot.h"
 
 #include "app/MainWindow.h"
+#include "widgets/view/CompareView.h"
 
 #include <QApplication>
 #include <QScreen>
@@ -45,7 +46,7 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   QObject::connect(&window.view(), &CompareView::pictureStateChanged, &window,
                    [&window, path](const PictureState& state) {
                      // The labels and panels catch up before the picture is taken.
-                     if ((state.resting || state.processorIsDone) && window.session().scene().volume)
+                     if ((state.resting || state.processorIsDone) && window.view().scene().volume)
                        QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });
                    });
 }

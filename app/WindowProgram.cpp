@@ -13,12 +13,6 @@
 namespace limn {
 namespace {
 
-ThemeChoice themeNamed(const QString& name) {
-  if (name == QStringLiteral("dark"))
-    return ThemeChoice::dark;
-  return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
-}
-
 bool hasDisplay() {
   return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
          qEnvironmentVariableIsSet("QT_QPA_PLATFORM");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gather a ray by its standard discretisation (DEFINITION section 7): each sample stands for its step.
+// Gather a ray by its standard discretisation (DEFINITION section 7): each sample stands for its step. What is
+// fetched at a sample, and what makes a material of it, stands in the block before.
 
 #ifdef EFFECT_LONG_RAYS
 // One loop: drivers limit the iterations of all loops of a fragment together. Each either leaps over empty
@@ -14,9 +15,9 @@ Gathered gather(March march, int count) {
 #endif
     if (leap == 0) {
       vec3 position = positionOf(march, float(i));
-      float scalar = scalarAt(position);
-      if (mayBeSeen(scalar))
-        addMaterial(gathered, march, position, materialOf(scalar), float(i));
+      Fetched fetched = fetchedAt(position);
+      if (mayBeSeen(fetched))
+        addMaterial(gathered, march, position, materialOf(fetched), float(i));
     }
     i += max(leap, 1);
   }
@@ -25,7 +26,7 @@ Gathered gather(March march, int count) {
 #else
 // Moves i to the next sample that may be seen, `count` or beyond where there is none. A software driver runs
 // the body of a loop once for rays that have ended: those fetch one texel that stays in its cache.
-void findVisible(March march, int count, inout int i, inout vec3 position, inout float scalar) {
+void findVisible(March march, int count, inout int i, inout vec3 position, inout Fetched fetched) {
   bool isSearching = i < count;
   while (isSearching) {
     int end = count;
@@ -44,8 +45,8 @@ void findVisible(March march, int count, inout int i, inout vec3 position, inout
     bool isLooking = true;
     while (isLooking) {
       position = i < count ? positionOf(march, float(i)) : u_textureLower;
-      scalar = scalarAt(position);
-      isSearching = i < count && !mayBeSeen(scalar);
+      fetched = fetchedAt(position);
+      isSearching = i < count && !mayBeSeen(fetched);
       i += isSearching ? 1 : 0;
       isLooking = isSearching && i < end;
     }
@@ -58,19 +59,19 @@ Gathered gather(March march, int count) {
   Gathered gathered = nothingGathered();
   int i = 0;
   vec3 position = u_textureLower;
-  float scalar = 0.0;
-  findVisible(march, count, i, position, scalar);
+  Fetched fetched = Fetched(0.0);
+  findVisible(march, count, i, position, fetched);
   while (i < count) {
     bool isVisible = true;
     while (isVisible) {
-      addMaterial(gathered, march, position, materialOf(scalar), float(i));
+      addMaterial(gathered, march, position, materialOf(fetched), float(i));
       i = isFinished(gathered) ? count : i + 1;
       position = i < count ? positionOf(march, float(i)) : u_textureLower;
-      scalar = scalarAt(position);
-      isVisible = i < count && mayBeSeen(scalar);
+      fetched = fetchedAt(position);
+      isVisible = i < count && mayBeSeen(fetched);
     }
     ++i; // that one is known
-    findVisible(march, count, i, position, scalar);
+    findVisible(march, count, i, position, fetched);
   }
   return gathered;
 }

@@ -3,12 +3,12 @@
 // over those of which nothing shows, and takes pieces of its own length in each. Places are in mm behind the
 // begin of its span.
 
-uniform sampler3D u_blockSteps; // distance to the nearest visible block; plain level + 128; resolving level
+uniform sampler3D u_blockSteps; // distance to the nearest visible block; plain rung + 128; resolving rung
 uniform vec3 u_stepBlockOffset;
 uniform vec3 u_lastStepBlock;
 uniform float u_fineness;
 uniform float u_mostChange;
-uniform float u_level0Length;  // the step of level 0
+uniform float u_rung0Length;  // the step of rung 0
 uniform float u_finestLength;
 
 const int mostLocalSamples = 12000;
@@ -104,8 +104,8 @@ bool enterNext(BlockPath path, float transmittance, inout Walk walk) {
   walk.entry = walk.exit;
   walk.exit = max(min(exit, walk.end), walk.entry);
   walk.within = isEmpty ? walk.exit - walk.entry : 0.0;
-  float level = max(facts.g - 128.0 + u_fineness - coarserBehind(transmittance), facts.b);
-  walk.blockStep = max(u_level0Length * exp2(-0.5 * max(level, 0.0)), u_finestLength);
+  float rung = max(facts.g - 128.0 + u_fineness - coarserBehind(transmittance), facts.b);
+  walk.blockStep = max(u_rung0Length * exp2(-0.5 * max(rung, 0.0)), u_finestLength);
   walk.step = isEmpty ? beyondAll : min(walk.step, walk.blockStep);
   return isEmpty;
 }

@@ -33,6 +33,12 @@ void setDisabled(QPalette& palette, const ThemeColors& colors) {
 
 } // namespace
 
+ThemeChoice themeNamed(const QString& name) {
+  if (name == QStringLiteral("dark"))
+    return ThemeChoice::dark;
+  return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
+}
+
 ThemeColors themeColors(bool dark) {
   if (dark)
     return {.window = "#212428",
@@ -122,11 +128,6 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(themePalette(dark));
   application.setStyleSheet(themeStyleSheet(dark));
-}
-
-double contrastRatio(const QColor& a, const QColor& b) {
-  const auto [darker, lighter] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
-  return (lighter + 0.05) / (darker + 0.05);
 }
 
 } // namespace limn

@@ -12,6 +12,9 @@ namespace limn {
 /// What the user asks for: `system` follows the platform's own lightness.
 enum class ThemeChoice { system, light, dark };
 
+/// The choice called "light" or "dark"; `system` for any other name.
+ThemeChoice themeNamed(const QString& name);
+
 /// The colours of one look. The palette carries the roles Qt knows; our own painting takes the rest here.
 struct ThemeColors {
   QColor window;        ///< behind panels
@@ -47,8 +50,5 @@ bool isDark(const QPalette& palette);
 /// every call, so call it again on QEvent::ApplicationPaletteChange or when the setting changes.
 /// Widgets of ours repaint by themselves.
 void applyTheme(QApplication& application, ThemeChoice choice);
-
-/// Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
-double contrastRatio(const QColor& a, const QColor& b);
 
 } // namespace limn

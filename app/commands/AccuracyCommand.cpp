@@ -3,12 +3,13 @@
 
 #include "accuracy/FigureText.h"
 #include "app/PrivateNames.h"
-#include "app/accuracy/AccuracyText.h"
-#include "app/accuracy/RealRenderers.h"
 #include "app/commands/SceneArguments.h"
+#include "app/measure/accuracy/AccuracyTable.h"
+#include "app/measure/accuracy/MeasureAccuracy.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyJson.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
+#include "io/reports/AccuracyPage.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QApplication>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/BenchCommand.h"
 
-#include "app/BuiltInPresets.h"
-#include "app/PresetStore.h"
 #include "app/PrivateNames.h"
-#include "app/bench/BenchReport.h"
-#include "app/bench/Contenders.h"
 #include "app/commands/SceneArguments.h"
+#include "app/measure/bench/Bench.h"
+#include "app/measure/bench/BenchTable.h"
+#include "app/measure/bench/Contenders.h"
+#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "io/reports/BenchJson.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/PresetsCommand.h"
 
-#include "app/BuiltInPresets.h"
-#include "app/PresetStore.h"
 #include "app/commands/Arguments.h"
+#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "io/scenefile/SceneFile.h"
 
 #include <cstdio>

@@ -2,9 +2,9 @@
 #include "app/commands/RenderCommand.h"
 
 #include "accuracy/SamplePicture.h"
-#include "app/PictureMaker.h"
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
+#include "app/renderers/PictureMaker.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "raycaster/GraphicsMemory.h"
@@ -78,8 +78,6 @@ void writeSamples(const Scene& scene, const RenderArguments& arguments) {
 }
 
 void runRender(const RenderArguments& arguments) {
-  if (arguments.engine == "cpu")
-    throw Error(Error::Kind::usage, "The engine \"cpu\" does not exist yet; use gl, slices or reference.");
   if (arguments.textureMb != anyMb && arguments.engine != "auto" && arguments.engine != "gl")
     throw Error(Error::Kind::usage,
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/SceneArguments.h"
 
-#include "app/PresetStore.h"
+#include "app/presets/PresetStore.h"
+#include "scene/ModelName.h"
 #include "scene/PresetFit.h"
 
 namespace limn {
 namespace {
-
-const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
-                                                 {"classic", ShadingModel::classic},
-                                                 {"enhanced", ShadingModel::enhanced},
-                                                 {"robust", ShadingModel::robust}};
 
 const std::map<std::string, StandardView> views{
     {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
@@ -20,6 +16,9 @@ const std::map<std::string, StandardView> views{
 } // namespace
 
 ShadingModel modelNamed(const std::string& word, const std::string& option) {
+  std::map<std::string, ShadingModel> models;
+  for (const ShadingModel model : shadingModels)
+    models.emplace(nameOf(model), model);
   return chosen(models, word, option);
 }
 

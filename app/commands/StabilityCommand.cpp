@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/StabilityCommand.h"
 
-#include "app/bench/ProcessCost.h"
 #include "app/commands/Arguments.h"
-#include "app/stability/StabilityReport.h"
+#include "app/measure/stability/StabilityText.h"
+#include "app/renderers/ProcessCost.h"
 #include "gl/DriverFacts.h"
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"

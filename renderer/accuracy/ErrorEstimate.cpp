@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/ErrorEstimate.h"
 
+#include "scene/ProjectionFacts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,18 +31,9 @@ ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<I
   return {halving.p99_9 / gain, halving.mean / gain, order};
 }
 
-ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before) {
-  ErrorEstimate estimate = errorAfterHalving(halving, before);
-  estimate.p99_9 *= std::exp2(estimate.order);
-  estimate.mean *= std::exp2(estimate.order);
-  return estimate;
-}
-
 ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene) {
-  const bool canEnd =
-      scene.projection == Projection::composite || scene.projection == Projection::compositeIsosurface;
   const double end = scene.quality.earlyTermination;
-  if (!canEnd || end >= 1.0)
+  if (!composites(scene.projection) || end >= 1.0)
     return {};
   Image whole = picture;
   for (glm::vec4& pixel : whole.pixels)

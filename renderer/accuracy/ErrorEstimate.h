@@ -27,9 +27,6 @@ double observedOrder(double coarseDifference, double fineDifference);
 /// `before` of the halving before it, where there was one; without it the order is taken to be 1.
 ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
 
-/// The error of the picture of step h: 2^p times that after the halving.
-ErrorEstimate errorBeforeHalving(const ImageError& halving, const std::optional<ImageError>& before = {});
-
 /// The error of the last of many pictures whose steps halve, from the differences between them, the newest
 /// last; at least one. Careful where data have edges, whose differences can fall by chance: the order is the
 /// smaller of the last two observed (1.5 at most where only one was), and unless these two agree, the error

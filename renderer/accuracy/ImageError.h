@@ -28,9 +28,4 @@ ImageError imageError(const Image& picture, const Image& other);
 
 PrecisePixels precise(const Image& image);
 
-/// "Accurate to the screen": the 99.9th percentile is at most one level.
-inline bool isAccurateToTheScreen(const ImageError& error) {
-  return error.p99_9 <= 1.0;
-}
-
 } // namespace limn

@@ -4,6 +4,7 @@
 #include "accuracy/ErrorEstimate.h"
 #include "scene/BlockSteps.h"
 #include "scene/LocalSteps.h"
+#include "scene/ProjectionFacts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -25,14 +26,12 @@ constexpr double safety = 1.1;
 // The share of the tolerance that rays which end early may take.
 constexpr double shareOfTermination = 0.125;
 
-constexpr int rungsPerHalving = 2; // of the step
-
 glm::ivec2 comparedSize(const glm::ivec2& size) {
   const double scale = std::min(1.0, std::sqrt(comparedPixels / (static_cast<double>(size.x) * size.y)));
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1));
 }
 
-// The qualities that are tried: √2 shorter steps from rung to rung.
+// The qualities that are tried: rung by rung, a fineness or, where steps are equal, the step of that rung.
 class Ladder {
 public:
   Ladder(const Quality& quality, Projection projection, StepControl control)
@@ -59,7 +58,7 @@ public:
     if (m_isLocal)
       quality.fineness = rung;
     if (m_isEqual)
-      quality.stepVoxels = 2.0 * std::exp2(-0.5 * rung);
+      quality.stepVoxels = stepOfRung(rung);
     return quality;
   }
 
@@ -173,11 +172,6 @@ std::string describe(const WithinTolerance& found) {
   else
     std::snprintf(steps, sizeof steps, "equal steps of %.3g voxels", quality.stepVoxels);
   return "estimated within " + levelsText(found.estimateLevels) + ", with " + steps;
-}
-
-bool integrates(Projection projection) {
-  return projection == Projection::composite || projection == Projection::compositeIsosurface ||
-         projection == Projection::xray;
 }
 
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,

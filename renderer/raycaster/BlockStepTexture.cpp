@@ -17,15 +17,15 @@ struct Texel {
 
 std::vector<Texel> texelsOf(const BlockSteps& steps) {
   std::vector<std::uint8_t> distances;
-  distances.reserve(steps.levels.size());
-  for (const StepLevels& block : steps.levels)
+  distances.reserve(steps.rungs.size());
+  for (const StepRungs& block : steps.rungs)
     distances.push_back(block.isEmpty ? farthestBlock : 0);
   spreadDistances(steps.blocks, distances);
   std::vector<Texel> texels;
   texels.reserve(distances.size());
   for (std::size_t i = 0; i < distances.size(); ++i)
     texels.push_back(
-        {distances[i], static_cast<std::uint8_t>(steps.levels[i].plain + 128), steps.levels[i].resolving});
+        {distances[i], static_cast<std::uint8_t>(steps.rungs[i].plain + 128), steps.rungs[i].resolving});
   return texels;
 }
 

@@ -11,10 +11,10 @@
 namespace limn {
 
 /// The map of error-controlled steps on the graphics card: for each block the distance, in blocks, to the
-/// nearest of which something shows (red), its plain level + 128 (green) and its resolving level (blue).
+/// nearest of which something shows (red), its plain rung + 128 (green) and its resolving rung (blue).
 class BlockStepTexture {
 public:
-  /// Gathers the facts of a new volume and the levels under a new transfer function, and uploads them;
+  /// Gathers the facts of a new volume and the rungs under a new transfer function, and uploads them;
   /// changes texture bindings.
   void update(const Scene& scene);
 

@@ -138,8 +138,8 @@ void setLocalSteps(const Setter& set, const Scene& scene, const BlockStepTexture
   set("u_lastStepBlock", glm::dvec3(blocks.blocks() - 1));
   set("u_fineness", static_cast<double>(*fineness));
   set("u_mostChange", mostChange(*fineness));
-  set("u_level0Length", stepOfLevel(0));
-  set("u_finestLength", stepOfLevel(finestLevel));
+  set("u_rung0Length", stepOfRung(0));
+  set("u_finestLength", stepOfRung(finestRung));
 }
 
 void setSamplers(const ShaderProgram& program) {

@@ -12,9 +12,6 @@ namespace {
 // GLSL 1.30 is the language of OpenGL 3.0. Desktop drivers ignore precision.
 constexpr const char* version = "#version 130\n";
 
-const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
-const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
-
 std::string prelude(EffectSet effects) {
   std::string text = version;
   const auto define = [&text](const char* name) { text += std::string("#define ") + name + "\n"; };
@@ -61,13 +58,17 @@ const char* gradientBlock(const Decisions& decisions) {
   return "";
 }
 
-const char* gatherBlock(EffectSet effects, const Decisions& decisions) {
-  if (effects.has(Effect::localSteps))
-    return "gather_local_steps.glsl";
-  if (effects.has(Effect::preintegration))
-    return "gather_segments.glsl";
-  return decisions.classification == ClassificationOrder::afterInterpolation ? "gather.glsl"
-                                                                             : "gather_classified.glsl";
+void appendGathering(ShaderSource& source, EffectSet effects, const Decisions& decisions) {
+  if (effects.has(Effect::localSteps)) {
+    appendBlock(source, "local_steps.glsl");
+    appendBlock(source, "gather_local_steps.glsl");
+  } else if (effects.has(Effect::preintegration)) {
+    appendBlock(source, "gather_segments.glsl");
+  } else {
+    const bool isInterpolatedFirst = decisions.classification == ClassificationOrder::afterInterpolation;
+    appendBlock(source, isInterpolatedFirst ? "fetched.glsl" : "fetched_classified.glsl");
+    appendBlock(source, "gather.glsl");
+  }
 }
 
 // A sample at the front of its step takes the place of a jittered one.
@@ -148,9 +149,7 @@ ShaderSource fragmentSource(EffectSet effects, const Decisions& decisions) {
     appendBlock(source, "first_hit.glsl");
     return source;
   }
-  if (effects.has(Effect::localSteps))
-    appendBlock(source, "local_steps.glsl");
-  appendBlock(source, gatherBlock(effects, decisions));
+  appendGathering(source, effects, decisions);
   appendBlock(source, "composite.glsl");
   return source;
 }

@@ -24,7 +24,7 @@ bool BlockWalk::enterNext() {
   do {
     if (!(m_exit < m_end))
       return false;
-    m_levels = m_terms.steps.levels[voxelOffset(m_terms.steps.blocks, m_next.x, m_next.y, m_next.z)];
+    m_rungs = m_terms.steps.rungs[voxelOffset(m_terms.steps.blocks, m_next.x, m_next.y, m_next.z)];
 
     // Leave through the nearest face ahead; the outermost blocks have no end.
     double exit = std::numeric_limits<double>::infinity();

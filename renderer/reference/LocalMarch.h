@@ -27,7 +27,7 @@ public:
   /// Enters the next block in which there is anything of the ray; false behind its end.
   bool enterNext();
 
-  const StepLevels& levels() const { return m_levels; }
+  const StepRungs& rungs() const { return m_rungs; }
   double entry() const { return m_entry; } ///< mm behind the span's begin
   double exit() const { return m_exit; }
 
@@ -37,7 +37,7 @@ private:
   glm::dvec3 m_advance; // blocks per mm
   double m_end;
   glm::ivec3 m_next;
-  StepLevels m_levels;
+  StepRungs m_rungs;
   double m_entry = 0.0;
   double m_exit = 0.0;
 };
@@ -50,36 +50,36 @@ template <class Half, class Sample, class Change, class Add, class IsEnd>
 int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& sample, const Change& changeOver,
                  const Add& add, const IsEnd& isEnd) {
   const double limit = mostChange(terms.fineness);
-  int level = 0;
+  int rung = 0;
   double transmittance = 1.0;
   Half before = sample(0.0);
   int spent = before == Half{} ? 0 : 1;
   while (walk.enterNext()) {
-    if (walk.levels().isEmpty) {
+    if (walk.rungs().isEmpty) {
       before = {};
-      level = 0;
+      rung = 0;
       continue;
     }
-    const int blockLevel = levelIn(walk.levels(), terms.fineness, transmittance);
-    level = std::max(level, blockLevel);
+    const int blockRung = rungIn(walk.rungs(), terms.fineness, transmittance);
+    rung = std::max(rung, blockRung);
     const double chord = walk.exit() - walk.entry();
     for (double within = 0.0; within < chord;) {
       const bool hasSpentAll = spent >= mostLocalSamples;
       const double rest = chord - within;
-      const double length = hasSpentAll ? rest : pieceOf(rest, stepOfLevel(level) * terms.smallestMm);
+      const double length = hasSpentAll ? rest : pieceOf(rest, stepOfRung(rung) * terms.smallestMm);
       const bool isLast = length == rest;
       const Half here = sample(isLast ? walk.exit() : walk.entry() + (within + length));
       const double change = changeOver(before, here, 0.5 * length);
       ++spent;
-      if (!hasSpentAll && isToBeRefined(change, limit, level)) {
-        level = refinedLevel(level, change, limit);
+      if (!hasSpentAll && isToBeRefined(change, limit, rung)) {
+        rung = refinedRung(rung, change, limit);
         continue;
       }
       add(before, 0.5 * length);
       transmittance = add(here, 0.5 * length);
       if (isEnd())
         return spent;
-      level = relaxedLevel(level, blockLevel, change, limit);
+      rung = relaxedRung(rung, blockRung, change, limit);
       within = isLast ? chord : within + length;
       before = here;
     }

@@ -101,17 +101,17 @@ ValueRange rangeOf(const BlockFacts& facts) {
   return range;
 }
 
-// The first level whose step is at most as long.
-int levelFor(double step) {
+// The first rung whose step is at most as long.
+int rungFor(double step) {
   return static_cast<int>(std::ceil(2.0 * std::log2(2.0 / step) - 1e-9));
 }
 
-std::int8_t plainLevel(double extinctionPerMm, double bendPerMm2, double commonPerMm, double spacing) {
+std::int8_t plainRung(double extinctionPerMm, double bendPerMm2, double commonPerMm, double spacing) {
   constexpr int coarsest = -64;
   if (!(extinctionPerMm > 0.0) || !(bendPerMm2 > 0.0) || !(commonPerMm > 0.0))
     return coarsest;
   const double d = extinctionPerMm * spacing * (bendPerMm2 * spacing / commonPerMm);
-  return static_cast<std::int8_t>(std::clamp(levelFor(std::cbrt(1.0 / d)), coarsest, finestLevel));
+  return static_cast<std::int8_t>(std::clamp(rungFor(std::cbrt(1.0 / d)), coarsest, finestRung));
 }
 
 } // namespace
@@ -123,31 +123,31 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
-  steps.levels.reserve(facts.facts.size());
+  steps.rungs.reserve(facts.facts.size());
   const ValueRange all = rangeOf(facts);
   const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
   for (const FieldFacts& block : facts.facts) {
     const ValueRange values{block.range.lowest - margin, block.range.highest + margin};
     const double opacity = over.largestOpacity(values);
-    StepLevels levels;
+    StepRungs rungs;
     if (opacity > 0.0) {
-      levels.isEmpty = false;
-      levels.plain = plainLevel(extinctionPerMm(opacity, function.unitDistanceMm), block.bendPerMm2,
-                                facts.commonPerMm, smallestSpacingMm);
+      rungs.isEmpty = false;
+      rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), block.bendPerMm2,
+                              facts.commonPerMm, smallestSpacingMm);
       const double bandsPerStep = 2.0 * over.bandsPerValue(values) * block.steepestPerMm * smallestSpacingMm;
-      const int resolving = bandsPerStep > 0.0 ? std::max(levelFor(1.0 / bandsPerStep), 0) : 0;
-      steps.resolvesFunction = steps.resolvesFunction && resolving <= finestLevel;
-      levels.resolving = static_cast<std::uint8_t>(std::min(resolving, finestLevel));
+      const int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
+      steps.resolvesFunction = steps.resolvesFunction && resolving <= finestRung;
+      rungs.resolving = static_cast<std::uint8_t>(std::min(resolving, finestRung));
     }
-    steps.levels.push_back(levels);
+    steps.rungs.push_back(rungs);
   }
   return steps;
 }
 
-int levelIn(const StepLevels& block, int fineness, double transmittance) {
+int rungIn(const StepRungs& block, int fineness, double transmittance) {
   const int wanted = block.plain + fineness - coarserBehind(transmittance);
-  return std::clamp(std::max(wanted, static_cast<int>(block.resolving)), 0, finestLevel);
+  return std::clamp(std::max(wanted, static_cast<int>(block.resolving)), 0, finestRung);
 }
 
 } // namespace limn

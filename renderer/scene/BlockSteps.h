@@ -8,19 +8,19 @@
 
 namespace limn {
 
-/// With which steps to sample one block, as levels (LocalSteps).
-struct StepLevels {
+/// With which steps to sample one block, as rungs (LocalSteps).
+struct StepRungs {
   bool isEmpty = true;        ///< the transfer function shows nothing of it
   std::int8_t plain = 0;      ///< where the fineness is 0; the fineness adds to it
   std::uint8_t resolving = 0; ///< at least this, whatever the fineness: or a band of the function is missed
-  bool operator==(const StepLevels&) const = default;
+  bool operator==(const StepRungs&) const = default;
 };
 
-/// The levels of every block under one transfer function.
+/// The rungs of every block under one transfer function.
 struct BlockSteps {
   glm::ivec3 blocks{0};
-  std::vector<StepLevels> levels; ///< x fastest
-  bool resolvesFunction = true;   ///< false: a band of the function is narrower than the finest step can tell
+  std::vector<StepRungs> rungs; ///< x fastest
+  bool resolvesFunction = true; ///< false: a band of the function is narrower than the finest step can tell
 };
 
 /// The peaks and valleys of a transfer function that steps must resolve: those that show, measured by what
@@ -35,7 +35,7 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 /// has met.
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm);
 
-/// The level with which a block is entered.
-int levelIn(const StepLevels& block, int fineness, double transmittance);
+/// The rung with which a block is entered.
+int rungIn(const StepRungs& block, int fineness, double transmittance);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/EffectRows.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -55,23 +54,6 @@ const std::vector<Group>& groups() {
   return all;
 }
 
-struct Technical {
-  Effect effect;
-  const char* why;
-};
-
-constexpr Technical technicalEffects[] = {
-    {Effect::mip, "a choice between projections, each of which replaces the picture"},
-    {Effect::minip, "a choice between projections, each of which replaces the picture"},
-    {Effect::average, "a choice between projections, each of which replaces the picture"},
-    {Effect::xray, "a choice between projections, each of which replaces the picture"},
-    {Effect::longRays, "another order of the same work, for drivers that limit loops"},
-    {Effect::denseFunctions, "another way to look up the same transfer function"},
-    {Effect::localSteps, "another way to spend samples on the same picture"},
-    {Effect::unlimited, "drawn to measure the overflow, never shown"},
-    {Effect::sampleCounts, "drawn to measure, never shown"},
-};
-
 // A crop box is no effect of a program by itself: it only shortens rays.
 EffectRow cropRow(EffectRow row, const Scene& scene, const EffectPlan& plan) {
   const bool cuts = scene.crop != CropBox{};
@@ -117,19 +99,6 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
     rows.push_back(row.name == "crop" ? cropRow(row, scene, plan) : row);
   }
   return rows;
-}
-
-std::string rowOf(Effect effect) {
-  for (const Group& group : groups())
-    if (group.effects.has(effect))
-      return group.name;
-  return {};
-}
-
-std::string whyInNoRow(Effect effect) {
-  const auto found = std::find_if(std::begin(technicalEffects), std::end(technicalEffects),
-                                  [effect](const Technical& one) { return one.effect == effect; });
-  return found == std::end(technicalEffects) ? std::string() : found->why;
 }
 
 std::string costText(const EffectCost& cost) {

@@ -22,12 +22,6 @@ struct EffectRow {
 /// The plan of a scene as rows, always the same ones in the same order.
 std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan);
 
-/// The row that an effect belongs to; empty for the technical effects that no row tells of.
-std::string rowOf(Effect effect);
-
-/// Why an effect is in no row; empty where it is in one.
-std::string whyInNoRow(Effect effect);
-
 /// What a row's effect costs: the time of a picture with it less the time without it. Below 0 where it saves
 /// time.
 struct EffectCost {

@@ -7,14 +7,13 @@
 namespace limn {
 namespace {
 
-constexpr int levelsPerHalving = 2;
 constexpr double muchMore = 8.0;
 constexpr double muchLess = 0.25;
 
 } // namespace
 
-double stepOfLevel(int level) {
-  return 2.0 * std::exp2(-0.5 * level);
+double stepOfRung(int rung) {
+  return 2.0 * std::exp2(-0.5 * rung);
 }
 
 std::optional<int> finenessOf(const Quality& quality) {
@@ -26,7 +25,7 @@ std::optional<int> finenessOf(const Quality& quality) {
 Quality withSteps(Quality quality, double stepVoxels) {
   if (const std::optional<int> fineness = finenessOf(quality)) {
     const double halvings = std::log2(quality.stepVoxels / stepVoxels);
-    const int finer = *fineness + static_cast<int>(std::lround(levelsPerHalving * halvings));
+    const int finer = *fineness + static_cast<int>(std::lround(rungsPerHalving * halvings));
     quality.fineness = std::clamp(finer, Fineness::least, Fineness::most);
   }
   quality.stepVoxels = stepVoxels;
@@ -34,7 +33,7 @@ Quality withSteps(Quality quality, double stepVoxels) {
 }
 
 int usualFineness(double toleranceLevels) {
-  // An error of one level at 4, and errors fall with the square of the step: one level of it halves them.
+  // An error of one level at 4, and errors fall with the square of the step: one rung halves them.
   const double wanted = 4.0 - std::log2(toleranceLevels);
   return static_cast<int>(std::clamp(std::ceil(wanted), double(Fineness::least), double(Fineness::most)));
 }
@@ -47,13 +46,13 @@ int coarserBehind(double transmittance) {
   return static_cast<int>(std::floor(-2.0 / 3.0 * std::log2(std::max(transmittance, 1e-6))));
 }
 
-int refinedLevel(int level, double change, double limit) {
+int refinedRung(int rung, double change, double limit) {
   const int halvings = change > muchMore * limit ? 2 : 1;
-  return std::min(level + halvings * levelsPerHalving, finestLevel);
+  return std::min(rung + halvings * rungsPerHalving, finestRung);
 }
 
-int relaxedLevel(int level, int blockLevel, double change, double limit) {
-  return change < muchLess * limit ? std::max(level - levelsPerHalving, blockLevel) : level;
+int relaxedRung(int rung, int blockRung, double change, double limit) {
+  return change < muchLess * limit ? std::max(rung - rungsPerHalving, blockRung) : rung;
 }
 
 double pieceOf(double rest, double step) {

@@ -6,23 +6,25 @@
 namespace limn {
 
 // Error-controlled steps: samples are spent where the picture needs them. Three rules choose the local step,
-// all of them from one discrete set, the levels: facts of each block say with which step to begin
-// (BlockSteps); behind what already hides it a block may be sampled more coarsely; and a step over which the
-// light that it adds changes by more than a limit is taken again with a smaller one. One number makes all of
-// them finer. tests/EVIDENCE.md says what that gains.
+// all of them from one ladder of lengths: facts of each block say on which rung to begin (BlockSteps); behind
+// what already hides it a block may be sampled more coarsely; and a step over which the light that it adds
+// changes by more than a limit is taken again with a smaller one. One number, the fineness, makes all of them
+// finer. renderer/accuracy/README.md says what these words mean and what that gains.
 
-/// The step of a level, in units of the smallest spacing: 2 at level 0, shorter by √2 from each to the next.
-double stepOfLevel(int level);
+/// The step of a rung of the ladder, in units of the smallest spacing: 2 at rung 0, shorter by √2 from each
+/// to the next.
+double stepOfRung(int rung);
+inline constexpr int rungsPerHalving = 2;
 
 /// 1/2048 of the smallest spacing.
-inline constexpr int finestLevel = 24;
+inline constexpr int finestRung = 24;
 
 /// The most samples of one ray under error-controlled steps: drivers end all loops of a fragment together
 /// after some 65 000 iterations, and a sample takes up to five of them. A ray that has spent them goes on
 /// with one sample in each block.
 inline constexpr int mostLocalSamples = 12000;
 
-/// How many levels finer than the facts of a block alone ask for; 2 levels halve every step.
+/// How many rungs finer than the facts of a block alone ask for; 2 rungs halve every step.
 struct Fineness {
   static constexpr int least = 0;
   static constexpr int most = 24;
@@ -43,20 +45,20 @@ int usualFineness(double toleranceLevels);
 /// one.
 double mostChange(int fineness);
 
-/// By how many levels a block may be sampled more coarsely behind what leaves this transmittance: its error
+/// By how many rungs a block may be sampled more coarsely behind what leaves this transmittance: its error
 /// weighs less, and steps as the cube root of that share the samples out best.
 int coarserBehind(double transmittance);
 
 /// Whether a piece over which the light changed by so much is to be taken again; `limit` is mostChange.
-inline bool isToBeRefined(double change, double limit, int level) {
-  return change > limit && level < finestLevel;
+inline bool isToBeRefined(double change, double limit, int rung) {
+  return change > limit && rung < finestRung;
 }
 
-/// The level with which it is taken again: half or, where the change is far too large, a quarter of the step.
-int refinedLevel(int level, double change, double limit);
+/// The rung with which it is taken again: half or, where the change is far too large, a quarter of the step.
+int refinedRung(int rung, double change, double limit);
 
-/// The level behind a piece that was kept: twice the step where little changed, as far as the block allows.
-int relaxedLevel(int level, int blockLevel, double change, double limit);
+/// The rung behind a piece that was kept: twice the step where little changed, as far as the block allows.
+int relaxedRung(int rung, int blockRung, double change, double limit);
 
 /// The length of the next piece of a chord: a step, or what is left of it in one or two equal pieces.
 double pieceOf(double rest, double step);

@@ -16,27 +16,18 @@ namespace {
 constexpr glm::dvec3 fieldOfViewMm(192.0, 232.0, 272.0);
 constexpr double outside = -1000.0; // air
 
-// How much of a part is at a point, 0..1, and its derivative.
-struct Coverage {
-  double amount = 0.0;
-  glm::dvec3 gradient{0.0};
-};
-
-Coverage coverageOf(const PhantomPart& part, const glm::dvec3& p) {
+// How much of a part is at a point, 0..1.
+double coverageOf(const PhantomPart& part, const glm::dvec3& p) {
   const glm::dvec3 q = (p - part.centreMm) / part.radiiMm;
   const double shortest = std::min({part.radiiMm.x, part.radiiMm.y, part.radiiMm.z});
   const double reach = 1.0 + part.edgeMm / 2.0 / shortest;
   const double squared = glm::dot(q, q);
   if (squared >= reach * reach)
-    return {};
+    return 0.0;
   // The depth below the surface along the shortest radius fades the part in by a smooth step.
   const double radius = std::sqrt(squared);
   const double t = std::clamp((1.0 - radius) * shortest / part.edgeMm + 0.5, 0.0, 1.0);
-  if (t >= 1.0)
-    return {1.0, glm::dvec3(0.0)};
-  const glm::dvec3 radiusGradient = q / part.radiiMm / radius;
-  const double slope = 6.0 * t * (1.0 - t) * shortest / part.edgeMm;
-  return {t * t * (3.0 - 2.0 * t), -slope * radiusGradient};
+  return t * t * (3.0 - 2.0 * t);
 }
 
 const std::vector<PhantomPart>& anatomy() {
@@ -88,19 +79,8 @@ std::int16_t sampleAt(const PhantomSpec& spec, const Grid& grid, int i, int j, i
 double phantomValue(const glm::dvec3& worldMm) {
   double value = outside;
   for (const PhantomPart& part : anatomy())
-    value += coverageOf(part, worldMm).amount * (part.hu - value);
+    value += coverageOf(part, worldMm) * (part.hu - value);
   return value;
-}
-
-glm::dvec3 phantomGradient(const glm::dvec3& worldMm) {
-  double value = outside;
-  glm::dvec3 gradient(0.0);
-  for (const PhantomPart& part : anatomy()) {
-    const Coverage coverage = coverageOf(part, worldMm);
-    gradient = (1.0 - coverage.amount) * gradient + coverage.gradient * (part.hu - value);
-    value += coverage.amount * (part.hu - value);
-  }
-  return gradient;
 }
 
 std::shared_ptr<const Volume> phantomVolume(const PhantomSpec& spec,

@@ -11,13 +11,10 @@ namespace limn {
 
 /// A head made of formulas, in patient space LPS, centred on the origin: skin, fat, muscle, a skull of two
 /// tables with diploë between them, brain with ventricles, orbits, sinuses, teeth and one metal filling.
-/// Every part is an ellipsoid with a soft edge, so value and gradient are known everywhere. HU values are
+/// Every part is an ellipsoid with a soft edge, so its value is known everywhere. HU values are
 /// rounded from W. A. Kalender, Computed Tomography (3rd ed., 2011), table of CT numbers, and U. Schneider et
 /// al., Phys. Med. Biol. 41 (1996) 111, table 2.
 double phantomValue(const glm::dvec3& worldMm);
-
-/// The exact gradient of phantomValue, HU/mm.
-glm::dvec3 phantomGradient(const glm::dvec3& worldMm);
 
 /// How the phantom is sampled.
 struct PhantomSpec {

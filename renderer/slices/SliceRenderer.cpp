@@ -151,10 +151,6 @@ Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
   return image;
 }
 
-const GradientScale& SliceRenderer::gradientScale() const {
-  return m_parts->textures.gradientScale();
-}
-
 std::string SliceRenderer::limitation() const {
   return m_parts->textures.limitation() + m_parts->stepLimitation;
 }

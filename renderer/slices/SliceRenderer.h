@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Gradient.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
@@ -36,9 +35,6 @@ public:
   /// Draws a whole picture off screen in 32-bit floats and reads it back: premultiplied RGBA without
   /// background, zero outside the volume. Throws Error (usage) for what slices cannot draw.
   Image render(const Scene& scene, const glm::ivec2& size);
-
-  /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads r.
-  const GradientScale& gradientScale() const;
 
   /// A sentence each where the volume had to be down-sampled and where the last picture's step would have
   /// needed too many slabs; empty otherwise.

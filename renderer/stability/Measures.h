@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/SimpleScenes.h"
 #include "stability/Workbench.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <array>
 

@@ -6,7 +6,7 @@
 #include "scene/Error.h"
 #include "slices/SliceRenderer.h"
 #include "stability/PictureInvariants.h"
-#include "stability/RandomScene.h"
+#include "stability/scenes/RandomScene.h"
 
 #include <algorithm>
 #include <chrono>

@@ -67,7 +67,7 @@ TEST(ErrorEstimate, ofAnExactPowerLawIsTheErrorItself) {
     EXPECT_NEAR(finest.order, p, 1e-12);
     EXPECT_NEAR(finest.p99_9, quarter, 1e-12);
     EXPECT_NEAR(finest.mean, quarter / 10, 1e-12);
-    EXPECT_NEAR(errorBeforeHalving(halving, before).p99_9, half, 1e-12);
+    EXPECT_NEAR(errorBeforeHalvings(before, halving).p99_9, e, 1e-12);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(ErrorEstimate, staysCarefulWhereNoOrderShows) {
   EXPECT_DOUBLE_EQ(observedOrder(1.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(observedOrder(100.0, 1.0), 2.0);
   EXPECT_DOUBLE_EQ(errorAfterHalving(difference(0.5)).p99_9, 0.5);
-  EXPECT_DOUBLE_EQ(errorBeforeHalving(difference(0.5)).p99_9, 1.0);
+  EXPECT_DOUBLE_EQ(errorBeforeHalvings(difference(0.5), difference(0.5)).p99_9, 2.0);
 }
 
 TEST(ErrorEstimate, ofManyHalvingsTrustsAnOrderThatTwoOfThemShow) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of what each decision about accuracy costs, on a small phantom.
-#include "app/accuracy/MeasureDecisions.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
 
 #include "raycaster/DecisionList.h"
 #include "raycaster/RayCaster.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/PresetStore.h"
-#include "app/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
+#include "app/presets/BuiltInPresets.h"
 #include "scene/Error.h"
 #include "support/TemporaryFolder.h"
 

@@ -50,7 +50,7 @@ SessionDocument sessionOfPhantom() {
   session.scene.hasCamera = session.scene.hasTransferFunction = true;
   session.scene.scene.camera.position = {1, 2, 3};
   session.scene.scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {1, {1, 1, 1}, 1}};
-  session.layout = SessionDocument::Layout::difference;
+  session.layout = CompareLayout::difference;
   return session;
 }
 
@@ -64,7 +64,7 @@ TEST(SceneSource, aSessionIsASourceLikeAScene) {
   EXPECT_TRUE(loaded.hasOwnCamera);
   EXPECT_EQ(loaded.scene.camera, session.scene.scene.camera);
   ASSERT_TRUE(loaded.session);
-  EXPECT_EQ(loaded.session->layout, SessionDocument::Layout::difference);
+  EXPECT_EQ(loaded.session->layout, CompareLayout::difference);
 }
 
 TEST(SceneSource, scenesAndSessionsAreKnownByWhatTheyHoldWhateverTheirEnding) {

@@ -6,8 +6,8 @@
 //   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/ConvergedPicture.h"
 #include "accuracy/DecisionVerdict.h"
-#include "app/BuiltInPresets.h"
-#include "app/accuracy/MeasureDecisions.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
+#include "app/presets/BuiltInPresets.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
 #include "reference/ReferenceIntegrator.h"

@@ -13,6 +13,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Error.h"
 #include "scene/Histogram.h"
+#include "scene/ModelName.h"
 #include "scene/PresetFit.h"
 
 #include <cmath>
@@ -63,10 +64,9 @@ double msAtOneLevel(const std::vector<Measured>& curve) {
 }
 
 Scene sceneOf(const char* volume, const char* preset, const std::string& model) {
-  const std::map<std::string, ShadingModel> models{{"none", ShadingModel::none},
-                                                   {"classic", ShadingModel::classic},
-                                                   {"enhanced", ShadingModel::enhanced},
-                                                   {"robust", ShadingModel::robust}};
+  std::map<std::string, ShadingModel> models;
+  for (const ShadingModel one : shadingModels)
+    models.emplace(nameOf(one), one);
   Scene scene;
   scene.volume = readVolume(volume);
   scene.camera = defaultCamera(scene.volume->grid());

@@ -3,6 +3,7 @@
 // the product's: half an 8-bit level at most and 0.01 in the mean where both take the same number of samples,
 // and at most one ray in a thousand where rounding gives one sample more or less.
 #include "raycaster/RayCaster.h"
+#include "scene/ModelName.h"
 #include "scene/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
@@ -18,20 +19,6 @@ constexpr glm::ivec2 pictureSize{256, 256};
 constexpr double largestLevels = 0.5;
 constexpr double meanLevels = 0.01;
 constexpr double unequalShare = 0.001;
-
-const char* nameOf(ShadingModel model) {
-  switch (model) {
-  case ShadingModel::none:
-    return "none";
-  case ShadingModel::classic:
-    return "classic";
-  case ShadingModel::enhanced:
-    return "enhanced";
-  case ShadingModel::robust:
-    return "robust";
-  }
-  return "";
-}
 
 class AgainstReference : public test::GlTest {
 protected:

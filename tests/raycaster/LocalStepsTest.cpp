@@ -5,9 +5,10 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/Phantom.h"
-#include "stability/SceneVariations.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+
+#include "EffectSwitches.h"
 
 #include <numeric>
 
@@ -33,7 +34,7 @@ using LocalSteps = test::GlTest;
 
 TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
   RayCaster caster;
-  for (const Variation& variation : switches())
+  for (const Variation& variation : test::switches())
     for (const int fineness : {2, 6}) {
       SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
       Scene scene = baseScene(fineness);
@@ -57,7 +58,7 @@ TEST_F(LocalSteps, neitherLeapsNorAStandInShow) {
   RayCaster caster;
   RayCaster walking(RayCaster::EmptySpace::sampled);
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
-  for (const Variation& variation : switches()) {
+  for (const Variation& variation : test::switches()) {
     SCOPED_TRACE(variation.what);
     Scene scene = baseScene();
     variation.apply(scene);

@@ -2,10 +2,10 @@
 // Rules that every picture of the ray caster keeps, to the bit where the rule is an equality.
 #include "raycaster/RayCaster.h"
 #include "scene/LightingTerms.h"
-#include "scene/Phantom.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/RendererRules.h"
 
 #include <cmath>
 
@@ -13,14 +13,6 @@ namespace limn {
 namespace {
 
 constexpr glm::ivec2 pictureSize{96, 80};
-
-Scene phantomScene(ShadingModel model) {
-  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0});
-  Scene scene = test::headScene(volume, model);
-  scene.quality = Quality{};
-  scene.quality.stepVoxels = 0.5;
-  return scene;
-}
 
 bool isSound(const Image& image) {
   for (const glm::vec4& pixel : image.pixels) {
@@ -42,7 +34,7 @@ using PictureRules = test::GlTest;
 
 TEST_F(PictureRules, enhancedWithEqualRangesIsClassicToTheBitAndTheSameProgram) {
   RayCaster caster;
-  Scene classic = phantomScene(ShadingModel::classic);
+  Scene classic = test::noisyPhantom(ShadingModel::classic);
   classic.shading.exponent = 20.0;
   const Image expected = caster.render(classic, pictureSize);
   Scene enhanced = classic;
@@ -57,7 +49,7 @@ TEST_F(PictureRules, enhancedWithEqualRangesIsClassicToTheBitAndTheSameProgram) 
 
 TEST_F(PictureRules, robustWithEveryExtraNeutralIsEnhancedToTheBit) {
   RayCaster caster;
-  Scene enhanced = phantomScene(ShadingModel::enhanced);
+  Scene enhanced = test::noisyPhantom(ShadingModel::enhanced);
   enhanced.shading.gradientReference = LargestReference{};
   const Image expected = caster.render(enhanced, pictureSize);
   Scene robust = enhanced;
@@ -71,7 +63,7 @@ TEST_F(PictureRules, robustWithEveryExtraNeutralIsEnhancedToTheBit) {
 
 TEST_F(PictureRules, everyExtraOfRobustChangesThePicture) {
   RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::robust);
+  Scene scene = test::noisyPhantom(ShadingModel::robust);
   scene.shading.specular = 2.0;
   const Image all = caster.render(scene, pictureSize);
   Scene without = scene;
@@ -87,7 +79,7 @@ TEST_F(PictureRules, everyExtraOfRobustChangesThePicture) {
 
 TEST_F(PictureRules, editingAControlPointCompilesNoProgram) {
   RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::enhanced);
+  Scene scene = test::noisyPhantom(ShadingModel::enhanced);
   Image before = caster.render(scene, pictureSize);
   // Points that close up on each other ask for pre-integrated steps: a resting view has that program at hand.
   while (caster.warmUp(scene, pictureSize)) {
@@ -112,7 +104,7 @@ TEST_F(PictureRules, allPicturesAreFiniteAndOutsideTheBoxIsExactlyNothing) {
   RayCaster caster;
   for (const ShadingModel model :
        {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
-    const Scene scene = phantomScene(model);
+    const Scene scene = test::noisyPhantom(model);
     const Image image = caster.render(scene, pictureSize);
     const std::vector<int> counts = caster.sampleCounts(scene, pictureSize);
     EXPECT_TRUE(isSound(image));
@@ -126,49 +118,18 @@ TEST_F(PictureRules, allPicturesAreFiniteAndOutsideTheBoxIsExactlyNothing) {
   }
 }
 
+test::DrawPicture with(RayCaster& caster) {
+  return [&caster](const Scene& scene, const glm::ivec2& size) { return caster.render(scene, size); };
+}
+
 TEST_F(PictureRules, theCameraMovesThroughTheBoxWithoutAJump) {
-  // A homogeneous box of 2 mm with extinction ln 2 per mm: alpha falls with the path that is left.
   RayCaster caster;
-  Scene scene = test::rayThrough(test::boxOf(glm::dvec3(2.0)));
-  scene.camera.projection = Camera::Projection::perspective;
-  scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
-  scene.quality.stepVoxels = 0.05;
-  for (const double side : {-1.0, 0.0, 1.0 - 1e-6, 0.999, 1.0 / 3.0})
-    for (double y = -1.2; y < 1.2; y += 0.05) {
-      scene.camera.position = {side, y, side};
-      scene.camera.target = {side, y + 1.0, side};
-      const double path = std::clamp(1.0 - y, 0.0, 2.0);
-      const glm::vec4 pixel = caster.render(scene, {1, 1}).pixels[0];
-      EXPECT_NEAR(pixel.a, 1.0 - std::exp2(-path), 2e-6) << "at " << side << ", " << y;
-    }
+  test::expectNoJumpThroughTheBox(with(caster));
 }
 
 TEST_F(PictureRules, aRayInAFaceIsLitOnceOfTwoFaces) {
-  // Pixel centres lie on the lattice of voxel faces: the box of 8 voxels of 1 mm must light exactly 8 x 8
-  // pixels of 16, whichever way it is looked through (half-open box: the lower faces belong to it).
   RayCaster caster;
-  Grid grid;
-  grid.dims = glm::ivec3(8);
-  grid.originMm = glm::dvec3(-3.5);
-  const auto volume = std::make_shared<const Volume>(grid, std::vector<std::uint8_t>(512, 100), Rescale{},
-                                                     std::nullopt, VolumeInfo{});
-  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
-                                      glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
-    Scene scene = test::rayThrough(volume, direction);
-    scene.camera.heightMm = 16.0;
-    // Shift the picture by half a pixel, so that centres fall on whole millimetres.
-    const CameraBasis basis = basisOf(scene.camera);
-    scene.camera.position += 0.5 * (basis.right + basis.up);
-    scene.camera.target += 0.5 * (basis.right + basis.up);
-    scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
-    const Image image = caster.render(scene, {16, 16});
-    int lit = 0;
-    for (const glm::vec4& pixel : image.pixels) {
-      EXPECT_TRUE(pixel.a == 0.0f || std::abs(pixel.a - (1.0 - std::exp2(-8.0))) < 1e-6);
-      lit += pixel.a > 0.0f;
-    }
-    EXPECT_EQ(lit, 64);
-  }
+  test::expectFacesLitOnce(with(caster));
 }
 
 TEST_F(PictureRules, degenerateVolumesAreDrawnSoundly) {
@@ -218,7 +179,7 @@ TEST_F(PictureRules, valuesNearTheEndOfFloatGiveThePictureOfTheirScaledCopy) {
 TEST_F(PictureRules, aFarCameraWithATinyFieldOfViewSeesTheOrthographicPicture) {
   // H12: from 1000 box diagonals the rays are parallel to 1/2000 over the box; one level is the bound.
   RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::classic);
+  Scene scene = test::noisyPhantom(ShadingModel::classic);
   scene.quality.stepVoxels = 0.25;
   const double diagonal = boxDiagonalMm(scene.volume->grid());
   scene.camera.projection = Camera::Projection::orthographic;
@@ -228,16 +189,12 @@ TEST_F(PictureRules, aFarCameraWithATinyFieldOfViewSeesTheOrthographicPicture) {
   scene.camera.position.y = -1e6 * diagonal;
   scene.camera.fovYDeg = 2.0 * std::atan(0.5e-6) * 180.0 / 3.14159265358979323846;
   const Image far = caster.render(scene, pictureSize);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < far.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max<double>(largest, std::abs(far.pixels[i][channel] - orthographic.pixels[i][channel]));
-  EXPECT_LE(largest * 255.0, 1.0);
+  EXPECT_LE(test::largestDifference(far, orthographic) * 255.0, 1.0);
 }
 
 TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
   RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::none);
+  Scene scene = test::noisyPhantom(ShadingModel::none);
   caster.render(scene, {4, 4});
   EXPECT_EQ(caster.limitation(), "");
   scene.quality.stepVoxels = 1e-4;
@@ -251,7 +208,7 @@ TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
 
 TEST_F(PictureRules, aSceneIsReadyOnceAProgramCanDrawIt) {
   RayCaster caster;
-  Scene scene = phantomScene(ShadingModel::enhanced);
+  Scene scene = test::noisyPhantom(ShadingModel::enhanced);
   EXPECT_FALSE(caster.isReady(scene));
   caster.render(scene, {4, 4});
   const int programs = caster.compiledPrograms();

@@ -2,9 +2,11 @@
 // Simulating only what a scene calls for loses nothing.
 #include "raycaster/RayCaster.h"
 #include "scene/Phantom.h"
-#include "stability/SceneVariations.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/RendererRules.h"
+
+#include "EffectSwitches.h"
 
 #include <iostream>
 #include <set>
@@ -23,19 +25,11 @@ Scene baseScene() {
   return scene;
 }
 
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max<double>(largest, std::abs(a.pixels[i][channel] - b.pixels[i][channel]));
-  return largest;
-}
-
 using Specialisation = test::GlTest;
 
 TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
   RayCaster all(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
-  const auto& switches = limn::switches();
+  const auto& switches = test::switches();
   int compared = 0;
   std::set<std::string> shaders;
   // Each switch alone and with two others, so that each meets neighbours of every kind.
@@ -58,7 +52,7 @@ TEST_F(Specialisation, aSpecialisedPictureEqualsOneWithAllEffectsCompiledIn) {
 }
 
 TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
-  for (const Neutral& neutral : neutralValues()) {
+  for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();
@@ -78,14 +72,14 @@ TEST_F(Specialisation, anEffectAtItsNeutralValueDrawsNothing) {
 
 TEST_F(Specialisation, anEffectJustOffItsNeutralValueShows) {
   RayCaster caster;
-  for (const Neutral& neutral : neutralValues()) {
+  for (const test::Neutral& neutral : test::neutralValues()) {
     SCOPED_TRACE(neutral.what);
     Scene on = baseScene();
     Scene off = baseScene();
     neutral.setJustOff(on);
     neutral.setNeutral(off);
     EXPECT_NE(caster.plan(on).effects, caster.plan(off).effects);
-    EXPECT_GT(largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
+    EXPECT_GT(test::largestDifference(caster.render(on, pictureSize), caster.render(off, pictureSize)), 1e-6);
   }
 }
 

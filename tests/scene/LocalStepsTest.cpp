@@ -31,11 +31,11 @@ TransferFunction peak(double at, double width) {
   return function;
 }
 
-TEST(LocalSteps, stepsAreHalvedEverySecondLevel) {
-  EXPECT_DOUBLE_EQ(stepOfLevel(0), 2.0);
-  EXPECT_DOUBLE_EQ(stepOfLevel(1), std::sqrt(2.0));
-  EXPECT_DOUBLE_EQ(stepOfLevel(2), 1.0);
-  EXPECT_DOUBLE_EQ(stepOfLevel(finestLevel), 1.0 / 2048.0);
+TEST(LocalSteps, stepsAreHalvedEverySecondRung) {
+  EXPECT_DOUBLE_EQ(stepOfRung(0), 2.0);
+  EXPECT_DOUBLE_EQ(stepOfRung(1), std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(stepOfRung(2), 1.0);
+  EXPECT_DOUBLE_EQ(stepOfRung(finestRung), 1.0 / 2048.0);
 }
 
 TEST(LocalSteps, aChordIsCutIntoStepsAndNoRemainderShorterThanHalfOfOne) {
@@ -49,22 +49,22 @@ TEST(LocalSteps, aChordIsCutIntoStepsAndNoRemainderShorterThanHalfOfOne) {
 TEST(LocalSteps, aStepIsTakenAgainAboveTheLimitAndRelaxedFarBelowIt) {
   EXPECT_TRUE(isToBeRefined(1.1, 1.0, 4));
   EXPECT_FALSE(isToBeRefined(1.0, 1.0, 4));
-  EXPECT_FALSE(isToBeRefined(1.1, 1.0, finestLevel));
-  EXPECT_EQ(refinedLevel(4, 1.1, 1.0), 6);
-  EXPECT_EQ(refinedLevel(4, 9.0, 1.0), 8);
-  EXPECT_EQ(refinedLevel(finestLevel - 1, 9.0, 1.0), finestLevel);
-  EXPECT_EQ(relaxedLevel(6, 2, 0.2, 1.0), 4);
-  EXPECT_EQ(relaxedLevel(6, 5, 0.2, 1.0), 5);
-  EXPECT_EQ(relaxedLevel(6, 2, 0.3, 1.0), 6);
+  EXPECT_FALSE(isToBeRefined(1.1, 1.0, finestRung));
+  EXPECT_EQ(refinedRung(4, 1.1, 1.0), 6);
+  EXPECT_EQ(refinedRung(4, 9.0, 1.0), 8);
+  EXPECT_EQ(refinedRung(finestRung - 1, 9.0, 1.0), finestRung);
+  EXPECT_EQ(relaxedRung(6, 2, 0.2, 1.0), 4);
+  EXPECT_EQ(relaxedRung(6, 5, 0.2, 1.0), 5);
+  EXPECT_EQ(relaxedRung(6, 2, 0.3, 1.0), 6);
 }
 
 TEST(LocalSteps, theLimitOfChangeFallsAsTheErrorOfHalfTheStepDoes) {
-  // Two levels of fineness halve the step; a rule of order 2 then errs by a quarter.
+  // Two rungs of fineness halve the step; a rule of order 2 then errs by a quarter.
   EXPECT_DOUBLE_EQ(mostChange(2), mostChange(0) / 4.0);
 }
 
 TEST(LocalSteps, behindWhatHidesItABlockIsSampledWithTheInverseCubeRootOfTheTransmittance) {
-  // 8^(1/3) = 2: two levels; and 1/8 of that again.
+  // 8^(1/3) = 2: two rungs; and 1/8 of that again.
   EXPECT_EQ(coarserBehind(1.0), 0);
   EXPECT_EQ(coarserBehind(0.124), 2);
   EXPECT_EQ(coarserBehind(0.0156), 4);
@@ -105,8 +105,8 @@ TEST(BlockFacts, theBendOfAParabolaIsItsSecondDerivative) {
 TEST(BlockSteps, aBlockWhoseValuesAreTransparentIsEmpty) {
   const BlockFacts facts = blockFacts(volumeOf({9, 5, 5}, [](const glm::ivec3& i) { return 3.0 * i.x; }));
   const BlockSteps steps = blockSteps(facts, peak(20.0, 1.0), 0.5);
-  EXPECT_TRUE(steps.levels[0].isEmpty);
-  EXPECT_FALSE(steps.levels[1].isEmpty);
+  EXPECT_TRUE(steps.rungs[0].isEmpty);
+  EXPECT_FALSE(steps.rungs[1].isEmpty);
 }
 
 TEST(LocalSteps, changeWithTheStepByTheSameRatio) {
@@ -115,7 +115,7 @@ TEST(LocalSteps, changeWithTheStepByTheSameRatio) {
   EXPECT_EQ(withSteps(quality, 0.125).fineness, std::nullopt) << "equal steps have none";
   quality.toleranceLevels = 0.5;
   quality.fineness = 5;
-  EXPECT_EQ(withSteps(quality, 0.125).fineness, 9) << "two levels halve every step";
+  EXPECT_EQ(withSteps(quality, 0.125).fineness, 9) << "two rungs halve every step";
   EXPECT_EQ(withSteps(quality, 0.125).stepVoxels, 0.125);
   EXPECT_EQ(withSteps(quality, 2.0).fineness, 1);
   EXPECT_EQ(withSteps(quality, 16.0).fineness, Fineness::least);
@@ -127,20 +127,20 @@ TEST(BlockSteps, eightTimesTheExtinctionHalvesTheStep) {
   const auto plainAt = [&](double extinctionPerMm) {
     TransferFunction function;
     function.points.push_back({0.0, glm::dvec3(1.0), 1.0 - std::exp(-extinctionPerMm)});
-    return blockSteps(facts, function, 0.5).levels[0].plain;
+    return blockSteps(facts, function, 0.5).rungs[0].plain;
   };
   EXPECT_EQ(plainAt(0.8), plainAt(0.1) + 2);
 }
 
 TEST(BlockSteps, aPeakOfTheFunctionGetsTwoSamplesWhereTheFieldIsSteepest) {
   // The peak is 0.15 wide, from half its height to half its height; the field changes by 6 per mm: 0.025 mm,
-  // or 0.05 voxels, of which two steps are 0.025 voxels: level ceil(2 log2(2/0.025)) = 13.
+  // or 0.05 voxels, of which two steps are 0.025 voxels: rung ceil(2 log2(2/0.025)) = 13.
   const BlockFacts facts = blockFacts(volumeOf({9, 5, 5}, [](const glm::ivec3& i) { return 3.0 * i.x; }));
   const BlockSteps steps = blockSteps(facts, peak(20.0, 0.1), 0.5);
-  EXPECT_EQ(steps.levels[1].resolving, 13);
+  EXPECT_EQ(steps.rungs[1].resolving, 13);
   EXPECT_TRUE(steps.resolvesFunction);
-  EXPECT_EQ(levelIn(steps.levels[1], 0, 1.0), 13);
-  EXPECT_EQ(levelIn(steps.levels[1], 0, 1e-3), 13) << "nothing may be missed, however little of it shows";
+  EXPECT_EQ(rungIn(steps.rungs[1], 0, 1.0), 13);
+  EXPECT_EQ(rungIn(steps.rungs[1], 0, 1e-3), 13) << "nothing may be missed, however little of it shows";
 }
 
 TEST(BlockSteps, aPeakThatTheFinestStepMissesIsSaid) {

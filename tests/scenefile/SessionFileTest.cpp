@@ -31,7 +31,7 @@ SessionDocument unusual() {
   scene.quality.fineness = 3;
   session.series = 2;
   session.spacingMm = glm::dvec3(0.5, 0.25, 1.1);
-  session.layout = SessionDocument::Layout::wipe;
+  session.layout = CompareLayout::wipe;
   session.leftModel = ShadingModel::none;
   session.rightModel = ShadingModel::robust;
   session.wipe = 0.3;

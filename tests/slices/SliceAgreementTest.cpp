@@ -4,14 +4,13 @@
 // off in flat tissue, and in the shell of cut faces; there any fixed sampling is of order 1. Enhanced light
 // makes flat tissue transparent. The ray caster cuts each ray's own chord into equal steps while slices share
 // their planes, so the two agree in the limit only. SliceOrderTest holds smooth fields to the order alone.
+#include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
 #include "scene/Phantom.h"
 #include "slices/SliceRenderer.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/TestData.h"
-
-#include "Levels.h"
 
 #include <cstdio>
 
@@ -62,12 +61,12 @@ protected:
     RayCaster caster;
     std::printf("%s\n  %8s | to the reference: mean, p99.9, order | to the ray caster: mean, p99.9, order\n",
                 row.what, "step");
-    std::vector<test::Levels> toReference, toCaster;
+    std::vector<ImageError> toReference, toCaster;
     for (const double step : {1.0, 0.5, 0.25, 0.125, 0.0625}) {
       scene.quality.stepVoxels = step;
-      const std::vector<glm::dvec4> slices = test::toDouble(renderer.render(scene, pictureSize));
-      toReference.push_back(test::levelsBetween(slices, reference.pixels));
-      toCaster.push_back(test::levelsBetween(slices, test::toDouble(caster.render(scene, pictureSize))));
+      const Image slices = renderer.render(scene, pictureSize);
+      toReference.push_back(imageError(slices, reference.pixels));
+      toCaster.push_back(imageError(slices, caster.render(scene, pictureSize)));
       print(step, toReference, toCaster);
     }
     expectShrinking(toReference, row);
@@ -75,11 +74,11 @@ protected:
   }
 
 private:
-  static void print(double step, const std::vector<test::Levels>& toReference,
-                    const std::vector<test::Levels>& toCaster) {
-    const auto last = [](const std::vector<test::Levels>& all) {
+  static void print(double step, const std::vector<ImageError>& toReference,
+                    const std::vector<ImageError>& toCaster) {
+    const auto last = [](const std::vector<ImageError>& all) {
       const double order = all.size() > 1 ? orderOf(all[all.size() - 2].mean, all.back().mean) : 0.0;
-      std::printf(" | %8.4f %8.4f %6.2f", all.back().mean, all.back().p999, order);
+      std::printf(" | %8.4f %8.4f %6.2f", all.back().mean, all.back().p99_9, order);
     };
     std::printf("  %8.4f", step);
     last(toReference);
@@ -87,10 +86,10 @@ private:
     std::printf("\n");
   }
 
-  static void expectShrinking(const std::vector<test::Levels>& errors, const Row& row) {
+  static void expectShrinking(const std::vector<ImageError>& errors, const Row& row) {
     for (std::size_t i = 1; i < errors.size(); ++i) {
       EXPECT_LT(errors[i].mean, errors[i - 1].mean) << row.what << ", halving " << i;
-      EXPECT_LT(errors[i].p999, errors[i - 1].p999) << row.what << ", halving " << i;
+      EXPECT_LT(errors[i].p99_9, errors[i - 1].p99_9) << row.what << ", halving " << i;
     }
     const double halvings = static_cast<double>(errors.size() - 1);
     EXPECT_GE(orderOf(errors.front().mean, errors.back().mean) / halvings, row.order) << row.what;

@@ -2,12 +2,11 @@
 // The slice renderer claims order 2 in its step: the error falls to a quarter as the step halves. Measured
 // against closed forms on single rays and, for whole pictures of a smooth field, against the reference at a
 // step eight times finer than the finest, whose own error is a 64th of the smallest measured.
+#include "accuracy/ImageError.h"
 #include "slices/SliceRenderer.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
-
-#include "Levels.h"
 
 #include <cstdio>
 
@@ -141,12 +140,11 @@ TEST_F(SliceOrder, picturesOfASmoothFieldConvergeWithTheSquareOfTheStep) {
     row.apply(scene);
     scene.quality.stepVoxels = 1.0 / 64.0;
     const ReferencePicture reference = renderReference(scene, size);
-    test::Levels before;
+    ImageError before;
     for (const double step : {0.5, 0.25, 0.125}) {
       scene.quality.stepVoxels = step;
-      const test::Levels error =
-          test::levelsBetween(test::toDouble(renderer.render(scene, size)), reference.pixels);
-      std::printf("%-26s %8.4f %9.5f %9.5f", row.what, step, error.mean, error.p999);
+      const ImageError error = imageError(renderer.render(scene, size), reference.pixels);
+      std::printf("%-26s %8.4f %9.5f %9.5f", row.what, step, error.mean, error.p99_9);
       if (before.mean > 0.0) {
         std::printf(" %6.2f\n", std::log2(before.mean / error.mean));
         expectSecondOrder(before.mean, error.mean, row.what);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rules that every picture made of slices keeps.
+#include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Phantom.h"
 #include "scene/RayFrame.h"
 #include "slices/ProxySlabs.h"
 #include "slices/SlicePlan.h"
 #include "slices/SliceRenderer.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
-#include "support/Heads.h"
-
-#include "Levels.h"
+#include "support/RendererRules.h"
 
 #include <epoxy/gl.h>
 
@@ -22,20 +20,9 @@ namespace {
 constexpr glm::ivec2 pictureSize{96, 80};
 
 Scene phantomScene(ShadingModel model) {
-  static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 4.0, .noiseHu = 10.0});
-  Scene scene = test::headScene(volume, model);
-  scene.quality = Quality{};
-  scene.quality.stepVoxels = 0.5;
+  Scene scene = test::noisyPhantom(model);
   scene.quality.earlyTermination = 1.0;
   return scene;
-}
-
-double largestDifference(const Image& a, const Image& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max<double>(largest, std::abs(a.pixels[i][channel] - b.pixels[i][channel]));
-  return largest;
 }
 
 // A layer rounds 1 - a (at most 2⁻²⁵ of values below 1), a product and a sum: 3·2⁻²⁵ in one channel, which
@@ -55,7 +42,7 @@ TEST_F(SliceRules, backToFrontAndFrontToBackAreThePictureButForRounding) {
       Scene scene = phantomScene(model);
       scene.quality.stepVoxels = step;
       const Image image = backwards.render(scene, pictureSize);
-      const double difference = largestDifference(image, forwards.render(scene, pictureSize));
+      const double difference = test::largestDifference(image, forwards.render(scene, pictureSize));
       std::printf("step %g: largest difference %.3g of %.3g\n", step, difference, roundingOf(scene));
       EXPECT_LE(difference, roundingOf(scene));
       EXPECT_NE(image, Image(pictureSize));
@@ -94,8 +81,7 @@ TEST_F(SliceRules, slicesTakeTheRayCastersSamplesWhereChordsAreTheBoxsDepth) {
       scene.quality.preintegrated = Preintegration::never;
       row.apply(scene);
       const Image image = slices.render(scene, pictureSize);
-      const test::Levels levels =
-          test::levelsBetween(test::toDouble(image), test::toDouble(caster.render(scene, pictureSize)));
+      const ImageError levels = imageError(image, caster.render(scene, pictureSize));
       std::printf("%s: largest %.4f levels, mean %.6f\n", row.what, levels.largest, levels.mean);
       // The bounds of the ray caster against the reference under the same samples (AgainstReferenceTest).
       EXPECT_LE(levels.largest, 0.5) << row.what;
@@ -173,46 +159,18 @@ TEST_F(SliceRules, everyPixelIsBlendedOncePerSlabFromWhereverOneLooks) {
   EXPECT_GT(hits, 100000);
 }
 
+test::DrawPicture with(SliceRenderer& slices) {
+  return [&slices](const Scene& scene, const glm::ivec2& size) { return slices.render(scene, size); };
+}
+
 TEST_F(SliceRules, theCameraMovesThroughTheBoxWithoutAJump) {
-  // As for the ray caster: alpha falls with the path that is left of a box of 2 mm.
   SliceRenderer slices;
-  Scene scene = test::rayThrough(test::boxOf(glm::dvec3(2.0)));
-  scene.camera.projection = Camera::Projection::perspective;
-  scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
-  scene.quality.stepVoxels = 0.05;
-  for (const double side : {-1.0, 0.0, 1.0 - 1e-6, 0.999, 1.0 / 3.0})
-    for (double y = -1.2; y < 1.2; y += 0.05) {
-      scene.camera.position = {side, y, side};
-      scene.camera.target = {side, y + 1.0, side};
-      const double path = std::clamp(1.0 - y, 0.0, 2.0);
-      EXPECT_NEAR(slices.render(scene, {1, 1}).pixels[0].a, 1.0 - std::exp2(-path), 2e-6)
-          << "at " << side << ", " << y;
-    }
+  test::expectNoJumpThroughTheBox(with(slices));
 }
 
 TEST_F(SliceRules, aRayInAFaceIsLitOnceOfTwoFaces) {
-  // Pixel centres on the lattice of voxel faces: 8 x 8 of 16 pixels are lit whichever way one looks.
   SliceRenderer slices;
-  Grid grid;
-  grid.dims = glm::ivec3(8);
-  grid.originMm = glm::dvec3(-3.5);
-  const auto volume = std::make_shared<const Volume>(grid, std::vector<std::uint8_t>(512, 100), Rescale{},
-                                                     std::nullopt, VolumeInfo{});
-  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
-                                      glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)}) {
-    Scene scene = test::rayThrough(volume, direction);
-    scene.camera.heightMm = 16.0;
-    const CameraBasis basis = basisOf(scene.camera);
-    scene.camera.position += 0.5 * (basis.right + basis.up);
-    scene.camera.target += 0.5 * (basis.right + basis.up);
-    scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
-    int lit = 0;
-    for (const glm::vec4& pixel : slices.render(scene, {16, 16}).pixels) {
-      EXPECT_TRUE(pixel.a == 0.0f || std::abs(pixel.a - (1.0 - std::exp2(-8.0))) < 1e-6) << pixel.a;
-      lit += pixel.a > 0.0f;
-    }
-    EXPECT_EQ(lit, 64);
-  }
+  test::expectFacesLitOnce(with(slices));
 }
 
 TEST_F(SliceRules, picturesAreSoundAndNothingOutsideTheBox) {

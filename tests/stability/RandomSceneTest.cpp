@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/RandomScene.h"
+#include "stability/scenes/RandomScene.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
 #include "scene/RayFrame.h"
-#include "stability/CameraFuzz.h"
-#include "stability/Dice.h"
+#include "stability/scenes/Dice.h"
+
+#include "CameraFuzz.h"
 
 #include <gtest/gtest.h>
 
@@ -109,7 +110,7 @@ TEST(RandomScenes, allKindsOfScenesComeUp) {
 }
 
 TEST(RandomScenes, aHundredThousandCamerasGiveFiniteAndBoundedRays) {
-  const CameraFuzzReport report = fuzzCameras(100000, 1);
+  const test::CameraFuzzReport report = test::fuzzCameras(100000, 1);
   std::cout << report.cameras << " cameras, " << report.hits << " of " << report.rays << " rays hit, at most "
             << report.mostSamples << " samples, " << report.seconds << " s\n";
   EXPECT_EQ(report.firstFailure, "");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/SimpleScenes.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/HeadScene.h"
+#include "stability/scenes/HeadScene.h"
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/accuracy/AccuracyChart.h"
+#include "widgets/accuracy/chart/AccuracyChart.h"
 #include "widgets/AccuracySamples.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QGraphicsScene>
 #include <QLegendMarker>

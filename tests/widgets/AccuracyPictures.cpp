@@ -2,9 +2,9 @@
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
 #include "widgets/Theme.h"
-#include "widgets/accuracy/AccuracyChartPicture.h"
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/chart/AccuracyChartPicture.h"
+#include "widgets/accuracy/map/ErrorMapOverlay.h"
 
 #include <QApplication>
 #include <QDir>

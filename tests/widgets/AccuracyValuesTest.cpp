@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
-#include "widgets/Theme.h"
-#include "widgets/accuracy/ErrorMapOverlay.h"
-#include "widgets/accuracy/ErrorScale.h"
-#include "widgets/accuracy/PointText.h"
-#include "widgets/accuracy/PointUse.h"
+#include "widgets/ContrastRatio.h"
+#include "widgets/accuracy/map/ErrorMapOverlay.h"
+#include "widgets/accuracy/map/ErrorScale.h"
+#include "widgets/accuracy/points/PointText.h"
+#include "widgets/accuracy/points/PointUse.h"
 
 #include <QLocale>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/WidgetSamples.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 
 #include <QSignalSpy>
 #include <QTest>

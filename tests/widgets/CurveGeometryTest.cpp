@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/curve/CurveGeometry.h"
+#include "widgets/curve/plot/CurveGeometry.h"
 #include "widgets/ValueText.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/curve/AxisTicks.h"
-#include "widgets/curve/HistogramPicture.h"
-#include "widgets/curve/Tissue.h"
+#include "widgets/curve/plot/AxisTicks.h"
+#include "widgets/curve/plot/HistogramPicture.h"
+#include "widgets/curve/plot/Tissue.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "widgets/Gesture.h"
-#include "widgets/accuracy/ComparedPicture.h"
-#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/map/ComparedPicture.h"
+#include "widgets/accuracy/points/PointUse.h"
 
 #include <QScrollArea>
 
@@ -41,11 +41,6 @@ public:
   /// Why a map cannot be shown, or an empty text.
   void setMapUnavailable(const QString& reason);
   void setCompared(const std::optional<ComparedPicture>& compared);
-
-  DialSection* dialSection() const { return m_dial; }
-  WishSection* wishSection() const { return m_wish; }
-  MeasuredSection* measuredSection() const { return m_chart; }
-  MapSection* mapSection() const { return m_map; }
 
   QSize sizeHint() const override { return {320, 600}; }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ChoiceRow.h"
 
-#include "widgets/controls/NumberSpec.h"
 #include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/sliders/NumberSpec.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

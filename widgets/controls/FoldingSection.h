@@ -3,10 +3,11 @@
 
 #include <QWidget>
 
-class QLabel;
 class QVBoxLayout;
 
 namespace limn {
+
+class FoldingHeader;
 
 /// A titled part of a panel that folds away; click, Enter or Space on the header folds it. The header can say
 /// in a few words what is inside ("off").
@@ -20,7 +21,7 @@ public:
   QVBoxLayout* contents() const { return m_contents; }
 
   void setFolded(bool folded);
-  bool isFolded() const { return m_folded; }
+  bool isFolded() const;
 
   /// A few words at the right of the header; empty for none.
   void setSummary(const QString& summary);
@@ -29,17 +30,8 @@ signals:
   /// The user folded or unfolded the section.
   void foldedByUser(bool folded);
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-  void changeEvent(QEvent* event) override;
-
 private:
-  void showArrow();
-
-  bool m_folded = false;
-  QWidget* m_header;
-  QLabel* m_arrow;
-  QLabel* m_summary;
+  FoldingHeader* m_header;
   QWidget* m_body;
   QVBoxLayout* m_contents;
 };

@@ -2,8 +2,8 @@
 #include "widgets/curve/GradientOpacityEditor.h"
 
 #include "scene/GradientHistogram.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>

@@ -4,10 +4,10 @@
 #include "widgets/Icons.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/PopupPlacement.h"
-#include "widgets/controls/SpringSlider.h"
-#include "widgets/curve/PointFields.h"
-#include "widgets/curve/PointPopup.h"
-#include "widgets/curve/TransferFunctionCanvas.h"
+#include "widgets/controls/sliders/SpringSlider.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/curve/points/PointFields.h"
+#include "widgets/curve/points/PointPopup.h"
 
 #include <QCheckBox>
 #include <QEvent>

@@ -2,7 +2,7 @@
 #include "widgets/presets/PresetModel.h"
 
 #include "widgets/Theme.h"
-#include "widgets/curve/CanvasPicture.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QCoreApplication>
 #include <QPainter>
@@ -13,12 +13,8 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("PresetModel", text);
-}
-
 QString groupTitle(const QString& modality) {
-  return modality.isEmpty() ? translated(QT_TRANSLATE_NOOP("PresetModel", "Any data")) : modality;
+  return modality.isEmpty() ? QCoreApplication::translate("PresetModel", "Any data") : modality;
 }
 
 QStandardItem* groupItem(QStandardItemModel& model, const QString& title) {
@@ -87,18 +83,15 @@ QImage curveThumbnail(const TransferFunction& function, const QSize& size, doubl
 }
 
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, const QMap<QString, QImage>& thumbnails, bool dark) {
+                     const std::vector<Preset>& own, bool dark) {
   model.clear();
   const auto add = [&](const Preset& preset, bool isOwn, const QString& group) {
-    const QString name = QString::fromStdString(preset.name);
     const QSize size(thumbnailWidth, thumbnailHeight);
-    const QImage picture = thumbnails.contains(name)
-                               ? thumbnails.value(name)
-                               : curveThumbnail(preset.transferFunction, size, 2.0, dark);
+    const QImage picture = curveThumbnail(preset.transferFunction, size, 2.0, dark);
     groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
   };
   for (const Preset& preset : own)
-    add(preset, true, translated(QT_TRANSLATE_NOOP("PresetModel", "My presets")));
+    add(preset, true, QCoreApplication::translate("PresetModel", "My presets"));
   for (const Preset& preset : builtIn)
     add(preset, false, groupTitle(QString::fromStdString(preset.modality)));
 }

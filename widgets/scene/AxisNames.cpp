@@ -9,22 +9,16 @@
 namespace limn {
 namespace {
 
-QString translated(const char* text) {
-  return QCoreApplication::translate("AxisNames", text);
-}
-
 AxisName between(const QString& lowEnd, const QString& highEnd) {
   return {lowEnd + QChar(0x2013) + highEnd, lowEnd, highEnd};
 }
 
 AxisName alongPatient(int direction, bool isForward) {
   // LPS: +x is the patient's left, +y the back, +z the head.
-  const std::array<std::array<QString, 2>, 3> ends{{{translated(QT_TRANSLATE_NOOP("AxisNames", "Right")),
-                                                     translated(QT_TRANSLATE_NOOP("AxisNames", "Left"))},
-                                                    {translated(QT_TRANSLATE_NOOP("AxisNames", "Front")),
-                                                     translated(QT_TRANSLATE_NOOP("AxisNames", "Back"))},
-                                                    {translated(QT_TRANSLATE_NOOP("AxisNames", "Feet")),
-                                                     translated(QT_TRANSLATE_NOOP("AxisNames", "Head"))}}};
+  const std::array<std::array<QString, 2>, 3> ends{
+      {{QCoreApplication::translate("AxisNames", "Right"), QCoreApplication::translate("AxisNames", "Left")},
+       {QCoreApplication::translate("AxisNames", "Front"), QCoreApplication::translate("AxisNames", "Back")},
+       {QCoreApplication::translate("AxisNames", "Feet"), QCoreApplication::translate("AxisNames", "Head")}}};
   const auto& [low, high] = ends[static_cast<std::size_t>(direction)];
   return isForward ? between(low, high) : between(high, low);
 }
@@ -51,11 +45,11 @@ std::array<int, 3> patientDirections(const glm::dmat3& direction) {
 std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
   std::array<AxisName, 3> names;
   if (!orientationKnown) {
-    const QString first = translated(QT_TRANSLATE_NOOP("AxisNames", "first"));
-    const QString last = translated(QT_TRANSLATE_NOOP("AxisNames", "last"));
-    names[0] = {translated(QT_TRANSLATE_NOOP("AxisNames", "Columns")), first, last};
-    names[1] = {translated(QT_TRANSLATE_NOOP("AxisNames", "Rows")), first, last};
-    names[2] = {translated(QT_TRANSLATE_NOOP("AxisNames", "Slices")), first, last};
+    const QString first = QCoreApplication::translate("AxisNames", "first");
+    const QString last = QCoreApplication::translate("AxisNames", "last");
+    names[0] = {QCoreApplication::translate("AxisNames", "Columns"), first, last};
+    names[1] = {QCoreApplication::translate("AxisNames", "Rows"), first, last};
+    names[2] = {QCoreApplication::translate("AxisNames", "Slices"), first, last};
     return names;
   }
   const std::array<int, 3> directions = patientDirections(grid.direction);

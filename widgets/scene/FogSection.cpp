@@ -2,8 +2,8 @@
 #include "widgets/scene/FogSection.h"
 
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/ColorButton.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/color/ColorButton.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/scene/FogFit.h"
 #include "widgets/scene/ProjectionSection.h"
 

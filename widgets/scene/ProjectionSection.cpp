@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -2,7 +2,7 @@
 #include "widgets/scene/QualitySection.h"
 
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ModelSection.h"
 
+#include "scene/ModelName.h"
+#include "widgets/shading/ModelName.h"
+
 #include <QLabel>
 #include <QVBoxLayout>
 
 namespace limn {
 namespace {
+
+QStringList modelNames() {
+  QStringList names;
+  for (const ShadingModel model : shadingModels)
+    names << modelName(model);
+  return names;
+}
 
 NumberSpec exponentSpec() {
   return {.label = ModelSection::tr("Highlight sharpness (SP)"),
@@ -60,15 +70,14 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   m_model = new ChoiceRow(tr("Model"),
                           tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or the same "
                              "without overflowing highlights."),
-                          {tr("Unlit"), tr("Classic"), tr("Enhanced"), tr("Robust")},
-                          static_cast<int>(ShadingModel::classic));
+                          modelNames(), static_cast<int>(ShadingModel::classic));
   contents()->addWidget(m_model);
   connect(m_model, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
     Shading edited = shading();
     edited.model = static_cast<ShadingModel>(index);
     edit(edited, gesture);
   });
-  auto* classic = new QLabel(tr("Classic"));
+  auto* classic = new QLabel(modelName(ShadingModel::classic));
   auto* enhanced = new QLabel(tr("Enhanced and robust"));
   for (QLabel* heading : {classic, enhanced})
     heading->setForegroundRole(QPalette::PlaceholderText);

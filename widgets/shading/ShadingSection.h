@@ -5,8 +5,8 @@
 #include "widgets/Gesture.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/FoldingSection.h"
-#include "widgets/controls/RangeSlider.h"
-#include "widgets/controls/ValueSlider.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QCheckBox>
 

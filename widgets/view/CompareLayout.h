@@ -2,14 +2,11 @@
 #pragma once
 
 #include "raycaster/RayCaster.h"
+#include "scene/CompareLayout.h"
 
 #include <vector>
 
 namespace limn {
-
-/// How the compare view shows its pictures: one with the scene's own model; two beside each other; two over
-/// each other with a movable border; the amplified difference of two.
-enum class CompareLayout { single, sideBySide, wipe, difference };
 
 /// How many times the `difference` layout shows the difference.
 inline constexpr double differenceGain = 4.0;

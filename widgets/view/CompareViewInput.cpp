@@ -2,7 +2,9 @@
 #include "widgets/view/CompareView.h"
 
 #include "scene/FirstView.h"
+#include "scene/ModelName.h"
 #include "widgets/scene/ProjectionSection.h"
+#include "widgets/shading/ModelName.h"
 #include "widgets/view/CropBoxPainting.h"
 #include "widgets/view/SideText.h"
 #include "widgets/view/WindowLevelGesture.h"
@@ -250,8 +252,7 @@ void CompareView::popUpModels(int position) {
   const ShadingModel current = sceneOfSide(side).shading.model;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  for (const ShadingModel model :
-       {ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust}) {
+  for (const ShadingModel model : shadingModels) {
     QAction* action = menu->addAction(modelName(model));
     action->setCheckable(true);
     action->setChecked(model == current);

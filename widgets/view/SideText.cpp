@@ -2,6 +2,7 @@
 #include "widgets/view/SideText.h"
 
 #include "widgets/scene/ProjectionSection.h"
+#include "widgets/shading/ModelName.h"
 #include "widgets/view/AccuracyText.h"
 
 #include <QCoreApplication>
@@ -36,20 +37,6 @@ QString lightingText(const Shading& shading) {
 }
 
 } // namespace
-
-QString modelName(ShadingModel model) {
-  switch (model) {
-  case ShadingModel::none:
-    return translated("Unlit");
-  case ShadingModel::classic:
-    return translated("Classic");
-  case ShadingModel::enhanced:
-    return translated("Enhanced");
-  case ShadingModel::robust:
-    return translated("Robust");
-  }
-  return {};
-}
 
 QString sideTitle(const Scene& scene) {
   return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);

@@ -8,9 +8,6 @@
 
 namespace limn {
 
-/// The name of a shading model as the window shows it, translated.
-QString modelName(ShadingModel model);
-
 /// What a side is called: its model, or the projection where that is not lit.
 QString sideTitle(const Scene& scene);
 

@@ -4,11 +4,13 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <initializer_list>
 #include <limits>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace limn {
 
@@ -43,9 +45,8 @@ public:
   bool vector(const std::string& key, glm::dvec3& target, const Limits& limits = anyNumber);
   bool pair(const std::string& key, double& first, double& second, const Limits& limits);
 
-  template <class Enum>
-  bool choice(const std::string& key, Enum& target,
-              std::initializer_list<std::pair<const char*, Enum>> choices) {
+  template <class Enum, class Choices = std::initializer_list<std::pair<const char*, Enum>>>
+  bool choice(const std::string& key, Enum& target, const Choices& choices) {
     std::string word;
     if (!text(key, word))
       return false;
@@ -58,6 +59,15 @@ public:
       known += (known.empty() ? "" : ", ") + std::string(name);
     }
     fail(key, "is \"" + word + "\"; choose one of " + known);
+  }
+
+  /// The same for values that `nameOf` names.
+  template <class Enum, std::size_t size>
+  bool choice(const std::string& key, Enum& target, const std::array<Enum, size>& choices) {
+    std::vector<std::pair<const char*, Enum>> named;
+    for (const Enum value : choices)
+      named.emplace_back(nameOf(value), value);
+    return choice(key, target, named);
   }
 
   /// Refuses every field that no method asked for, by name.

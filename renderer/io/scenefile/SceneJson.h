@@ -11,12 +11,6 @@ namespace limn {
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);
 
-/// Reads the name of a shading model.
-void readModel(JsonFields& fields, const std::string& key, ShadingModel& model);
-
-/// The name that `readModel` reads.
-const char* nameOf(ShadingModel model);
-
 /// The fields of a scene file; `volume` is stored as given.
 nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume);
 

@@ -4,6 +4,8 @@
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
 #include "scene/LocalSteps.h"
+#include "scene/ModelName.h"
+#include "scene/ProjectionName.h"
 
 #include <nlohmann/json.hpp>
 
@@ -134,7 +136,7 @@ void readRobustFields(JsonFields& fields, Shading& shading) {
 
 Shading readShading(JsonFields fields) {
   Shading shading;
-  readModel(fields, "model", shading.model);
+  fields.choice("model", shading.model, shadingModels);
   fields.number("ambient", shading.ambient, notNegative);
   fields.number("diffuse", shading.diffuse, notNegative);
   fields.number("specular", shading.specular, notNegative);
@@ -207,14 +209,7 @@ CropBox readCrop(JsonFields fields) {
 }
 
 bool readProjection(JsonFields& fields, Projection& projection) {
-  return fields.choice("projection", projection,
-                       {{"composite", Projection::composite},
-                        {"mip", Projection::mip},
-                        {"minip", Projection::minip},
-                        {"average", Projection::average},
-                        {"xray", Projection::xray},
-                        {"isosurface", Projection::isosurface},
-                        {"composite_isosurface", Projection::compositeIsosurface}});
+  return fields.choice("projection", projection, projections);
 }
 
 // A fineness belongs to the tolerance for which it was found.
@@ -261,14 +256,6 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
 }
 
 } // namespace
-
-void readModel(JsonFields& fields, const std::string& key, ShadingModel& model) {
-  fields.choice(key, model,
-                {{"none", ShadingModel::none},
-                 {"classic", ShadingModel::classic},
-                 {"enhanced", ShadingModel::enhanced},
-                 {"robust", ShadingModel::robust}});
-}
 
 SceneDocument readScene(JsonFields fields) {
   requireVersion(fields, "limn_scene", "scene");

@@ -3,6 +3,7 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
+#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
 
 #include <nlohmann/json.hpp>
@@ -108,20 +109,6 @@ Json toJson(const Quality& quality) {
 }
 
 } // namespace
-
-const char* nameOf(ShadingModel model) {
-  switch (model) {
-  case ShadingModel::none:
-    return "none";
-  case ShadingModel::classic:
-    return "classic";
-  case ShadingModel::enhanced:
-    return "enhanced";
-  case ShadingModel::robust:
-    return "robust";
-  }
-  return "";
-}
 
 nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) {
   return {{"limn_scene", 1},

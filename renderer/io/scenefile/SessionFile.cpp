@@ -3,6 +3,7 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
+#include "scene/ModelName.h"
 
 #include <nlohmann/json.hpp>
 
@@ -10,13 +11,7 @@ namespace limn {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Layout = SessionDocument::Layout;
 using Panel = SessionDocument::Panel;
-
-const char* nameOf(Layout layout) {
-  static constexpr const char* names[] = {"single", "side_by_side", "wipe", "difference"};
-  return names[static_cast<int>(layout)];
-}
 
 const char* nameOf(Panel panel) {
   static constexpr const char* names[] = {"none", "properties", "effects", "accuracy"};
@@ -24,13 +19,9 @@ const char* nameOf(Panel panel) {
 }
 
 void readComparison(JsonFields fields, SessionDocument& session) {
-  fields.choice("layout", session.layout,
-                {{"single", Layout::single},
-                 {"side_by_side", Layout::sideBySide},
-                 {"wipe", Layout::wipe},
-                 {"difference", Layout::difference}});
-  readModel(fields, "left", session.leftModel);
-  readModel(fields, "right", session.rightModel);
+  fields.choice("layout", session.layout, compareLayouts);
+  fields.choice("left", session.leftModel, shadingModels);
+  fields.choice("right", session.rightModel, shadingModels);
   fields.number("wipe", session.wipe, fraction);
   fields.finish();
 }

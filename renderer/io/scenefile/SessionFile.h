@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scenefile/SceneFile.h"
+#include "scene/CompareLayout.h"
 
 #include <optional>
 
@@ -9,14 +10,13 @@ namespace limn {
 
 /// A session file as read: the scene, how its volume is read, and what the window showed beside it.
 struct SessionDocument {
-  enum class Layout { single, sideBySide, wipe, difference };
   enum class Panel { none, properties, effects, accuracy };
 
   SceneDocument scene;                 ///< `scene.scene.volume` is empty
   std::optional<int> series;           ///< of the volume's folder, as listSeries numbers them
   std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
 
-  Layout layout = Layout::sideBySide;
+  CompareLayout layout = CompareLayout::sideBySide;
   ShadingModel leftModel = ShadingModel::classic;
   ShadingModel rightModel = ShadingModel::enhanced;
   double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1

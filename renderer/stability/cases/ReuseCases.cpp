@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/FloatTarget.h"
-#include "scene/HeadScene.h"
 #include "scene/Phantom.h"
 #include "stability/Measures.h"
-#include "stability/SceneVariations.h"
 #include "stability/cases/Cases.h"
+#include "stability/scenes/HeadScene.h"
+#include "stability/scenes/SceneVariations.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/bench/Timing.h"
+#include "app/renderers/ProcessCost.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/Actions.h"
+
+#include "scene/CompareLayout.h"
+#include "scene/FirstView.h"
+#include "scene/ModelName.h"
+#include "widgets/shading/ModelName.h"
+
+#include <QUndoStack>
+
+namespace limn {
+
+struct Actions::Look {
+  QString text;
+  QKeySequence shortcut = {};
+  QString toolTip = {};
+  const char* icon = nullptr;
+  bool isCheckable = false;
+};
+
+Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window(window) {
+  makeFileActions();
+  makeEditActions(history);
+  makeLayouts();
+  makeModels();
+  makeViews();
+  makeViewActions();
+  makeThemes();
+  makeOtherActions();
+}
+
+QAction* Actions::dressed(QAction* action, const QString& name, const Look& look) {
+  action->setObjectName(name);
+  if (!look.shortcut.isEmpty())
+    action->setShortcut(look.shortcut);
+  if (!look.toolTip.isEmpty())
+    action->setToolTip(look.toolTip);
+  if (look.icon)
+    icons.give(*action, QLatin1String(look.icon));
+  action->setCheckable(look.isCheckable);
+  return action;
+}
+
+QAction* Actions::made(const char* name, const Look& look) {
+  return dressed(new QAction(look.text, &m_window), QLatin1String(name), look);
+}
+
+void Actions::addChoice(QActionGroup& group, const QString& name, const QVariant& data, const Look& look) {
+  QAction* action = dressed(new QAction(look.text, &m_window), name, look);
+  action->setData(data);
+  group.addAction(action);
+}
+
+void Actions::makeFileActions() {
+  openFile =
+      made("openFile", {.text = tr("&Open file…"),
+                        .shortcut = QKeySequence::Open,
+                        .toolTip = tr("Opens a volume, a session, a scene or a picture that Limn saved."),
+                        .icon = "open"});
+  openFile->setIconText(tr("Open"));
+  openFolder = made("openFolder", {.text = tr("Open &DICOM folder…"), .shortcut = tr("Ctrl+Shift+O")});
+  openSample = made("openSample", {.text = tr("Open the sample &head")});
+  saveSession = made("saveSession",
+                     {.text = tr("&Save session"),
+                      .shortcut = QKeySequence::Save,
+                      .toolTip = tr("Saves everything but the volume itself: scene, comparison and panel.")});
+  saveSessionAs = made("saveSessionAs", {.text = tr("Save session &as…")});
+  saveScene = made("saveScene", {.text = tr("Save s&cene…")});
+  savePicture = made("savePicture",
+                     {.text = tr("Save &picture…"),
+                      .shortcut = tr("Ctrl+Shift+S"),
+                      .toolTip = tr("Saves the picture on screen at full quality, with its scene inside."),
+                      .icon = "snapshot"});
+  savePicture->setIconText(tr("Snapshot"));
+  closeVolume = made("closeVolume", {.text = tr("&Close volume"), .shortcut = QKeySequence::Close});
+  quit = made("quit", {.text = tr("&Quit"), .shortcut = QKeySequence::Quit});
+}
+
+void Actions::makeEditActions(QUndoStack& history) {
+  undo = dressed(history.createUndoAction(&m_window, tr("Undo")), QStringLiteral("undo"),
+                 {.text = {}, .icon = "undo"});
+  redo = dressed(history.createRedoAction(&m_window, tr("Redo")), QStringLiteral("redo"),
+                 {.text = {}, .icon = "redo"});
+  undo->setShortcuts(QKeySequence::Undo);
+  redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+  copyPicture = made("copyPicture", {.text = tr("&Copy picture"), .shortcut = tr("Ctrl+Shift+C")});
+}
+
+void Actions::makeLayouts() {
+  layouts = new QActionGroup(&m_window);
+  const auto add = [this](CompareLayout layout, const QString& text, const char* icon, const QString& tip) {
+    addChoice(*layouts, QStringLiteral("layout-") + QLatin1String(nameOf(layout)), static_cast<int>(layout),
+              {.text = text, .toolTip = tip, .icon = icon, .isCheckable = true});
+  };
+  add(CompareLayout::single, tr("Single"), "single", tr("One picture with the chosen model."));
+  add(CompareLayout::sideBySide, tr("Side by side"), "side-by-side", tr("Two models beside each other."));
+  add(CompareLayout::wipe, tr("Wipe"), "wipe", tr("Two models over each other with a border to drag."));
+  add(CompareLayout::difference, tr("Difference"), "difference",
+      tr("Where the two models differ, amplified."));
+}
+
+void Actions::makeModels() {
+  models = new QActionGroup(&m_window);
+  models->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  for (const ShadingModel model : shadingModels) {
+    const QString name = modelName(model);
+    addChoice(*models, QStringLiteral("model-") + QLatin1String(nameOf(model)), static_cast<int>(model),
+              {.text = name,
+               .toolTip = tr("Shows one picture with the %1 model.").arg(name.toLower()),
+               .isCheckable = true});
+  }
+}
+
+void Actions::makeViews() {
+  views = new QActionGroup(&m_window);
+  const auto add = [this](StandardView view, const char* name, const QString& text) {
+    addChoice(*views, QStringLiteral("view-") + QLatin1String(name), static_cast<int>(view), {.text = text});
+  };
+  add(StandardView::anterior, "anterior", tr("Anterior (front)"));
+  add(StandardView::posterior, "posterior", tr("Posterior (back)"));
+  add(StandardView::left, "left", tr("Left"));
+  add(StandardView::right, "right", tr("Right"));
+  add(StandardView::superior, "superior", tr("Superior (above)"));
+  add(StandardView::inferior, "inferior", tr("Inferior (below)"));
+  resetCamera = made("resetCamera", {.text = tr("Reset camera")});
+}
+
+void Actions::makeViewActions() {
+  orthographic =
+      made("orthographic", {.text = tr("&Orthographic"),
+                            .toolTip = tr("Parallel rays: sizes can be compared everywhere in the picture."),
+                            .isCheckable = true});
+  cropBox = made("cropBox",
+                 {.text = tr("&Crop box"),
+                  .shortcut = Qt::Key_B,
+                  .toolTip = tr("Shows a box with handles in the picture; what is outside is cut away. (B)"),
+                  .icon = "crop-box",
+                  .isCheckable = true});
+  // A letter belongs to whatever has the focus: this one to the picture.
+  cropBox->setShortcutContext(Qt::WidgetShortcut);
+  refineAtRest = made(
+      "refineAtRest",
+      {.text = tr("Refine at &rest"),
+       .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller steps until it "
+                     "lies within half a level of the exact one."),
+       .isCheckable = true});
+  pictureAndCurveOnly =
+      made("pictureAndCurveOnly",
+           {.text = tr("&Picture and curve only"), .shortcut = Qt::Key_F11, .isCheckable = true});
+  patientInTitle = made("patientInTitle", {.text = tr("Patient in the title &bar"), .isCheckable = true});
+}
+
+void Actions::makeThemes() {
+  themes = new QActionGroup(&m_window);
+  const auto add = [this](const char* word, const QString& text) {
+    addChoice(*themes, QStringLiteral("theme-") + QLatin1String(word), QLatin1String(word),
+              {.text = text, .isCheckable = true});
+  };
+  add("system", tr("Follow the system"));
+  add("light", tr("Light"));
+  add("dark", tr("Dark"));
+}
+
+void Actions::makeOtherActions() {
+  findPreset = made("findPreset", {.text = tr("&Find preset"), .shortcut = QKeySequence::Find});
+  savePreset = made("savePreset", {.text = tr("&Save as preset…")});
+  shortcuts = made("shortcuts", {.text = tr("Mouse and &keys"), .shortcut = QKeySequence::HelpContents});
+  about = made("about", {.text = tr("&About Limn")});
+}
+
+void Actions::setVolumeOpen(bool isOpen) const {
+  for (QAction* action : {saveSession, saveSessionAs, saveScene, savePicture, closeVolume, copyPicture,
+                          resetCamera, orthographic, cropBox, savePreset})
+    action->setEnabled(isOpen);
+  for (QAction* action : views->actions())
+    action->setEnabled(isOpen);
+}
+
+void check(const QActionGroup& group, const QVariant& data) {
+  for (QAction* action : group.actions())
+    action->setChecked(action->data() == data);
+}
+
+} // namespace limn

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/actions/ThemedIcons.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+
+class QUndoStack;
+
+namespace limn {
+
+/// Everything that can be chosen from menus and tool bar, each with an object name of its own. What they do
+/// is connected elsewhere.
+class Actions {
+  Q_DECLARE_TR_FUNCTIONS(limn::Actions)
+
+public:
+  /// Makes them children of `window`.
+  Actions(QWidget& window, QUndoStack& history);
+
+  /// Whether a volume is open; without one many mean nothing.
+  void setVolumeOpen(bool isOpen) const;
+
+  ThemedIcons icons;
+
+  QAction* openFile = nullptr;
+  QAction* openFolder = nullptr;
+  QAction* openSample = nullptr;
+  QAction* saveSession = nullptr;
+  QAction* saveSessionAs = nullptr;
+  QAction* saveScene = nullptr;
+  QAction* savePicture = nullptr;
+  QAction* closeVolume = nullptr;
+  QAction* quit = nullptr;
+
+  QAction* undo = nullptr;
+  QAction* redo = nullptr;
+  QAction* copyPicture = nullptr;
+
+  QActionGroup* layouts = nullptr; ///< data: CompareLayout as int
+  QActionGroup* models = nullptr;  ///< data: ShadingModel as int
+  QActionGroup* views = nullptr;   ///< data: StandardView as int
+  QAction* resetCamera = nullptr;
+  QAction* orthographic = nullptr;
+  QAction* cropBox = nullptr;
+  QAction* refineAtRest = nullptr;
+  QAction* pictureAndCurveOnly = nullptr;
+  QAction* patientInTitle = nullptr;
+  QActionGroup* themes = nullptr; ///< data: the word in the settings
+
+  QAction* findPreset = nullptr;
+  QAction* savePreset = nullptr;
+  QAction* shortcuts = nullptr;
+  QAction* about = nullptr;
+
+private:
+  struct Look;
+  QAction* dressed(QAction* action, const QString& name, const Look& look);
+  QAction* made(const char* name, const Look& look);
+  void addChoice(QActionGroup& group, const QString& name, const QVariant& data, const Look& look);
+  void makeFileActions();
+  void makeEditActions(QUndoStack& history);
+  void makeLayouts();
+  void makeModels();
+  void makeViews();
+  void makeViewActions();
+  void makeThemes();
+  void makeOtherActions();
+
+  QWidget& m_window;
+};
+
+/// Checks the action of a group that stands for `data`, and no other.
+void check(const QActionGroup& group, const QVariant& data);
+
+} // namespace limn

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/Menus.h"
+
+#include "app/actions/Actions.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace limn {
+namespace {
+
+ChangingMenus makeFileMenu(QMenuBar& bar, const Actions& actions) {
+  ChangingMenus menus;
+  menus.file = bar.addMenu(QObject::tr("&File"));
+  menus.file->addActions({actions.openFile, actions.openFolder, actions.openSample});
+  menus.recentSources = menus.file->addMenu(QObject::tr("Open &recent"));
+  menus.recentSources->setObjectName(QStringLiteral("recentSources"));
+  menus.unsavedSessions = menus.file->addMenu(QObject::tr("Open &unsaved session"));
+  menus.unsavedSessions->setObjectName(QStringLiteral("unsavedSessions"));
+  menus.unsavedSessions->setToolTip(QObject::tr("Sessions that were left with unsaved changes."));
+  menus.file->addSeparator();
+  menus.file->addActions({actions.saveSession, actions.saveSessionAs, actions.saveScene, actions.savePicture,
+                          actions.closeVolume});
+  menus.file->addSeparator();
+  menus.file->addAction(actions.quit);
+  return menus;
+}
+
+void makeEditMenu(QMenuBar& bar, const Actions& actions) {
+  QMenu* menu = bar.addMenu(QObject::tr("&Edit"));
+  menu->addActions({actions.undo, actions.redo});
+  menu->addSeparator();
+  menu->addAction(actions.copyPicture);
+}
+
+/// Returns the menu of views.
+QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& panels) {
+  QMenu* menu = bar.addMenu(QObject::tr("&View"));
+  menu->addActions(actions.layouts->actions());
+  menu->addSeparator();
+  QMenu* views = menu->addMenu(QObject::tr("&Look from"));
+  views->addActions(actions.views->actions());
+  views->addSeparator();
+  views->addAction(actions.resetCamera);
+  menu->addActions({actions.orthographic, actions.cropBox, actions.refineAtRest});
+  menu->addSeparator();
+  menu->addActions(panels);
+  menu->addAction(actions.pictureAndCurveOnly);
+  menu->addSeparator();
+  menu->addAction(actions.patientInTitle);
+  menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
+  return views;
+}
+
+/// A button with an icon that opens a menu.
+QToolButton* menuButton(QToolBar& bar, QMenu* menu, QToolButton::ToolButtonPopupMode mode) {
+  auto* button = new QToolButton(&bar);
+  button->setPopupMode(mode);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setMenu(menu);
+  return button;
+}
+
+void makeToolBar(QMainWindow& window, Actions& actions, QMenu* recent, QMenu* views) {
+  QToolBar* bar = window.addToolBar(QObject::tr("Tools"));
+  bar->setObjectName(QStringLiteral("toolBar"));
+  bar->setMovable(false);
+  bar->setIconSize({20, 20});
+  QToolButton* open = menuButton(*bar, recent, QToolButton::MenuButtonPopup);
+  open->setDefaultAction(actions.openFile);
+  bar->addWidget(open);
+  bar->addSeparator();
+  bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  bar->addActions(actions.models->actions());
+  bar->addSeparator();
+  bar->addActions(actions.layouts->actions());
+  bar->addSeparator();
+  bar->addAction(actions.cropBox);
+  QToolButton* look = menuButton(*bar, views, QToolButton::InstantPopup);
+  look->setText(QObject::tr("Views"));
+  actions.icons.give(*look, QStringLiteral("compass"));
+  bar->addWidget(look);
+  auto* stretch = new QWidget(bar);
+  stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(stretch);
+  bar->addAction(actions.savePicture);
+}
+
+} // namespace
+
+ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QAction*>& panels) {
+  QMenuBar& bar = *window.menuBar();
+  const ChangingMenus menus = makeFileMenu(bar, actions);
+  makeEditMenu(bar, actions);
+  QMenu* views = makeViewMenu(bar, actions, panels);
+  bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset});
+  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
+  makeToolBar(window, actions, menus.recentSources, views);
+  return menus;
+}
+
+} // namespace limn

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/ConvergedPicture.h"
+#include "accuracy/Tolerance.h"
+#include "widgets/accuracy/map/ComparedPicture.h"
+#include "widgets/accuracy/points/PointUse.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace limn {
+
+/// Measures error and time of scenes, where they differ from the exact picture and what steps keep a
+/// tolerance, on a worker thread with
+/// an OpenGL context of its own. One piece of work at a time: new work ends what runs. Signals come on the
+/// thread the measurer lives in; of ended work nothing more is told.
+class AccuracyMeasurer : public QObject {
+  Q_OBJECT
+
+public:
+  explicit AccuracyMeasurer(QObject* parent = nullptr);
+  ~AccuracyMeasurer() override;
+
+  /// Measures the points that the window offers for a scene, which people call `name`.
+  void measure(const QString& name, const Scene& scene, const glm::ivec2& size);
+
+  /// Compares the picture of a scene with the exact one.
+  void compare(const Scene& scene, const glm::ivec2& size);
+
+  /// Finds the steps with which pictures of `size` keep the tolerance of their scenes (accuracy/Tolerance);
+  /// the scenes differ in their light, and what is told is the one that needs the finest steps.
+  void findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size);
+
+  void cancel();
+
+  /// Lets go of what is kept of any other volume.
+  void forgetOthersThan(const std::shared_ptr<const Volume>& volume);
+
+  bool isWorking() const { return m_work != nullptr; }
+
+signals:
+  void progressed(double fraction, const QString& doing);
+  void measured(const limn::MeasuredAccuracy& accuracy);
+  void compared(const limn::ComparedPicture& picture);
+  void stepsFound(const limn::WithinTolerance& found);
+  void failed(const QString& sentence);
+
+private:
+  /// What runs; shared with its thread.
+  struct Work {
+    std::atomic<bool> isCancelled = false;
+  };
+  /// The exact picture that was drawn last: both kinds of work need it, and it takes the most time.
+  struct Exact {
+    Scene scene;
+    glm::ivec2 size{0};
+    ConvergedPicture picture;
+  };
+  class Job;
+
+  template <class Task>
+  void start(Task task);
+
+  std::shared_ptr<Work> m_work;
+  std::shared_ptr<const Exact> m_exact;
+  std::jthread m_thread; ///< of the last work; it waits for the one before
+};
+
+} // namespace limn

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/DocumentText.h"
+
+#include "app/PrivateNames.h"
+#include "app/document/OpenDocument.h"
+
+#include <QFileInfo>
+
+namespace limn {
+namespace {
+
+const QString sample = QStringLiteral("sample");
+
+// The volume's name, behind the session's where it has a file.
+QString nameShown(const OpenDocument& document, bool showsPatient) {
+  const Volume& volume = *document.scene().volume;
+  const QString path = QString::fromStdString(document.volumePath());
+  QString name = document.request().source == sample ? QObject::tr("Sample head")
+                 : showsPatient                      ? QFileInfo(path).fileName()
+                                                     : shareableName(path, volume);
+  const QString session = QFileInfo(document.sessionFile()).fileName();
+  if (!session.isEmpty() && (showsPatient || !mayNameThePatient(session, volume.info().patient)))
+    name.prepend(session + QStringLiteral(" · "));
+  return name;
+}
+
+} // namespace
+
+QString titleOf(const OpenDocument& document, bool showsPatient) {
+  const QString program = QObject::tr("Limn · not for diagnosis");
+  const auto& volume = document.scene().volume;
+  if (!volume)
+    return program + QStringLiteral("[*]");
+  QString what = nameShown(document, showsPatient);
+  const PatientLabel& patient = volume->info().patient;
+  if (showsPatient)
+    for (const std::string& part : {patient.name, patient.id, patient.studyDate})
+      if (!part.empty())
+        what += QStringLiteral(" · ") + QString::fromStdString(part);
+  return what.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]")) + QStringLiteral("[*] — ") + program;
+}
+
+QString labelOf(const OpenDocument& document) {
+  const QString& source = document.request().source;
+  if (source == sample)
+    return QObject::tr("Sample head");
+  const Volume& volume = *document.scene().volume;
+  const QString name = QFileInfo(source).fileName();
+  if (name.isEmpty() || mayNameThePatient(name, volume.info().patient))
+    return plainDescription(volume);
+  return name + QStringLiteral(" · ") + plainDescription(volume);
+}
+
+QString suggestedName(const OpenDocument& document) {
+  const auto& volume = document.scene().volume;
+  if (!volume || document.volumePath().empty())
+    return QStringLiteral("limn");
+  const QString name = shareableName(QString::fromStdString(document.volumePath()), *volume);
+  return QFileInfo(name).baseName();
+}
+
+QString volumeText(const Volume& volume) {
+  const Grid& grid = volume.grid();
+  return QObject::tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
+      .arg(grid.dims.x)
+      .arg(grid.dims.y)
+      .arg(grid.dims.z)
+      .arg(grid.spacingMm.x, 0, 'g', 3)
+      .arg(grid.spacingMm.y, 0, 'g', 3)
+      .arg(grid.spacingMm.z, 0, 'g', 3)
+      .arg(volume.range().lowest, 0, 'g', 5)
+      .arg(volume.range().highest, 0, 'g', 5)
+      .arg(QString::fromStdString(volume.info().unit));
+}
+
+QStringList remarksOn(const Volume& volume, const std::vector<std::string>& notes) {
+  QStringList remarks;
+  for (const std::string& note : notes)
+    remarks << QString::fromStdString(note);
+  for (const std::string& warning : volume.info().warnings)
+    remarks << QString::fromStdString(warning);
+  if (volume.invalidVoxels() > 0)
+    remarks << QObject::tr("%L1 voxels hold no data and are shown as the smallest value.")
+                   .arg(volume.invalidVoxels());
+  return remarks;
+}
+
+} // namespace limn

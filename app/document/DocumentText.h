@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Volume.h"
+
+#include <QString>
+
+namespace limn {
+
+class OpenDocument;
+
+/// What the window is called that shows it; "[*]" stands where unsaved changes are marked. Names the patient
+/// only where that is asked for.
+QString titleOf(const OpenDocument& document, bool showsPatient);
+
+/// What may stand in a list without naming anybody. A volume is open.
+QString labelOf(const OpenDocument& document);
+
+/// What a file that is made of it may be called without naming anybody, without ending.
+QString suggestedName(const OpenDocument& document);
+
+/// Size and range: "512×512×120 · 0.5×0.5×1 mm · -1024 to 3071 HU".
+QString volumeText(const Volume& volume);
+
+/// What was noteworthy in reading a volume, a sentence each.
+QStringList remarksOn(const Volume& volume, const std::vector<std::string>& notes);
+
+} // namespace limn

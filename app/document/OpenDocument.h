@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/Request.h"
+#include "app/document/Session.h"
+#include "scene/Histogram.h"
+#include "scene/Preset.h"
+
+namespace limn {
+
+/// What is open beside the scene (Session): where it came from, the file it was saved to, the preset in use,
+/// and what counts as saved.
+class OpenDocument {
+public:
+  /// Nothing is open at first.
+  explicit OpenDocument(Session& session) : m_session(session) {}
+
+  const Scene& scene() const { return m_session.scene(); }
+  const std::string& volumePath() const { return m_session.volumePath(); }
+
+  /// Whether the scene (but for the camera) differs from the one opened or saved last.
+  bool isEdited() const { return m_session.isEdited(); }
+
+  /// What was asked for to get what is open, with the options that its volume was read with.
+  const Request& request() const { return m_request; }
+
+  /// The session file that it was read from or saved to; empty where there is none.
+  const QString& sessionFile() const { return m_sessionFile; }
+
+  /// Of the volume's values.
+  const Histogram& histogram() const { return m_histogram; }
+
+  /// Shows what was loaded in the place of what was open. An unsaved session goes on as what it was before it
+  /// was left, and counts as unsaved.
+  void open(const LoadedScene& loaded, const Request& request, const Histogram& histogram);
+  void close();
+
+  /// From now on this preset is in use, as long as its curves are shown.
+  void use(const Preset& preset) { m_preset = preset; }
+  /// The name of the preset whose curves are shown; empty where there is none.
+  std::string presetShown() const;
+
+  /// What a session file says of it, but for where its volume is seen from there.
+  SessionDocument described() const;
+
+  /// The session `now` counts as saved; it does not after an unsaved one was opened.
+  void settle(const SessionDocument& now) { m_settled = now; }
+  /// It was saved to a file as `now`.
+  void settleIn(const QString& file, const SessionDocument& now);
+
+  /// What has to be kept of the session `now` so that nothing is lost; absent as long as all is as it was
+  /// when it counted as saved.
+  std::optional<SessionDocument> unsaved(SessionDocument now) const;
+
+private:
+  Session& m_session;
+  Request m_request;
+  QString m_sessionFile;
+  Histogram m_histogram;
+  Preset m_preset; ///< the one last used
+  SessionDocument m_settled;
+};
+
+} // namespace limn

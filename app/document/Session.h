@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/SceneSource.h"
+#include "scene/Scene.h"
+#include "widgets/Gesture.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+namespace limn {
+
+/// The one mutable scene of the program. Every change goes through here: edits become undo steps (one per
+/// gesture), the camera moves without one. There is one signal, and it carries the new scene.
+class Session : public QObject {
+  Q_OBJECT
+
+public:
+  explicit Session(QObject* parent = nullptr);
+
+  const Scene& scene() const { return m_scene; }
+  const std::string& volumePath() const { return m_volumePath; }
+  QUndoStack& undoStack() { return m_undo; }
+
+  /// Whether the scene (but for the camera) differs from the one opened or saved last.
+  bool isEdited() const { return !m_undo.isClean(); }
+
+  /// Shows a freshly loaded scene; the history of the former one ends.
+  void open(const LoadedScene& loaded);
+
+  /// Replaces everything but volume and camera as one undo step named by the gesture; edits with the gesture
+  /// id of the step on top extend it. An equal scene changes nothing.
+  void edit(const Scene& next, const Gesture& gesture);
+
+  void setTransferFunction(const TransferFunction& function, const Gesture& gesture);
+  void setGradientOpacity(const std::optional<GradientOpacity>& curve, const Gesture& gesture);
+  void setShading(const Shading& shading, const Gesture& gesture);
+  void setQuality(const Quality& quality, const Gesture& gesture);
+  void setIsovalue(double isovalue, const Gesture& gesture);
+  void setFog(const Fog& fog, const Gesture& gesture);
+  void setCrop(const CropBox& crop, const Gesture& gesture);
+
+  /// Moves the camera; not undoable.
+  void setCamera(const Camera& camera);
+
+signals:
+  void sceneChanged(const limn::Scene& scene);
+
+private:
+  friend class SceneEdit;
+  template <class Part>
+  void editPart(Part Scene::*part, const Part& value, const Gesture& gesture);
+  void replace(const Scene& scene);
+
+  Scene m_scene;
+  std::string m_volumePath;
+  QUndoStack m_undo;
+};
+
+} // namespace limn

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/measure/accuracy/AccuracyTable.h"
+
+#include "accuracy/DecisionVerdict.h"
+#include "accuracy/FigureText.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace limn {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Columns as wide as their widest entry; the first is aligned left, the others right.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string gap(widths[i] - row[i].size(), ' ');
+      text += i == 0 ? row[i] + gap : "  " + gap + row[i];
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Row rowOf(const MeasuredPoint& point, const AccuracyReport& report) {
+  const bool isKnown = report.reference.converged;
+  return {familyOf(point.point) + ", " + stepOf(point.point),
+          point.point.toleranceLevels ? "-" : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
+          threeDigits(point.ms.median),
+          threeDigits(point.ms.least) + " .. " + threeDigits(point.ms.most),
+          p99_9Text(point.error, report.reference),
+          meanText(point.error, report.reference),
+          isKnown ? threeDigits(point.error.rms) : "-",
+          isKnown ? threeDigits(point.error.largest) : "-",
+          isKnown ? threeDigits(100.0 * point.error.shareOverOne) : "-",
+          isKnown && point.order ? threeDigits(*point.order) : "-",
+          threeDigits(point.peakMb),
+          isKnown && point.isPareto ? "*" : ""};
+}
+
+Row rowOf(const DecisionCost& cost, const ReferenceFacts& reference) {
+  return {cost.group + ": " + cost.name + (cost.isDefault ? " (Limn's)" : ""),
+          threeDigits(cost.ms.median),
+          threeDigits(cost.timesDefault),
+          p99_9Text(cost.error, reference),
+          meanText(cost.error, reference),
+          p99_9Text(cost.fineError, reference),
+          meanText(cost.fineError, reference),
+          threeDigits(cost.extraMb)};
+}
+
+} // namespace
+
+std::string accuracyTable(const AccuracyReport& report) {
+  std::string text = report.scene + ", " + std::to_string(report.size.x) + "x" +
+                     std::to_string(report.size.y) + " pixels, " + report.machine + ", " + report.renderer +
+                     "\n" + referenceSentence(report.reference) + "\n\n";
+  std::vector<Row> rows{{"errors in levels of 255", "mm", "ms", "least .. most", "99.9 %", "mean", "rms",
+                         "largest", "% over 1", "order", "MB", "best"}};
+  for (const MeasuredPoint& point : report.points)
+    rows.push_back(rowOf(point, report));
+  text += aligned(rows);
+  if (!report.decisions.empty()) {
+    std::vector<Row> costs{{"what each decision costs", "ms", "of Limn's time", "99.9 %", "mean",
+                            "at 1/8: 99.9 %", "mean", "MB more"}};
+    for (const DecisionCost& cost : report.decisions)
+      costs.push_back(rowOf(cost, report.reference));
+    text += "\n";
+    text += aligned(costs);
+    for (const std::string& sentence : verdictOn(report.decisions))
+      text += sentence + "\n";
+  }
+  for (const std::string& remark : report.remarks)
+    text += remark + "\n";
+  return text;
+}
+
+} // namespace limn

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/BenchRow.h"
+#include "app/measure/bench/Contender.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// The view `index` of `count` on a full turn of the camera about its own up, the first as the scene has it.
+Scene turned(const Scene& scene, int index, int count);
+
+/// The scene with its middle control point a little fainter, by another amount for each index; nothing for a
+/// function without points.
+std::optional<Scene> edited(const Scene& scene, int index);
+
+/// Draws a scene with every contender in turn: each afresh and after an edit for first frame and memory, then
+/// `frames` views of one turn, then as many edits, renderer after renderer for each view and edit, so that
+/// what disturbs the machine disturbs all. `advance` is called after every picture and may throw.
+std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
+                                const std::vector<std::unique_ptr<Contender>>& contenders, int frames,
+                                const std::function<void()>& advance);
+
+/// The pictures that benchRows draws with each contender.
+inline int picturesPerRow(int frames) {
+  return 2 + 2 * frames;
+}
+
+} // namespace limn

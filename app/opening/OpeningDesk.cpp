@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/opening/OpeningDesk.h"
+
+#include "app/Settings.h"
+#include "app/desks/MessageBar.h"
+#include "app/opening/SeriesDialog.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+
+namespace limn {
+
+OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, MessageBar& messages,
+                         std::function<std::function<void()>()> before, QWidget& window)
+    : QObject(&window), m_settings(settings), m_showsPatient(showsPatient), m_messages(messages),
+      m_before(std::move(before)), m_window(window) {
+  connect(&m_loader, &VolumeLoader::progressed, this, &OpeningDesk::progressed);
+  connect(&m_loader, &VolumeLoader::cancelled, this, &OpeningDesk::ended);
+  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningDesk::chooseSeries);
+  connect(&m_loader, &VolumeLoader::loaded, this,
+          [this](const LoadedScene& scene, const Histogram& histogram) {
+            emit ended();
+            emit loaded(scene, histogram, m_requested);
+          });
+  connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
+    emit ended();
+    emit failed(source, sentence);
+  });
+  connect(&m_loader, &VolumeLoader::volumeMissing, this,
+          [this](const QString& source, const QString& expected) {
+            m_messages.show(MessageBar::Kind::error,
+                            tr("The scene's volume is not where the scene expects it: %1.").arg(expected), {},
+                            {tr("Locate volume…"), [this, source] { locateVolume(source); }});
+          });
+}
+
+void OpeningDesk::open(const QString& source, const SourceOptions& options) {
+  // A path means the same from wherever the next window is started.
+  const QString path = QString::fromStdString(absoluteSource(source.toStdString()));
+  // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
+  start({path, options}, m_showsPatient.isChecked() ? tr("Opening %1").arg(QFileInfo(path).fileName())
+                                                    : tr("Opening the volume"));
+}
+
+void OpeningDesk::openSample() {
+  open(QStringLiteral("sample"));
+}
+
+void OpeningDesk::restore(const QString& session) {
+  start({session, {}, true}, tr("Restoring the session"));
+}
+
+// A decoder that crashes takes the window along; so what is shown is put on the disk before one begins.
+void OpeningDesk::start(const Request& request, const QString& what) {
+  m_messages.hide();
+  m_requested = request;
+  SourceOptions known = request.options;
+  for (const RecentSource& recent : m_settings.recentSources())
+    known.knownVolumes.emplace_back(recent.path.toStdString());
+  known.references = m_settings.references();
+  emit progressed(-1.0, what);
+  m_loader.start(request.source, known, m_before());
+}
+
+void OpeningDesk::locateVolume(const QString& scene) {
+  const QString path = QFileDialog::getOpenFileName(
+      &m_window, tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()));
+  if (path.isEmpty())
+    return;
+  Request request = m_requested;
+  request.source = scene;
+  request.options.volume = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningDesk::askForFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(&m_window, tr("Open a volume, session, scene or Limn picture"), QString(),
+                                   tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti "
+                                      "*.vtk *.dcm *.inv3 *.hdr *.tif *.tiff "
+                                      "*.png *.jpg *.json *.exr);;All files (*)"));
+  if (!path.isEmpty())
+    open(path);
+}
+
+void OpeningDesk::askForFolder() {
+  const QString path =
+      QFileDialog::getExistingDirectory(&m_window, tr("Open a DICOM folder or an image stack"));
+  if (!path.isEmpty())
+    open(path);
+}
+
+void OpeningDesk::chooseSeries(const QString& source, const std::vector<SeriesSummary>& series) {
+  emit ended();
+  auto* dialog = new SeriesDialog(series, &m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SeriesDialog::seriesChosen, this, [this, source](int number) {
+    SourceOptions options = m_requested.options;
+    options.read.series = number;
+    open(source, options);
+  });
+  dialog->open();
+}
+
+void OpeningDesk::askForSpacing(const Request& shown, const glm::dvec3& spacingMm) {
+  auto* dialog = new QInputDialog(&m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Voxel spacing"));
+  dialog->setLabelText(tr("Distance between voxel centres along x, y and z in millimetres:"));
+  dialog->setTextValue(QStringLiteral("%1, %2, %3").arg(spacingMm.x).arg(spacingMm.y).arg(spacingMm.z));
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, shown](const QString& entered) { readWithSpacing(shown, entered); });
+  dialog->open();
+}
+
+void OpeningDesk::readWithSpacing(const Request& shown, const QString& entered) {
+  const QStringList numbers = entered.split(QLatin1Char(','));
+  glm::dvec3 spacingMm(0.0);
+  bool valid = numbers.size() == 3;
+  for (int axis = 0; valid && axis < 3; ++axis) {
+    spacingMm[axis] = numbers[axis].trimmed().toDouble(&valid);
+    valid = valid && spacingMm[axis] > 0.0;
+  }
+  if (!valid) {
+    m_messages.show(MessageBar::Kind::error,
+                    tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
+    return;
+  }
+  SourceOptions options = shown.options;
+  options.read.spacingMm = spacingMm;
+  open(shown.source, options);
+}
+
+} // namespace limn

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/Request.h"
+#include "app/opening/VolumeLoader.h"
+
+#include <QWidget>
+
+class QAction;
+
+namespace limn {
+
+class MessageBar;
+class Settings;
+
+/// Asks what to open and reads it; what cannot be read as it is, it asks more about: which series, where the
+/// volume is, how far its voxels lie apart.
+class OpeningDesk : public QObject {
+  Q_OBJECT
+
+public:
+  /// Names of files are shown where `showsPatient` is checked. `before` tells what is done on the worker
+  /// thread before anything is read.
+  OpeningDesk(Settings& settings, const QAction& showsPatient, MessageBar& messages,
+              std::function<std::function<void()>()> before, QWidget& window);
+
+  const VolumeLoader& loader() const { return m_loader; }
+
+  /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
+  void open(const QString& source, const SourceOptions& options = {});
+  void openSample();
+  /// Starts loading a session that Limn kept.
+  void restore(const QString& session);
+  void cancel() { m_loader.cancel(); }
+
+  void askForFile();
+  void askForFolder();
+  /// Asks how far the voxels of what is shown lie apart, `spacingMm` at present, and reads it again.
+  void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
+
+signals:
+  /// Something is read, or asked about no longer; `fraction` 0..1, or less than 0 where it is unknown.
+  void progressed(double fraction, const QString& what);
+  void ended();
+  /// After ended.
+  void loaded(const limn::LoadedScene& loaded, const limn::Histogram& histogram,
+              const limn::Request& request);
+  void failed(const QString& source, const QString& sentence);
+
+private:
+  void start(const Request& request, const QString& what);
+  void locateVolume(const QString& scene);
+  void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
+  void readWithSpacing(const Request& shown, const QString& entered);
+
+  Settings& m_settings;
+  const QAction& m_showsPatient;
+  MessageBar& m_messages;
+  std::function<std::function<void()>()> m_before;
+  QWidget& m_window;
+  VolumeLoader m_loader;
+  Request m_requested; ///< last; it may still load, or have failed
+};
+
+} // namespace limn

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recovery/SessionSafety.h"
+
+#include "app/desks/MessageBar.h"
+#include "app/document/OpenDocument.h"
+#include "scene/Error.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace limn {
+namespace {
+
+QString timeOf(const std::filesystem::path& file) {
+  const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
+  return QLocale().toString(time, QLocale::ShortFormat);
+}
+
+// "CT 512×512×120, 21.11.26 14:03". What cannot be read still has a time.
+QString described(const std::filesystem::path& file) {
+  QString label;
+  try {
+    label = QString::fromStdString(parseSession(readTextFile(file), "session").label);
+  } catch (const Error&) {
+    // Opening it says why.
+  }
+  return label.isEmpty() ? timeOf(file) : label + QStringLiteral(", ") + timeOf(file);
+}
+
+} // namespace
+
+SessionSafety::SessionSafety(const OpenDocument& document, std::function<SessionDocument()> session,
+                             const Places& places)
+    : m_document(document), m_session(std::move(session)), m_places(places) {}
+
+void SessionSafety::begin(const std::filesystem::path& folder) {
+  try {
+    m_keeper = std::make_unique<SessionKeeper>(folder, [this] { return m_document.unsaved(m_session()); });
+    connect(m_keeper.get(), &SessionKeeper::abandonedFound, this, &SessionSafety::offerAbandoned);
+    connect(&m_keeper->autosave(), &Autosave::failed, this, &SessionSafety::sayUnsafe);
+    connect(&m_keeper->autosave(), &Autosave::recovered, &m_places.unsafe, &QWidget::hide);
+  } catch (const Error& error) {
+    m_notKept = QString::fromStdString(error.what());
+    sayUnsafe(m_notKept);
+    return;
+  }
+  offerAbandoned();
+}
+
+void SessionSafety::noteChange() {
+  if (m_keeper)
+    m_keeper->autosave().noteChange();
+}
+
+std::function<void()> SessionSafety::savingOfNow() {
+  return m_keeper ? std::function<void()>(m_keeper->autosave().savingOfNow()) : nullptr;
+}
+
+// Nobody is asked as long as what is left behind can be had back.
+bool SessionSafety::mayLeave() {
+  const bool keeps = m_keeper || !m_notKept.isEmpty();
+  if (!keeps || !m_document.scene().volume || !m_document.isEdited())
+    return true;
+  if (!m_keeper)
+    return askBeforeLosing(m_notKept);
+  try {
+    m_keeper->keep(*m_document.unsaved(m_session()));
+    return true;
+  } catch (const Error& error) {
+    return askBeforeLosing(QString::fromStdString(error.what()));
+  }
+}
+
+bool SessionSafety::askBeforeLosing(const QString& why) {
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                  tr("The changes to this session are not saved, and Limn cannot keep them for you."),
+                  QMessageBox::NoButton, &m_places.window);
+  box.setObjectName(QStringLiteral("unsavedChanges"));
+  box.setInformativeText(why);
+  QPushButton* save = box.addButton(tr("Save session…"), QMessageBox::AcceptRole);
+  QPushButton* lose = box.addButton(tr("Lose the changes"), QMessageBox::DestructiveRole);
+  box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+  box.setDefaultButton(save);
+  box.exec();
+  if (box.clickedButton() == save)
+    emit saveRequested();
+  return box.clickedButton() == lose || !m_document.isEdited();
+}
+
+void SessionSafety::sayUnsafe(const QString& why) {
+  m_places.unsafe.show(MessageBar::Kind::warning, tr("Unsaved work is not safe at present. %1").arg(why));
+}
+
+void SessionSafety::takeOver(const QString& file) {
+  if (m_keeper && m_keeper->autosave().savingOfNow()())
+    m_keeper->forget(file.toStdString());
+  offerAbandoned();
+}
+
+void SessionSafety::offerAbandoned() {
+  const std::optional<std::filesystem::path> file = m_keeper ? m_keeper->abandoned() : std::nullopt;
+  if (!file) {
+    m_places.recovery.hide();
+    return;
+  }
+  m_places.recovery.show(
+      MessageBar::Kind::question,
+      tr("Limn ended unexpectedly. Restore the last session (%1)?").arg(described(*file)), {},
+      {tr("Restore"), [this, file = *file] { emit restoreRequested(QString::fromStdString(file.string())); }},
+      {tr("Discard"), [this, file = *file] {
+         m_keeper->forget(file);
+         offerAbandoned();
+       }});
+}
+
+void SessionSafety::end() {
+  if (m_keeper)
+    m_keeper->close();
+  m_keeper.reset();
+}
+
+void SessionSafety::refreshMenu() {
+  m_places.unsaved.clear();
+  for (const std::filesystem::path& file : m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>())
+    m_places.unsaved.addAction(
+        described(file).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+        [this, file] { emit restoreRequested(QString::fromStdString(file.string())); });
+  m_places.unsaved.setEnabled(!m_places.unsaved.isEmpty());
+}
+
+} // namespace limn

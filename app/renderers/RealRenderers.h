@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/AccuracySweep.h"
+
+#include <functional>
+#include <memory>
+
+namespace limn {
+
+/// The program's own renderers for a sweep, in an OpenGL context of their own that belongs to the thread
+/// that made them: every call, the end included, comes from it. Textures and programs are kept from one
+/// picture to the next, as in the window.
+class RealRenderers {
+public:
+  /// `threads` of the reference, 0: every core. `isCancelled` may be empty; where it returns true, the
+  /// reference ends with Cancelled. Throws Error (openGl).
+  explicit RealRenderers(int threads = 0, std::function<bool()> isCancelled = {});
+  ~RealRenderers();
+
+  /// Valid while this lives.
+  SweepRenderers forSweep();
+  DrawPrecisely precisely();
+
+  /// A picture of a scene as it is, drawn by the ray caster.
+  Image render(const Scene& scene, const glm::ivec2& size);
+
+  /// E.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  std::string name() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+/// Measures error and time of the points of a scene against its converged picture, which is known already;
+/// everything else of the report but the decisions is filled in. Where the picture did not converge the
+/// points keep their times and have no errors to be told.
+AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
+                               const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
+                               RealRenderers& renderers, const ReportProgress& progress);
+
+} // namespace limn

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/saving/SaveDialog.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// "Chart (*.png *.svg)" → "png", "svg".
+QStringList endingsOf(const QString& filter) {
+  static const QRegularExpression pattern(QStringLiteral("\\*\\.([\\w.]+)"));
+  QStringList endings;
+  for (auto matches = pattern.globalMatch(filter); matches.hasNext();)
+    endings << matches.next().captured(1);
+  return endings;
+}
+
+bool isTyped(const QString& ending, const QStringList& offered) {
+  const bool isLetters = !ending.isEmpty() && std::all_of(ending.begin(), ending.end(), [](QChar character) {
+    return character.isLetter();
+  });
+  return offered.contains(ending, Qt::CaseInsensitive) || (offered.size() > 1 && isLetters);
+}
+
+// Another kind of file gets another ending.
+void followFilter(QFileDialog& dialog, const QStringList& offered) {
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog, offered](const QString& filter) {
+    const QFileInfo file(dialog.selectedFiles().value(0));
+    if (!file.isDir() && offered.contains(file.suffix(), Qt::CaseInsensitive))
+      dialog.selectFile(file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') +
+                        endingsOf(filter).value(0));
+  });
+}
+
+bool mayReplace(QWidget* parent, const QString& path) {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("SaveDialog", text); };
+  QMessageBox box(QMessageBox::Warning, tr("Replace the file?"),
+                  tr("%1 exists already. Replace it?").arg(QFileInfo(path).fileName()), QMessageBox::Cancel,
+                  parent);
+  box.setObjectName(QStringLiteral("replaceFile"));
+  const QAbstractButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
+} // namespace
+
+QString withEnding(const QString& path, const QStringList& filters, const QString& chosen) {
+  QStringList offered;
+  for (const QString& filter : filters)
+    offered << endingsOf(filter);
+  if (path.isEmpty() || isTyped(QFileInfo(path).suffix(), offered))
+    return path;
+  return path + (path.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral(".")) +
+         endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);
+}
+
+QString askWhereToSave(QWidget* parent, const SaveQuestion& question) {
+  QString suggested = question.suggested;
+  QString filter = question.filters.value(0);
+  QStringList offered;
+  for (const QString& one : question.filters)
+    offered << endingsOf(one);
+  for (;;) {
+    QFileDialog dialog(parent, question.title, suggested);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setNameFilters(question.filters);
+    dialog.selectNameFilter(filter);
+    // It would ask for the name as typed, before the ending.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    followFilter(dialog, offered);
+    if (dialog.exec() != QDialog::Accepted)
+      return {};
+    filter = dialog.selectedNameFilter();
+    const QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
+    if (!QFileInfo::exists(path) || mayReplace(parent, path))
+      return path;
+    suggested = path;
+  }
+}
+
+} // namespace limn

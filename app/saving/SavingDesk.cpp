@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/saving/SavingDesk.h"
+
+#include "app/PrivateNames.h"
+#include "app/Settings.h"
+#include "app/document/DocumentText.h"
+#include "app/document/OpenDocument.h"
+#include "app/renderers/PictureMaker.h"
+#include "app/saving/SaveDialog.h"
+#include "app/saving/SaveNotes.h"
+#include "io/AtomicFile.h"
+#include "io/ImageFile.h"
+#include "widgets/view/CompareView.h"
+
+#include <QWidget>
+
+namespace limn {
+
+SavingDesk::SavingDesk(OpenDocument& document, CompareView& view, Settings& settings, SaveNotes& notes,
+                       std::function<SessionDocument()> session, QWidget& window)
+    : QObject(&window), m_document(document), m_view(view), m_settings(settings), m_notes(notes),
+      m_session(std::move(session)), m_window(window) {}
+
+void SavingDesk::saveSession() {
+  m_document.sessionFile().isEmpty() ? saveSessionAs() : writeSession(m_document.sessionFile());
+}
+
+void SavingDesk::saveSessionAs() {
+  const QString suggested = m_document.sessionFile().isEmpty()
+                                ? suggestedName(m_document) + QStringLiteral("-session.json")
+                                : m_document.sessionFile();
+  const QString path =
+      askWhereToSave(&m_window, {tr("Save the session"), suggested, {tr("Limn session (*.json)")}});
+  if (!path.isEmpty())
+    writeSession(path);
+}
+
+void SavingDesk::saveScene() {
+  const QString suggested = suggestedName(m_document) + QStringLiteral(".json");
+  const QString path =
+      askWhereToSave(&m_window, {tr("Save the scene"), suggested, {tr("Limn scene (*.json)")}});
+  if (!path.isEmpty())
+    writeScene(path);
+}
+
+void SavingDesk::writeSession(const QString& path) {
+  SessionDocument session = m_session();
+  const std::filesystem::path target(path.toStdString());
+  session.scene.volume = volumeSeenFrom(target);
+  const auto write = [&] {
+    writeFileAtomically(target, sessionToJson(session));
+    m_document.settleIn(path, m_session());
+    emit sessionSaved();
+  };
+  m_notes.attempt(write, path);
+}
+
+void SavingDesk::writeScene(const QString& path) {
+  const std::filesystem::path target(path.toStdString());
+  m_notes.attempt(
+      [&] { writeFileAtomically(target, sceneToJson(m_document.scene(), volumeSeenFrom(target))); }, path);
+}
+
+void SavingDesk::writePicture(const QString& path) {
+  const std::optional<Image> left = m_view.restingImage(0);
+  if (!left) {
+    m_notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
+    return;
+  }
+  const std::optional<Image> right =
+      m_view.compareLayout() == CompareLayout::sideBySide ? m_view.restingImage(1) : std::nullopt;
+  // It may travel: it names the volume without folders.
+  const std::filesystem::path source(m_document.volumePath());
+  const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
+  const auto write = [&] {
+    writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
+               m_document.scene().image.background, sceneToJson(m_view.sceneOfRestingImage(0), volume));
+  };
+  m_notes.attempt(write, path);
+}
+
+// How a file at this place names the volume. A relative path survives moving both together; one that may name
+// the patient is kept in the settings, and the file gets a name that stands for it.
+std::string SavingDesk::volumeSeenFrom(const std::filesystem::path& file) const {
+  const std::filesystem::path volume(m_document.volumePath());
+  if (!volume.is_absolute())
+    return volume.string();
+  const std::string relative =
+      volume.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
+  const Volume& shown = *m_document.scene().volume;
+  if (!pathMayNameThePatient(QString::fromStdString(relative), shown.info().patient))
+    return relative;
+  return m_settings.referenceTo(volume.string(), plainFileName(shown).toStdString());
+}
+
+} // namespace limn

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace limn {
+
+/// How pictures stand beside each other: one with the scene's own model; two beside each other; two over
+/// each other with a movable border; the amplified difference of two.
+enum class CompareLayout { single, sideBySide, wipe, difference };
+
+/// All of them, in the order in which they are offered.
+inline constexpr std::array compareLayouts{CompareLayout::single, CompareLayout::sideBySide,
+                                           CompareLayout::wipe, CompareLayout::difference};
+
+/// The word for a layout in session files.
+inline const char* nameOf(CompareLayout layout) {
+  constexpr std::array names{"single", "side_by_side", "wipe", "difference"};
+  return names[static_cast<std::size_t>(layout)];
+}
+
+} // namespace limn

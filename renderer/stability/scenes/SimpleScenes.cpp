@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stability/scenes/SimpleScenes.h"
+
+#include <cmath>
+
+namespace limn {
+
+std::shared_ptr<const Volume> volumeOf(const Grid& grid,
+                                       const std::function<double(int i, int j, int k)>& value) {
+  std::vector<double> voxels;
+  voxels.reserve(static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z);
+  for (int k = 0; k < grid.dims.z; ++k)
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i)
+        voxels.push_back(value(i, j, k));
+  return std::make_shared<const Volume>(grid, std::move(voxels), Rescale{}, std::nullopt, VolumeInfo{});
+}
+
+Grid centredGrid(const glm::ivec3& dims, const glm::dvec3& spacingMm) {
+  Grid grid;
+  grid.dims = dims;
+  grid.spacingMm = spacingMm;
+  grid.originMm = -0.5 * spacingMm * (glm::dvec3(dims) - 1.0);
+  return grid;
+}
+
+std::shared_ptr<const Volume> columnOf(const std::vector<double>& values, double spacingMm) {
+  Grid grid;
+  grid.dims = {1, static_cast<int>(values.size()), 1};
+  grid.spacingMm = glm::dvec3(spacingMm);
+  grid.originMm.y = -0.5 * spacingMm * (static_cast<double>(values.size()) - 1.0);
+  return std::make_shared<const Volume>(grid, values, Rescale{}, std::nullopt, VolumeInfo{});
+}
+
+std::shared_ptr<const Volume> boxOf(const glm::dvec3& sizeMm, double value) {
+  Grid grid;
+  grid.dims = glm::ivec3(1);
+  grid.spacingMm = sizeMm;
+  return std::make_shared<const Volume>(grid, std::vector<double>{value}, Rescale{}, std::nullopt,
+                                        VolumeInfo{});
+}
+
+Scene rayThrough(std::shared_ptr<const Volume> volume, const glm::dvec3& direction) {
+  Scene scene;
+  scene.camera.projection = Camera::Projection::orthographic;
+  scene.camera.target = boxCentreMm(volume->grid());
+  scene.camera.position = scene.camera.target - boxDiagonalMm(volume->grid()) * direction;
+  scene.camera.heightMm = smallestSpacingMm(volume->grid());
+  scene.shading.model = ShadingModel::none;
+  scene.quality.earlyTermination = 1.0;
+  scene.quality.preintegrated = Preintegration::never;
+  scene.volume = std::move(volume);
+  return scene;
+}
+
+Scene pixelPerVoxel(std::shared_ptr<const Volume> volume) {
+  Scene scene = rayThrough(std::move(volume));
+  const Grid& grid = scene.volume->grid();
+  scene.camera.heightMm = grid.dims.z * grid.spacingMm.z;
+  scene.quality.stepVoxels = grid.spacingMm.y / smallestSpacingMm(grid);
+  return scene;
+}
+
+Scene ballSurface(double b, double voxelMm, const glm::dvec3& shift) {
+  Grid grid;
+  grid.dims = {4, static_cast<int>(std::ceil(0.7 / voxelMm)) + 1, 4};
+  grid.spacingMm = glm::dvec3(voxelMm);
+  grid.originMm = glm::dvec3(b, -0.6, 0.0) - voxelMm * (glm::dvec3(1.0, 0.0, 1.0) + shift);
+  Scene scene = rayThrough(volumeOf(grid, [&](int i, int j, int k) {
+    return -glm::length(indexToWorld(grid, {i, j, k}));
+  }));
+  scene.camera.target = {b, 0.0, 0.0};
+  scene.camera.position = {b, -1.0, 0.0};
+  scene.projection = Projection::isosurface;
+  scene.isovalue = -0.5;
+  scene.quality.stepVoxels = 0.5;
+  return scene;
+}
+
+Fog distanceFog(double startMm, double endMm) {
+  return {Fog::Mode::linear, glm::dvec3(1.0), 0.0, startMm, endMm};
+}
+
+double stepFor(const Scene& scene, double lengthMm, double samples) {
+  return lengthMm / samples / smallestSpacingMm(scene.volume->grid());
+}
+
+TransferFunction constantFunction(double opacity, const glm::dvec3& color, double unitDistanceMm) {
+  return {unitDistanceMm, {{0.0, color, opacity}}};
+}
+
+ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color) {
+  return {scalar, color, -std::expm1(-extinction * smallUnitMm)};
+}
+
+} // namespace limn

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/Session.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace limn {
+namespace {
+
+TransferFunction rampTo(double value) {
+  return {1.0, {{0.0, glm::dvec3(1), 0.0}, {value, glm::dvec3(1), 1.0}}};
+}
+
+TEST(Session, aDragIsOneUndoStepWithItsLastName) {
+  Session session;
+  const Gesture drag{nextGestureId(), "move point to 10 HU"};
+  session.setTransferFunction(rampTo(10), drag);
+  session.setTransferFunction(rampTo(20), {drag.id, "move point to 20 HU"});
+  session.setTransferFunction(rampTo(30), {drag.id, "move point to 30 HU"});
+  EXPECT_EQ(session.undoStack().count(), 1);
+  EXPECT_EQ(session.undoStack().undoText(), "move point to 30 HU");
+  session.undoStack().undo();
+  EXPECT_TRUE(session.scene().transferFunction.points.empty());
+  session.undoStack().redo();
+  EXPECT_EQ(session.scene().transferFunction, rampTo(30));
+}
+
+TEST(Session, twoGesturesAreTwoSteps) {
+  Session session;
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  session.setTransferFunction(rampTo(20), {nextGestureId(), "b"});
+  EXPECT_EQ(session.undoStack().count(), 2);
+  session.undoStack().undo();
+  EXPECT_EQ(session.scene().transferFunction, rampTo(10));
+}
+
+TEST(Session, undoKeepsTheCameraOfTheMoment) {
+  Session session;
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  Camera camera = session.scene().camera;
+  camera.position = {1, 2, 3};
+  session.setCamera(camera);
+  EXPECT_EQ(session.undoStack().count(), 1);
+  session.undoStack().undo();
+  EXPECT_EQ(session.scene().camera, camera);
+  EXPECT_TRUE(session.scene().transferFunction.points.empty());
+}
+
+TEST(Session, aDragThatEndsWhereItBeganLeavesNoStep) {
+  Session session;
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  const Gesture drag{nextGestureId(), "b"};
+  session.setTransferFunction(rampTo(20), drag);
+  session.setTransferFunction(rampTo(10), drag);
+  EXPECT_EQ(session.undoStack().count(), 1);
+  session.undoStack().undo();
+  EXPECT_TRUE(session.scene().transferFunction.points.empty());
+}
+
+TEST(Session, tellsEachChangeOnceAndAnEqualSceneNever) {
+  Session session;
+  std::vector<Scene> told;
+  QObject::connect(&session, &Session::sceneChanged, [&](const Scene& scene) { told.push_back(scene); });
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "b"});
+  session.setCamera(session.scene().camera);
+  EXPECT_EQ(told.size(), 1u);
+}
+
+TEST(Session, openingEndsTheHistory) {
+  Session session;
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  session.open({});
+  EXPECT_EQ(session.undoStack().count(), 0);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/Gesture.h"
+#include "widgets/accuracy/points/PointUse.h"
+#include "widgets/controls/FoldingSection.h"
+
+class QLabel;
+
+namespace limn {
+
+class ChoiceRow;
+class StopSlider;
+class WorkRow;
+
+/// Faster or closer to exact: a dial for the picture at rest, each position with its measured error and time,
+/// and the time that a picture may take while something moves.
+class DialSection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  explicit DialSection(QWidget* parent = nullptr);
+
+  /// Shows where a scene stands; `measured` is null where nothing that holds for it was measured.
+  void show(const Scene& scene, const MeasuredAccuracy* measured);
+
+  /// The time that a picture may take while something moves; the nearest choice is shown.
+  void setMovingMs(double ms);
+
+  /// While steps are looked for their progress stands here; nothing ends it.
+  void setProgress(std::optional<double> fraction, const QString& doing = {});
+
+signals:
+  /// The user chose a position of the dial.
+  void pointPicked(const limn::OperatingPoint& point);
+  void movingMsPicked(double ms);
+  void cancelRequested();
+
+private:
+  void showStops(const MeasuredAccuracy* measured);
+  QString sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const;
+
+  std::vector<OperatingPoint> m_points; ///< one per stop
+  StopSlider* m_dial;
+  QLabel* m_sentence;
+  WorkRow* m_work;
+  ChoiceRow* m_moving = nullptr;
+};
+
+} // namespace limn

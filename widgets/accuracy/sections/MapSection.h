@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/accuracy/map/ComparedPicture.h"
+#include "widgets/controls/FoldingSection.h"
+
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+
+namespace limn {
+
+class WorkRow;
+
+/// Switches the map of errors over the picture on and off, and says what it shows.
+class MapSection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  explicit MapSection(QWidget* parent = nullptr);
+
+  /// Why there is no map to be had; empty where there is.
+  void setUnavailable(const QString& reason);
+
+  /// What was compared; null takes the map back.
+  void setCompared(const ComparedPicture* compared);
+
+  void setProgress(std::optional<double> fraction, const QString& doing = {});
+
+  WorkRow* work() const { return m_work; }
+
+signals:
+  /// The user wants the map, or no longer.
+  void mapRequested(bool on);
+  void cancelRequested();
+
+private:
+  QCheckBox* m_check;
+  WorkRow* m_work;
+  QLabel* m_sentence;
+};
+
+} // namespace limn

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/accuracy/sections/MeasuredSection.h"
+
+#include "widgets/accuracy/chart/AccuracyChartView.h"
+#include "widgets/accuracy/sections/WorkRow.h"
+#include "widgets/controls/ChoiceRow.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace limn {
+
+MeasuredSection::MeasuredSection(QWidget* parent)
+    : FoldingSection(tr("Measured on this computer"), parent), m_measure(new QPushButton(tr("Measure"))),
+      m_save(new QPushButton(tr("Save…"))), m_work(new WorkRow(tr("Measuring"))), m_summary(new QLabel),
+      m_chart(new AccuracyChartView) {
+  addButtons();
+  contents()->addWidget(m_work);
+  m_summary->setObjectName(QStringLiteral("summary"));
+  m_summary->setWordWrap(true);
+  m_summary->setForegroundRole(QPalette::PlaceholderText);
+  contents()->addWidget(m_summary);
+  contents()->addWidget(m_chart);
+  addMeasureChoice();
+  connect(m_measure, &QPushButton::clicked, this, &MeasuredSection::measureRequested);
+  connect(m_save, &QPushButton::clicked, this, &MeasuredSection::saveRequested);
+  connect(m_work, &WorkRow::cancelled, this, &MeasuredSection::cancelRequested);
+  connect(m_chart, &AccuracyChartView::pointPicked, this, &MeasuredSection::pointPicked);
+  setMeasured(nullptr);
+}
+
+void MeasuredSection::addButtons() {
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  m_measure->setAccessibleName(tr("Measure error and time"));
+  m_measure->setToolTip(
+      tr("<p>Draws this picture from fast to nearly exact and times each, in at most 320 pixels each way: "
+         "from seconds to some minutes. You can go on working; work beside it makes its times longer.</p>"));
+  m_save->setAccessibleName(tr("Save what was measured"));
+  m_save->setToolTip(
+      tr("Writes the chart as a picture (PNG), the numbers as a table (CSV), or both as a page "
+         "(HTML)."));
+  buttons->addWidget(m_measure);
+  buttons->addStretch(1);
+  buttons->addWidget(m_save);
+  contents()->addLayout(buttons);
+}
+
+void MeasuredSection::addMeasureChoice() {
+  m_choice =
+      new ChoiceRow(tr("Error shown"),
+                    tr("The 99.9th percentile is the error that 999 of 1000 colour values stay within; "
+                       "the mean is taken over all of them."),
+                    {tr("99.9th percentile"), tr("Mean")}, 0);
+  contents()->addWidget(m_choice);
+  connect(m_choice, &ChoiceRow::indexEdited, this,
+          [this](int index) { m_chart->setMeasure(index == 0 ? ErrorMeasure::p99_9 : ErrorMeasure::mean); });
+}
+
+void MeasuredSection::setMeasured(const MeasuredAccuracy* measured) {
+  m_report = measured ? measured->report : AccuracyReport{};
+  m_chart->setReport(m_report);
+  const bool isShown = !m_report.points.empty();
+  m_chart->setVisible(isShown);
+  m_choice->setVisible(isShown);
+  m_save->setVisible(isShown);
+  showSummary();
+}
+
+void MeasuredSection::setRelation(MeasuredFor relation) {
+  m_relation = relation;
+  m_chart->setStale(relation == MeasuredFor::earlierPicture);
+  showSummary();
+}
+
+void MeasuredSection::setCurrent(std::optional<std::size_t> point) {
+  m_chart->setCurrent(point);
+}
+
+void MeasuredSection::setCanMeasure(bool can) {
+  m_measure->setEnabled(can);
+}
+
+void MeasuredSection::setProgress(std::optional<double> fraction, const QString& doing) {
+  m_work->setVisible(fraction.has_value());
+  m_work->showProgress(fraction.value_or(0.0), doing);
+}
+
+void MeasuredSection::showSummary() {
+  if (m_report.points.empty()) {
+    m_summary->setText(
+        tr("Nothing is measured yet. Measure tells the error and the time of this picture, from "
+           "fast to exact."));
+    return;
+  }
+  const QString how = tr("At %1 × %2 pixels on %3.")
+                          .arg(m_report.size.x)
+                          .arg(m_report.size.y)
+                          .arg(QString::fromStdString(m_report.renderer));
+  switch (m_relation) {
+  case MeasuredFor::thisPicture:
+    m_summary->setText(how);
+    break;
+  case MeasuredFor::otherCamera:
+    m_summary->setText(tr("Measured from another direction. %1").arg(how));
+    break;
+  case MeasuredFor::earlierPicture:
+    m_summary->setText(tr("Measured for an earlier picture; measure again to judge this one."));
+    break;
+  }
+}
+
+} // namespace limn

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/accuracy/points/PointUse.h"
+#include "widgets/controls/FoldingSection.h"
+
+class QLabel;
+class QPushButton;
+
+namespace limn {
+
+class AccuracyChartView;
+class ChoiceRow;
+class WorkRow;
+
+/// How a measured report relates to what is on screen.
+enum class MeasuredFor { thisPicture, otherCamera, earlierPicture };
+
+/// Measures error and time of the picture on screen, and shows them as a chart.
+class MeasuredSection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  explicit MeasuredSection(QWidget* parent = nullptr);
+
+  /// Null where nothing was measured.
+  void setMeasured(const MeasuredAccuracy* measured);
+  void setRelation(MeasuredFor relation);
+  void setCurrent(std::optional<std::size_t> point);
+
+  /// Whether there is a picture to measure, and nothing else that is at work.
+  void setCanMeasure(bool can);
+
+  /// While it runs its progress stands here; nothing ends it.
+  void setProgress(std::optional<double> fraction, const QString& doing = {});
+
+  WorkRow* work() const { return m_work; }
+
+signals:
+  void measureRequested();
+  void cancelRequested();
+  void saveRequested();
+  void pointPicked(std::size_t point);
+
+private:
+  void addButtons();
+  void addMeasureChoice();
+  void showSummary();
+
+  AccuracyReport m_report;
+  MeasuredFor m_relation = MeasuredFor::thisPicture;
+  QPushButton* m_measure;
+  QPushButton* m_save;
+  WorkRow* m_work;
+  QLabel* m_summary;
+  AccuracyChartView* m_chart;
+  ChoiceRow* m_choice = nullptr;
+};
+
+} // namespace limn

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/FoldingHeader.h"
+
+#include "widgets/Icons.h"
+#include "widgets/Theme.h"
+
+#include <QAccessibleWidget>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPainter>
+
+namespace limn {
+namespace {
+
+class AccessibleHeader : public QAccessibleWidget {
+public:
+  explicit AccessibleHeader(FoldingHeader* header)
+      : QAccessibleWidget(header, QAccessible::Button), m_header(header) {}
+
+  QAccessible::State state() const override {
+    QAccessible::State state = QAccessibleWidget::state();
+    state.expandable = true;
+    state.expanded = m_header->isChecked();
+    state.collapsed = !m_header->isChecked();
+    return state;
+  }
+
+  QStringList actionNames() const override { return {pressAction(), setFocusAction()}; }
+
+  void doAction(const QString& name) override {
+    if (name == pressAction())
+      m_header->click();
+    else
+      QAccessibleWidget::doAction(name);
+  }
+
+private:
+  FoldingHeader* m_header;
+};
+
+QAccessibleInterface* accessibleHeader(const QString&, QObject* object) {
+  auto* header = qobject_cast<FoldingHeader*>(object);
+  return header ? new AccessibleHeader(header) : nullptr;
+}
+
+void tellExpandedOrCollapsed(FoldingHeader& header) {
+  QAccessible::State changed;
+  changed.expanded = changed.collapsed = true;
+  QAccessibleStateChangeEvent event(&header, changed);
+  QAccessible::updateAccessibility(&event);
+}
+
+} // namespace
+
+FoldingHeader::FoldingHeader(const QString& title, QWidget* parent)
+    : QAbstractButton(parent), m_arrow(new QLabel), m_summary(new QLabel) {
+  QAccessible::installFactory(accessibleHeader); // once, however often it is asked for
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 8, 12, 8);
+  row->setSpacing(4);
+  auto* name = new QLabel(title);
+  QFont bold = name->font();
+  bold.setWeight(QFont::DemiBold);
+  name->setFont(bold);
+  row->addWidget(m_arrow);
+  row->addWidget(name);
+  row->addStretch(1);
+  row->addWidget(m_summary);
+  m_summary->setForegroundRole(QPalette::PlaceholderText);
+
+  // The labels stand on the panel, not on the face of a button.
+  setForegroundRole(QPalette::NoRole);
+  setBackgroundRole(QPalette::NoRole);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  setFocusPolicy(Qt::TabFocus);
+  setAttribute(Qt::WA_Hover);
+  setCheckable(true);
+  setChecked(true);
+  setAccessibleName(title);
+  setToolTip(tr("Fold or unfold \"%1\"").arg(title));
+  showArrow();
+  connect(this, &QAbstractButton::toggled, this, [this] {
+    showArrow();
+    tellExpandedOrCollapsed(*this);
+  });
+}
+
+void FoldingHeader::setSummary(const QString& summary) {
+  m_summary->setText(summary);
+}
+
+void FoldingHeader::paintEvent(QPaintEvent*) {
+  const ThemeColors colors = themeColors(palette());
+  QPainter painter(this);
+  if (underMouse())
+    painter.fillRect(rect(), colors.hover);
+  painter.fillRect(0, 0, width(), 1, colors.border);
+  if (hasFocus()) {
+    painter.setPen(colors.accent);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+  }
+}
+
+void FoldingHeader::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    click();
+  else if (event->key() == Qt::Key_Space)
+    QAbstractButton::keyPressEvent(event);
+  else
+    QWidget::keyPressEvent(event); // arrows scroll the panel rather than walk the buttons
+}
+
+void FoldingHeader::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange)
+    showArrow();
+  QAbstractButton::changeEvent(event);
+}
+
+void FoldingHeader::showArrow() {
+  const QString name = isChecked() ? QStringLiteral("unfold") : QStringLiteral("fold");
+  m_arrow->setPixmap(themedIcon(name, palette()).pixmap(QSize(16, 16), devicePixelRatioF()));
+}
+
+} // namespace limn

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/controls/sliders/SliderScale.h"
+
+#include <QWidget>
+
+#include <cstdint>
+#include <functional>
+
+class QLabel;
+
+namespace limn {
+
+class TrackSlider;
+
+/// A slider for relative changes: it springs back to its neutral place when let go. The number pulled to
+/// shows while it is held.
+class SpringSlider : public QWidget {
+  Q_OBJECT
+
+public:
+  /// `readOut` turns a pulled number into words.
+  SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
+               std::function<QString(double)> readOut, QWidget* parent = nullptr);
+
+signals:
+  /// Pulled away from neutral by so much; `gestureId` is shared by one pull.
+  void pulled(double number, std::uint64_t gestureId);
+  /// Let go: the next pull starts from what is now.
+  void released();
+
+private:
+  QLabel* m_number;
+  TrackSlider* m_slider;
+};
+
+} // namespace limn

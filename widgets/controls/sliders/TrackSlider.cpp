@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/controls/sliders/TrackSlider.h"
+
+#include "widgets/Gesture.h"
+#include "widgets/Theme.h"
+#include "widgets/controls/sliders/AccessibleTrack.h"
+
+#include <QAccessible>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr double handleRadius = 7.0;
+constexpr double keyStep = 0.01;
+constexpr double pageStep = 0.1;
+
+std::optional<double> fractionAfterKey(int key, double fraction) {
+  switch (key) {
+  case Qt::Key_Left:
+  case Qt::Key_Down:
+    return fraction - keyStep;
+  case Qt::Key_Right:
+  case Qt::Key_Up:
+    return fraction + keyStep;
+  case Qt::Key_PageDown:
+    return fraction - pageStep;
+  case Qt::Key_PageUp:
+    return fraction + pageStep;
+  case Qt::Key_Home:
+    return 0.0;
+  case Qt::Key_End:
+    return 1.0;
+  default:
+    return std::nullopt;
+  }
+}
+
+} // namespace
+
+TrackSlider::TrackSlider(const SliderScale& scale, int handles, QWidget* parent)
+    : QWidget(parent), m_scale(scale), m_values(static_cast<std::size_t>(handles), scale.lowest),
+      m_origin(scale.lowest) {
+  makeTracksAccessible();
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void TrackSlider::setScale(const SliderScale& scale) {
+  if (m_origin == m_scale.lowest)
+    m_origin = scale.lowest;
+  m_scale = scale;
+  update();
+}
+
+void TrackSlider::setValues(const std::vector<double>& values) {
+  if (values == m_values)
+    return;
+  const std::vector<double> former = std::exchange(m_values, values);
+  update();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] != former[i])
+      tellValue(*this, static_cast<int>(i));
+}
+
+void TrackSlider::setOrigin(double value) {
+  m_origin = value;
+  update();
+}
+
+QPointF TrackSlider::handleCentre(int handle) const {
+  const double fraction = fractionOf(m_scale, m_values[static_cast<std::size_t>(handle)]);
+  return {handleRadius + 1.0 + fraction * trackWidth(), height() / 2.0};
+}
+
+QSize TrackSlider::sizeHint() const {
+  return {140, 20};
+}
+QSize TrackSlider::minimumSizeHint() const {
+  return {60, 20};
+}
+
+void TrackSlider::moveHandle(int handle, double value) {
+  if (m_dragging)
+    return;
+  m_active = handle;
+  moveActive(value, nextGestureId());
+  emit dragEnded();
+}
+
+void TrackSlider::focusHandle(int handle) {
+  m_active = handle;
+  update();
+  if (hasFocus())
+    tellFocus(*this);
+  else
+    setFocus();
+}
+
+SliderScale TrackSlider::reachOf(int handle) const {
+  const auto index = static_cast<std::size_t>(handle);
+  SliderScale reach = m_scale;
+  if (index > 0) {
+    reach.lowest = std::max(reach.lowest, m_values[index - 1]);
+    reach.highest = std::max(reach.highest, m_values[index - 1]); // which may lie beyond the scale
+  }
+  if (index + 1 < m_values.size()) {
+    reach.lowest = std::min(reach.lowest, m_values[index + 1]);
+    reach.highest = std::min(reach.highest, m_values[index + 1]);
+  }
+  return reach;
+}
+
+double TrackSlider::keyStepOf(int handle) const {
+  const double value = m_values[static_cast<std::size_t>(handle)];
+  const double fraction = fractionOf(m_scale, value);
+  const bool atEnd = fraction + keyStep > 1.0;
+  const double next = valueAtFraction(m_scale, atEnd ? fraction - keyStep : fraction + keyStep);
+  return std::max(std::abs(next - value), std::pow(10.0, -m_decimals));
+}
+
+double TrackSlider::trackWidth() const {
+  return std::max(1.0, width() - 2.0 * (handleRadius + 1.0));
+}
+
+int TrackSlider::handleAt(double x) const {
+  if (m_values.size() == 1)
+    return 0;
+  const double toFirst = std::abs(x - handleCentre(0).x());
+  const double toSecond = std::abs(x - handleCentre(1).x());
+  if (toFirst != toSecond)
+    return toFirst < toSecond ? 0 : 1;
+  // Both on one spot: take the one that can go where the pointer is, or can move at all.
+  if (m_values[1] >= m_scale.highest)
+    return 0;
+  return x < handleCentre(0).x() ? 0 : 1;
+}
+
+double TrackSlider::valueUnder(double x) const {
+  return valueAtFraction(m_scale, (x - handleRadius - 1.0) / trackWidth());
+}
+
+void TrackSlider::moveActive(double value, std::uint64_t gestureId) {
+  const auto active = static_cast<std::size_t>(m_active);
+  const double unit = std::pow(10.0, m_decimals);
+  const SliderScale reach = reachOf(m_active);
+  std::vector<double> values = m_values;
+  values[active] = std::clamp(std::round(value * unit) / unit, reach.lowest, reach.highest);
+  if (values == m_values)
+    return;
+  setValues(values);
+  emit valuesEdited(values, gestureId);
+}
+
+void TrackSlider::stepActive(double fraction, std::uint64_t gestureId) {
+  const double current = m_values[static_cast<std::size_t>(m_active)];
+  const double wanted = valueAtFraction(m_scale, fraction);
+  // A step never gets lost in rounding: it is at least one unit of the last digit.
+  const double least = std::pow(10.0, -m_decimals);
+  const double direction = wanted < current ? -1.0 : 1.0;
+  moveActive(current + direction * std::max(std::abs(wanted - current), least), gestureId);
+}
+
+void TrackSlider::endDrag() {
+  m_dragging = false;
+  update();
+  emit dragEnded();
+}
+
+void TrackSlider::paintEvent(QPaintEvent*) {
+  const ThemeColors colors = themeColors(palette());
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  const double middle = height() / 2.0;
+  painter.setBrush(isEnabled() ? colors.border : colors.hover);
+  painter.drawRoundedRect(QRectF(handleRadius + 1.0, middle - 2.0, trackWidth(), 4.0), 2.0, 2.0);
+
+  const double originX = handleRadius + 1.0 + fractionOf(m_scale, m_origin) * trackWidth();
+  const double from = m_values.size() == 1 ? originX : handleCentre(0).x();
+  const double to = handleCentre(static_cast<int>(m_values.size()) - 1).x();
+  painter.setBrush(isEnabled() ? colors.accent : colors.disabledText);
+  painter.drawRoundedRect(QRectF(QPointF(from, middle - 2.0), QPointF(to, middle + 2.0)).normalized(), 2.0,
+                          2.0);
+
+  for (int i = 0; i < static_cast<int>(m_values.size()); ++i) {
+    const bool active = hasFocus() && i == m_active;
+    painter.setBrush(isEnabled() ? (active ? colors.accent : colors.raised) : colors.window);
+    painter.setPen(QPen(isEnabled() ? colors.accent : colors.disabledText, 2.0));
+    painter.drawEllipse(handleCentre(i), handleRadius - 1.0, handleRadius - 1.0);
+  }
+}
+
+void TrackSlider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton)
+    return QWidget::mousePressEvent(event);
+  const double x = event->position().x();
+  m_active = handleAt(x);
+  m_dragging = true;
+  m_before = m_values;
+  m_gestureId = nextGestureId();
+  const double handleX = handleCentre(m_active).x();
+  const bool onHandle = std::abs(x - handleX) <= handleRadius + 2.0;
+  m_dragX = onHandle ? handleX : x;
+  m_lastX = x;
+  if (!onHandle)
+    moveActive(valueUnder(m_dragX), m_gestureId);
+  update();
+}
+
+void TrackSlider::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_dragging)
+    return;
+  const double travelled = event->position().x() - m_lastX;
+  m_lastX = event->position().x();
+  m_dragX += event->modifiers() & Qt::ShiftModifier ? travelled / 10.0 : travelled;
+  moveActive(valueUnder(m_dragX), m_gestureId);
+}
+
+void TrackSlider::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && m_dragging)
+    endDrag();
+}
+
+void TrackSlider::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && m_dragging) {
+    const bool moved = m_values != m_before;
+    setValues(m_before);
+    if (moved)
+      emit valuesEdited(m_before, m_gestureId);
+    return endDrag();
+  }
+  const double fraction = fractionOf(m_scale, m_values[static_cast<std::size_t>(m_active)]);
+  const auto next = fractionAfterKey(event->key(), fraction);
+  if (!next)
+    return QWidget::keyPressEvent(event);
+  // A key held down is one gesture.
+  if (!event->isAutoRepeat())
+    m_gestureId = nextGestureId();
+  stepActive(*next, m_gestureId);
+  emit dragEnded();
+}
+
+void TrackSlider::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus() || m_dragging)
+    return event->ignore(); // so that scrolling a panel changes nothing on the way
+  const double fraction = fractionOf(m_scale, m_values[static_cast<std::size_t>(m_active)]);
+  stepActive(fraction + keyStep * event->angleDelta().y() / 120.0, nextGestureId());
+  emit dragEnded();
+}
+
+void TrackSlider::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  // Behind Qt's own word that the whole slider has the focus.
+  if (QAccessible::isActive())
+    QTimer::singleShot(0, this, [this] { tellFocus(*this); });
+}
+
+bool TrackSlider::focusNextPrevChild(bool next) {
+  const int wanted = m_active + (next ? 1 : -1);
+  if (wanted < 0 || wanted >= static_cast<int>(m_values.size())) {
+    m_active = next ? 0 : static_cast<int>(m_values.size()) - 1;
+    return QWidget::focusNextPrevChild(next);
+  }
+  focusHandle(wanted);
+  return true;
+}
+
+} // namespace limn

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/Gesture.h"
+#include "widgets/controls/sliders/NumberSpec.h"
+
+#include <QWidget>
+
+namespace limn {
+
+class NumberField;
+class ResetLabel;
+class TrackSlider;
+
+/// One number: its name, a field to type in, and a slider below. A double click on the name resets.
+class ValueSlider : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ValueSlider(const NumberSpec& spec, QWidget* parent = nullptr);
+
+  /// Other words and limits; the number stays.
+  void setSpec(const NumberSpec& spec);
+
+  void setValue(double value);
+
+  /// Disables the control and says why in its tool tip; an empty reason enables it.
+  void setUnavailable(const QString& reason);
+
+signals:
+  void valueEdited(double value, const limn::Gesture& gesture);
+
+private:
+  void edit(double value, std::uint64_t gestureId);
+
+  NumberSpec m_spec;
+  ResetLabel* m_label;
+  TrackSlider* m_slider;
+  NumberField* m_field;
+};
+
+} // namespace limn

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/curve/canvas/CurveInput.h"
+#include "widgets/curve/plot/CanvasPicture.h"
+
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <utility>
+
+namespace limn {
+
+TransferFunctionCanvas::TransferFunctionCanvas(CurveSubject subject, QWidget* parent)
+    : QWidget(parent), m_plot{.subject = subject, .function = {}, .selected = {}, .values = {}, .unit = {}} {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(subject == CurveSubject::value ? tr("Transfer function curve")
+                                                   : tr("Curve of opacity over the gradient"));
+  setAccessibleDescription(
+      tr("Tab walks the points, arrows move them, Enter edits numbers, Delete removes, Ctrl+A selects all."));
+}
+
+void TransferFunctionCanvas::setTransferFunction(const TransferFunction& function) {
+  if (function == m_plot.function)
+    return;
+  // What comes from elsewhere (undo, a preset) ends a drag that worked on something else.
+  m_drag = {};
+  m_hovered = {};
+  if (function.points.size() != m_plot.function.points.size())
+    m_plot.selected.clear();
+  m_plot.function = function;
+  if (!m_plot.values)
+    resetView();
+  update();
+}
+
+void TransferFunctionCanvas::setHistogram(const Histogram& histogram) {
+  const auto values = histogram.counts.empty() ? std::nullopt : std::optional(histogram.range);
+  m_histogram.setHistogram(histogram);
+  if (std::exchange(m_plot.values, values) != values)
+    resetView();
+  update();
+}
+
+PlotTransform TransferFunctionCanvas::transform() const {
+  const double plotBottom = ticksBelow + (hasColors(m_plot.subject) ? stripBelow : 0.0);
+  const QRectF plot(plotLeft, plotTop, std::max(20.0, width() - plotLeft - plotRight),
+                    std::max(20.0, height() - plotTop - plotBottom));
+  return {plot, m_visible, m_fineLowOpacities};
+}
+
+int TransferFunctionCanvas::shownDecimals() const {
+  return decimalsFor(valuePerPixel(transform()));
+}
+
+void TransferFunctionCanvas::resetView() {
+  setShown(m_visible, fullRange(m_plot));
+}
+
+void TransferFunctionCanvas::selectPoints(const PointIndices& indices) {
+  if (indices == m_plot.selected)
+    return;
+  m_plot.selected = indices;
+  update();
+  emit selectionChanged();
+}
+
+void TransferFunctionCanvas::selectAll() {
+  selectPoints(allPoints(m_plot.function));
+}
+
+void TransferFunctionCanvas::deleteSelected() {
+  apply(withoutSelected(m_plot, shownDecimals()), nextGestureId());
+}
+
+void TransferFunctionCanvas::apply(const CurveChange& change, std::uint64_t gestureId) {
+  edit(change.function, {gestureId, change.text});
+  selectPoints(change.selected);
+}
+
+void TransferFunctionCanvas::edit(const TransferFunction& wanted, const Gesture& gesture) {
+  const TransferFunction function = limitedTo(m_plot.subject, wanted);
+  if (function == m_plot.function)
+    return;
+  const bool sameCount = function.points.size() == m_plot.function.points.size();
+  m_plot.function = function;
+  if (!sameCount) {
+    m_hovered = {};
+    selectPoints({});
+  }
+  update();
+  emit transferFunctionEdited(function, gesture);
+}
+
+CanvasPicture TransferFunctionCanvas::picture() {
+  CanvasPicture picture;
+  picture.subject = m_plot.subject;
+  picture.function = m_plot.function;
+  picture.transform = transform();
+  picture.colors = themeColors(palette());
+  picture.unit = m_plot.unit;
+  picture.decimals = shownDecimals();
+  picture.histogram = m_histogram.picture(picture.transform, picture.colors.histogram, devicePixelRatioF());
+  picture.hint = m_hint.isEmpty() && !m_plot.values ? tr("Open a volume to see its histogram") : m_hint;
+  picture.selected = m_plot.selected;
+  picture.hoveredValue = m_hoveredValue;
+  picture.markedValue = m_markedValue;
+  picture.pinnedValue = m_pinnedValue;
+  picture.hoveredPart = m_hovered.part;
+  picture.focused = hasFocus();
+  if (m_hovered.part == CurveHit::Part::point)
+    picture.hoveredPoint = picture.readOut = m_hovered.index;
+  if (m_drag.kind == CurveDrag::Kind::points)
+    picture.readOut = m_drag.grabbed;
+  if (m_drag.kind == CurveDrag::Kind::band && m_drag.started)
+    picture.band = QRectF(m_drag.press, m_drag.last).normalized() &
+                   picture.transform.plot.adjusted(-6.0, -6.0, 6.0, 6.0);
+  return picture;
+}
+
+void TransferFunctionCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * 0.92);
+  painter.setFont(small);
+  const CanvasPicture shown = picture();
+  paintAxes(painter, shown);
+  paintCurve(painter, shown);
+}
+
+void TransferFunctionCanvas::mousePressEvent(QMouseEvent* event) {
+  if (isDragging())
+    return;
+  const bool left = event->button() == Qt::LeftButton;
+  if (event->button() == Qt::MiddleButton || (left && m_spaceHeld)) {
+    begin(begunDrag(CurveDrag::Kind::pan, m_plot.function, transform(), event->position()));
+    setCursor(Qt::ClosedHandCursor);
+  } else if (left) {
+    press(hitAt(transform(), m_plot.function, event->position()), *event);
+  }
+}
+
+void TransferFunctionCanvas::press(const CurveHit& hit, const QMouseEvent& event) {
+  m_addedByPress.reset();
+  if (hit.part == CurveHit::Part::curve)
+    return pressCurve(event.position());
+  const bool isSelected = contains(m_plot.selected, hit.index);
+  if (hit.part == CurveHit::Part::point && event.modifiers() & Qt::ControlModifier)
+    return selectPoints(isSelected ? withoutIndex(m_plot.selected, hit.index)
+                                   : withIndex(m_plot.selected, hit.index));
+  if (hit.part == CurveHit::Part::point && !isSelected)
+    selectPoints({hit.index});
+  begin(begunDrag(hit, m_plot, transform(), event.position(), event.modifiers()));
+}
+
+void TransferFunctionCanvas::pressCurve(const QPointF& position) {
+  const TransferFunction before = m_plot.function;
+  const double value = std::max(valueAtX(transform(), position.x()), lowestPlace(m_plot.subject));
+  const CurveChange added = withPointAt(m_plot, value, classify(before, value).opacity, shownDecimals());
+  const std::uint64_t id = nextGestureId();
+  apply(added, id);
+  m_addedByPress = added.selected.front();
+  CurveDrag drag =
+      begunDrag({CurveHit::Part::point, *m_addedByPress}, m_plot, transform(), position, Qt::NoModifier);
+  drag.added = true;
+  drag.restored = before;
+  drag.gestureId = id;
+  begin(drag);
+}
+
+void TransferFunctionCanvas::begin(const CurveDrag& drag) {
+  m_drag = drag;
+  m_hoveredValue.reset();
+  update();
+}
+
+void TransferFunctionCanvas::mouseMoveEvent(QMouseEvent* event) {
+  if (isDragging())
+    continueDrag(*event);
+  else
+    hover(event->position());
+}
+
+void TransferFunctionCanvas::continueDrag(const QMouseEvent& event) {
+  const PlotTransform plot = transform();
+  const QPointF last = m_drag.last;
+  travel(m_drag, event.position(),
+         m_drag.kind == CurveDrag::Kind::points && event.modifiers() & Qt::AltModifier);
+  if (!m_drag.started)
+    return;
+  if (m_drag.kind == CurveDrag::Kind::pan)
+    return setShown(m_visible, pannedBy(plot, last.x() - event.position().x(), fullRange(m_plot)));
+  if (m_drag.kind == CurveDrag::Kind::band) {
+    selectPoints(bandedPoints(m_drag, plot, m_plot.function));
+    return update();
+  }
+  const TransferFunction now =
+      limitedTo(m_plot.subject, draggedFunction(m_drag, plot, event.modifiers() & Qt::ShiftModifier));
+  edit(now, {m_drag.gestureId, dragText(m_drag, now, m_plot.unit, shownDecimals())});
+}
+
+void TransferFunctionCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::RightButton && !isDragging())
+    return showMenu(event->position().toPoint());
+  const CurveHit hit = hitAt(transform(), m_plot.function, event->position());
+  const bool middleClick =
+      event->button() == Qt::MiddleButton && m_drag.kind == CurveDrag::Kind::pan && !m_drag.started;
+  endDrag();
+  if (middleClick && hit.part == CurveHit::Part::point) {
+    selectPoints({hit.index});
+    deleteSelected();
+  }
+  hover(event->position());
+}
+
+void TransferFunctionCanvas::endDrag() {
+  const CurveDrag ended = std::exchange(m_drag, {});
+  if (!ended.started && ended.kind == CurveDrag::Kind::band)
+    selectPoints(ended.selectedBefore);
+  if (!ended.started && ended.kind == CurveDrag::Kind::points)
+    selectPoints({ended.grabbed});
+  update();
+}
+
+void TransferFunctionCanvas::cancelDrag() {
+  const CurveDrag cancelled = std::exchange(m_drag, {});
+  edit(cancelled.restored,
+       {cancelled.gestureId, dragText(cancelled, m_plot.function, m_plot.unit, shownDecimals())});
+  update();
+}
+
+void TransferFunctionCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton)
+    return;
+  const PlotTransform plot = transform();
+  const CurveHit hit = hitAt(plot, m_plot.function, event->position());
+  if (hit.part == CurveHit::Part::point) {
+    if (hit.index != m_addedByPress)
+      emit pointDetailsRequested(hit.index);
+  } else if (plot.plot.contains(event->position())) {
+    addPoint(event->position());
+  } else if (hit.part == CurveHit::Part::nothing) {
+    resetView();
+  }
+}
+
+void TransferFunctionCanvas::addPoint(const QPointF& position) {
+  const PlotTransform plot = transform();
+  apply(withPointAt(m_plot, valueAtX(plot, position.x()), opacityAtY(plot, position.y()), shownDecimals()),
+        nextGestureId());
+}
+
+void TransferFunctionCanvas::wheelEvent(QWheelEvent* event) {
+  if (isDragging())
+    return;
+  setShown(m_visible, wheeledView(transform(), *event, fullRange(m_plot)));
+  hover(event->position());
+  event->accept();
+}
+
+void TransferFunctionCanvas::hover(const QPointF& position) {
+  const PlotTransform plot = transform();
+  m_hovered = hitAt(plot, m_plot.function, position);
+  setCursor(m_spaceHeld ? Qt::OpenHandCursor : cursorFor(m_hovered.part));
+  setHoveredValue(plot.plot.contains(position) ? std::optional(valueAtX(plot, position.x())) : std::nullopt);
+}
+
+void TransferFunctionCanvas::leaveEvent(QEvent*) {
+  m_hovered = {};
+  setHoveredValue(std::nullopt);
+}
+
+void TransferFunctionCanvas::setHoveredValue(std::optional<double> value) {
+  update();
+  if (std::exchange(m_hoveredValue, value) != value)
+    emit valueHovered(value);
+}
+
+void TransferFunctionCanvas::showMenu(const QPoint& position) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const CurveHit hit = hitAt(transform(), m_plot.function, position);
+  if (hit.part == CurveHit::Part::point)
+    addPointActions(*menu, hit.index);
+  else
+    menu->addAction(tr("Add point here"), this, [this, position] { addPoint(position); });
+  menu->addSeparator();
+  menu->addAction(tr("Select all points"), this, &TransferFunctionCanvas::selectAll);
+  menu->addAction(tr("Show all values"), this, &TransferFunctionCanvas::resetView);
+  if (m_pinnedValue)
+    menu->addAction(tr("Remove the pin"), this, [this] { setPinnedValue(std::nullopt); });
+  menu->popup(mapToGlobal(position));
+}
+
+void TransferFunctionCanvas::addPointActions(QMenu& menu, std::size_t index) {
+  if (!contains(m_plot.selected, index))
+    selectPoints({index});
+  const std::size_t count = m_plot.selected.size();
+  QAction* deletion = menu.addAction(count > 1 ? tr("Delete %1 points").arg(count) : tr("Delete"), this,
+                                     &TransferFunctionCanvas::deleteSelected);
+  deletion->setEnabled(m_plot.function.points.size() > 1);
+  menu.addAction(hasColors(m_plot.subject) ? tr("Colour and numbers…") : tr("Numbers…"), this,
+                 [this, index] { emit pointDetailsRequested(index); });
+}
+
+void TransferFunctionCanvas::contextMenuEvent(QContextMenuEvent* event) {
+  // The mouse opens the menu on release, on every platform alike; here only the menu key counts.
+  if (event->reason() != QContextMenuEvent::Keyboard)
+    return;
+  const PointIndices& selected = m_plot.selected;
+  const QPointF place = selected.empty() ? transform().plot.center()
+                                         : positionOf(transform(), m_plot.function.points[selected.front()]);
+  showMenu(place.toPoint());
+}
+
+bool TransferFunctionCanvas::isOwnKey(const QKeyEvent& event) const {
+  if (!(event.modifiers() & Qt::ControlModifier)) {
+    if (event.key() == Qt::Key_Space) // elsewhere it belongs to the picture
+      return underMouse();
+    if (event.key() == Qt::Key_Escape && isDragging())
+      return true;
+  }
+  return comesBeforeShortcuts(event, !m_plot.selected.empty());
+}
+
+bool TransferFunctionCanvas::event(QEvent* event) {
+  // While the plot has the focus its keys come before the window's shortcuts.
+  if (event->type() == QEvent::ShortcutOverride && isOwnKey(static_cast<QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+bool TransferFunctionCanvas::focusNextPrevChild(bool next) {
+  const auto point = pointAfter(m_plot.selected, m_plot.function.points.size(), next);
+  if (!point)
+    return QWidget::focusNextPrevChild(next);
+  selectPoints({*point});
+  return true;
+}
+
+void TransferFunctionCanvas::focusOutEvent(QFocusEvent* event) {
+  m_spaceHeld = false; // its release goes elsewhere
+  QWidget::focusOutEvent(event);
+}
+
+void TransferFunctionCanvas::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && isDragging())
+    return cancelDrag();
+  if (event->key() == Qt::Key_Space) {
+    m_spaceHeld = true;
+    return setCursor(Qt::OpenHandCursor);
+  }
+  // A drag owns the curve until it ends.
+  switch (isDragging() ? CurveKey::none : curveKeyOf(*event, !m_plot.selected.empty())) {
+  case CurveKey::selectAll:
+    return selectAll();
+  case CurveKey::selectNone:
+    return selectPoints({});
+  case CurveKey::deleteSelected:
+    return deleteSelected();
+  case CurveKey::typeNumbers:
+    return emit numbersRequested();
+  case CurveKey::nudge:
+    return nudge(*event);
+  case CurveKey::none:
+    if (!isDragging())
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void TransferFunctionCanvas::nudge(const QKeyEvent& event) {
+  // A key held down is one gesture.
+  if (!event.isAutoRepeat())
+    m_keyGestureId = nextGestureId();
+  const QPointF arrow = arrowOf(event);
+  apply(nudged(m_plot, arrow.x(), arrow.y(), shownDecimals()), m_keyGestureId);
+}
+
+void TransferFunctionCanvas::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space || event->isAutoRepeat())
+    return QWidget::keyReleaseEvent(event);
+  m_spaceHeld = false;
+  setCursor(Qt::ArrowCursor);
+}
+
+} // namespace limn

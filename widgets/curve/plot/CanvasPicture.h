@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/Theme.h"
+#include "widgets/curve/edits/CurveSubject.h"
+#include "widgets/curve/plot/CurveGeometry.h"
+
+#include <QPixmap>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace limn {
+
+/// Everything the plot shows, as one value for the painting functions.
+struct CanvasPicture {
+  CurveSubject subject = CurveSubject::value;
+  TransferFunction function;
+  PlotTransform transform;
+  ThemeColors colors;
+  QString unit;
+  int decimals = 0;  ///< of shown values
+  QPixmap histogram; ///< null without a volume
+  QString hint;      ///< in the middle of the plot, empty for none
+  PointIndices selected;
+  std::optional<std::size_t> hoveredPoint;
+  std::optional<double> hoveredValue;
+  std::optional<double> markedValue;  ///< probed in the picture
+  std::optional<double> pinnedValue;  ///< kept from a click in the picture
+  std::optional<QRectF> band;         ///< of the selection under way
+  std::optional<std::size_t> readOut; ///< the point whose numbers show beside it
+  CurveHit::Part hoveredPart = CurveHit::Part::nothing;
+  bool focused = false;
+};
+
+/// Margins around the plot, pixels: room for the bar above, opacity labels left, the colour strip (where the
+/// curve has colours) and ticks below.
+inline constexpr double plotLeft = 52.0;
+inline constexpr double plotTop = 20.0;
+inline constexpr double plotRight = 12.0;
+inline constexpr double ticksBelow = 25.0;
+inline constexpr double stripBelow = 15.0;
+
+/// Grid, axes, tick labels and the colour strip.
+void paintAxes(QPainter& painter, const CanvasPicture& picture);
+
+/// Histogram, curve with its colours beneath, bar, marked values, points, selection band and read-outs.
+void paintCurve(QPainter& painter, const CanvasPicture& picture);
+
+/// One pixel row of the function's colours over the visible values.
+QImage colorRow(const CanvasPicture& picture);
+
+} // namespace limn

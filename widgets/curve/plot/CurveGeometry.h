@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/curve/edits/CurveEdits.h"
+#include "widgets/curve/plot/PlotTransform.h"
+
+#include <QPolygonF>
+
+#include <optional>
+
+namespace limn {
+
+inline constexpr double pointDiameter = 10.0;   ///< pixels
+inline constexpr double pointHitRadius = 10.0;  ///< pixels, so the hit area is 20 wide
+inline constexpr double curveHitDistance = 6.0; ///< pixels
+inline constexpr double handleHitRadius = 10.0; ///< pixels
+
+/// The bar above the plot that spans the curve: the grip at its middle moves the whole curve, its ends widen
+/// it. It stays above the plot: what lies beyond the visible values stands at the plot's edge, where the grip
+/// can still be taken hold of and an end only points the way.
+struct CurveBar {
+  QPointF start;
+  QPointF grip;
+  QPointF end;
+  bool startVisible = true;
+  bool endVisible = true;
+};
+
+/// What lies under the pointer. `index` is a point's.
+struct CurveHit {
+  enum class Part { nothing, point, curve, barGrip, barEnd };
+  Part part = Part::nothing;
+  std::size_t index = 0;
+};
+
+QPointF positionOf(const PlotTransform& transform, const ControlPoint& point);
+
+/// The opacity curve over the visible values, from the plot's left edge to its right; steps are vertical.
+QPolygonF curvePolygon(const PlotTransform& transform, const TransferFunction& function);
+
+/// Nothing for an empty function.
+std::optional<CurveBar> curveBar(const PlotTransform& transform, const TransferFunction& function);
+
+/// What a press at `position` takes hold of: the nearest point first, then the bar, then the curve.
+CurveHit hitAt(const PlotTransform& transform, const TransferFunction& function, const QPointF& position);
+
+/// The points inside a rectangle of pixels.
+PointIndices pointsInside(const PlotTransform& transform, const TransferFunction& function,
+                          const QRectF& band);
+
+} // namespace limn

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/plot/CanvasPicture.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/controls/color/ColorConversion.h"
+#include "widgets/curve/plot/Tissue.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr double gripHalfWidth = 14.0;
+constexpr double gripClearance = gripHalfWidth + 4.0;
+
+QColor withAlpha(QColor color, int alpha) {
+  color.setAlpha(alpha);
+  return color;
+}
+
+void paintBox(QPainter& painter, const CanvasPicture& picture, const QString& text, const QRectF& box) {
+  painter.setPen(QPen(picture.colors.border, 1.0));
+  painter.setBrush(picture.colors.raised);
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setPen(picture.colors.text);
+  painter.drawText(box, Qt::AlignCenter, text);
+}
+
+// A small label with a background, kept inside the plot.
+void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
+  const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
+  const QRectF& plot = picture.transform.plot;
+  QRectF box(QPointF(centreBottom.x() - size.width() / 2.0, centreBottom.y() - size.height()), size);
+  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0,
+                          std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
+  if (box.top() < plot.top() + 2.0)
+    box.moveTop(centreBottom.y() + 28.0);
+  paintBox(painter, picture, text, box);
+}
+
+void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.hoveredValue || picture.unit != QLatin1String("HU"))
+    return;
+  const auto tissue = tissueAt(*picture.hoveredValue);
+  if (!tissue)
+    return;
+  const QRectF& plot = picture.transform.plot;
+  const double from = std::max(plot.left(), xOfValue(picture.transform, tissue->range.lowest));
+  const double to = std::min(plot.right(), xOfValue(picture.transform, tissue->range.highest));
+  painter.fillRect(QRectF(QPointF(from, plot.top()), QPointF(to, plot.bottom())),
+                   withAlpha(picture.colors.accent, 26));
+}
+
+void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
+  const QRectF& plot = picture.transform.plot;
+  const QPolygonF line = curvePolygon(picture.transform, picture.function);
+  if (line.isEmpty())
+    return;
+  QPolygonF area = line;
+  area << QPointF(plot.right(), plot.bottom()) << QPointF(plot.left(), plot.bottom());
+  QBrush colors(colorRow(picture));
+  colors.setTransform(QTransform::fromTranslate(plot.left(), 0.0));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors);
+  painter.setOpacity(0.36);
+  painter.drawPolygon(area);
+  painter.setOpacity(1.0);
+  painter.setBrush(Qt::NoBrush);
+  const bool hovered = picture.hoveredPart == CurveHit::Part::curve;
+  painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(line);
+}
+
+// An end of the bar; one beyond the visible values is an arrow that points there.
+void paintBarEnd(QPainter& painter, const CanvasPicture& picture, const QPointF& end, bool visible) {
+  if (visible) {
+    painter.drawRoundedRect(QRectF(end.x() - 2.0, end.y() - 6.0, 4.0, 12.0), 2.0, 2.0);
+    return;
+  }
+  const double way = end.x() < picture.transform.plot.center().x() ? -1.0 : 1.0;
+  painter.drawPolygon(QPolygonF({end, end + QPointF(-7.0 * way, -5.0), end + QPointF(-7.0 * way, 5.0)}));
+}
+
+void paintBar(QPainter& painter, const CanvasPicture& picture) {
+  const auto bar = curveBar(picture.transform, picture.function);
+  if (!bar)
+    return;
+  const QRectF& plot = picture.transform.plot;
+  const QRectF lane(plot.left() - 6.0, 0.0, plot.width() + 12.0, plot.top());
+  const QColor idle = picture.colors.secondaryText;
+  const QColor lively = picture.colors.accent;
+  painter.save();
+  painter.setClipRect(lane);
+  painter.setPen(QPen(withAlpha(idle, 140), 2.0, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLine(bar->start, bar->end);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(picture.hoveredPart == CurveHit::Part::barEnd ? lively : idle);
+  if (picture.function.points.size() > 1 || !bar->startVisible) {
+    paintBarEnd(painter, picture, bar->start, bar->startVisible);
+    paintBarEnd(painter, picture, bar->end, bar->endVisible);
+  }
+  painter.setBrush(picture.hoveredPart == CurveHit::Part::barGrip ? lively : idle);
+  painter.drawRoundedRect(
+      QRectF(bar->grip.x() - gripHalfWidth, bar->grip.y() - 5.0, 2.0 * gripHalfWidth, 10.0), 5.0, 5.0);
+  painter.setPen(QPen(picture.colors.window, 1.5));
+  for (const double dx : {-4.0, 0.0, 4.0})
+    painter.drawLine(bar->grip + QPointF(dx, -2.0), bar->grip + QPointF(dx, 2.0));
+  painter.restore();
+}
+
+void paintValueLine(QPainter& painter, const CanvasPicture& picture, double value, Qt::PenStyle style,
+                    const QString& label) {
+  const QRectF& plot = picture.transform.plot;
+  const double x = xOfValue(picture.transform, value);
+  if (x < plot.left() || x > plot.right())
+    return;
+  painter.setPen(QPen(picture.colors.accent, 1.25, style));
+  painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+  paintBubble(painter, picture, label, {x, plot.bottom() - 6.0});
+}
+
+void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
+  if (picture.pinnedValue)
+    paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
+                   QCoreApplication::translate("CurvePainting", "pinned: %1")
+                       .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
+  if (picture.markedValue)
+    paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
+                   QCoreApplication::translate("CurvePainting", "in the picture: %1")
+                       .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
+}
+
+void paintPoints(QPainter& painter, const CanvasPicture& picture) {
+  for (std::size_t i = 0; i < picture.function.points.size(); ++i) {
+    const ControlPoint& point = picture.function.points[i];
+    const QPointF centre = positionOf(picture.transform, point);
+    const QRectF& plot = picture.transform.plot;
+    if (centre.x() < plot.left() - pointDiameter || centre.x() > plot.right() + pointDiameter)
+      continue;
+    if (contains(picture.selected, i) || picture.hoveredPoint == i) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(
+          QPen(contains(picture.selected, i) ? picture.colors.accent : picture.colors.secondaryText, 2.0));
+      painter.drawEllipse(centre, pointDiameter / 2.0 + 3.0, pointDiameter / 2.0 + 3.0);
+    }
+    painter.setBrush(toQColor(point.color));
+    painter.setPen(QPen(picture.colors.curve, 1.5));
+    painter.drawEllipse(centre, pointDiameter / 2.0 - 0.75, pointDiameter / 2.0 - 0.75);
+  }
+}
+
+void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.readOut || *picture.readOut >= picture.function.points.size())
+    return;
+  const ControlPoint& point = picture.function.points[*picture.readOut];
+  const QPointF centre = positionOf(picture.transform, point);
+  paintBubble(painter, picture,
+              QCoreApplication::translate("CurvePainting", "%1 · opacity %2")
+                  .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
+              centre - QPointF(0.0, 12.0));
+}
+
+void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.hoveredValue || picture.readOut)
+    return;
+  const QRectF& plot = picture.transform.plot;
+  const double x = xOfValue(picture.transform, *picture.hoveredValue);
+  painter.setPen(QPen(withAlpha(picture.colors.secondaryText, 130), 1.0));
+  painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+}
+
+// In the bar's lane, where it hides neither numbers of the axis nor the curve; beside the grip.
+void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
+  if (!picture.hoveredValue || picture.readOut)
+    return;
+  const double value = *picture.hoveredValue;
+  QString text = valueText(value, picture.unit, picture.decimals);
+  if (!picture.function.points.empty())
+    text += QCoreApplication::translate("CurvePainting", " · opacity %1")
+                .arg(opacityText(classify(picture.function, value).opacity));
+  if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
+    text += QStringLiteral(" · ") + tissue->name;
+  const QRectF& plot = picture.transform.plot;
+  const double x = xOfValue(picture.transform, value);
+  const double width = painter.fontMetrics().horizontalAdvance(text) + 12.0;
+  const double rightmost = std::max(plot.left(), plot.right() - width);
+  QRectF box(std::clamp(x - width / 2.0, plot.left(), rightmost), 0.5, width, plot.top() - 1.5);
+  if (const auto bar = curveBar(picture.transform, picture.function)) {
+    const double grip = bar->grip.x();
+    const double before = grip - gripClearance - width;
+    const double after = grip + gripClearance;
+    const bool fitsBefore = before >= plot.left();
+    const bool fitsAfter = after <= rightmost;
+    if (box.right() > grip - gripClearance && box.left() < after && (fitsBefore || fitsAfter))
+      box.moveLeft(fitsBefore && (x < grip || !fitsAfter) ? before : after);
+  }
+  paintBox(painter, picture, text, box);
+}
+
+// On a plate where a histogram would disturb the reading.
+void paintHint(QPainter& painter, const CanvasPicture& picture) {
+  if (picture.hint.isEmpty())
+    return;
+  const QRectF room = picture.transform.plot.adjusted(24.0, 4.0, -24.0, -4.0);
+  const int flags = Qt::AlignCenter | Qt::TextWordWrap;
+  const QRectF text = painter.boundingRect(room, flags, picture.hint);
+  if (!picture.histogram.isNull()) {
+    painter.setPen(QPen(picture.colors.border, 1.0));
+    painter.setBrush(picture.colors.raised);
+    painter.drawRoundedRect(text.adjusted(-12.0, -6.0, 12.0, 6.0), 4.0, 4.0);
+  }
+  painter.setPen(picture.colors.text);
+  painter.drawText(room, flags, picture.hint);
+}
+
+} // namespace
+
+void paintCurve(QPainter& painter, const CanvasPicture& picture) {
+  const QRectF& plot = picture.transform.plot;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.save();
+  painter.setClipRect(plot.adjusted(-1.0, -1.0, 1.0, 1.0));
+  if (!picture.histogram.isNull())
+    painter.drawPixmap(plot.topLeft(), picture.histogram);
+  paintTissueBand(painter, picture);
+  paintCurveLine(painter, picture);
+  paintHoverLine(painter, picture);
+  paintMarkedValues(painter, picture);
+  paintHint(painter, picture);
+  painter.restore();
+
+  paintBar(painter, picture);
+  paintPoints(painter, picture);
+  paintHoverText(painter, picture);
+  paintReadOut(painter, picture);
+  if (picture.band) {
+    painter.setPen(QPen(picture.colors.accent, 1.0));
+    painter.setBrush(withAlpha(picture.colors.accent, 36));
+    painter.drawRect(*picture.band);
+  }
+  if (picture.focused) {
+    painter.setPen(QPen(picture.colors.accent, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(plot.adjusted(-0.5, -0.5, 0.5, 0.5), 2.0, 2.0);
+  }
+}
+
+} // namespace limn

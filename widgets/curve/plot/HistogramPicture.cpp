@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/plot/HistogramPicture.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+double heightBetweenBins(const std::vector<double>& heights, double bin) {
+  const double centre = bin - 0.5;
+  const double first = std::floor(centre);
+  const auto at = [&](double i) {
+    return i < 0.0 || i >= static_cast<double>(heights.size()) ? 0.0 : heights[static_cast<std::size_t>(i)];
+  };
+  return std::lerp(at(first), at(first + 1.0), centre - first);
+}
+
+std::vector<double> binHeights(const Histogram& histogram) {
+  const auto fullest = *std::max_element(histogram.counts.begin(), histogram.counts.end());
+  std::vector<double> heights;
+  heights.reserve(histogram.counts.size());
+  for (const std::uint64_t count : histogram.counts)
+    heights.push_back(fullest == 0 ? 0.0
+                                   : std::log1p(static_cast<double>(count)) /
+                                         std::log1p(static_cast<double>(fullest)));
+  return heights;
+}
+
+} // namespace
+
+std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns) {
+  std::vector<double> outline(static_cast<std::size_t>(columns), 0.0);
+  const double width = histogram.range.highest - histogram.range.lowest;
+  if (histogram.counts.empty() || !(width > 0.0))
+    return outline;
+  const std::vector<double> heights = binHeights(histogram);
+  const auto bins = static_cast<double>(heights.size());
+  const double binsPerColumn = (visible.highest - visible.lowest) / columns / width * bins;
+  const double firstBin = (visible.lowest - histogram.range.lowest) / width * bins;
+  for (int column = 0; column < columns; ++column) {
+    const double from = firstBin + column * binsPerColumn;
+    double& height = outline[static_cast<std::size_t>(column)];
+    height = heightBetweenBins(heights, from + 0.5 * binsPerColumn);
+    if (binsPerColumn <= 1.0)
+      continue;
+    const double last = std::min(from + binsPerColumn, bins);
+    for (double bin = std::max(0.0, std::floor(from)); bin < last; bin += 1.0)
+      height = std::max(height, heights[static_cast<std::size_t>(bin)]);
+  }
+  return outline;
+}
+
+QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform, const QColor& color,
+                         double devicePixelRatio) {
+  const QSizeF size = transform.plot.size();
+  QPixmap picture((size * devicePixelRatio).toSize());
+  picture.setDevicePixelRatio(devicePixelRatio);
+  picture.fill(Qt::transparent);
+  const int columns = std::max(1, static_cast<int>(size.width()));
+  const std::vector<double> heights = histogramHeights(histogram, transform.visible, columns);
+  QPainterPath outline(QPointF(0.0, size.height()));
+  for (int i = 0; i < columns; ++i) // leave a little air above the fullest bin
+    outline.lineTo(i + 0.5, size.height() * (1.0 - 0.92 * heights[static_cast<std::size_t>(i)]));
+  outline.lineTo(size.width(), size.height());
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillPath(outline, color);
+  return picture;
+}
+
+void HistogramCache::setHistogram(const Histogram& histogram) {
+  m_histogram = histogram;
+  m_picture = {};
+}
+
+QPixmap HistogramCache::picture(const PlotTransform& transform, const QColor& color,
+                                double devicePixelRatio) {
+  if (m_histogram.counts.empty())
+    return {};
+  const Key key{transform, color, devicePixelRatio};
+  if (m_picture.isNull() || key != m_key) {
+    m_key = key;
+    m_picture = histogramPicture(m_histogram, transform, color, devicePixelRatio);
+  }
+  return m_picture;
+}
+
+} // namespace limn

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/TransferFunction.h"
+#include "widgets/Gesture.h"
+#include "widgets/curve/edits/CurveEdits.h"
+#include "widgets/curve/edits/CurveSubject.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace limn {
+
+class ColorButton;
+class NumberField;
+
+/// The numbers of the selected point to type: value, opacity, colour. Several points share opacity and
+/// colour; their values are moved in the plot.
+class PointFields : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PointFields(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
+
+  /// `decimals` is what a value is shown with.
+  void setPoints(const TransferFunction& function, const PointIndices& selected, const QString& unit,
+                 int decimals);
+
+  void focusValue();
+
+signals:
+  /// The whole function with the selected points changed.
+  void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+
+private:
+  void nameFields();
+  QString describedSelection() const;
+
+  CurveSubject m_subject;
+  TransferFunction m_function;
+  PointIndices m_selected;
+  QString m_unit;
+  QLabel* m_which;
+  NumberField* m_value;
+  NumberField* m_opacity;
+  ColorButton* m_color;
+};
+
+/// Gives several points one opacity or one colour.
+TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices, double opacity);
+TransferFunction withColorAt(const TransferFunction& function, const PointIndices& indices,
+                             const glm::dvec3& color);
+
+} // namespace limn
