@@ -5,7 +5,7 @@
 #include "app/desks/MessageBar.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
-#include "reference/ReferenceIntegrator.h"
+#include "app/renderers/ViewEngines.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -37,7 +37,7 @@ Centre::Centre(QMainWindow& window) {
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  view = new CompareView(centre);
+  view = new CompareView(viewEngines(), centre);
   column->addWidget(view, 1);
   window.setCentralWidget(centre);
 }
@@ -89,11 +89,6 @@ MainWindow::~MainWindow() {
 
 void MainWindow::connectView() {
   CompareView* view = m_centre.view;
-  // The definition itself draws when the driver does not, in double precision.
-  view->setProcessorRenderer(
-      [](const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
-        return toImage(renderReference(scene, size, 0, isCancelled));
-      });
   connect(view, &CompareView::cameraEdited, &m_session, &Session::setCamera);
   connect(view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
   connect(view, &CompareView::cropEdited, &m_session, &Session::setCrop);

@@ -2,8 +2,9 @@
 #include "WindowHarness.h"
 #include "scene/ModelName.h"
 #include "support/Heart.h"
+#include "support/Places.h"
 #include "support/TestData.h"
-#include "widgets/view/PictureStatus.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -55,14 +56,14 @@ protected:
   }
 
   [[nodiscard]] bool refined() {
-    return test::waitUntil([this] { return view().isIdle() && view().pictureState().refinementEnd; });
+    return test::waitUntil([this] { return loop().isIdle() && view().pictureState().refinementEnd; });
   }
 
   // The picture of the saved scene by the program that is shipped.
   std::vector<float> renderedByTheProgram(const QString& scene, ShadingModel model, const glm::ivec2& size) {
     const QString out = pathTo("rendered.exr");
     QProcess program;
-    program.start(QStringLiteral(LIMN_PROGRAM),
+    program.start(QString::fromStdString(test::programPath()),
                   {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
                    QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
@@ -152,9 +153,9 @@ TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
   ASSERT_NE(refine, nullptr);
   refine->trigger();
   EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());
-  EXPECT_FALSE(view().refinesAtRest());
+  EXPECT_FALSE(loop().refines());
   refine->trigger();
-  EXPECT_TRUE(view().refinesAtRest());
+  EXPECT_TRUE(loop().refines());
 }
 
 TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
@@ -170,7 +171,7 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   status.resize(status.sizeHint());
   ASSERT_NE(partSaying("ms"), nullptr);
   const int place = partSaying("ms")->x();
-  AccuracyText text = status.text();
+  PictureStatusText text = status.text();
   text.estimate = QStringLiteral("not resolved");
   text.step = QStringLiteral("step 1/8 voxel, refining");
   status.setText(text);

@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/privacy/Marks.h"
 #include "support/FileBytes.h"
+#include "support/Places.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
@@ -91,7 +92,7 @@ protected:
     return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
   }
 
-  int limn(const std::string& arguments) { return run(LIMN_PROGRAM, arguments); }
+  int limn(const std::string& arguments) { return run(test::programPath(), arguments); }
 
   std::string lastWords() const {
     return test::bytesOfFile(root() / "log" / (std::to_string(m_runs - 1) + ".err")) +
