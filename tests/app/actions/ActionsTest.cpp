@@ -38,7 +38,7 @@ TEST_F(ActionsTest, eachHasANameATextAndShortcutsOfItsOwn) {
     for (const QKeySequence& shortcut : action->shortcuts())
       EXPECT_TRUE(shortcuts.insert(shortcut.toString()).second) << shortcut.toString().toStdString();
   }
-  EXPECT_GE(names.size(), 40u);
+  EXPECT_GE(names.size(), 30u);
 }
 
 TEST_F(ActionsTest, withoutAVolumeWhatNeedsOneIsDisabled) {
