@@ -11,9 +11,8 @@
 #include "io/formats/voxels/Bytes.h"
 #include "io/formats/vtk/VtkLegacyFile.h"
 #include "io/formats/vtk/VtkXmlFile.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
-#include "io/reading/PlainText.h"
-#include "io/reading/PlausibleGrid.h"
 #include "io/reading/ReadError.h"
 
 #include <cmath>
@@ -63,28 +62,34 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
   failReading(path, "its content is of no known kind", knownFormats);
 }
 
+// A kind of file, told by its content.
+struct FileKind {
+  bool (*isKind)(std::string_view start); // of the first bytes, inflated where they are packed with gzip
+  VolumeParts (*read)(const fs::path& path, const Progress& progress);
+  bool mayBePacked;
+};
+
+VolumeParts readPicture(const fs::path& path, const Progress& progress) {
+  return readPictures(path, {path}, progress);
+}
+
+constexpr FileKind fileKinds[] = {
+    {isNifti, readNifti, true},          {isTar, readInVesalius, true},       {isNrrd, readNrrd, false},
+    {isMetaImage, readMetaImage, false}, {isVtkLegacy, readVtkLegacy, false}, {isVtkXml, readVtkXml, false},
+    {isPicture, readPicture, true},
+};
+
 // The reader of a file is chosen by its content; only the voxel file of a NIfTI pair goes by its name.
 VolumeParts readFile(const fs::path& path, const Progress& progress) {
   const std::string start = firstBytes(path, probeBytes);
   if (start.empty())
     failReading(path, "the file is empty", copyAgain);
-  if (parseNiftiHeader(start) || isAnalyzeHeader(start))
-    return readNifti(path, progress);
-  if (isTar(start))
-    return readInVesalius(path, progress);
-  const bool isPacked = isNrrd(start) || isMetaImage(start) || isVtkLegacy(start) || isVtkXml(start);
-  if (isPacked && isGzip(path))
-    failReading(path, "it is packed with gzip", "unpack it and open the file inside");
-  if (isNrrd(start))
-    return readNrrd(path, progress);
-  if (isMetaImage(start))
-    return readMetaImage(path, progress);
-  if (isVtkLegacy(start))
-    return readVtkLegacy(path, progress);
-  if (isVtkXml(start))
-    return readVtkXml(path, progress);
-  if (isPicture(start))
-    return readPictures(path, {path}, progress);
+  for (const FileKind& kind : fileKinds)
+    if (kind.isKind(start)) {
+      if (!kind.mayBePacked && isGzip(path))
+        failReading(path, "it is packed with gzip", "unpack it and open the file inside");
+      return kind.read(path, progress);
+    }
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
   if (lowerCase(inner.extension().string()) == ".img")
     return readNifti(path, progress);
@@ -116,12 +121,10 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   for (std::string& warning : info.warnings)
     warning = plainText(std::move(warning));
   requirePlausible(path, parts.grid);
-  try {
+  return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
                                           std::move(info));
-  } catch (const Error& error) {
-    failReading(path, error);
-  }
+  });
 }
 
 std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptions& options,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "support/Heart.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
@@ -48,21 +49,19 @@ protected:
   [[nodiscard]] bool show(const std::function<void(Scene&)>& change, CompareLayout layout) {
     if (!open(QStringLiteral("phantom:4")))
       return false;
-    window->setCompareLayout(layout);
+    setLayout(layout);
     for (FoldingSection* section : window->findChildren<FoldingSection*>())
       section->setFolded(false);
     Scene changed = scene();
     change(changed);
-    window->session().edit(changed, {nextGestureId(), QStringLiteral("start")});
+    session().edit(changed, {nextGestureId(), QStringLiteral("start")});
     return idle();
   }
 
   template <class Slider>
-  TrackSlider* track(const QString& label) {
-    for (Slider* one : window->findChildren<Slider*>())
-      if (one->label()->text() == label)
-        return one->slider();
-    return nullptr;
+  TrackSlider* track(const char* label) {
+    auto* row = rowNamed<Slider>(*window, label);
+    return row ? row->template findChild<TrackSlider*>() : nullptr;
   }
 
   // One mouse move until its frame is shown.
@@ -78,7 +77,7 @@ protected:
   // Drags a handle by `pixels` and back again.
   DragFigures drag(TrackSlider& slider, int handle, int pixels) {
     const QPoint from = slider.handleCentre(handle).toPoint();
-    const int programs = view().compiledPrograms();
+    const int programs = compiledPrograms();
     std::vector<double> clockMs, ownMs;
     QTest::mousePress(&slider, Qt::LeftButton, {}, from);
     for (int i = 1; i <= frames; ++i) {
@@ -91,7 +90,7 @@ protected:
       clockMs.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
       ownMs.push_back(test::threadMs() - ownBefore);
     }
-    const int compiled = view().compiledPrograms() - programs;
+    const int compiled = compiledPrograms() - programs;
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, from);
     return {compiled, frameTimes(clockMs), frameTimes(ownMs)};
   }
@@ -107,7 +106,7 @@ protected:
 
 TEST_F(NeutralDrag, highlightsLeaveZeroWithoutAStall) {
   ASSERT_TRUE(show([](Scene& s) { s.shading.specular = 0.0; }, CompareLayout::sideBySide));
-  TrackSlider* slider = track<ValueSlider>(QStringLiteral("Highlights (ks)"));
+  TrackSlider* slider = track<ValueSlider>("Highlights (ks)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("specular", drag(*slider, 0, 80));
   EXPECT_EQ(scene().shading.specular, 0.0) << "the drag ends where it began";
@@ -121,7 +120,7 @@ TEST_F(NeutralDrag, boundaryEmphasisOpensWithoutAStall) {
         s.shading.exponentRange = {32.0, 32.0};
       },
       CompareLayout::single));
-  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
+  TrackSlider* slider = track<RangeSlider>("Boundary emphasis (O)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("boundary emphasis", drag(*slider, 1, 60));
 }
@@ -134,7 +133,7 @@ TEST_F(NeutralDrag, highlightSharpnessOpensWithoutAStall) {
         s.shading.exponentRange = {32.0, 32.0};
       },
       CompareLayout::single));
-  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  TrackSlider* slider = track<RangeSlider>("Highlight sharpness (SP)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("highlight sharpness", drag(*slider, 1, 40));
 }
@@ -145,7 +144,7 @@ TEST_F(NeutralDrag, fogRisesWithoutAStall) {
         s.fog = {Fog::Mode::exp2, glm::dvec3(0.1), 0.0, 0.0, 1000.0};
       },
       CompareLayout::sideBySide));
-  TrackSlider* slider = window->findChild<FogSection*>()->densitySlider()->slider();
+  TrackSlider* slider = track<ValueSlider>("Density (ρ)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("fog", drag(*slider, 0, 80));
 }
@@ -156,7 +155,7 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
   const test::Heart heart;
   ASSERT_TRUE(idle());
   // A program is compiled in one piece, so a driver without its cache decides how long a turn can be.
-  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", view().compiledPrograms(),
+  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", compiledPrograms(),
               heart.longestMs());
   const PictureState& state = view().pictureState();
   ASSERT_EQ(state.sides.size(), 2u);
@@ -164,11 +163,11 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
     EXPECT_TRUE(side.contrast);
     EXPECT_TRUE(side.overflow);
   }
-  const int programs = view().compiledPrograms();
+  const int programs = compiledPrograms();
   // The same scene at rest again compiles nothing more.
   view().update();
   ASSERT_TRUE(idle());
-  EXPECT_EQ(view().compiledPrograms(), programs);
+  EXPECT_EQ(compiledPrograms(), programs);
 }
 
 } // namespace
