@@ -5,7 +5,7 @@
 #include "io/FileLock.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/Error.h"
-#include "widgets/view/InteractionQuality.h"
+#include "widgets/view/pictures/InteractionQuality.h"
 
 #include <QDateTime>
 #include <QRandomGenerator>

@@ -8,14 +8,14 @@
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "io/AtomicFile.h"
-#include "io/reports/AccuracyJson.h"
 #include "io/reports/AccuracyPage.h"
+#include "io/reports/ReportJson.h"
 #include "scene/Error.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/SideText.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QBuffer>
 #include <QFileInfo>

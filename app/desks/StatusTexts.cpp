@@ -2,8 +2,8 @@
 #include "app/desks/StatusTexts.h"
 
 #include "app/document/DocumentText.h"
-#include "widgets/view/PictureStatus.h"
-#include "widgets/view/Probe.h"
+#include "widgets/view/gestures/Probe.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <QLabel>
 #include <QStatusBar>
@@ -37,7 +37,7 @@ void StatusTexts::showProbe(const std::optional<Probe>& probe, const Volume* vol
 }
 
 void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {
-  m_picture->setText(accuracyText(state, scene));
+  m_picture->setText(pictureStatusText(state, scene));
 }
 
 } // namespace limn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "raycaster/PixelRect.h"
+#include "engine/PixelRect.h"
 #include "scene/RayFrame.h"
 
 namespace limn {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/ShaderProgram.h"
-#include "raycaster/PixelRect.h"
+#include "engine/PixelRect.h"
 
 namespace limn {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "engine/StepLimit.h"
 #include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
@@ -69,11 +70,7 @@ RayCaster::Parts::Parts(const Decisions& chosen, double mostVolumeMb)
 }
 
 void RayCaster::Parts::noteStepLimit(const Scene& scene) {
-  const int most = sampleLimit(scene, textures);
-  stepLimitation.clear();
-  if (longestRaySamples(scene) > most)
-    stepLimitation = "The step is so small that long rays would need more than " + std::to_string(most) +
-                     " samples; they are drawn with that number.";
+  stepLimitation = limn::stepLimitation(scene, sampleLimit(scene, textures));
 }
 
 EffectPlan RayCaster::Parts::plan(const Scene& scene) {
@@ -238,22 +235,15 @@ bool RayCaster::warmUp(const Scene& scene, const glm::ivec2& size) {
   return false;
 }
 
-bool RayCaster::isReady(const Scene& scene) {
-  const EffectPlan needed = plan(scene);
-  return !needed.isVisible ||
-         m_parts->programs.canDraw(m_parts->programFor(needed.effects, Content::picture));
-}
-
-bool RayCaster::takesAllSamples(const Scene& scene) {
-  plan(scene);
-  return m_parts->stepLimitation.empty();
-}
-
-double RayCaster::steepestPerMm(const Scene& scene) {
+DrawingFacts RayCaster::facts(const Scene& scene) {
   const SavedState saved;
-  requireDrawable(scene);
-  m_parts->textures.update(scene);
-  return m_parts->textures.steepestPerMm();
+  DrawingFacts facts;
+  facts.plan = m_parts->plan(scene);
+  facts.steepestPerMm = m_parts->textures.steepestPerMm();
+  facts.takesAllSamples = m_parts->stepLimitation.empty();
+  const EffectSet program = m_parts->programFor(facts.plan.effects, Content::picture);
+  facts.isReady = !facts.plan.isVisible || m_parts->programs.canDraw(program);
+  return facts;
 }
 
 int RayCaster::compiledPrograms() const {

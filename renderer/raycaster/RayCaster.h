@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/DrawingEngine.h"
 #include "raycaster/Decisions.h"
 #include "raycaster/GraphicsMemory.h"
-#include "raycaster/PixelRect.h"
-#include "scene/EffectPlan.h"
-#include "scene/Gradient.h"
-#include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <memory>
@@ -78,15 +75,9 @@ public:
   /// The assembled fragment shader with which the scene is drawn; empty where nothing is visible.
   std::string fragmentShader(const Scene& scene);
 
-  /// Whether the scene can be drawn without compiling a program first.
-  bool isReady(const Scene& scene);
-
-  /// Whether every ray of the scene gets the samples that its step asks for: the number is limited, and past
-  /// the limit a smaller step changes nothing.
-  bool takesAllSamples(const Scene& scene);
-
-  /// What the scene's field commonly changes by at most, value/mm (scene/Gradient, steepness).
-  double steepestPerMm(const Scene& scene);
+  /// What can be told of the scene before it is drawn: the plan, and whether every ray gets the samples that
+  /// its step asks for and no program need be compiled.
+  DrawingFacts facts(const Scene& scene);
 
   /// How many shader programs were compiled so far: editing a control point must not raise it.
   int compiledPrograms() const;

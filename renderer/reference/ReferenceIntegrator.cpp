@@ -51,11 +51,13 @@ struct Work {
   const std::function<bool()>& isCancelled;
   Limiting limiting = Limiting::clampOrKnee;
   int mostSamples = limn::mostSamples;
+  std::optional<PixelRect> tile; ///< absent: the whole picture
 };
 
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
   const glm::ivec2 size = picture.size;
+  const PixelRect tile = work.tile.value_or(PixelRect{{0, 0}, size});
   PictureTerms terms{scene, effectsOf(scene)};
   terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
@@ -63,8 +65,9 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   visitVoxels(*scene.volume, [&]<class T>(const std::vector<T>& stored) {
     const FieldSampler<T> field(*scene.volume, stored);
-    forEachRow(size.y, work.threads > 0 ? work.threads : cores, work.isCancelled, [&](int y) {
-      for (int x = 0; x < size.x; ++x) {
+    forEachRow(tile.size.y, work.threads > 0 ? work.threads : cores, work.isCancelled, [&](int row) {
+      const int y = tile.topLeft.y + row;
+      for (int x = tile.topLeft.x; x < tile.topLeft.x + tile.size.x; ++x) {
         const auto pixel = static_cast<std::size_t>(y) * size.x + x;
         if (work.wanted && !(*work.wanted)[pixel])
           continue;
@@ -85,12 +88,13 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
 } // namespace
 
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads,
-                                 const std::function<bool()>& isCancelled, Limiting limiting) {
+                                 const std::function<bool()>& isCancelled, Limiting limiting,
+                                 const std::optional<PixelRect>& tile) {
   ReferencePicture picture{size, {}, {}};
   const auto pixels = static_cast<std::size_t>(size.x) * size.y;
   picture.pixels.assign(pixels, glm::dvec4(0.0));
   picture.samples.assign(pixels, 0);
-  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples});
+  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples, tile});
   return picture;
 }
 
@@ -98,7 +102,7 @@ void redrawReference(ReferencePicture& picture, const Scene& scene, const std::v
                      int threads, const std::function<bool()>& isCancelled) {
   assert(wanted.size() == picture.pixels.size());
   drawInto(picture, scene,
-           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max()});
+           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max(), {}});
 }
 
 Image toImage(const ReferencePicture& picture) {

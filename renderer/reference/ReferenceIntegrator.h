@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/PixelRect.h"
 #include "scene/Image.h"
 #include "scene/Scene.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace limn {
@@ -23,10 +25,12 @@ struct ReferencePicture {
 enum class Limiting { clampOrKnee, none };
 
 /// Draws the definition itself (DEFINITION section 7) in double precision, on every
-/// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled.
+/// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled. Pixels outside
+/// `tile` stay zero.
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,
                                  const std::function<bool()>& isCancelled = {},
-                                 Limiting limiting = Limiting::clampOrKnee);
+                                 Limiting limiting = Limiting::clampOrKnee,
+                                 const std::optional<PixelRect>& tile = {});
 
 /// Draws again, with the scene as it is now, those pixels of a picture of the same size whose entry in
 /// `wanted` is not 0, their rays as long as the step asks for: the limit on samples is for pictures that

@@ -13,6 +13,14 @@ enum class CompareLayout { single, sideBySide, wipe, difference };
 inline constexpr std::array compareLayouts{CompareLayout::single, CompareLayout::sideBySide,
                                            CompareLayout::wipe, CompareLayout::difference};
 
+/// How many pictures a layout has: 1 or 2.
+inline int pictureCount(CompareLayout layout) {
+  return layout == CompareLayout::single ? 1 : 2;
+}
+
+/// How many times `difference` shows the difference.
+inline constexpr double differenceGain = 4.0;
+
 /// The word for a layout in session files.
 inline const char* nameOf(CompareLayout layout) {
   constexpr std::array names{"single", "side_by_side", "wipe", "difference"};

@@ -216,12 +216,12 @@ TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
 }
 
 TEST_F(AccuracyWindowTest, theTimeWhileMovingIsKeptForTheNextRun) {
-  EXPECT_EQ(view().movingMs(), 40.0);
+  EXPECT_EQ(loop().movingMs(), 40.0);
   QComboBox* box = widgetNamed<QComboBox>(panel(), "While moving");
   panel().ensureWidgetVisible(box);
   box->setFocus();
   QTest::keyClick(box, Qt::Key_End);
-  EXPECT_EQ(view().movingMs(), 100.0);
+  EXPECT_EQ(loop().movingMs(), 100.0);
   EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).movingMs(), 100.0);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
+#include "support/CropHandle.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/curve/CurvePanel.h"
@@ -32,7 +33,9 @@ protected:
   PropertiesPanel& properties() { return *window->findChild<PropertiesPanel*>(); }
   GradientOpacityEditor& gradientEditor() { return *curves().gradientEditor(); }
 
-  QPoint handle(CropFace face) { return view().mapTo(window.get(), view().cropHandle(face)->toPoint()); }
+  QPoint handle(CropFace face) {
+    return view().mapTo(window.get(), test::cropHandle(view(), face).toPoint());
+  }
   void press(const QPoint& at) { QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, at); }
   void move(const QPoint& to) {
     QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {}, to);

@@ -62,9 +62,9 @@ TEST_F(MainWindowTest, draggingAPointIsOneUndoStepWithItsPictureAndCompilesNothi
   const auto picture = view().restingImage(0);
   ASSERT_TRUE(picture);
   ASSERT_TRUE(idle());
-  const int programs = view().compiledPrograms();
+  const int programs = compiledPrograms();
   dragAPoint();
-  EXPECT_EQ(view().compiledPrograms(), programs);
+  EXPECT_EQ(compiledPrograms(), programs);
   EXPECT_NE(scene(), before);
   EXPECT_EQ(undo().count(), 1);
   EXPECT_TRUE(undo().undoText().contains(QRegularExpression(QStringLiteral("point.*\\d"))))

@@ -77,7 +77,7 @@ protected:
   // Drags a handle by `pixels` and back again.
   DragFigures drag(TrackSlider& slider, int handle, int pixels) {
     const QPoint from = slider.handleCentre(handle).toPoint();
-    const int programs = view().compiledPrograms();
+    const int programs = compiledPrograms();
     std::vector<double> clockMs, ownMs;
     QTest::mousePress(&slider, Qt::LeftButton, {}, from);
     for (int i = 1; i <= frames; ++i) {
@@ -90,7 +90,7 @@ protected:
       clockMs.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
       ownMs.push_back(test::threadMs() - ownBefore);
     }
-    const int compiled = view().compiledPrograms() - programs;
+    const int compiled = compiledPrograms() - programs;
     QTest::mouseRelease(&slider, Qt::LeftButton, {}, from);
     return {compiled, frameTimes(clockMs), frameTimes(ownMs)};
   }
@@ -155,7 +155,7 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
   const test::Heart heart;
   ASSERT_TRUE(idle());
   // A program is compiled in one piece, so a driver without its cache decides how long a turn can be.
-  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", view().compiledPrograms(),
+  std::printf("at rest: %d programs, longest turn of the event loop %.0f ms\n", compiledPrograms(),
               heart.longestMs());
   const PictureState& state = view().pictureState();
   ASSERT_EQ(state.sides.size(), 2u);
@@ -163,11 +163,11 @@ TEST_F(NeutralDrag, restEndsWithTheFiguresOfBothSidesAndNothingLeftToCompile) {
     EXPECT_TRUE(side.contrast);
     EXPECT_TRUE(side.overflow);
   }
-  const int programs = view().compiledPrograms();
+  const int programs = compiledPrograms();
   // The same scene at rest again compiles nothing more.
   view().update();
   ASSERT_TRUE(idle());
-  EXPECT_EQ(view().compiledPrograms(), programs);
+  EXPECT_EQ(compiledPrograms(), programs);
 }
 
 } // namespace

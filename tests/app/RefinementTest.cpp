@@ -4,7 +4,7 @@
 #include "support/Heart.h"
 #include "support/Places.h"
 #include "support/TestData.h"
-#include "widgets/view/PictureStatus.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -56,7 +56,7 @@ protected:
   }
 
   [[nodiscard]] bool refined() {
-    return test::waitUntil([this] { return view().isIdle() && view().pictureState().refinementEnd; });
+    return test::waitUntil([this] { return loop().isIdle() && view().pictureState().refinementEnd; });
   }
 
   // The picture of the saved scene by the program that is shipped.
@@ -153,9 +153,9 @@ TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
   ASSERT_NE(refine, nullptr);
   refine->trigger();
   EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());
-  EXPECT_FALSE(view().refinesAtRest());
+  EXPECT_FALSE(loop().refines());
   refine->trigger();
-  EXPECT_TRUE(view().refinesAtRest());
+  EXPECT_TRUE(loop().refines());
 }
 
 TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
@@ -171,7 +171,7 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   status.resize(status.sizeHint());
   ASSERT_NE(partSaying("ms"), nullptr);
   const int place = partSaying("ms")->x();
-  AccuracyText text = status.text();
+  PictureStatusText text = status.text();
   text.estimate = QStringLiteral("not resolved");
   text.step = QStringLiteral("step 1/8 voxel, refining");
   status.setText(text);

@@ -3,13 +3,15 @@
 
 #include "app/MainWindow.h"
 #include "app/desks/MessageBar.h"
+#include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/ViewPanels.h"
+#include "widgets/view/panels/ViewPanels.h"
+#include "widgets/view/pictures/PictureLoop.h"
 
 #include <QAction>
 #include <QLabel>
@@ -51,6 +53,8 @@ protected:
   CurvePanel& curves() const { return *window->findChild<CurvePanel*>(); }
   SavingDesk& saving() const { return *window->findChild<SavingDesk*>(); }
   void setLayout(CompareLayout layout) { window->findChild<ComparisonDesk*>()->setLayout(layout); }
+  PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
+  int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
 
   /// Waits until nothing loads and every picture is complete.
   [[nodiscard]] bool rest() {
@@ -59,7 +63,7 @@ protected:
 
   /// Waits until nothing is left to do at rest either.
   [[nodiscard]] bool idle() {
-    return test::waitUntil([this] { return !window->loader().isLoading() && view().isIdle(); });
+    return test::waitUntil([this] { return !window->loader().isLoading() && loop().isIdle(); });
   }
 
   [[nodiscard]] bool open(const QString& source) {

@@ -70,6 +70,14 @@ TEST(Layering, onlyIoTalksToFileLibraries) {
                      "files, JSON and XML are read and written in renderer/io", "renderer/io");
 }
 
+TEST(Layering, theWindowNeedsNoLaboratory) {
+  for (const test::Include& include : test::includesBelow("app"))
+    if (!include.file.string().starts_with("app/measure/") &&
+        !include.file.string().starts_with("app/commands/"))
+      EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
+          << include.file << " includes " << include.header << ": reports belong to the command line";
+}
+
 TEST(Layering, widgetsIncludeNeitherIoNorApp) {
   expectNoIncludes("widgets", "^(io|app)/", "widgets show values and ask for edits");
 }
@@ -86,6 +94,19 @@ TEST(Layering, readersShareWhatStandsBelowThemAndKnowNoOtherReader) {
 
 TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {
   expectNoIncludes("renderer/io", "^(gl|raycaster|slices|reference|widgets|app)/", "readers make values");
+}
+
+TEST(Layering, anEngineIsAnInterfaceOverScenes) {
+  expectNoIncludes("renderer/engine",
+                   "^(io|gl|raycaster|slices|reference|accuracy|stability|widgets|app)/|epoxy",
+                   "whoever asks an engine need not know which it is");
+}
+
+TEST(Layering, theViewAsksEnginesAndKnowsNone) {
+  expectNoIncludes("widgets", "^(slices|reference|stability)/|^raycaster/(?!PicturePresenter.h)",
+                   "the program chooses what draws");
+  expectNoIncludes("widgets/view/pictures", "^Q(Widget|OpenGLWidget|Application)|^widgets/view/(?!pictures/)",
+                   "pictures are drawn without a window");
 }
 
 TEST(Sources, carryTheirLicence) {

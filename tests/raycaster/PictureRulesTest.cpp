@@ -201,23 +201,23 @@ TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
   scene.transferFunction = {};
   caster.render(scene, {1, 1});
   EXPECT_NE(caster.limitation().find("60000"), std::string::npos);
-  EXPECT_FALSE(caster.takesAllSamples(scene));
+  EXPECT_FALSE(caster.facts(scene).takesAllSamples);
   scene.quality.stepVoxels = 0.5;
-  EXPECT_TRUE(caster.takesAllSamples(scene));
+  EXPECT_TRUE(caster.facts(scene).takesAllSamples);
 }
 
 TEST_F(PictureRules, aSceneIsReadyOnceAProgramCanDrawIt) {
   RayCaster caster;
   Scene scene = test::noisyPhantom(ShadingModel::enhanced);
-  EXPECT_FALSE(caster.isReady(scene));
+  EXPECT_FALSE(caster.facts(scene).isReady);
   caster.render(scene, {4, 4});
   const int programs = caster.compiledPrograms();
-  EXPECT_TRUE(caster.isReady(scene));
+  EXPECT_TRUE(caster.facts(scene).isReady);
   scene.quality.preintegrated = Preintegration::always;
-  EXPECT_FALSE(caster.isReady(scene)) << "steps of another kind";
+  EXPECT_FALSE(caster.facts(scene).isReady) << "steps of another kind";
   EXPECT_EQ(caster.compiledPrograms(), programs) << "to ask compiles nothing";
   scene.transferFunction = {};
-  EXPECT_TRUE(caster.isReady(scene)) << "nothing can be seen";
+  EXPECT_TRUE(caster.facts(scene).isReady) << "nothing can be seen";
 }
 
 } // namespace

@@ -1,70 +1,93 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/CompareView.h"
 
-#include "widgets/view/ReferencePanel.h"
+#include "widgets/view/PictureOrders.h"
 #include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/ViewPanels.h"
-#include "widgets/view/ViewPictures.h"
+#include "widgets/view/gestures/ViewInput.h"
+#include "widgets/view/overlay/LabelFade.h"
+#include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/overlay/OverlayPainting.h"
+#include "widgets/view/panels/ModelMenu.h"
+#include "widgets/view/panels/PanelStack.h"
+#include "widgets/view/recovery/DriverRecovery.h"
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QOpenGLContext>
 
 #include <algorithm>
-#include <cmath>
 
 namespace limn {
-namespace {
 
-constexpr int idleMs = 150;        // from the last coarse picture to refinement
-constexpr int labelsStayMs = 4000; // the numbers of a label, after the pointer rests
-constexpr int labelFadeMs = 400;
-
-} // namespace
-
-CompareView::CompareView(QWidget* parent) : QOpenGLWidget(parent) {
+CompareView::CompareView(DrawingEngines engines, QWidget* parent)
+    : QOpenGLWidget(parent), m_recovery(new DriverRecovery(std::move(engines.processor), this)),
+      m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
   setFormat(limnSurfaceFormat());
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(tr("Drag to rotate, middle drag to pan, right drag or wheel to zoom"));
 
-  m_idleTimer.setSingleShot(true);
-  m_idleTimer.setInterval(idleMs);
-  connect(&m_idleTimer, &QTimer::timeout, this, &CompareView::refine);
-  m_refineTimer.setSingleShot(true);
-  connect(&m_refineTimer, &QTimer::timeout, this, &CompareView::refine);
-  m_restTimer.setSingleShot(true);
-  connect(&m_restTimer, &QTimer::timeout, this, &CompareView::workAtRest);
-  m_probeTimer.setSingleShot(true);
-  connect(&m_probeTimer, &QTimer::timeout, this, &CompareView::probeError);
+  PictureContext context;
+  context.canDraw = [this] { return isVisible() && m_shown.scene.volume && !m_recovery->hasFailed(); };
+  context.makeCurrent = [this] { makeCurrent(); };
+  context.doneCurrent = [this] { doneCurrent(); };
+  context.guard = [this](const PictureContext::Work& work) { m_recovery->guard(work); };
+  m_loop = new PictureLoop(std::move(engines.driver), context, this);
 
-  m_labelFade.setDuration(labelFadeMs);
-  m_labelFade.setStartValue(1.0);
-  m_labelFade.setEndValue(0.0);
-  connect(&m_labelFade, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
-  m_labelTimer.setSingleShot(true);
-  m_labelTimer.setInterval(labelsStayMs);
-  connect(&m_labelTimer, &QTimer::timeout, this, [this] { m_labelFade.start(); });
+  ViewInput::Facts facts;
+  facts.shown = [this] { return overlaySource(); };
+  facts.scaleOfSide = [this](int side) { return m_loop->gradientScaleOf(side); };
+  m_input = new ViewInput(this, facts);
 
-  makePanels();
-  makeReference();
+  connectPictures();
+  connectRecovery();
+  connectInput();
 }
 
-void CompareView::makePanels() {
-  m_empty = new EmptyPanel(this);
-  connect(m_empty, &EmptyPanel::openFolderRequested, this, &CompareView::openFolderRequested);
-  connect(m_empty, &EmptyPanel::openFileRequested, this, &CompareView::openFileRequested);
-  connect(m_empty, &EmptyPanel::sampleRequested, this, &CompareView::sampleRequested);
-  m_message = new MessagePanel(this);
-  m_message->hide();
-  connect(m_message, &MessagePanel::retryRequested, this, [this] {
-    m_error.clear();
-    redraw();
-  });
-  m_loading = new LoadingPanel(this);
-  m_loading->hide();
-  connect(m_loading, &LoadingPanel::cancelled, this, &CompareView::loadingCancelled);
+void CompareView::connectPictures() {
+  connect(m_loop, &PictureLoop::stateChanged, this, &CompareView::pictureStateChanged);
+  connect(m_loop, &PictureLoop::effectsChanged, this, &CompareView::effectsChanged);
+  connect(m_loop, &PictureLoop::timesChanged, this, &CompareView::effectTimesChanged);
+  connect(m_loop, &PictureLoop::showNeeded, this, qOverload<>(&QWidget::update));
+  connect(m_loop, &PictureLoop::completed, m_recovery, &DriverRecovery::noteSuccess);
+  connect(m_loop, &PictureLoop::restFailed, this, &CompareView::errorOccurred);
+}
+
+void CompareView::connectRecovery() {
+  connect(m_recovery, &DriverRecovery::stopped, m_loop, &PictureLoop::stop);
+  connect(m_recovery, &DriverRecovery::rebuildNeeded, this, &CompareView::rebuildGraphics);
+  connect(m_recovery, &DriverRecovery::givenUp, this, &CompareView::giveUpDriver);
+  connect(m_recovery, &DriverRecovery::restored, this, &CompareView::graphicsRestored);
+  connect(m_recovery, &DriverRecovery::stateChanged, this, &CompareView::pictureStateChanged);
+  // Slots are called in the order in which they were connected.
+  connect(m_recovery, &DriverRecovery::drawn, m_panels, &PanelStack::setPictures);
+  connect(m_recovery, &DriverRecovery::drawn, this, &CompareView::updatePanels);
+  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::updatePanels);
+  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::errorOccurred);
+  connect(m_panels, &PanelStack::retryRequested, m_recovery, &DriverRecovery::retry);
+  connect(m_panels, &PanelStack::retryRequested, this, &CompareView::redraw);
+  connect(m_panels, &PanelStack::driverRetryRequested, m_recovery, &DriverRecovery::forget);
+  connect(m_panels, &PanelStack::driverRetryRequested, this, &CompareView::redraw);
+}
+
+void CompareView::connectInput() {
+  connect(m_input, &ViewInput::cameraEdited, this, &CompareView::cameraEdited);
+  connect(m_input, &ViewInput::functionEdited, this, &CompareView::windowLevelEdited);
+  connect(m_input, &ViewInput::cropEdited, this, &CompareView::cropEdited);
+  connect(m_input, &ViewInput::wipeEdited, this, &CompareView::moveWipe);
+  connect(m_input, &ViewInput::probed, this, &CompareView::probed);
+  connect(m_input, &ViewInput::pinRequested, this, &CompareView::pinRequested);
+  connect(m_input, &ViewInput::modelsRequested, this, &CompareView::offerModels);
+  connect(m_input, &ViewInput::maximiseRequested, this, &CompareView::maximiseRequested);
+  connect(m_input, &ViewInput::windowPresetRequested, this, &CompareView::windowPresetRequested);
+  connect(m_input, &ViewInput::shortcutListRequested, this, &CompareView::shortcutListRequested);
+  connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
+  connect(m_labels, &LabelFade::changed, this, qOverload<>(&QWidget::update));
+  connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
+  connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
+  connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
+  connect(m_panels, &PanelStack::loadingCancelled, this, &CompareView::loadingCancelled);
 }
 
 CompareView::~CompareView() {
@@ -75,64 +98,68 @@ CompareView::~CompareView() {
 }
 
 void CompareView::setScene(const Scene& scene) {
-  if (scene == m_scene)
+  const Scene& shown = m_shown.scene;
+  if (scene == shown)
     return;
-  const bool otherVolume = scene.volume != m_scene.volume;
-  const bool otherKind = otherVolume || scene.projection != m_scene.projection;
+  const bool otherVolume = scene.volume != shown.volume;
   Scene asShown = scene;
-  asShown.camera = m_scene.camera;
-  if (otherVolume)
-    leaveProcessor();
-  if (asShown != m_scene && !m_onProcessor) // more than the camera: what failed may work now
-    m_error.clear();
+  asShown.camera = shown.camera;
   if (otherVolume) {
-    m_probe.reset();
-    m_drag.reset();
+    m_recovery->forget();
+    m_loop->forget();
+    m_input->forget();
   }
-  if (otherKind)
-    m_quality.forget();
-  if (scene.shading != m_scene.shading)
-    wakeLabels();
-  m_scene = scene;
+  if (asShown != shown && !m_recovery->processorState()) // more than the camera: what failed may work now
+    m_recovery->retry();
+  if (scene.projection != shown.projection)
+    m_loop->forgetSpeed();
+  if (scene.shading != shown.shading)
+    m_labels->wake();
+  m_shown.scene = scene;
   redraw();
 }
 
 void CompareView::setCompareLayout(CompareLayout layout) {
-  if (layout == m_layout)
+  if (layout == m_shown.layout)
     return;
-  m_layout = layout;
-  m_swapped = false;
-  wakeLabels();
+  m_shown.layout = layout;
+  m_shown.isSwapped = false;
+  m_labels->wake();
   redraw();
 }
 
 void CompareView::setModels(ShadingModel left, ShadingModel right) {
   const std::array models{left, right};
-  if (models == m_models)
+  if (models == m_shown.models)
     return;
-  m_models = models;
-  wakeLabels();
+  m_shown.models = models;
+  m_labels->wake();
   redraw();
 }
 
 void CompareView::setWipePosition(double fraction) {
-  m_wipe = std::clamp(fraction, 0.0, 1.0);
+  m_shown.wipe = std::clamp(fraction, 0.0, 1.0);
   showOtherParts();
 }
 
-// What a coarse picture hides behind the wipe's border was not drawn.
-void CompareView::showOtherParts() {
-  if (m_layout == CompareLayout::wipe && !m_state.resting)
-    redraw();
-  else
-    update();
+void CompareView::setSwapped(bool swapped) {
+  if (swapped == m_shown.isSwapped || (swapped && pictureCount(m_shown.layout) < 2))
+    return;
+  m_shown.isSwapped = swapped;
+  m_labels->wake();
+  showOtherParts();
 }
 
-void CompareView::setTool(ViewTool tool) {
-  if (tool == m_tool)
-    return;
-  m_tool = tool;
-  emit toolChanged(tool);
+void CompareView::setRefinesAtRest(bool refines) {
+  m_loop->setRefines(refines);
+}
+
+void CompareView::setMovingMs(double ms) {
+  m_loop->setMovingMs(ms);
+}
+
+void CompareView::measureEffects() {
+  m_loop->measureEffects();
 }
 
 void CompareView::setOverlayVisible(bool visible) {
@@ -140,93 +167,116 @@ void CompareView::setOverlayVisible(bool visible) {
   update();
 }
 
+void CompareView::setCropBoxVisible(bool visible) {
+  if (visible == m_cropBoxVisible)
+    return;
+  m_cropBoxVisible = visible;
+  m_input->forgetFace();
+  update();
+}
+
 void CompareView::setLoading(double fraction, const QString& text) {
-  m_loading->setProgress(fraction, text);
-  m_loading->show();
+  m_panels->setLoading(fraction, text);
   updatePanels();
 }
 
 void CompareView::clearLoading() {
-  m_loading->hide();
+  m_panels->clearLoading();
   updatePanels();
 }
 
+const PictureState& CompareView::pictureState() const {
+  const std::optional<PictureState>& onProcessor = m_recovery->processorState();
+  return onProcessor ? *onProcessor : m_loop->state();
+}
+
 QImage CompareView::currentPicture(int side) {
-  return m_state.resting && side < m_pictures->count() ? m_pictures->side(side).picture().bytes : QImage();
+  const SidePicture* resting = m_loop->resting(side);
+  return resting ? resting->picture().bytes : QImage();
 }
 
 std::optional<Image> CompareView::restingImage(int side) {
-  if (!m_state.resting || side >= m_pictures->count())
-    return std::nullopt;
-  return *m_pictures->side(side).picture().image;
+  const SidePicture* resting = m_loop->resting(side);
+  return resting ? std::optional(*resting->picture().image) : std::nullopt;
 }
 
-Scene CompareView::sceneOfSide(int side) const {
-  Scene scene = m_scene;
-  if (m_layout != CompareLayout::single)
-    scene.shading.model = m_models[side];
-  return scene;
+Scene CompareView::sceneOfRestingImage(int side) const {
+  const SidePicture* resting = m_loop->resting(side);
+  const Scene scene = sceneOfSide(side);
+  return resting ? withStep(scene, resting->finishedStepVoxels()) : scene;
 }
 
-int CompareView::compiledPrograms() const {
-  return m_pictures ? m_pictures->compiledPrograms() : 0;
+ViewGeometry CompareView::geometry() const {
+  return {m_shown.layout, m_shown.wipe, size(), devicePixelRatioF()};
 }
 
-std::vector<Scene> CompareView::scenesOfSides() const {
-  std::vector<Scene> scenes;
-  for (int side = 0; side < pictureCount(m_layout); ++side)
-    scenes.push_back(sceneOfSide(side));
-  return scenes;
+OverlaySource CompareView::overlaySource() const {
+  return {m_shown,          geometry(),          pictureState(),
+          font(),           m_labels->opacity(), m_input->hovered(),
+          m_cropBoxVisible, m_input->heldFace(), m_input->reading()};
 }
 
-GradientScale CompareView::gradientScaleOfSide(int side) const {
-  return m_pictures && side < m_pictures->count() ? m_pictures->side(side).gradientScale() : GradientScale{};
+void CompareView::redraw() {
+  m_loop->restart();
+  if (!m_shown.scene.volume)
+    m_loop->forgetEffects();
+  updatePanels();
+  if (m_recovery->processorState())
+    drawOnProcessor();
+  update();
 }
 
-glm::ivec2 CompareView::deviceSize() const {
-  const double ratio = devicePixelRatioF();
-  return {static_cast<int>(std::lround(width() * ratio)), static_cast<int>(std::lround(height() * ratio))};
+void CompareView::moveWipe(double fraction) {
+  setWipePosition(fraction);
+  emit wipeMoved(m_shown.wipe);
 }
 
-std::vector<PixelRect> CompareView::rects() const {
-  const int gap = static_cast<int>(std::lround(2.0 * devicePixelRatioF()));
-  return pictureRects(m_layout, deviceSize(), gap);
+// What a coarse picture hides behind the wipe's border was not drawn.
+void CompareView::showOtherParts() {
+  if (m_shown.layout == CompareLayout::wipe && !pictureState().resting)
+    redraw();
+  else
+    update();
 }
 
-double CompareView::pictureAspect() const {
-  const std::vector<PixelRect> places = rects();
-  return places.empty() ? 1.0 : static_cast<double>(places[0].size.x) / places[0].size.y;
+void CompareView::updatePanels() {
+  m_panels->arrange(m_shown.scene.volume != nullptr, m_recovery->sentence(),
+                    m_recovery->processorState().has_value());
 }
 
 void CompareView::initializeGL() {
   // The context may be replaced when the view moves to another window.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CompareView::releasePictures,
           Qt::UniqueConnection);
-  m_quality.forget();
-  m_stale = true;
-}
-
-void CompareView::makePictures() {
-  if (!m_pictures)
-    m_pictures = std::make_unique<ViewPictures>();
+  m_loop->forgetSpeed();
 }
 
 void CompareView::releasePictures() {
-  if (!m_pictures)
+  if (!m_loop->pictures())
     return;
-  stopDrawing();
+  m_loop->stop();
   makeCurrent();
-  // What a lost context held died with it; to delete it would need another.
-  if (context()->isValid() && QOpenGLContext::currentContext() == context())
-    m_pictures.reset();
-  else
-    static_cast<void>(m_pictures.release());
+  m_loop->release(!context()->isValid() || QOpenGLContext::currentContext() != context());
   doneCurrent();
-  m_state = {};
 }
 
 void CompareView::resizeGL(int, int) {
   redraw();
+}
+
+void CompareView::paintGL() {
+  const bool hasVolume = m_shown.scene.volume != nullptr;
+  if (hasVolume && !m_recovery->hasFailed())
+    m_recovery->guard([this] { m_loop->drawIfStale(requestOf(m_shown, geometry())); });
+  const glm::dvec3 background = m_shown.scene.image.background;
+  if (m_loop->pictures() && hasVolume && !m_recovery->hasFailed()) {
+    m_loop->pictures()->show(arrangementOf(m_shown, geometry()), defaultFramebufferObject(), background);
+    if (m_overlayVisible)
+      paintOverlayInContext(overlayOf(overlaySource()), geometry());
+  } else {
+    clearTo(background);
+  }
+  m_loop->noteShown();
 }
 
 void CompareView::resizeEvent(QResizeEvent* event) {
@@ -241,130 +291,105 @@ void CompareView::showEvent(QShowEvent* event) {
     if (!isVisible() || isValid())
       return;
     const QString problem = openGlProblem();
-    fail(problem.isEmpty()
-             ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
-             : problem);
+    m_recovery->fail(problem.isEmpty()
+                         ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
+                         : problem);
   });
-  if (!m_state.resting)
+  if (!pictureState().resting)
     redraw();
   else
-    m_restTimer.start(0);
+    m_loop->resume();
 }
 
-void CompareView::updatePanels() {
-  m_empty->setGeometry(rect());
-  m_message->setGeometry(rect());
-  const int height = m_loading->sizeHint().height();
-  m_loading->setGeometry(0, this->height() - height, width(), height);
-  const bool showsReference = m_onProcessor && !m_referencePanel->pictures().empty();
-  m_referencePanel->cover(rect());
-  m_referencePanel->showParts(showsReference);
-  m_message->setSentence(m_error);
-  m_message->setVisible(!m_error.isEmpty() && !showsReference);
-  m_empty->setVisible(m_error.isEmpty() && !m_scene.volume);
-  m_loading->raise();
-}
-
-void CompareView::redraw() {
-  m_stale = true;
-  if (m_state.resting) {
-    m_state.resting = false;
-    m_state.refines = false;
-    m_state.refinementEnd.reset();
-    for (SideState& side : m_state.sides)
-      side.fraction = 0.0;
-    emit pictureStateChanged(m_state);
-  }
-  m_refineTimer.stop();
-  m_idleTimer.stop();
-  leaveRest();
-  updatePanels();
-  if (m_onProcessor)
-    drawOnProcessor();
-  update();
-}
-
-void CompareView::paintGL() {
-  if (m_scene.volume && m_error.isEmpty())
-    guarded([this] {
-      makePictures();
-      if (m_stale)
-        drawCoarsely();
-    });
-  const glm::dvec3 background = m_scene.image.background;
-  if (m_pictures && m_scene.volume && m_error.isEmpty()) {
-    const glm::ivec2 size = deviceSize();
-    m_pictures->show({m_layout, rects(), size, wipeColumn(size.x, m_wipe), m_swapped},
-                     defaultFramebufferObject(), background);
-    if (m_overlayVisible)
-      paintOverlay();
+// Qt makes a widget's context anew when its window changes, and tells the widget of it in this way, too where
+// the window itself has lost its device.
+void CompareView::rebuildGraphics(bool isLost) {
+  if (isLost) {
+    QEvent windowChanged(QEvent::WindowChangeInternal);
+    QCoreApplication::sendEvent(this, &windowChanged);
   } else {
-    glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
-                 static_cast<float>(background.b), 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
+    releasePictures();
   }
-  m_sinceShown.start();
+  m_recovery->retry();
+  redraw();
 }
 
-// Draw at the quality that was fast enough last time; where it proves to have been too careful, once more.
-void CompareView::drawCoarsely() {
-  m_stale = false;
-  const std::vector<PixelRect> places = rects();
-  if (places.empty())
-    return;
-  m_pictures->want(scenesOfSides(), places[0].size);
-  const double all = static_cast<double>(places.size()) * places[0].size.x * places[0].size.y;
-  const double seen = m_layout == CompareLayout::wipe ? 0.5 * all : all;
-  int level = m_quality.levelFor(seen);
-  if (level == 0 && m_quality.levelFor(all) > 0)
-    level = 1; // full quality draws the hidden parts too
-  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, seenColumns()));
-  if (m_quality.levelFor(all) < level) {
-    m_stale = true;
-    QTimer::singleShot(0, this, qOverload<>(&QWidget::update));
-  }
-  m_idleTimer.start();
-  if (!m_probeTimer.isActive())
-    m_probeTimer.start(0);
-  updateState();
-  showEffects();
+void CompareView::giveUpDriver() {
+  releasePictures();
+  m_panels->setReason(m_recovery->sentence(), m_recovery->details());
+  updatePanels();
+  emit errorOccurred(m_recovery->sentence());
+  if (m_shown.scene.volume)
+    drawOnProcessor();
 }
 
-// Of a wipe's two pictures each shows one part.
-std::array<Columns, 2> CompareView::seenColumns() const {
-  std::array<Columns, 2> seen;
-  if (m_layout == CompareLayout::wipe) {
-    seen[sideShownAt(0)].to = m_wipe;
-    seen[sideShownAt(1)].from = m_wipe;
-  }
-  return seen;
+void CompareView::drawOnProcessor() {
+  const glm::ivec2 size = deviceSize(geometry());
+  m_recovery->drawOnProcessor(scenesOfSides(), {size.x / pictureCount(m_shown.layout), size.y});
 }
 
-void CompareView::refine() {
-  if (!isVisible() || !m_pictures || !m_error.isEmpty() || !m_scene.volume)
-    return;
-  bool complete = false;
-  makeCurrent();
-  guarded([&] { complete = m_pictures->refine(budgetMs); });
-  doneCurrent();
-  updateState();
-  if (complete || m_sinceShown.elapsed() >= showEveryMs)
-    update();
-  if (!m_error.isEmpty())
-    return;
-  if (complete)
-    noteRecovery();
-  (complete ? m_restTimer : m_refineTimer).start(0);
+void CompareView::lookFrom(StandardView view) {
+  m_input->obey(viewcommand::LookFrom{view});
 }
 
-void CompareView::wakeLabels() {
-  const bool hidden = m_labelFade.state() == QAbstractAnimation::Running ||
-                      m_labelFade.currentTime() == m_labelFade.totalDuration();
-  m_labelFade.stop();
-  m_labelFade.setCurrentTime(0);
-  m_labelTimer.start();
-  if (hidden)
-    update();
+void CompareView::resetCamera() {
+  m_input->obey(viewcommand::Reset{});
+}
+
+void CompareView::offerModels(int position) {
+  const QRectF plate = labelsOf(overlaySource())[static_cast<std::size_t>(position)].plate;
+  const int side = sideShownAt(m_shown, position);
+  popUpModels(this, mapToGlobal(plate.bottomLeft().toPoint()), sceneOfSide(side).shading.model,
+              [this, side](ShadingModel model) { emit modelChosen(side, model); });
+}
+
+void CompareView::mousePressEvent(QMouseEvent* event) {
+  m_input->press(*event);
+}
+
+void CompareView::mouseMoveEvent(QMouseEvent* event) {
+  m_labels->wake();
+  m_input->move(*event);
+}
+
+void CompareView::mouseReleaseEvent(QMouseEvent* event) {
+  m_input->release(*event);
+}
+
+void CompareView::mouseDoubleClickEvent(QMouseEvent* event) {
+  m_input->doubleClick(*event);
+}
+
+void CompareView::wheelEvent(QWheelEvent* event) {
+  m_input->turnWheel(*event);
+}
+
+void CompareView::keyPressEvent(QKeyEvent* event) {
+  if (!m_input->obey(commandOf(*event)))
+    QOpenGLWidget::keyPressEvent(event);
+}
+
+void CompareView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Shift)
+    m_input->stopReading();
+  if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
+    setSwapped(false);
+  QOpenGLWidget::keyReleaseEvent(event);
+}
+
+void CompareView::enterEvent(QEnterEvent* event) {
+  QOpenGLWidget::enterEvent(event);
+  m_input->enter();
+}
+
+void CompareView::leaveEvent(QEvent* event) {
+  QOpenGLWidget::leaveEvent(event);
+  m_input->leave();
+}
+
+void CompareView::focusOutEvent(QFocusEvent* event) {
+  QOpenGLWidget::focusOutEvent(event);
+  setSwapped(false);
 }
 
 } // namespace limn

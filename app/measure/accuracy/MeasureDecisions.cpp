@@ -4,9 +4,9 @@
 #include "app/measure/bench/Bench.h"
 #include "app/renderers/ProcessCost.h"
 #include "gl/HeadlessContext.h"
+#include "gl/PictureTarget.h"
 #include "raycaster/DecisionList.h"
 #include "raycaster/RayCaster.h"
-#include "widgets/view/PictureTarget.h"
 
 #include <epoxy/gl.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/bench/Contender.h"
+#include "gl/PictureTarget.h"
 #include "io/ImageFile.h"
-#include "widgets/view/PictureTarget.h"
 
 #include <epoxy/gl.h>
 

@@ -2,12 +2,14 @@
 #include "support/BrokenShaders.h" // before any OpenGL header of Qt
 
 #include "ViewHost.h"
+#include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
-#include "widgets/view/PictureBytes.h"
-#include "widgets/view/ReferencePanel.h"
+#include "widgets/view/panels/ReferencePanel.h"
+#include "widgets/view/pictures/PictureBytes.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QOpenGLContext>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -19,16 +21,13 @@ namespace {
 
 using test::ViewHost;
 
-Image drawnByReference(const Scene& scene, const glm::ivec2& size, const std::function<bool()>& isCancelled) {
-  return toImage(renderReference(scene, size, 1, isCancelled));
+Image drawnByReference(const Scene& scene, const glm::ivec2& size) {
+  return toImage(renderReference(scene, size, 1));
 }
 
 // A view at rest whose processor can draw.
 struct RestingHost : ViewHost {
-  RestingHost() {
-    view.setProcessorRenderer(drawnByReference);
-    showPhantom(12.0);
-  }
+  RestingHost() : ViewHost({400, 240}, [] { return makeReferenceEngine(1); }) { showPhantom(12.0); }
   bool isOnProcessor() {
     return test::waitUntil([this] { return view.pictureState().processorIsDone; });
   }
@@ -98,17 +97,18 @@ TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
   auto refused = std::make_unique<test::BrokenShaders>();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.isOnProcessor());
-  EXPECT_TRUE(host.view.drawsOnProcessor());
+  EXPECT_TRUE(host.drawsOnProcessor());
   ASSERT_EQ(host.errors.size(), 1u);
   EXPECT_EQ(host.view.pictureState().driverFailure, host.errors[0]);
   EXPECT_TRUE(host.panel().isVisible());
-  EXPECT_TRUE(host.panel().reason().startsWith(host.errors[0]));
+  EXPECT_TRUE(
+      host.view.findChild<QLabel*>(QStringLiteral("failureReason"))->text().startsWith(host.errors[0]));
 
   // The picture is the reference's, bit for bit.
   ASSERT_EQ(host.panel().pictures().size(), 1u);
   const QImage& shown = host.panel().pictures()[0];
   const glm::ivec2 size(shown.width(), shown.height());
-  EXPECT_EQ(shown, overBackground(drawnByReference(host.scene, size, {}), host.scene.image.background));
+  EXPECT_EQ(shown, overBackground(drawnByReference(host.scene, size), host.scene.image.background));
 
   // What the driver wrote can be copied.
   QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("copyFailure")), Qt::LeftButton);
@@ -120,11 +120,11 @@ TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
   EXPECT_FALSE(host.view.pictureState().processorIsDone);
   ASSERT_TRUE(host.isOnProcessor());
   EXPECT_EQ(host.panel().pictures()[0],
-            overBackground(drawnByReference(host.scene, size, {}), host.scene.image.background));
+            overBackground(drawnByReference(host.scene, size), host.scene.image.background));
   refused.reset();
   QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
   ASSERT_TRUE(host.rest());
-  EXPECT_FALSE(host.view.drawsOnProcessor());
+  EXPECT_FALSE(host.drawsOnProcessor());
   EXPECT_FALSE(host.panel().isVisible());
   EXPECT_EQ(host.errors.size(), 1u);
 }
@@ -144,7 +144,7 @@ TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
   const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
-  EXPECT_FALSE(host.view.drawsOnProcessor());
+  EXPECT_FALSE(host.drawsOnProcessor());
 }
 
 } // namespace

@@ -3,9 +3,10 @@
 
 #include "ViewHost.h"
 #include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/ViewPanels.h"
+#include "widgets/view/panels/ViewPanels.h"
 
 #include <QGuiApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -70,7 +71,7 @@ TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
   refused.reset();
   auto* panel = host.view.findChild<MessagePanel*>();
   EXPECT_TRUE(panel->isVisible());
-  EXPECT_EQ(panel->sentence(), host.errors[0]);
+  EXPECT_EQ(panel->findChild<QLabel*>(QStringLiteral("sentence"))->text(), host.errors[0]);
   EXPECT_FALSE(host.errors[0].isEmpty());
   QTest::mouseClick(buttonNamed(host, "retry"), Qt::LeftButton);
   EXPECT_TRUE(host.rest());

@@ -2,6 +2,7 @@
 #include "ViewHost.h"
 #include "gl/HeadlessContext.h"
 #include "io/ImageFile.h"
+#include "raycaster/RayCaster.h"
 #include "support/Heart.h"
 #include "support/TemporaryFolder.h"
 
@@ -122,8 +123,8 @@ TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
   host.view.setCompareLayout(CompareLayout::sideBySide);
   host.showPhantom();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(test::waitUntil([&] { return host.view.isIdle(); }));
-  const int before = host.view.compiledPrograms();
+  ASSERT_TRUE(test::waitUntil([&] { return host.isIdle(); }));
+  const int before = host.compiledPrograms();
   EXPECT_GE(before, 2);
   const QImage old = host.view.currentPicture(0);
   host.scene.transferFunction = withPointMoved(host.scene.transferFunction, 2, 500.0, 0.2);
@@ -131,7 +132,7 @@ TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
   EXPECT_FALSE(host.view.pictureState().resting);
   EXPECT_TRUE(host.view.currentPicture(0).isNull());
   ASSERT_TRUE(host.rest());
-  EXPECT_EQ(host.view.compiledPrograms(), before);
+  EXPECT_EQ(host.compiledPrograms(), before);
   EXPECT_NE(host.view.currentPicture(0), old);
 }
 

@@ -3,7 +3,7 @@
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "support/Heart.h"
-#include "widgets/view/Refinement.h"
+#include "widgets/view/pictures/Refinement.h"
 
 #include <QColorSpace>
 
@@ -20,7 +20,7 @@ using test::ViewHost;
 struct RefiningHost : ViewHost {
   explicit RefiningHost(const QSize& size = {240, 160}) : ViewHost(size) { view.setRefinesAtRest(true); }
   [[nodiscard]] bool refined() {
-    return test::waitUntil([this] { return view.isIdle() && view.pictureState().refinementEnd; });
+    return test::waitUntil([this] { return isIdle() && view.pictureState().refinementEnd; });
   }
   [[nodiscard]] bool firstPass() {
     return test::waitUntil([this] {
@@ -119,7 +119,7 @@ TEST(Refinement, canBeSwitchedOffAndOnAtRest) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.firstPass());
   host.view.setRefinesAtRest(false);
-  ASSERT_TRUE(test::waitUntil([&] { return host.view.isIdle(); }));
+  ASSERT_TRUE(test::waitUntil([&] { return host.isIdle(); }));
   const double step = host.view.sceneOfRestingImage(0).quality.stepVoxels;
   EXPECT_FALSE(host.view.pictureState().refines);
   EXPECT_LT(step, 0.5) << "what was drawn stays";
@@ -165,8 +165,8 @@ TEST(Refinement, estimatesWhatMovesFromSmallPictures) {
   ViewHost host;
   host.showPhantom();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(test::waitUntil([&] { return host.view.isIdle(); }));
-  const int programs = host.view.compiledPrograms();
+  ASSERT_TRUE(test::waitUntil([&] { return host.isIdle(); }));
+  const int programs = host.compiledPrograms();
   for (int frame = 0; frame < 10; ++frame) {
     host.scene.camera = orbited(host.scene.camera, 0.05, 0.0);
     host.view.setScene(host.scene);
@@ -175,7 +175,7 @@ TEST(Refinement, estimatesWhatMovesFromSmallPictures) {
     EXPECT_TRUE(side().isRough);
     EXPECT_GT(side().estimate->p99_9, 0.0);
   }
-  EXPECT_EQ(host.view.compiledPrograms(), programs) << "a hand must not wait for a shader";
+  EXPECT_EQ(host.compiledPrograms(), programs) << "a hand must not wait for a shader";
 }
 
 } // namespace

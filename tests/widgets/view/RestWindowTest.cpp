@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
-#include "widgets/view/RestWork.h"
+#include "widgets/view/pictures/RestWork.h"
 
 #include <algorithm>
 
@@ -34,7 +34,7 @@ struct Told {
 };
 
 [[nodiscard]] bool idle(ViewHost& host) {
-  return test::waitUntil([&] { return host.view.isIdle(); });
+  return test::waitUntil([&] { return host.isIdle(); });
 }
 
 TEST(AtRest, tellsTheEffectsOfTheRightPictureAndOfEveryChange) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/DrawingEngine.h"
+#include "raycaster/RayCasterEngine.h"
 #include "scene/Phantom.h"
 #include "support/Waiting.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/pictures/PictureLoop.h"
 
 #include <QTest>
 #include <QWindow>
@@ -19,7 +22,8 @@ namespace limn::test {
 class ViewHost {
 public:
   /// Pictures rest at the scene's own step unless a test is about what comes after.
-  explicit ViewHost(const QSize& size = {400, 240}) {
+  explicit ViewHost(const QSize& size = {400, 240}, MakeEngine processor = {})
+      : view({makeRayCasterEngine, std::move(processor)}) {
     view.resize(size);
     view.setRefinesAtRest(false);
     QObject::connect(&view, &CompareView::cameraEdited, [this](const Camera& camera) {
@@ -60,6 +64,11 @@ public:
   [[nodiscard]] bool rest() {
     return test::waitUntil([this] { return view.pictureState().resting; });
   }
+
+  const PictureLoop& loop() const { return *view.findChild<PictureLoop*>(); }
+  bool isIdle() const { return loop().isIdle(); }
+  int compiledPrograms() const { return loop().pictures()->engine().compiledPrograms(); }
+  bool drawsOnProcessor() const { return !view.pictureState().driverFailure.isEmpty(); }
 
   void press(const QPoint& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(view.windowHandle(), button, keys, at);

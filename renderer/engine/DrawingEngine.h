@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "engine/PixelRect.h"
+#include "scene/EffectRows.h"
+#include "scene/Gradient.h"
+#include "scene/Image.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+struct Scene;
+
+/// What an engine can tell of a scene before it draws it.
+struct DrawingFacts {
+  EffectPlan plan;             ///< what the scene calls for, and why
+  double steepestPerMm = 0.0;  ///< what its field commonly changes by at most, value/mm (scene/Gradient)
+  bool takesAllSamples = true; ///< false: rays end at a limit, past which a smaller step changes nothing
+  bool isReady = true;         ///< nothing need be compiled before it is drawn
+};
+
+/// What came out of measuring the effects of a picture so far.
+struct EffectFigures {
+  bool isComplete = false;
+  double fraction = 0.0;                        ///< of the frames, 0..1
+  std::vector<std::optional<EffectCost>> costs; ///< one per row of the plan, absent where it is off; empty
+                                                ///< before all is measured
+  double wholeMs = 0.0;                         ///< of the picture with all its effects
+  std::string method;                           ///< how the time was measured, a phrase
+};
+
+/// Measures what each effect of a picture costs, a frame at a time. Ends before its engine does.
+class EffectMeasurement {
+public:
+  virtual ~EffectMeasurement() = default;
+
+  /// Draws the next frame, in OpenGL into the framebuffer bound; only while not complete.
+  virtual void step() = 0;
+  virtual EffectFigures figures() const = 0;
+};
+
+/// What draws pictures of scenes (README.md). Keeps what it made of one scene for the next. All calls, its
+/// end included, come from one thread, on which the OpenGL context that it was made with, if any, is current.
+class DrawingEngine {
+public:
+  /// Asked now and then while a tile is drawn; true ends the drawing with Cancelled. May be empty.
+  using IsCancelled = std::function<bool()>;
+
+  virtual ~DrawingEngine() = default;
+
+  /// Draws the pixels of `tile` of a picture of `size` pixels: premultiplied RGBA without background; pixels
+  /// outside the volume become zero. Any tiling gives the same picture bit for bit. An engine that draws with
+  /// OpenGL draws into the framebuffer bound, whose lower left corner is the picture's, and returns nothing;
+  /// one that computes in memory returns the tile. Throws Error.
+  virtual std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                                    const IsCancelled& isCancelled) = 0;
+
+  /// The whole picture whose light terms are not limited (RENDERING section 4), to see how far they overflow.
+  virtual Image drawUnlimited(const Scene& scene, const glm::ivec2& size) = 0;
+
+  /// Does one piece of what the scene and those near it may soon need; for when nobody waits. May draw into
+  /// the middle of the framebuffer bound, of `size` pixels. False when nothing is left to do.
+  virtual bool prepare(const Scene& scene, const glm::ivec2& size) = 0;
+
+  /// Begins to measure what the effects of a picture of `size` pixels cost; null where effects cannot be left
+  /// out.
+  virtual std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) = 0;
+
+  virtual DrawingFacts facts(const Scene& scene) = 0;
+
+  /// The gradient moduli that the scene drawn last was lit with; meaningful where its lighting reads them.
+  virtual GradientScale gradientScale() const = 0;
+
+  /// How many programs were compiled so far: editing a control point must not raise it.
+  virtual int compiledPrograms() const = 0;
+
+  /// What the volume takes beside the process's own copy, MB (10⁶ bytes).
+  virtual double memoryMb() const = 0;
+
+  /// Who draws, for people: the driver's name of the card, or of the method.
+  virtual std::string name() const = 0;
+
+  /// A sentence each where less than the whole volume, or fewer samples than asked for, are drawn of the
+  /// scene asked about last; empty otherwise.
+  virtual std::string limitation() const = 0;
+};
+
+} // namespace limn

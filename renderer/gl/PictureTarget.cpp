@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gl/PictureTarget.h"
+
+#include "scene/Error.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <string>
+
+namespace limn {
+namespace {
+
+void setSampling(unsigned texture, GLint filter) {
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+} // namespace
+
+PictureTarget::PictureTarget() {
+  setSampling(texture(), GL_LINEAR);
+}
+
+void PictureTarget::resize(const glm::ivec2& size) {
+  if (size == m_size)
+    return;
+  glBindTexture(GL_TEXTURE_2D, texture());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture(), 0);
+  m_size = {0, 0};
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
+                                         std::to_string(size.x) + " × " + std::to_string(size.y) +
+                                         " pixels in 32-bit floats; make the window smaller or install a "
+                                         "driver with OpenGL 3.0 or newer.");
+  m_size = size;
+}
+
+void PictureTarget::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+}
+
+Image PictureTarget::read() const {
+  Image image(m_size);
+  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
+  // OpenGL's rows go upwards.
+  for (int y = 0; y < m_size.y / 2; ++y) {
+    const auto upper = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * m_size.x;
+    const auto lower = image.pixels.begin() + static_cast<std::ptrdiff_t>(m_size.y - 1 - y) * m_size.x;
+    std::swap_ranges(upper, upper + m_size.x, lower);
+  }
+  return image;
+}
+
+void PictureTarget::write(const glm::ivec2& topLeft, const Image& pixels) {
+  Image upwards(pixels.size);
+  for (int y = 0; y < pixels.size.y; ++y)
+    std::copy_n(&pixels.at(0, y), pixels.size.x, &upwards.at(0, pixels.size.y - 1 - y));
+  glBindTexture(GL_TEXTURE_2D, texture());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, topLeft.x, m_size.y - topLeft.y - pixels.size.y, pixels.size.x,
+                  pixels.size.y, GL_RGBA, GL_FLOAT, upwards.pixels.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+ByteTexture::ByteTexture() {
+  setSampling(texture(), GL_NEAREST);
+}
+
+void ByteTexture::upload(const glm::ivec2& size, const unsigned char* bytes) {
+  glBindTexture(GL_TEXTURE_2D, texture());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+} // namespace limn

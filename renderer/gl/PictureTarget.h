@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/GlObjects.h"
+#include "scene/Image.h"
+
+namespace limn {
+
+/// A picture on the GPU that can be drawn into and shown: one texture of premultiplied RGBA, 32-bit floats,
+/// lower left corner first.
+class PictureTarget {
+public:
+  PictureTarget();
+
+  /// Makes room for `size` pixels; keeps what is there where the size is the same. Throws Error (openGl)
+  /// where the driver cannot.
+  void resize(const glm::ivec2& size);
+
+  /// Lets the following drawing go into the picture.
+  void bind() const;
+
+  /// Puts pixels that were computed in memory, rows from the top, into the picture.
+  void write(const glm::ivec2& topLeft, const Image& pixels);
+
+  /// Reads the picture back; waits for the drawing to end.
+  Image read() const;
+
+  unsigned texture() const { return m_texture.name(); }
+  const glm::ivec2& size() const { return m_size; }
+  bool isEmpty() const { return m_size.x == 0; }
+
+private:
+  GlTexture m_texture;
+  GlFramebuffer m_framebuffer;
+  glm::ivec2 m_size{0};
+};
+
+/// A finished 8-bit picture on the GPU, RGBA, lower left corner first.
+class ByteTexture {
+public:
+  ByteTexture();
+
+  /// Uploads `size.x · size.y · 4` bytes, rows from bottom to top.
+  void upload(const glm::ivec2& size, const unsigned char* bytes);
+
+  unsigned texture() const { return m_texture.name(); }
+
+private:
+  GlTexture m_texture;
+};
+
+} // namespace limn

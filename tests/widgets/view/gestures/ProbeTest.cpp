@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/gestures/Probe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// Layers along y, 10 mm each, seen from the front: 0 | 100 | 500 | 0.
+Scene layers() {
+  Grid grid;
+  grid.dims = {8, 40, 8};
+  std::vector<float> voxels(8 * 40 * 8);
+  for (int k = 0; k < 8; ++k)
+    for (int j = 0; j < 40; ++j)
+      for (int i = 0; i < 8; ++i)
+        voxels[voxelOffset(grid.dims, i, j, k)] = j < 10 ? 0.0f : j < 20 ? 100.0f : j < 30 ? 500.0f : 0.0f;
+  Scene scene;
+  scene.volume = std::make_shared<Volume>(grid, VoxelArray(voxels), Rescale{}, std::nullopt, VolumeInfo{});
+  scene.transferFunction.points = {{50, {1, 0, 0}, 0.0}, {100, {1, 0, 0}, 0.01}, {500, {1, 1, 1}, 0.5}};
+  scene.camera = defaultCamera(grid);
+  return scene;
+}
+
+const Ray throughTheMiddle{{3.5, -50.0, 3.5}, {0.0, 1.0, 0.0}};
+
+TEST(Probe, findsTheDenseLayerBehindAThinOne) {
+  const auto probe = probeAlong(layers(), {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  // The ramp between the layers lies at 19..20; the first samples of 500 after it win, for T falls quickly.
+  EXPECT_GT(probe->value, 300.0);
+  EXPECT_NEAR(probe->positionMm.y, 20.0, 1.0);
+  EXPECT_NEAR(probe->index.y, probe->positionMm.y, 1e-9);
+}
+
+TEST(Probe, findsTheThinLayerWhereItHidesTheDenseOne) {
+  Scene scene = layers();
+  scene.transferFunction.points[1].opacity = 0.95;
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_NEAR(probe->positionMm.y, 9.5, 1.0);
+}
+
+TEST(Probe, seesThroughWhatTheEnhancedModelHides) {
+  Scene scene = layers();
+  scene.transferFunction.points[1].opacity = 0.95;
+  scene.shading.model = ShadingModel::enhanced;
+  // Inside the thin layer the gradient and so O are 0; at its front, (100 - 0)/2 mm of 200, O is 0.75.
+  scene.transferFunction.points[0].value = 99.0;
+  const auto probe = probeAlong(scene, {200.0, 200.0}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_GT(probe->positionMm.y, 18.5);
+}
+
+TEST(Probe, findsNothingBesideTheVolumeOrInTransparency) {
+  EXPECT_FALSE(probeAlong(layers(), {}, {{30.0, -50.0, 3.5}, {0.0, 1.0, 0.0}}));
+  EXPECT_FALSE(probeAlong(layers(), {}, {{3.5, 80.0, 3.5}, {0.0, 1.0, 0.0}})); // looking away
+  Scene transparent = layers();
+  transparent.transferFunction.points.clear();
+  EXPECT_FALSE(probeAlong(transparent, {}, throughTheMiddle));
+  EXPECT_FALSE(probeAlong(Scene{}, {}, throughTheMiddle));
+}
+
+TEST(Probe, staysInsideTheCropBox) {
+  Scene scene = layers();
+  scene.crop.upper.y = 0.5; // the dense layer is cut away: index 19.5 and more
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_LT(probe->index.y, 19.5);
+}
+
+TEST(Probe, takesTheExtremeOfAProjectionOfExtremes) {
+  Scene scene = layers();
+  scene.projection = Projection::mip;
+  EXPECT_EQ(probeAlong(scene, {}, throughTheMiddle)->value, 500.0);
+  scene.projection = Projection::minip;
+  EXPECT_EQ(probeAlong(scene, {}, throughTheMiddle)->value, 0.0);
+}
+
+TEST(Probe, takesTheFirstCrossingOfAnIsosurface) {
+  Scene scene = layers();
+  scene.projection = Projection::isosurface;
+  scene.isovalue = 50.0;
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_NEAR(probe->positionMm.y, 9.5, 0.5); // half a voxel of step
+  scene.isovalue = 600.0;
+  EXPECT_FALSE(probeAlong(scene, {}, throughTheMiddle));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/CropBoxGeometry.h"
+#include "widgets/view/overlay/CropBoxPainting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+const QRectF picture(100.0, 20.0, 400.0, 300.0);
+
+// 40 × 40 × 40 mm around the origin, the axes turned: the grid's x is the patient's y.
+Grid turnedGrid() {
+  Grid grid;
+  grid.dims = {40, 20, 10};
+  grid.spacingMm = {1.0, 2.0, 4.0};
+  grid.direction = glm::dmat3(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  grid.originMm = -(grid.direction * (grid.spacingMm * (glm::dvec3(grid.dims) - 1.0) / 2.0));
+  return grid;
+}
+
+Camera obliqueCamera(Camera::Projection projection) {
+  Camera camera;
+  camera.projection = projection;
+  camera.position = {90.0, -120.0, 70.0};
+  camera.heightMm = 80.0;
+  return camera;
+}
+
+const CropHandle& handleOf(const CropBoxShape& shape, CropFace face) {
+  return *std::find_if(shape.handles.begin(), shape.handles.end(),
+                       [&](const CropHandle& handle) { return handle.face == face; });
+}
+
+class BothProjections : public testing::TestWithParam<Camera::Projection> {
+protected:
+  const Camera camera = obliqueCamera(GetParam());
+  const ViewProjection projection = viewProjection(camera, picture);
+  const Grid grid = turnedGrid();
+};
+
+TEST_P(BothProjections, aPixelAndTheRayThroughItMeet) {
+  const glm::ivec2 size(400, 300);
+  const Ray ray = rayThroughPixel(camera, 310, 40, size);
+  const glm::dvec3 place = ray.origin + 77.0 * ray.direction;
+  const auto pixel = pixelOf(projection, place);
+  ASSERT_TRUE(pixel);
+  // The pixel's centre, in a picture that begins at (100, 20). The bound is of rounding.
+  EXPECT_NEAR(pixel->x(), 100.0 + 310.5, 1e-9);
+  EXPECT_NEAR(pixel->y(), 20.0 + 40.5, 1e-9);
+  const Ray back = rayThrough(projection, *pixel);
+  EXPECT_NEAR(glm::length(back.origin - ray.origin), 0.0, 1e-9);
+  EXPECT_NEAR(glm::length(back.direction - ray.direction), 0.0, 1e-12);
+}
+
+TEST_P(BothProjections, pixelsPerMmIsTheDerivativeOfThePixel) {
+  const glm::dvec3 place(5.0, -7.0, 3.0);
+  const glm::dvec3 along = glm::normalize(glm::dvec3(1.0, 2.0, -0.5));
+  const double h = 1e-4;
+  const QPointF difference =
+      (*pixelOf(projection, place + h * along) - *pixelOf(projection, place - h * along)) / (2.0 * h);
+  const QPointF derivative = pixelsPerMm(projection, place, along);
+  // The central difference is off by h² times a third derivative of order 10⁻³ pixels/mm³, and by rounding.
+  EXPECT_NEAR(derivative.x(), difference.x(), 1e-7);
+  EXPECT_NEAR(derivative.y(), difference.y(), 1e-7);
+}
+
+TEST_P(BothProjections, aFaceDraggedToAPlaceOnItsAxisLiesThere) {
+  CropBox crop;
+  crop.lower = {0.1, 0.2, 0.3};
+  crop.upper = {0.9, 0.7, 0.8};
+  for (const CropFace face : cropFaces) {
+    for (const double place : {0.05, 0.4, 0.95}) {
+      // The handle's centre if the face lay there: the other axes keep their middle.
+      CropBox moved = crop;
+      (face.isUpper ? moved.upper : moved.lower)[face.axis] = place;
+      const QPointF pointer = *pixelOf(projection, faceCentre(moved, grid, face));
+      EXPECT_NEAR(placeUnder(crop, grid, face, projection, pointer), place, 1e-9);
+    }
+  }
+}
+
+TEST_P(BothProjections, aPointerBesideTheAxisCountsAtItsFoot) {
+  const CropBox crop;
+  const CropFace face{2, true};
+  const QPointF on = *pixelOf(projection, faceCentre({glm::dvec3(0.0), {1.0, 1.0, 0.6}}, grid, face));
+  const QPointF way = handleOf(cropBoxShape(crop, grid, projection), face).outward;
+  const QPointF beside = on + 30.0 * QPointF(-way.y(), way.x());
+  EXPECT_NEAR(placeUnder(crop, grid, face, projection, beside), 0.6, 1e-9);
+}
+
+TEST_P(BothProjections, threeFacesAreSeenAndThreeEdgesHidden) {
+  const CropBoxShape shape = cropBoxShape({}, grid, projection);
+  EXPECT_EQ(shape.edges.size(), 12u);
+  EXPECT_EQ(shape.handles.size(), 6u);
+  // From an oblique view three faces of a box are turned to the eye; the three edges at the far corner are
+  // those between two of the others.
+  EXPECT_EQ(
+      std::count_if(shape.handles.begin(), shape.handles.end(), [](const auto& h) { return h.isHidden; }), 3);
+  EXPECT_EQ(std::count_if(shape.edges.begin(), shape.edges.end(), [](const auto& e) { return e.isHidden; }),
+            3);
+  // The camera stands at +x, -y, +z: it sees the left side (+x), which is low on the grid's y (-x world).
+  EXPECT_FALSE(handleOf(shape, {1, false}).isHidden);
+  EXPECT_TRUE(handleOf(shape, {1, true}).isHidden);
+  EXPECT_FALSE(handleOf(shape, {2, true}).isHidden);
+}
+
+INSTANTIATE_TEST_SUITE_P(CropBoxGeometry, BothProjections,
+                         testing::Values(Camera::Projection::perspective, Camera::Projection::orthographic));
+
+TEST(CropBoxGeometry, aFaceThatMovesAlongTheLineOfSightCannotBeHeld) {
+  Camera camera;
+  camera.projection = Camera::Projection::orthographic;
+  camera.position = {0.0, -200.0, 0.0};
+  const Grid grid = turnedGrid();
+  const CropBoxShape shape = cropBoxShape({}, grid, viewProjection(camera, picture));
+  // The grid's x is the world's y, the line of sight.
+  EXPECT_FALSE(handleOf(shape, {0, false}).canMove);
+  EXPECT_FALSE(handleOf(shape, {0, true}).canMove);
+  EXPECT_TRUE(handleOf(shape, {2, true}).canMove);
+  EXPECT_FALSE(handleAt(shape, handleOf(shape, {0, false}).centre));
+}
+
+TEST(CropBoxGeometry, aHandleIsHeldWithinTwelvePixelsAndTheVisibleOneFirst) {
+  CropBoxShape shape;
+  shape.handles = {{{0, false}, {100.0, 100.0}, {1.0, 0.0}, true, true},
+                   {{0, true}, {110.0, 100.0}, {1.0, 0.0}, false, true}};
+  EXPECT_EQ(handleAt(shape, {101.0, 100.0})->face, (CropFace{0, true})); // the other is nearer, but behind
+  EXPECT_EQ(handleAt(shape, {97.0, 100.0})->face, (CropFace{0, false})); // 13 pixels from the one before
+  EXPECT_FALSE(handleAt(shape, {110.0, 112.5}));
+  EXPECT_TRUE(handleAt(shape, {110.0, 111.5}));
+}
+
+TEST(CropBoxGeometry, whatIsBehindTheEyeIsLeftOut) {
+  Camera camera;
+  camera.position = {0.0, 0.0, 0.0}; // in the middle of the box
+  camera.target = {0.0, 10.0, 0.0};
+  const Grid grid = turnedGrid();
+  const CropBoxShape shape = cropBoxShape({}, grid, viewProjection(camera, picture));
+  // The four edges of the face behind are gone, the four that lead there are cut off.
+  EXPECT_EQ(shape.edges.size(), 8u);
+  for (const CropEdge& edge : shape.edges)
+    EXPECT_TRUE(std::isfinite(edge.line.x1()) && std::isfinite(edge.line.y2()));
+  // The face ahead is straight before the eye; the four others have their centres beside it, at depth 0.
+  EXPECT_EQ(shape.handles.size(), 1u);
+}
+
+TEST(CropBoxGeometry, beyondTheVanishingPointAFaceGoesToTheEnd) {
+  Camera camera;
+  camera.position = {60.0, -200.0, 0.0}; // looks along +y past the box: the axis vanishes in the centre
+  camera.target = {60.0, 0.0, 0.0};
+  const Grid grid = turnedGrid();
+  const ViewProjection projection = viewProjection(camera, picture);
+  const CropFace far{0, true};
+  const QPointF vanishing = picture.center();
+  const QPointF handle = *pixelOf(projection, faceCentre({}, grid, far));
+  const QPointF beyond = vanishing + 0.5 * (vanishing - handle);
+  EXPECT_EQ(withFaceAt({}, grid, far, placeUnder({}, grid, far, projection, beyond)).upper.x, 1.0);
+}
+
+TEST(CropBoxGeometry, cursorsFollowTheWayAFaceMoves) {
+  const auto cursor = [](double x, double y) {
+    const double length = std::hypot(x, y);
+    return cursorFor({{0, false}, {}, {x / length, y / length}, false, true});
+  };
+  EXPECT_EQ(cursor(1, 0), Qt::SizeHorCursor);
+  EXPECT_EQ(cursor(-1, 0.1), Qt::SizeHorCursor);
+  EXPECT_EQ(cursor(0, -1), Qt::SizeVerCursor);
+  EXPECT_EQ(cursor(0, 1), Qt::SizeVerCursor);
+  EXPECT_EQ(cursor(1, -1), Qt::SizeBDiagCursor); // up to the right: /
+  EXPECT_EQ(cursor(-1, 1), Qt::SizeBDiagCursor);
+  EXPECT_EQ(cursor(1, 1), Qt::SizeFDiagCursor);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/Overlay.h"
+
+#include "scene/Phantom.h"
+
+#include <gtest/gtest.h>
+
+// What stands above the pictures, as a value.
+
+namespace limn {
+namespace {
+
+class OverlayAbove : public testing::Test {
+protected:
+  OverlayAbove() {
+    comparison.scene.volume = phantomVolume({12.0, 0.0, 1});
+    comparison.scene.camera = defaultCamera(comparison.scene.volume->grid());
+    state.resting = true;
+    state.sides.resize(1);
+  }
+  OverlaySource source() const {
+    return {
+        comparison, {comparison.layout, comparison.wipe, {700, 400}, 1.0}, state, QFont(), 1.0, {}, false, {},
+        {}};
+  }
+  Comparison comparison;
+  PictureState state;
+};
+
+TEST_F(OverlayAbove, namesEachPictureWhereItStands) {
+  comparison.layout = CompareLayout::sideBySide;
+  const Overlay overlay = overlayOf(source());
+  ASSERT_EQ(overlay.labels.size(), 2u);
+  EXPECT_EQ(overlay.labels[0].label.title, QStringLiteral("Classic"));
+  EXPECT_EQ(overlay.labels[1].label.title, QStringLiteral("Enhanced"));
+  EXPECT_LT(overlay.labels[0].plate.right(), 350.0);
+  EXPECT_GT(overlay.labels[1].plate.left(), 350.0);
+  EXPECT_TRUE(overlay.gap);
+  EXPECT_EQ(overlay.letters.size(), 2u);
+  comparison.isSwapped = true;
+  EXPECT_EQ(overlayOf(source()).labels[0].label.title, QStringLiteral("Enhanced"));
+}
+
+TEST_F(OverlayAbove, aLabelIsFoundUnderThePointerWhereThereIsAModelToChoose) {
+  const QPointF point = labelsOf(source())[0].plate.center();
+  EXPECT_EQ(labelAt(source(), point), 0);
+  EXPECT_EQ(labelAt(source(), {350.0, 200.0}), -1);
+  comparison.scene.projection = Projection::mip;
+  EXPECT_EQ(labelAt(source(), labelsOf(source())[0].plate.center()), -1);
+}
+
+TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
+  EXPECT_FALSE(overlayOf(source()).difference);
+  comparison.layout = CompareLayout::difference;
+  const std::optional<DifferenceTitle> title = overlayOf(source()).difference;
+  ASSERT_TRUE(title);
+  for (const PlacedLabel& label : labelsOf(source())) {
+    EXPECT_FALSE(title->label.plate.intersects(label.plate));
+    EXPECT_FALSE(title->note.plate.intersects(label.plate));
+  }
+  EXPECT_FALSE(toolTipAt(source(), title->label.plate.center()).isEmpty());
+  EXPECT_TRUE(toolTipAt(source(), {350.0, 300.0}).isEmpty());
+}
+
+TEST_F(OverlayAbove, progressIsShownWhileSomethingIsDrawn) {
+  EXPECT_TRUE(overlayOf(source()).progress.empty());
+  state.refines = true;
+  state.refinementFraction = 0.25;
+  EXPECT_EQ(overlayOf(source()).progress, std::vector<double>{0.25});
+  state = {};
+  state.sides.resize(2);
+  state.sides[0].fraction = 0.5;
+  EXPECT_EQ(overlayOf(source()).progress, std::vector<double>{0.25}) << "the mean of both sides";
+}
+
+TEST_F(OverlayAbove, notesKeepClearOfEachOther) {
+  state.limitation = QStringLiteral("The volume was down-sampled.");
+  const Overlay overlay = overlayOf(source());
+  ASSERT_EQ(overlay.notes.size(), 2u);
+  EXPECT_EQ(overlay.notes[0].text, QStringLiteral("Not for diagnosis"));
+  EXPECT_FALSE(overlay.notes[0].plate.intersects(overlay.notes[1].plate));
+}
+
+TEST_F(OverlayAbove, theCropBoxStandsOverEachPictureAndSaysWhatAHeldFaceCuts) {
+  EXPECT_TRUE(overlayOf(source()).cropBoxes.empty());
+  comparison.layout = CompareLayout::sideBySide;
+  OverlaySource with = source();
+  with.hasCropBox = true;
+  EXPECT_EQ(overlayOf(with).cropBoxes.size(), 2u);
+  EXPECT_FALSE(overlayOf(with).cropBoxes[0].note);
+  with.heldFace = CropFace{2, true};
+  EXPECT_TRUE(overlayOf(with).cropBoxes[0].note);
+  EXPECT_EQ(overlayOf(with).cropBoxes[0].lively, with.heldFace);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/OrientationLetters.h"
+#include "widgets/view/overlay/ScaleBar.h"
+#include "widgets/view/overlay/SideText.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+OrientationLetters lettersFrom(StandardView view) {
+  Grid grid;
+  grid.dims = {10, 20, 30};
+  return orientationLetters(standardView(Camera{}, grid, view));
+}
+
+// Radiological convention: what is shown is seen from the named side, so from the front the patient's left
+// is on the right; from above, with the face towards the top, the patient's left is on the left.
+TEST(OrientationLetters, ofTheSixStandardViews) {
+  EXPECT_EQ(lettersFrom(StandardView::anterior), (OrientationLetters{"R", "L", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::posterior), (OrientationLetters{"L", "R", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::left), (OrientationLetters{"A", "P", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::right), (OrientationLetters{"P", "A", "S", "I"}));
+  EXPECT_EQ(lettersFrom(StandardView::superior), (OrientationLetters{"L", "R", "A", "P"}));
+  EXPECT_EQ(lettersFrom(StandardView::inferior), (OrientationLetters{"R", "L", "A", "P"}));
+}
+
+TEST(OrientationLetters, ofAnObliqueDirectionNameTheStrongestAxisFirst) {
+  EXPECT_EQ(lettersOf({0.8, -0.6, 0.0}), "LA");
+  EXPECT_EQ(lettersOf({-0.3, 0.2, -0.93}), "IR"); // 0.2 is further than 75° away
+}
+
+TEST(ScaleBar, hasTheLongestRoundLengthThatFits) {
+  EXPECT_EQ(scaleBar(0.5, 150.0).lengthMm, 50.0); // 75 mm fit
+  EXPECT_EQ(scaleBar(0.5, 150.0).pixels, 100.0);
+  EXPECT_EQ(scaleBar(1.0, 20.0).lengthMm, 20.0);
+  EXPECT_EQ(scaleBar(1.0, 199.0).lengthMm, 100.0);
+  EXPECT_EQ(scaleBar(0.0, 100.0).pixels, 0.0);
+}
+
+TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
+  const Camera perspective{.position = {0, -100, 0}, .target = {0, 0, 0}, .fovYDeg = 90.0};
+  EXPECT_NEAR(mmPerPixel(perspective, 400.0), 0.5, 1e-12); // 2 · 100 mm · tan 45° over 400 pixels
+  const Camera parallel{.projection = Camera::Projection::orthographic, .heightMm = 200.0};
+  EXPECT_EQ(mmPerPixel(parallel, 400.0), 0.5);
+}
+
+TEST(SideText, namesTheFewNumbersThatMatter) {
+  Scene scene;
+  EXPECT_EQ(sideDetails(scene, {}), QString::fromUtf8("SP 32"));
+  scene.shading.model = ShadingModel::enhanced;
+  SideState state;
+  state.completeMs = 23.4;
+  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("23 ms · SP 1–64 · O 0–3"));
+  state.contrast = 0.2017;
+  state.overflow = Overflow{0.0283, 0.1};
+  EXPECT_EQ(sideDetails(scene, state),
+            QString::fromUtf8("contrast 0.202 · overflow 2.8 % · 23 ms · SP 1–64 · O 0–3"));
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
+  scene.projection = Projection::mip;
+  EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));
+  state = {};
+  state.completeMs = 4.16;
+  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("4.2 ms · unlit, the same with every model"));
+}
+
+} // namespace
+} // namespace limn

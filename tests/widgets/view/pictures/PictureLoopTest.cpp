@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/pictures/PictureLoop.h"
+#include "engine/DrawingEngine.h"
+#include "raycaster/RayCaster.h"
+#include "raycaster/RayCasterEngine.h"
+#include "scene/Phantom.h"
+#include "stability/scenes/HeadScene.h"
+#include "support/GlTest.h"
+
+#include <QCoreApplication>
+
+// The pictures in the turns of an event loop, without a window.
+
+namespace limn {
+namespace {
+
+PictureRequest phantomRequest() {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({8.0, 0.0, 1});
+  return {{headScene(volume, ShadingModel::enhanced)}, {60, 40}, {}, 1.0, QStringLiteral("Enhanced")};
+}
+
+class Loop : public test::GlTest {
+protected:
+  void SetUp() override {
+    test::GlTest::SetUp();
+    if (IsSkipped())
+      return;
+    PictureContext context;
+    context.canDraw = [this] { return canDraw; };
+    context.makeCurrent = context.doneCurrent = [] {};
+    context.guard = [this](const PictureContext::Work& work) {
+      try {
+        work();
+      } catch (const std::exception&) {
+        canDraw = false;
+      }
+    };
+    loop = std::make_unique<PictureLoop>(makeRayCasterEngine, context);
+    loop->setRefines(false);
+    QObject::connect(loop.get(), &PictureLoop::completed, [this] { ++completions; });
+    QObject::connect(loop.get(), &PictureLoop::effectsChanged,
+                     [this](const std::vector<EffectRow>& rows, const QString& name) {
+                       effects = rows;
+                       picture = name;
+                     });
+    QObject::connect(loop.get(), &PictureLoop::timesChanged,
+                     [this](const EffectTimes& told) { times = told; });
+  }
+  void TearDown() override { loop.reset(); } // while its context lives
+
+  template <class Condition>
+  void waitFor(Condition&& condition) {
+    while (!condition())
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+
+  bool canDraw = true;
+  int completions = 0;
+  std::vector<EffectRow> effects;
+  QString picture;
+  EffectTimes times;
+  std::unique_ptr<PictureLoop> loop;
+};
+
+TEST_F(Loop, goesFromCoarseToCompleteToIdle) {
+  loop->drawIfStale(phantomRequest());
+  EXPECT_EQ(loop->state().sides.size(), 1u) << "a coarse picture is there at once";
+  EXPECT_FALSE(loop->state().resting);
+  EXPECT_EQ(loop->resting(0), nullptr);
+  waitFor([this] { return completions == 1; });
+  ASSERT_NE(loop->resting(0), nullptr);
+  EXPECT_EQ(*loop->resting(0)->picture().image,
+            RayCaster().render(phantomRequest().scenes[0], phantomRequest().size));
+  waitFor([this] { return loop->isIdle(); });
+  EXPECT_EQ(picture, QStringLiteral("Enhanced"));
+  EXPECT_FALSE(effects.empty());
+}
+
+TEST_F(Loop, drawsNothingAnewUntilSomethingChanged) {
+  loop->drawIfStale(phantomRequest());
+  waitFor([this] { return completions == 1; });
+  loop->drawIfStale(phantomRequest());
+  EXPECT_TRUE(loop->state().resting);
+  loop->restart();
+  EXPECT_FALSE(loop->state().resting);
+  loop->drawIfStale(phantomRequest());
+  waitFor([this] { return completions == 2; });
+}
+
+TEST_F(Loop, measuresOnRequestWhatEffectsCost) {
+  loop->drawIfStale(phantomRequest());
+  waitFor([this] { return loop->isIdle() && !effects.empty(); });
+  EXPECT_EQ(times, EffectTimes{}) << "nobody asked";
+  loop->measureEffects();
+  waitFor([this] { return !times.costs.empty(); });
+  EXPECT_EQ(times.costs.size(), effects.size());
+  loop->restart();
+  waitFor([this] { return times == EffectTimes{}; });
+}
+
+TEST_F(Loop, stopsWhereNothingCanBeDrawn) {
+  loop->drawIfStale(phantomRequest());
+  canDraw = false;
+  for (int turn = 0; turn < 5; ++turn)
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 100);
+  EXPECT_EQ(completions, 0);
+  loop->release(false);
+  EXPECT_EQ(loop->pictures(), nullptr);
+  EXPECT_EQ(loop->state(), PictureState{});
+}
+
+TEST_F(Loop, withoutRoomDrawsNothing) {
+  PictureRequest request = phantomRequest();
+  request.size = {0, 0};
+  loop->drawIfStale(request);
+  EXPECT_TRUE(loop->state().sides.empty());
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/pictures/Pictures.h"
+#include "engine/DrawingEngine.h"
+#include "engine/DrawingEngines.h"
+#include "raycaster/RayCaster.h"
+#include "raycaster/RayCasterEngine.h"
+#include "reference/ReferenceEngine.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/Phantom.h"
+#include "stability/scenes/HeadScene.h"
+#include "support/GlTest.h"
+
+// Pictures on their way from coarse to exact, without a window, with every engine that there is.
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 size{60, 40};
+
+Scene phantomWith(ShadingModel model) {
+  static const std::shared_ptr<const Volume> volume = phantomVolume({8.0, 0.0, 1});
+  return headScene(volume, model);
+}
+
+std::vector<Scene> bothModels() {
+  return {phantomWith(ShadingModel::classic), phantomWith(ShadingModel::enhanced)};
+}
+
+void finish(Pictures& pictures, const std::vector<Scene>& scenes) {
+  pictures.want(scenes, size);
+  pictures.drawCoarsely(InteractionQuality::levelCount - 1, {});
+  while (!pictures.refine(5.0))
+    EXPECT_FALSE(pictures.state().resting);
+}
+
+using PicturesWithoutWindow = test::GlTest;
+
+TEST_F(PicturesWithoutWindow, stripsOfTheRayCasterEndInThePictureThatItDrawsWhole) {
+  Pictures pictures(makeRayCasterEngine());
+  const std::vector<Scene> scenes = bothModels();
+  finish(pictures, scenes);
+  ASSERT_TRUE(pictures.state().resting);
+  RayCaster whole;
+  for (int side = 0; side < 2; ++side)
+    EXPECT_EQ(*pictures.side(side).picture().image,
+              whole.render(scenes[static_cast<std::size_t>(side)], size));
+}
+
+TEST_F(PicturesWithoutWindow, stripsOfTheReferenceEndInThePictureThatItDrawsWhole) {
+  Pictures pictures(makeReferenceEngine());
+  const std::vector<Scene> scenes = bothModels();
+  finish(pictures, scenes);
+  ASSERT_TRUE(pictures.state().resting);
+  EXPECT_EQ(pictures.state().renderer, QStringLiteral("reference (double precision)"));
+  for (int side = 0; side < 2; ++side)
+    EXPECT_EQ(*pictures.side(side).picture().image,
+              toImage(renderReference(scenes[static_cast<std::size_t>(side)], size)));
+}
+
+TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
+  Pictures pictures(makeRayCasterEngine());
+  std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
+  finish(pictures, scenes);
+  scenes[0].camera = orbited(scenes[0].camera, 0.3, 0.0);
+  pictures.want(scenes, size);
+  EXPECT_FALSE(pictures.state().resting);
+  finish(pictures, scenes);
+  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scenes[0], size));
+}
+
+// Every engine answers what is done at rest, in pieces; one that cannot tell what effects cost says nothing.
+TEST_F(PicturesWithoutWindow, whatIsDoneAtRestEndsWithEveryEngine) {
+  for (const MakeEngine& make :
+       {MakeEngine(makeRayCasterEngine), MakeEngine([] { return makeReferenceEngine(); })}) {
+    Pictures pictures(make());
+    finish(pictures, bothModels());
+    const bool tells = pictures.engine().compiledPrograms() > 0;
+    pictures.rest().measureCosts(1);
+    while (pictures.workAtRest(false, 5.0) != RestTurn::nothing) {
+    }
+    EXPECT_TRUE(pictures.state().sides[1].overflow) << pictures.engine().name();
+    EXPECT_TRUE(pictures.state().sides[1].estimate) << "from small pictures";
+    EXPECT_FALSE(pictures.rest().times().isMeasuring);
+    EXPECT_EQ(pictures.rest().times().costs.empty(), !tells) << pictures.engine().name();
+  }
+}
+
+TEST_F(PicturesWithoutWindow, refinementHalvesTheStepToThePictureOfThatStep) {
+  Pictures pictures(makeRayCasterEngine());
+  const std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
+  finish(pictures, scenes);
+  RestTurn turn = RestTurn::worked;
+  while (turn != RestTurn::nothing && turn != RestTurn::finished)
+    turn = pictures.workAtRest(true, 5.0);
+  ASSERT_EQ(turn, RestTurn::finished);
+  const double step = pictures.side(0).finishedStepVoxels();
+  EXPECT_EQ(step, scenes[0].quality.stepVoxels / 2.0);
+  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(withStep(scenes[0], step), size));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/Comparison.h"
+
+namespace limn {
+
+Scene sceneOfSide(const Comparison& comparison, int side) {
+  Scene scene = comparison.scene;
+  if (comparison.layout != CompareLayout::single)
+    scene.shading.model = comparison.models[static_cast<std::size_t>(side)];
+  return scene;
+}
+
+std::vector<Scene> scenesOfSides(const Comparison& comparison) {
+  std::vector<Scene> scenes;
+  for (int side = 0; side < pictureCount(comparison.layout); ++side)
+    scenes.push_back(sceneOfSide(comparison, side));
+  return scenes;
+}
+
+} // namespace limn

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/gestures/Probe.h"
+
+#include "scene/LightingTerms.h"
+#include "scene/StableMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace limn {
+namespace {
+
+// A probe answers at the speed of the pointer; further samples could not be told apart on the screen.
+constexpr double mostSamples = 8192.0;
+
+struct Interval {
+  double first = 0.0;
+  double last = -1.0; ///< less than `first`: empty
+};
+
+/// A ray in index space: `origin + t · direction`, t in mm.
+struct IndexRay {
+  glm::dvec3 origin, direction;
+  glm::dvec3 at(double t) const { return origin + t * direction; }
+};
+
+// Clip the ray against the cropped box, slab by slab, from the eye onwards.
+Interval insideCrop(const IndexRay& ray, const glm::ivec3& dims, const CropBox& crop) {
+  Interval inside{0.0, std::numeric_limits<double>::infinity()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lower = crop.lower[axis] * dims[axis] - 0.5;
+    const double upper = crop.upper[axis] * dims[axis] - 0.5;
+    const double slope = ray.direction[axis];
+    if (slope == 0.0) {
+      if (ray.origin[axis] < lower || ray.origin[axis] >= upper)
+        return {};
+      continue;
+    }
+    const double a = (lower - ray.origin[axis]) / slope;
+    const double b = (upper - ray.origin[axis]) / slope;
+    inside.first = std::max(inside.first, std::min(a, b));
+    inside.last = std::min(inside.last, std::max(a, b));
+  }
+  return inside;
+}
+
+// The gradient-opacity curve G at a modulus, value/mm.
+double gradientOpacityAt(const GradientOpacity& curve, double modulus) {
+  const auto& points = curve.points;
+  const auto right = std::upper_bound(points.begin(), points.end(), modulus,
+                                      [](double m, const GradientOpacityPoint& p) { return m < p.gradient; });
+  if (points.empty())
+    return 1.0;
+  if (right == points.begin() || right == points.end())
+    return right == points.end() ? points.back().opacity : right->opacity;
+  const auto left = right - 1;
+  const double w = (modulus - left->gradient) / (right->gradient - left->gradient);
+  return glm::mix(left->opacity, right->opacity, w);
+}
+
+// The opacity of samples as the side's model shows them (DEFINITION sections 3 and 5).
+class SampleOpacity {
+public:
+  SampleOpacity(const Scene& scene, const GradientScale& scale)
+      : m_scene(scene), m_scale(scale), m_terms(lightingTerms(scene.shading)) {}
+
+  double at(const glm::dvec3& index, double value) const {
+    const double opacity = classify(m_scene.transferFunction, value).opacity;
+    const bool readsGradient = m_terms.mapsOpacity() || m_scene.gradientOpacity;
+    if (opacity <= 0.0 || !readsGradient)
+      return std::clamp(m_terms.opacity.atFlat * opacity, 0.0, 1.0);
+    const double modulus = glm::length(gradientAt(*m_scene.volume, index));
+    const double boundary = mapped(ratioAt(modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
+    const double curve = m_scene.gradientOpacity ? gradientOpacityAt(*m_scene.gradientOpacity, modulus) : 1.0;
+    return std::clamp(curve * boundary * opacity, 0.0, 1.0);
+  }
+
+private:
+  double ratioAt(double modulus) const {
+    if (!(m_scale.reference > 0.0))
+      return 0.0;
+    const double r = std::clamp(modulus / m_scale.reference, 0.0, 1.0);
+    switch (m_terms.curve.type) {
+    case GradientCurve::Type::linear:
+      return r;
+    case GradientCurve::Type::gamma:
+      return gammaCurve(r, m_terms.curve.parameter);
+    case GradientCurve::Type::log:
+      return logCurve(r, m_terms.curve.parameter);
+    }
+    return r;
+  }
+
+  const Scene& m_scene;
+  GradientScale m_scale;
+  LightingTerms m_terms;
+};
+
+// How much each sample speaks for itself; the largest one is what the pixel shows.
+class Contribution {
+public:
+  Contribution(const Scene& scene, const GradientScale& scale) : m_scene(scene), m_opacity(scene, scale) {}
+
+  double of(const glm::dvec3& index, double value, double stepMm) {
+    switch (m_scene.projection) {
+    case Projection::mip:
+      return value;
+    case Projection::minip:
+      return -value;
+    case Projection::isosurface:
+      return crosses(value) ? 1.0 : 0.0;
+    case Projection::compositeIsosurface:
+      if (crosses(value))
+        return std::exchange(m_transmittance, 0.0);
+      break;
+    case Projection::composite:
+    case Projection::average:
+    case Projection::xray:
+      break;
+    }
+    const double unit = m_scene.transferFunction.unitDistanceMm;
+    const double extinction = extinctionPerMm(m_opacity.at(index, value), unit);
+    const double seen = m_transmittance * oneMinusExpNeg(extinction * stepMm);
+    m_transmittance -= seen;
+    return seen;
+  }
+
+  // What lies behind can no longer be the largest.
+  bool isDecided(double largest) const { return !isExtreme() && m_transmittance < largest; }
+
+  bool isExtreme() const {
+    return m_scene.projection == Projection::mip || m_scene.projection == Projection::minip;
+  }
+  // Half an 8-bit level of alpha.
+  bool sawSomething() const { return isExtreme() || m_crossed || m_transmittance < 1.0 - 1.0 / 510.0; }
+
+private:
+  bool crosses(double value) {
+    const bool above = value >= m_scene.isovalue;
+    const bool crossed = m_started ? above != m_above : above;
+    m_started = true;
+    m_above = above;
+    return crossed && !std::exchange(m_crossed, m_crossed || crossed);
+  }
+
+  const Scene& m_scene;
+  SampleOpacity m_opacity;
+  double m_transmittance = 1.0;
+  bool m_started = false;
+  bool m_above = false;
+  bool m_crossed = false;
+};
+
+} // namespace
+
+std::optional<Probe> probeAlong(const Scene& scene, const GradientScale& scale, const Ray& ray) {
+  if (!scene.volume)
+    return std::nullopt;
+  const Grid& grid = scene.volume->grid();
+  const IndexRay indexRay{worldToIndex(grid, ray.origin), worldVectorToIndex(grid, ray.direction)};
+  const Interval inside = insideCrop(indexRay, grid.dims, scene.crop);
+  if (!(inside.last > inside.first))
+    return std::nullopt;
+
+  const double length = inside.last - inside.first;
+  const double wantedStep = std::min(0.5, scene.quality.stepVoxels) * smallestSpacingMm(grid);
+  const int samples = static_cast<int>(std::clamp(std::ceil(length / wantedStep), 1.0, mostSamples));
+  const double stepMm = length / samples;
+
+  Contribution contribution(scene, scale);
+  double largest = contribution.isExtreme() ? -std::numeric_limits<double>::infinity() : 0.0;
+  std::optional<Probe> found;
+  for (int i = 0; i < samples && !contribution.isDecided(largest); ++i) {
+    const double t = inside.first + (i + 0.5) * stepMm;
+    const glm::dvec3 index = indexRay.at(t);
+    const double value = valueAt(*scene.volume, index);
+    const double seen = contribution.of(index, value, stepMm);
+    if (seen > largest) {
+      largest = seen;
+      found = Probe{value, ray.origin + t * ray.direction, index};
+    }
+  }
+  return contribution.sawSomething() ? found : std::nullopt;
+}
+
+std::optional<Ray> rayUnder(const ViewGeometry& geometry, const Camera& camera, const QPointF& point) {
+  const std::vector<PixelRect> places = pictureRects(geometry);
+  if (places.empty())
+    return std::nullopt;
+  const PixelRect& place = places[static_cast<std::size_t>(positionAt(geometry, point))];
+  const glm::dvec2 position = glm::dvec2(point.x(), point.y()) * geometry.pixelRatio;
+  const glm::ivec2 pixel = glm::ivec2(glm::floor(position)) - place.topLeft;
+  const bool inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < place.size.x && pixel.y < place.size.y;
+  return inside ? std::optional(rayThroughPixel(camera, pixel.x, pixel.y, place.size)) : std::nullopt;
+}
+
+} // namespace limn

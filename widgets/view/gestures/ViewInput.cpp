@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/gestures/ViewInput.h"
+
+#include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/CropBoxPainting.h"
+#include "widgets/view/overlay/CropFaceName.h"
+#include "widgets/view/overlay/Titles.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace limn {
+
+ViewInput::ViewInput(QWidget* view, Facts facts) : QObject(view), m_view(view), m_facts(std::move(facts)) {}
+
+Hovered ViewInput::hovered() const {
+  Hovered hovered = m_hovered;
+  hovered.wipe = hovered.wipe || (m_drag && m_drag->kind == DragKind::wipe);
+  return hovered;
+}
+
+std::optional<CropFace> ViewInput::heldFace() const {
+  return m_drag && m_drag->kind == DragKind::cropFace ? std::optional(m_drag->face) : std::nullopt;
+}
+
+void ViewInput::forget() {
+  m_drag.reset();
+  m_read.reset();
+}
+
+void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
+  if (const auto* camera = std::get_if<Camera>(&edit))
+    emit cameraEdited(*camera);
+  else if (const auto* function = std::get_if<TransferFunction>(&edit))
+    emit functionEdited(*function, gesture);
+  else if (const auto* crop = std::get_if<CropBox>(&edit))
+    emit cropEdited(*crop, gesture);
+  else if (const auto* wipe = std::get_if<WipeTo>(&edit))
+    emit wipeEdited(wipe->fraction);
+}
+
+void ViewInput::press(const QMouseEvent& event) {
+  const OverlaySource source = m_facts.shown();
+  if (!source.comparison.scene.volume || m_drag)
+    return;
+  const Press press{event.button(), event.modifiers(), event.position()};
+  std::optional<CropHandle> handle;
+  if (press.button == Qt::LeftButton && press.modifiers == Qt::NoModifier) {
+    if (const int position = labelAt(source, press.point); position >= 0) {
+      emit modelsRequested(position);
+      return;
+    }
+    handle = cropHandleAt(source, press.point);
+  }
+  m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
+  if (handle) {
+    m_hovered.face = handle->face;
+    m_view->update();
+  }
+}
+
+void ViewInput::move(const QMouseEvent& event) {
+  if (!m_drag)
+    return hover(event);
+  const Gesture gesture = m_drag->gesture;
+  ask(editAt(*m_drag, m_facts.shown().comparison.scene, event.position()), gesture);
+}
+
+void ViewInput::release(const QMouseEvent& event) {
+  if (!m_drag || event.button() != m_drag->button)
+    return;
+  const bool pins = m_drag->mayPin;
+  const bool crops = m_drag->kind == DragKind::cropFace;
+  m_drag.reset();
+  if (crops)
+    hover(event); // its handle may have left the pointer
+  if (!pins)
+    return;
+  if (const std::optional<Probe> probe = probeAt(m_facts.shown(), event.position()))
+    emit pinRequested(probe->value);
+}
+
+// Esc puts back what the drag has changed; the gesture's id lets undo see that nothing is left of it.
+void ViewInput::cancelDrag(const Scene& shown) {
+  const ViewDrag drag = *m_drag;
+  m_drag.reset();
+  ask(undone(drag, shown), drag.gesture);
+  m_view->update();
+}
+
+void ViewInput::doubleClick(const QMouseEvent& event) {
+  const OverlaySource source = m_facts.shown();
+  if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
+      labelAt(source, event.position()) >= 0)
+    return;
+  if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
+    uncut(source.comparison.scene, handle->face);
+  else if (isOnWipeBorder(source.geometry, event.position()))
+    emit wipeEdited(0.5);
+  else
+    emit maximiseRequested();
+}
+
+void ViewInput::uncut(const Scene& shown, CropFace face) {
+  const CropBox crop = withFaceAt(shown.crop, shown.volume->grid(), face, face.isUpper ? 1.0 : 0.0);
+  if (crop != shown.crop)
+    emit cropEdited(crop,
+                    {nextGestureId(), tr("reset crop face: %1").arg(cropFaceName(*shown.volume, face))});
+}
+
+void ViewInput::turnWheel(QWheelEvent& event) {
+  const Scene& shown = m_facts.shown().comparison.scene;
+  const int turn = event.angleDelta().y();
+  event.setAccepted(shown.volume && turn != 0);
+  if (event.isAccepted())
+    emit cameraEdited(wheelZoomed(shown.camera, turn));
+}
+
+void ViewInput::hover(const QMouseEvent& event) {
+  const OverlaySource source = m_facts.shown();
+  if (!source.comparison.scene.volume)
+    return;
+  const QPointF point = event.position();
+  Hovered now;
+  now.label = labelAt(source, point);
+  const std::optional<CropHandle> handle = now.label < 0 ? cropHandleAt(source, point) : std::nullopt;
+  if (handle)
+    now.face = handle->face;
+  now.wipe = now.label < 0 && !handle && isOnWipeBorder(source.geometry, point);
+  if (now != m_hovered) {
+    m_hovered = now;
+    m_view->setCursor(now.label >= 0 ? Qt::PointingHandCursor
+                      : handle       ? cursorFor(*handle)
+                      : now.wipe     ? Qt::SplitHCursor
+                                     : Qt::ArrowCursor);
+    m_view->update();
+  }
+  m_view->setToolTip(toolTipAt(source, point));
+  const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
+  showProbe(isProbing ? probeAt(source, point) : std::nullopt, point);
+}
+
+std::optional<Probe> ViewInput::probeAt(const OverlaySource& source, const QPointF& point) const {
+  const Comparison& comparison = source.comparison;
+  const std::optional<Ray> ray = rayUnder(source.geometry, comparison.scene.camera, point);
+  if (!ray)
+    return std::nullopt;
+  const int side = sideShownAt(comparison, positionAt(source.geometry, point));
+  return probeAlong(sceneOfSide(comparison, side), m_facts.scaleOfSide(side), *ray);
+}
+
+void ViewInput::showProbe(const std::optional<Probe>& probe, const QPointF& point) {
+  if (!probe && !m_read)
+    return;
+  m_read = probe ? std::optional(ReadValue{probe->value, point}) : std::nullopt;
+  emit probed(probe);
+  m_view->update();
+}
+
+void ViewInput::stopReading() {
+  showProbe(std::nullopt, {});
+}
+
+// Keys go to what the pointer is over, but not out of a field in which someone types.
+void ViewInput::enter() {
+  const QWidget* focused = QApplication::focusWidget();
+  const bool isTyping = qobject_cast<const QLineEdit*>(focused) != nullptr ||
+                        qobject_cast<const QAbstractSpinBox*>(focused) != nullptr;
+  if (m_view->isActiveWindow() && !isTyping)
+    m_view->setFocus(Qt::MouseFocusReason);
+}
+
+void ViewInput::leave() {
+  stopReading();
+  m_hovered = {};
+  m_view->update();
+}
+
+bool ViewInput::obey(const ViewCommand& command) {
+  using namespace viewcommand;
+  const OverlaySource source = m_facts.shown();
+  const Scene& shown = source.comparison.scene;
+  if (!shown.volume)
+    return false;
+  if (const auto camera =
+          cameraAfter(command, shown.camera, shown.volume->grid(), pictureAspect(source.geometry)))
+    emit cameraEdited(*camera);
+  else if (const auto* use = std::get_if<UseTool>(&command))
+    m_tool = use->tool;
+  else if (const auto* preset = std::get_if<WindowPreset>(&command))
+    emit windowPresetRequested(preset->number);
+  else if (std::holds_alternative<Swap>(command))
+    emit swapRequested();
+  else if (std::holds_alternative<Cancel>(command) && m_drag)
+    cancelDrag(shown);
+  else if (std::holds_alternative<ListShortcuts>(command))
+    emit shortcutListRequested();
+  else
+    return false;
+  return true;
+}
+
+} // namespace limn

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Gradient.h"
+#include "widgets/view/gestures/Probe.h"
+#include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/gestures/ViewKeys.h"
+#include "widgets/view/overlay/OverlaySource.h"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+class QMouseEvent;
+class QWheelEvent;
+class QWidget;
+
+namespace limn {
+
+/// What pointer and keys ask of a view. Keeps what the pointer is over, holds and reads, and gives the view
+/// its cursor and tool tip; everything else is said by signals.
+class ViewInput : public QObject {
+  Q_OBJECT
+
+public:
+  /// What an event is about: what stands in the view at present, and the gradient moduli with which a side
+  /// was lit.
+  struct Facts {
+    std::function<OverlaySource()> shown;
+    std::function<GradientScale(int side)> scaleOfSide;
+  };
+  ViewInput(QWidget* view, Facts facts);
+
+  void press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
+  void doubleClick(const QMouseEvent& event);
+  void turnWheel(QWheelEvent& event);
+  void enter();
+  void leave();
+  /// False where the command asks nothing of this view.
+  bool obey(const ViewCommand& command);
+
+  void stopReading(); ///< the value under the pointer
+  void forgetFace() { m_hovered.face.reset(); }
+  void forget(); ///< drag and reading, of another volume
+
+  /// What the pointer is over, or holds.
+  Hovered hovered() const;
+  std::optional<CropFace> heldFace() const;
+  const std::optional<ReadValue>& reading() const { return m_read; }
+
+signals:
+  void cameraEdited(const limn::Camera& camera);
+  void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+  void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
+  void wipeEdited(double fraction);
+  void probed(const std::optional<limn::Probe>& probe);
+  void pinRequested(double value);
+  void modelsRequested(int position); ///< of which the label was clicked
+  void maximiseRequested();
+  void windowPresetRequested(int number);
+  void shortcutListRequested();
+  void swapRequested();
+
+private:
+  void ask(const ViewEdit& edit, const Gesture& gesture);
+  void cancelDrag(const Scene& shown);
+  void hover(const QMouseEvent& event);
+  void uncut(const Scene& shown, CropFace face);
+  std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
+  void showProbe(const std::optional<Probe>& probe, const QPointF& point);
+
+  QWidget* m_view;
+  Facts m_facts;
+  ViewTool m_tool = ViewTool::rotate;
+  std::optional<ViewDrag> m_drag;
+  Hovered m_hovered;
+  std::optional<ReadValue> m_read; ///< under the pointer, while Shift is held
+};
+
+} // namespace limn

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Camera.h"
+#include "widgets/view/gestures/CameraGesture.h"
+
+#include <QPoint>
+
+#include <optional>
+#include <variant>
+
+class QKeyEvent;
+
+namespace limn {
+
+/// What a key of the 3D view asks for.
+namespace viewcommand {
+struct LookFrom {
+  StandardView view;
+  bool operator==(const LookFrom&) const = default;
+};
+struct LookFromNearest { ///< the standard view nearest to the present one
+  bool operator==(const LookFromNearest&) const = default;
+};
+struct Reset { ///< the camera of a freshly opened volume
+  bool operator==(const Reset&) const = default;
+};
+struct Rotate { ///< in steps, as if the pointer were dragged right and down
+  int right = 0;
+  int down = 0;
+  bool operator==(const Rotate&) const = default;
+};
+struct Zoom { ///< in notches of the wheel
+  int notches = 0;
+  bool operator==(const Zoom&) const = default;
+};
+struct UseTool {
+  ViewTool tool;
+  bool operator==(const UseTool&) const = default;
+};
+struct WindowPreset { ///< 0 is the full dynamic range, 1..9 the presets
+  int number = 0;
+  bool operator==(const WindowPreset&) const = default;
+};
+struct Swap { ///< show the other side while held
+  bool operator==(const Swap&) const = default;
+};
+struct Cancel {
+  bool operator==(const Cancel&) const = default;
+};
+struct ListShortcuts {
+  bool operator==(const ListShortcuts&) const = default;
+};
+} // namespace viewcommand
+
+using ViewCommand =
+    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
+                 viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
+                 viewcommand::Swap, viewcommand::Cancel, viewcommand::ListShortcuts>;
+
+/// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
+/// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;
+/// Insert or 0 the nearest), and so do the letters A P L S I. R resets, as in VTK programs: the right side
+/// is reached by Shift+PgDn.
+ViewCommand commandOf(const QKeyEvent& event);
+
+/// The camera that a command asks for, over a picture of `aspect` (width over height) of the volume on
+/// `grid`; nothing where the command moves none.
+std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,
+                                  double aspect);
+
+} // namespace limn

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/Overlay.h"
+
+#include "widgets/view/overlay/OverlayRows.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// A value with as many digits as its range makes sensible.
+QString valueText(double value, const Volume& volume) {
+  const double span = volume.range().highest - volume.range().lowest;
+  const int digits = span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
+  const QString number = QString::number(value, 'f', digits);
+  const QString unit = QString::fromStdString(volume.info().unit);
+  return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
+}
+
+std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
+  if (!source.volume().info().spacingKnown)
+    return std::nullopt;
+  const Camera& camera = source.comparison.scene.camera;
+  const QRectF side = pictureRect(source.geometry, 0);
+  const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height()), std::min(160.0, side.width() / 4));
+  if (bar.pixels < 8.0)
+    return std::nullopt;
+  const QString length = QCoreApplication::translate("Overlay", "%1 mm").arg(bar.lengthMm);
+  // In perspective a length holds at one distance only.
+  const bool perspective = camera.projection == Camera::Projection::perspective;
+  const QString text =
+      perspective ? QCoreApplication::translate("Overlay", "%1 at the centre").arg(length) : length;
+  return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, side)};
+}
+
+// What the pictures are, at the upper edge; tells the plates.
+std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
+  std::vector<QRectF> plates;
+  overlay.labels = labelsOf(source);
+  for (const PlacedLabel& label : overlay.labels)
+    plates.push_back(label.steadyPlate);
+  overlay.difference = differenceTitleOf(source);
+  overlay.explanationOpacity = source.labelOpacity;
+  if (overlay.difference)
+    plates.insert(plates.end(), {overlay.difference->label.plate, overlay.difference->note.plate});
+  return plates;
+}
+
+// Scale and notes at the lower edge; tells the plates. The notes never give way, the scale does.
+std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
+  const double width = source.geometry.size.width();
+  const double height = source.geometry.size.height();
+  const double room = width - 2 * overlayMargin;
+  const Note warning = noteAt(source.font, QCoreApplication::translate("Overlay", "Not for diagnosis"),
+                              {width - overlayMargin, height - overlayMargin}, Qt::AlignRight, room);
+  overlay.notes.push_back(warning);
+  std::vector<QRectF> plates{warning.plate};
+  const std::optional<ScaleMark> scale = scaleMarkOf(source);
+  if (scale && !scale->plate.adjusted(0.0, 0.0, overlayMargin, 0.0).intersects(warning.plate)) {
+    overlay.scale = scale;
+    plates.push_back(scale->plate);
+  }
+  if (!source.state.limitation.isEmpty()) {
+    Note note = noteAt(source.font, source.state.limitation, {width / 2.0, height - 3 * overlayMargin},
+                       Qt::AlignHCenter, room);
+    note.plate.moveBottom(
+        clearRowAbove(note.plate.bottom(), note.plate.size(), {note.plate.center().x()}, plates));
+    overlay.notes.push_back(note);
+    plates.push_back(note.plate);
+  }
+  return plates;
+}
+
+// Where the letters above and below each picture stand.
+std::vector<double> letterColumns(const ViewGeometry& geometry) {
+  std::vector<double> columns;
+  for (int position = 0; position < standingCount(geometry); ++position) {
+    double column = pictureRect(geometry, position).center().x();
+    if (geometry.layout == CompareLayout::wipe && std::abs(wipeX(geometry) - column) < 2 * overlayMargin)
+      column = wipeX(geometry) + 2 * overlayMargin; // beside the border, not under it
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+void addOrientation(Overlay& overlay, const OverlaySource& source, const std::vector<QRectF>& plates) {
+  const double lowest = source.geometry.size.height() - overlayMargin;
+  const std::vector<double> columns = letterColumns(source.geometry);
+  if (!source.volume().info().orientationKnown) {
+    Note note = noteAt(source.font, QCoreApplication::translate("Overlay", "Orientation unknown"), {0.0, 0.0},
+                       Qt::AlignHCenter, pictureRect(source.geometry, 0).width());
+    note.plate.moveBottom(clearRowAbove(lowest, note.plate.size(), columns, plates));
+    for (const double column : columns) {
+      note.plate.moveLeft(column - note.plate.width() / 2);
+      overlay.notes.push_back(note);
+    }
+    return;
+  }
+  const QSizeF letter = letterSize(source.font);
+  const double top = clearRowBelow(overlayMargin, letter, columns, plates);
+  const double bottom = clearRowAbove(lowest, letter, columns, plates);
+  for (std::size_t position = 0; position < columns.size(); ++position)
+    overlay.letters.push_back({orientationLetters(source.comparison.scene.camera),
+                               pictureRect(source.geometry, static_cast<int>(position)), columns[position],
+                               top, bottom});
+}
+
+std::vector<double> progressOf(const PictureState& state) {
+  std::vector<double> progress;
+  if (state.refines)
+    progress.push_back(state.refinementFraction);
+  if (!state.resting && !state.sides.empty()) {
+    double fraction = 0.0;
+    for (const SideState& side : state.sides)
+      fraction += side.fraction / static_cast<double>(state.sides.size());
+    progress.push_back(fraction);
+  }
+  return progress;
+}
+
+} // namespace
+
+Overlay overlayOf(const OverlaySource& source) {
+  Overlay overlay;
+  overlay.view = source.view();
+  overlay.font = source.font;
+  if (source.geometry.layout == CompareLayout::sideBySide)
+    overlay.gap =
+        QRectF(pictureRect(source.geometry, 0).topRight(), pictureRect(source.geometry, 1).bottomLeft());
+  overlay.cropBoxes = cropBoxesOf(source);
+  if (source.geometry.layout == CompareLayout::wipe)
+    overlay.border = Overlay::Border{wipeX(source.geometry), source.hovered.wipe};
+  std::vector<QRectF> plates = addTitles(overlay, source);
+  const std::vector<QRectF> notes = addNotes(overlay, source);
+  plates.insert(plates.end(), notes.begin(), notes.end());
+  addOrientation(overlay, source, plates);
+  if (source.read)
+    overlay.reading = Overlay::Reading{valueText(source.read->value, source.volume()), source.read->at};
+  overlay.progress = progressOf(source.state);
+  return overlay;
+}
+
+} // namespace limn

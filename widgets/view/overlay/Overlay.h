@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/Titles.h"
+
+#include <optional>
+#include <vector>
+
+namespace limn {
+
+/// What stands above the pictures, ready to be painted; places in logical pixels.
+struct Overlay {
+  /// The border of the wipe.
+  struct Border {
+    double x = 0.0;
+    bool isHovered = false;
+  };
+  /// The letters at the edges of one picture; the upper and the lower one stand at `column`.
+  struct PlacedLetters {
+    OrientationLetters letters;
+    QRectF picture;
+    double column = 0.0;
+    double top = 0.0;    ///< where the upper letter begins
+    double bottom = 0.0; ///< where the lower one ends
+  };
+  /// A value beside the point at which it was read.
+  struct Reading {
+    QString text;
+    QPointF at;
+  };
+
+  QRectF view;
+  QFont font;
+  std::optional<QRectF> gap; ///< between pictures side by side
+  std::vector<CropBoxOverlay> cropBoxes;
+  std::optional<Border> border;
+  std::vector<PlacedLabel> labels;
+  std::optional<DifferenceTitle> difference;
+  double explanationOpacity = 1.0; ///< of the note under the title of a difference
+  std::vector<Note> notes;
+  std::optional<ScaleMark> scale;
+  std::vector<PlacedLetters> letters;
+  std::optional<Reading> reading;
+  std::vector<double> progress; ///< each 0..1
+};
+
+Overlay overlayOf(const OverlaySource& source);
+
+} // namespace limn

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/OverlayParts.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// A 4-px grid. White on this plate has a contrast of at least 5:1 even over a white picture.
+constexpr double unit = 4.0;
+static_assert(overlayMargin == 3 * unit);
+const QColor plateColor(0, 0, 0, 160);
+const QColor textColor(255, 255, 255);
+const QColor quietColor(214, 218, 224);
+const QColor accentColor(77, 163, 255);
+
+QFont titleFont(const QFont& font) {
+  QFont bold(font);
+  bold.setWeight(QFont::DemiBold);
+  return bold;
+}
+
+QFont smallFont(const QFont& font) {
+  QFont small(font);
+  if (font.pointSizeF() > 0.0)
+    small.setPointSizeF(font.pointSizeF() * 0.85);
+  return small;
+}
+
+void paintPlate(QPainter& painter, const QRectF& plate, const QColor& color = plateColor) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawRoundedRect(plate, unit, unit);
+}
+
+// A dark outline under light text, for text that stands without a plate.
+void paintOutlined(QPainter& painter, const QRectF& place, const QString& text) {
+  painter.setPen(QColor(0, 0, 0, 200));
+  for (const QPointF& shift : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)})
+    painter.drawText(place.translated(shift), Qt::AlignCenter, text);
+  painter.setPen(textColor);
+  painter.drawText(place, Qt::AlignCenter, text);
+}
+
+constexpr double arrowWidth = 4 * unit;
+
+} // namespace
+
+QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment) {
+  const QFontMetricsF title(titleFont(font));
+  const QFontMetricsF details(font);
+  double width = title.horizontalAdvance(label.title) + 4 * unit;
+  if (label.leadsToMenu)
+    width += arrowWidth;
+  if (label.detailsOpacity > 0.0 && !label.details.isEmpty())
+    width += details.horizontalAdvance(label.details) + 2 * unit;
+  width = std::min(width, side.width() - 2 * overlayMargin);
+  const double height = title.height() + 2 * unit;
+  double x = side.left() + overlayMargin;
+  if (alignment & Qt::AlignRight)
+    x = side.right() - overlayMargin - width;
+  else if (alignment & Qt::AlignHCenter)
+    x = side.center().x() - width / 2;
+  return {x, side.top() + overlayMargin, width, height};
+}
+
+Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::Alignment alignment,
+            double room) {
+  const QFontMetricsF metrics(smallFont(font));
+  const QString fitting = metrics.elidedText(text, Qt::ElideRight, std::max(0.0, room - 3 * unit));
+  const QSizeF size(metrics.horizontalAdvance(fitting) + 3 * unit, metrics.height() + unit);
+  double left = corner.x();
+  if (alignment & Qt::AlignRight)
+    left -= size.width();
+  else if (alignment & Qt::AlignHCenter)
+    left -= size.width() / 2;
+  return {fitting, QRectF(QPointF(left, corner.y() - size.height()), size)};
+}
+
+QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side) {
+  const QFontMetricsF metrics(smallFont(font));
+  const double width = std::max(bar.pixels, metrics.horizontalAdvance(text)) + 4 * unit;
+  const double height = metrics.height() + 4 * unit;
+  return {side.left() + overlayMargin, side.bottom() - overlayMargin - height, width, height};
+}
+
+QSizeF letterSize(const QFont& font) {
+  const QFontMetricsF metrics(titleFont(font));
+  return {metrics.horizontalAdvance(QStringLiteral("WWW")), metrics.height()};
+}
+
+void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFont font = painter.font();
+  paintPlate(painter, plate, label.hovered ? QColor(48, 56, 66, 220) : plateColor);
+  QRectF text = plate.adjusted(2 * unit, 0, -2 * unit, 0);
+  painter.setFont(titleFont(font));
+  painter.setPen(textColor);
+  painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.title);
+  text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(label.title));
+  if (label.leadsToMenu) {
+    const QPointF tip(text.left() + 2 * unit + 0.5, plate.center().y() + 2.0);
+    painter.setPen(QPen(quietColor, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(QPolygonF({tip + QPointF(-unit, -unit), tip, tip + QPointF(unit, -unit)}));
+    text.setLeft(text.left() + arrowWidth);
+  }
+  if (label.detailsOpacity > 0.0 && text.width() > 2 * unit) {
+    text.setLeft(text.left() + 2 * unit);
+    painter.setFont(font);
+    painter.setOpacity(label.detailsOpacity);
+    painter.setPen(quietColor);
+    const QString fitting = QFontMetricsF(font).elidedText(label.details, Qt::ElideRight, text.width() + 1.0);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+  }
+  painter.restore();
+}
+
+void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
+                  double top, double bottom) {
+  painter.save();
+  const QSizeF size = letterSize(painter.font());
+  painter.setFont(titleFont(painter.font()));
+  const double middle = side.center().y();
+  const auto place = [&](double x, double y) {
+    return QRectF(QPointF(x - size.width() / 2, y - size.height() / 2), size);
+  };
+  const double inset = overlayMargin + size.height() / 2;
+  paintOutlined(painter, place(side.left() + inset, middle), QString::fromStdString(letters.left));
+  paintOutlined(painter, place(side.right() - inset, middle), QString::fromStdString(letters.right));
+  paintOutlined(painter, place(column, top + size.height() / 2), QString::fromStdString(letters.top));
+  paintOutlined(painter, place(column, bottom - size.height() / 2), QString::fromStdString(letters.bottom));
+  painter.restore();
+}
+
+void paintScaleBar(QPainter& painter, const ScaleMark& mark) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setFont(smallFont(painter.font()));
+  paintPlate(painter, mark.plate);
+  const double x = mark.plate.left() + 2 * unit;
+  const double y = mark.plate.bottom() - 2 * unit;
+  painter.setPen(QPen(textColor, 1.0));
+  painter.drawPolyline(QPolygonF({QPointF(x, y - unit), QPointF(x, y), QPointF(x + mark.bar.pixels, y),
+                                  QPointF(x + mark.bar.pixels, y - unit)}));
+  painter.drawText(mark.plate.adjusted(2 * unit, unit, 0, 0), Qt::AlignLeft | Qt::AlignTop, mark.text);
+  painter.restore();
+}
+
+void paintProgress(QPainter& painter, double fraction, const QRectF& view) {
+  const QRectF line(view.left(), view.bottom() - 2.0, view.width(), 2.0);
+  painter.fillRect(line, QColor(0, 0, 0, 120));
+  painter.fillRect(QRectF(line.topLeft(), QSizeF(line.width() * fraction, line.height())), accentColor);
+}
+
+void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor color = hovered ? accentColor : QColor(255, 255, 255, 220);
+  painter.fillRect(QRectF(x - 1.5, view.top(), 3.0, view.height()), QColor(0, 0, 0, 140));
+  painter.fillRect(QRectF(x - 0.5, view.top(), 1.0, view.height()), color);
+  const QPointF centre(x, view.center().y());
+  painter.setPen(QPen(color, 1.5));
+  painter.setBrush(QColor(20, 22, 28, 230));
+  painter.drawEllipse(centre, 3 * unit, 3 * unit);
+  painter.setPen(QPen(color, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  for (const double way : {-1.0, 1.0}) {
+    const QPointF tip = centre + QPointF(way * 1.75 * unit, 0.0);
+    painter.drawPolyline(
+        QPolygonF({tip + QPointF(-way * unit, -unit), tip, tip + QPointF(-way * unit, unit)}));
+  }
+  painter.restore();
+}
+
+void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0, 180), 3.0), std::pair(textColor, 1.0)}) {
+    painter.setPen(QPen(color, width));
+    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(point + 1.5 * unit * way, point + 3 * unit * way);
+  }
+  const QFontMetricsF metrics(painter.font());
+  const QSizeF size(metrics.horizontalAdvance(text) + 4 * unit, metrics.height() + 2 * unit);
+  QPointF corner = point + QPointF(4 * unit, -4 * unit - size.height());
+  corner.setX(std::clamp(corner.x(), view.left(), std::max(view.left(), view.right() - size.width())));
+  corner.setY(std::max(corner.y(), view.top()));
+  const QRectF plate(corner, size);
+  paintPlate(painter, plate);
+  painter.setPen(textColor);
+  painter.drawText(plate, Qt::AlignCenter, text);
+  painter.restore();
+}
+
+void paintNote(QPainter& painter, const Note& note) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(smallFont(painter.font()));
+  paintPlate(painter, note.plate);
+  painter.setPen(quietColor);
+  painter.drawText(note.plate, Qt::AlignCenter, note.text);
+  painter.restore();
+}
+
+} // namespace limn

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view/overlay/OrientationLetters.h"
+#include "widgets/view/overlay/ScaleBar.h"
+
+#include <QFont>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace limn {
+
+/// Between what stands above the pictures and the edge of the view, logical pixels.
+inline constexpr double overlayMargin = 12.0;
+
+/// The name of a side and the numbers that matter, in the side's upper left corner. The numbers fade.
+struct SideLabel {
+  QString title;
+  QString details;
+  double detailsOpacity = 1.0; ///< 0..1
+  bool hovered = false;
+  bool leadsToMenu = true; ///< shows that a click changes the model
+};
+
+/// The plate of a label at the upper edge of `side`, logical pixels: left, centred or right.
+QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment);
+
+/// A small line of text on a plate of its own.
+struct Note {
+  QString text;
+  QRectF plate;
+};
+
+/// A note with its lower right, lower centre or lower left at `corner`; text that is wider than `room` is
+/// shortened.
+Note noteAt(const QFont& font, const QString& text, const QPointF& corner, Qt::Alignment alignment,
+            double room);
+
+/// The plate of a scale bar in the lower left corner of `side`.
+QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text, const QRectF& side);
+
+/// A scale bar with its text and plate.
+struct ScaleMark {
+  ScaleBar bar;
+  QString text;
+  QRectF plate;
+};
+
+/// The room an orientation letter takes.
+QSizeF letterSize(const QFont& font);
+
+/// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on
+/// any picture.
+void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
+/// The upper letter starts at `top`, the lower one ends at `bottom`; both stand at `column`.
+void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
+                  double top, double bottom);
+void paintScaleBar(QPainter& painter, const ScaleMark& mark);
+void paintProgress(QPainter& painter, double fraction, const QRectF& view);
+void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
+/// Marks the probed point and tells its value.
+void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
+void paintNote(QPainter& painter, const Note& note);
+
+} // namespace limn

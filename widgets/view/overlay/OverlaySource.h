@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/scene/CropFaces.h"
+#include "widgets/view/Comparison.h"
+#include "widgets/view/ViewGeometry.h"
+#include "widgets/view/pictures/PictureState.h"
+
+#include <QFont>
+#include <QPointF>
+
+#include <optional>
+
+namespace limn {
+
+/// What of the overlay the pointer is over, or holds.
+struct Hovered {
+  int label = -1; ///< the position of a picture, -1 for none
+  bool wipe = false;
+  std::optional<CropFace> face;
+  bool operator==(const Hovered&) const = default;
+};
+
+/// A value read under the pointer.
+struct ReadValue {
+  double value = 0.0; ///< scalar units
+  QPointF at;         ///< logical pixels
+};
+
+/// Everything from which follows what stands above the pictures; there is a volume.
+struct OverlaySource {
+  const Comparison& comparison;
+  ViewGeometry geometry;
+  const PictureState& state;
+  QFont font;
+  double labelOpacity = 1.0; ///< of the numbers beside the titles
+  Hovered hovered;
+  bool hasCropBox = false;
+  std::optional<CropFace> heldFace;
+  std::optional<ReadValue> read;
+
+  const Volume& volume() const { return *comparison.scene.volume; }
+  QRectF view() const { return {{0.0, 0.0}, QSizeF(geometry.size)}; }
+};
+
+} // namespace limn

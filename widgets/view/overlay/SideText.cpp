@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/SideText.h"
+
+#include "widgets/scene/ProjectionSection.h"
+#include "widgets/shading/ModelName.h"
+#include "widgets/view/status/PictureStatusText.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace limn {
+namespace {
+
+QString number(double value) {
+  return QString::number(value, 'g', 4);
+}
+
+QString rangeText(const CoefficientRange& range) {
+  return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
+}
+
+QString lightingText(const Shading& shading) {
+  switch (shading.model) {
+  case ShadingModel::none:
+    return {};
+  case ShadingModel::classic:
+    return QCoreApplication::translate("SideText", "SP %1").arg(number(shading.exponent));
+  case ShadingModel::enhanced:
+  case ShadingModel::robust:
+    return QCoreApplication::translate("SideText", "SP %1 · O %2")
+        .arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+  }
+  return {};
+}
+
+} // namespace
+
+QString sideTitle(const Scene& scene) {
+  return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
+}
+
+QString sideDetails(const Scene& scene, const SideState& state) {
+  QStringList parts;
+  if (state.contrast)
+    parts << QCoreApplication::translate("SideText", "contrast %1").arg(*state.contrast, 0, 'f', 3);
+  if (state.overflow)
+    parts << QCoreApplication::translate("SideText", "overflow %1 %")
+                 .arg(100.0 * state.overflow->share, 0, 'f', 1);
+  if (state.completeMs)
+    parts << QCoreApplication::translate("SideText", "%1 ms")
+                 .arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+  if (state.estimate && !state.isRough && state.isResolved)
+    parts
+        << QCoreApplication::translate("SideText", "within %1 levels").arg(levelsText(state.estimate->p99_9));
+  const QString lighting = usesLight(scene.projection)
+                               ? lightingText(scene.shading)
+                               : QCoreApplication::translate("SideText", "unlit, the same with every model");
+  if (!lighting.isEmpty())
+    parts << lighting;
+  return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace limn

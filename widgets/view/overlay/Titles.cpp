@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/Titles.h"
+
+#include "widgets/scene/ProjectionSection.h"
+#include "widgets/view/overlay/OverlayRows.h"
+#include "widgets/view/overlay/SideText.h"
+
+#include <QCoreApplication>
+
+namespace limn {
+namespace {
+
+SideLabel labelOf(const OverlaySource& source, int position) {
+  const int side = sideShownAt(source.comparison, position);
+  const Scene scene = sceneOfSide(source.comparison, side);
+  const bool isDrawn = side < static_cast<int>(source.state.sides.size());
+  SideLabel label;
+  label.title = sideTitle(scene);
+  label.leadsToMenu = usesLight(scene.projection);
+  label.details =
+      sideDetails(scene, isDrawn ? source.state.sides[static_cast<std::size_t>(side)] : SideState{});
+  label.hovered = position == source.hovered.label;
+  label.detailsOpacity = label.hovered ? 1.0 : source.labelOpacity;
+  return label;
+}
+
+QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label) {
+  QRectF side = pictureRect(source.geometry, position);
+  const CompareLayout layout = source.geometry.layout;
+  const bool isShared = layout == CompareLayout::wipe || layout == CompareLayout::difference;
+  if (isShared) // two labels share one picture: each has its half
+    position == 0 ? side.setRight(side.center().x()) : side.setLeft(side.center().x());
+  return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
+}
+
+} // namespace
+
+std::vector<PlacedLabel> labelsOf(const OverlaySource& source) {
+  std::vector<PlacedLabel> labels;
+  for (int position = 0; position < pictureCount(source.geometry.layout); ++position) {
+    const SideLabel label = labelOf(source, position);
+    SideLabel steady = label;
+    steady.detailsOpacity = 1.0;
+    labels.push_back({label, plateOf(source, position, label), plateOf(source, position, steady)});
+  }
+  return labels;
+}
+
+std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
+  if (source.geometry.layout != CompareLayout::difference)
+    return std::nullopt;
+  const std::vector<PlacedLabel> labels = labelsOf(source);
+  const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
+  DifferenceTitle title;
+  title.label.label.title =
+      QCoreApplication::translate("Titles", "Difference of %1 and %2 ×%3")
+          .arg(sideTitle(sceneOfSide(source.comparison, 0)), sideTitle(sceneOfSide(source.comparison, 1)))
+          .arg(differenceGain);
+  title.label.label.leadsToMenu = false;
+  QRectF plate = labelPlate(source.font, title.label.label, source.view(), Qt::AlignHCenter);
+  plate.moveTop(clearRowBelow(plate.top(), plate.size(), {plate.center().x()}, plates));
+  title.label.plate = title.label.steadyPlate = plate;
+  title.note = noteAt(
+      source.font,
+      QCoreApplication::translate("Titles", "Black where both are equal, brighter the more they differ"),
+      {plate.center().x(), 0.0}, Qt::AlignHCenter, source.geometry.size.width() - 2 * overlayMargin);
+  title.note.plate.moveTop(clearRowBelow(plate.bottom() + overlayMargin / 3, title.note.plate.size(),
+                                         {plate.center().x()}, plates));
+  return title;
+}
+
+int labelAt(const OverlaySource& source, const QPointF& point) {
+  if (!usesLight(source.comparison.scene.projection))
+    return -1; // there is no model to choose
+  const std::vector<PlacedLabel> labels = labelsOf(source);
+  for (std::size_t position = 0; position < labels.size(); ++position)
+    if (labels[position].plate.contains(point))
+      return static_cast<int>(position);
+  return -1;
+}
+
+// Only over the title: a tool tip anywhere else would cover the picture.
+QString toolTipAt(const OverlaySource& source, const QPointF& point) {
+  const std::optional<DifferenceTitle> title = differenceTitleOf(source);
+  if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
+    return {};
+  return QCoreApplication::translate(
+             "Titles", "<p>Black where both sides show the same; brighter the more they differ, in the "
+                       "colour in which they differ. Differences are shown %1 times as large as they "
+                       "are.</p>")
+      .arg(differenceGain);
+}
+
+} // namespace limn

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/ViewPanels.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace limn {
+namespace {
+
+// The panels lie where pictures lie, so they are dark in both themes. Text contrast is at least 7:1.
+const QString panelStyle = QStringLiteral(R"(
+limn--EmptyPanel, limn--MessagePanel { background: #0d0d14; }
+limn--LoadingPanel { background: rgba(13, 13, 20, 225); }
+QLabel { color: #c9ced6; background: transparent; }
+QLabel#heading { color: #f2f4f7; }
+QPushButton { color: #f2f4f7; background: #262a33; border: 1px solid #434a57; border-radius: 4px;
+              padding: 8px 16px; min-height: 20px; }
+QPushButton:hover { background: #323844; }
+QPushButton:pressed { background: #1d2027; }
+QPushButton:focus { border-color: #4da3ff; }
+QPushButton:default { background: #1f5fa8; border-color: #4da3ff; }
+QPushButton:default:hover { background: #2870c2; }
+QPushButton#cancel { padding: 2px 12px; min-height: 16px; }
+QProgressBar { background: #262a33; border: none; }
+QProgressBar::chunk { background: #4da3ff; }
+)");
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName(QStringLiteral("heading"));
+  QFont font = label->font();
+  font.setPointSizeF(font.pointSizeF() * 1.4);
+  label->setFont(font);
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  return label;
+}
+
+QPushButton* button(const QString& text, const QString& name, QWidget* parent) {
+  auto* made = new QPushButton(text, parent);
+  made->setObjectName(name);
+  made->setAccessibleName(text);
+  made->setCursor(Qt::PointingHandCursor);
+  return made;
+}
+
+} // namespace
+
+EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(this)) {
+  setStyleSheet(panelStyle);
+  setAttribute(Qt::WA_StyledBackground);
+  auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
+  auto* formats =
+      new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
+  formats->setAlignment(Qt::AlignCenter);
+  formats->setWordWrap(true);
+  auto* folder = button(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
+  folder->setDefault(true);
+  auto* file = button(tr("Open file…"), QStringLiteral("openFile"), m_target);
+  auto* sample = button(tr("Try the sample head"), QStringLiteral("sample"), m_target);
+  connect(folder, &QPushButton::clicked, this, &EmptyPanel::openFolderRequested);
+  connect(file, &QPushButton::clicked, this, &EmptyPanel::openFileRequested);
+  connect(sample, &QPushButton::clicked, this, &EmptyPanel::sampleRequested);
+
+  auto* column = new QVBoxLayout(m_target);
+  column->setContentsMargins(32, 88, 32, 32);
+  column->setSpacing(8);
+  column->addWidget(title);
+  column->addWidget(formats);
+  column->addSpacing(16);
+  for (QPushButton* each : {folder, file, sample})
+    column->addWidget(each, 0, Qt::AlignHCenter);
+  for (QPushButton* each : {folder, file, sample})
+    each->setMinimumWidth(220);
+  m_target->setMaximumSize(520, 380);
+
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(16, 16, 16, 16);
+  outer->addStretch();
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  row->addWidget(m_target, 1);
+  row->addStretch();
+  outer->addLayout(row);
+  outer->addStretch();
+}
+
+void EmptyPanel::paintEvent(QPaintEvent* event) {
+  QFrame::paintEvent(event);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF frame = QRectF(m_target->geometry()).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.setPen(QPen(QColor(86, 95, 110), 1.5, Qt::DashLine));
+  painter.drawRoundedRect(frame, 12, 12);
+  // An arrow into a tray: drop here.
+  painter.setPen(QPen(QColor(77, 163, 255), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QPointF top(frame.center().x(), frame.top() + 36.0);
+  const QPointF tip = top + QPointF(0, 24);
+  painter.drawLine(top, tip);
+  painter.drawPolyline(QPolygonF({tip + QPointF(-8, -8), tip, tip + QPointF(8, -8)}));
+  painter.drawPolyline(QPolygonF(
+      {tip + QPointF(-16, 2), tip + QPointF(-16, 10), tip + QPointF(16, 10), tip + QPointF(16, 2)}));
+}
+
+MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(this)) {
+  setStyleSheet(panelStyle);
+  setAttribute(Qt::WA_StyledBackground);
+  auto* title = heading(tr("The picture cannot be drawn"), this);
+  m_text->setObjectName(QStringLiteral("sentence"));
+  m_text->setWordWrap(true);
+  m_text->setAlignment(Qt::AlignCenter);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_text->setMaximumWidth(560);
+  m_text->setMinimumWidth(200);
+  auto* retry = button(tr("Try again"), QStringLiteral("retry"), this);
+  connect(retry, &QPushButton::clicked, this, &MessagePanel::retryRequested);
+
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(32, 32, 32, 32);
+  column->setSpacing(12);
+  column->addStretch();
+  column->addWidget(title);
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  row->addWidget(m_text, 4);
+  row->addStretch();
+  column->addLayout(row);
+  column->addSpacing(8);
+  column->addWidget(retry, 0, Qt::AlignHCenter);
+  column->addStretch();
+}
+
+void MessagePanel::setSentence(const QString& sentence) {
+  m_text->setText(sentence);
+}
+
+LoadingPanel::LoadingPanel(QWidget* parent)
+    : QFrame(parent), m_text(new QLabel(this)), m_bar(new QProgressBar(this)) {
+  setStyleSheet(panelStyle);
+  setAttribute(Qt::WA_StyledBackground);
+  m_bar->setTextVisible(false);
+  m_bar->setFixedHeight(4);
+  m_bar->setAccessibleName(tr("Loading progress"));
+  auto* cancel = button(tr("Cancel"), QStringLiteral("cancel"), this);
+  connect(cancel, &QPushButton::clicked, this, &LoadingPanel::cancelled);
+
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(12, 6, 12, 6);
+  row->setSpacing(12);
+  row->addWidget(m_text, 1);
+  row->addWidget(cancel);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(row);
+  column->addWidget(m_bar);
+}
+
+void LoadingPanel::setProgress(double fraction, const QString& text) {
+  m_text->setText(text);
+  m_bar->setRange(0, fraction < 0.0 ? 0 : 1000);
+  if (fraction >= 0.0)
+    m_bar->setValue(static_cast<int>(fraction * 1000.0));
+}
+
+} // namespace limn

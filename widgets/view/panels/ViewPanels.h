@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace limn {
+
+/// Covers the view while there is no volume: where to drop one, and three ways to open one.
+class EmptyPanel : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit EmptyPanel(QWidget* parent);
+
+signals:
+  void openFolderRequested();
+  void openFileRequested();
+  void sampleRequested();
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  QWidget* m_target = nullptr;
+};
+
+/// Covers the view where drawing failed: the sentence, and a way to try again.
+class MessagePanel : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit MessagePanel(QWidget* parent);
+  void setSentence(const QString& sentence);
+
+signals:
+  void retryRequested();
+
+private:
+  QLabel* m_text = nullptr;
+};
+
+/// A thin line at the lower edge of the view that says what loads, how far it is, and can be cancelled.
+class LoadingPanel : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit LoadingPanel(QWidget* parent);
+  /// `fraction` 0..1, or less than 0 where it is unknown.
+  void setProgress(double fraction, const QString& text);
+
+signals:
+  void cancelled();
+
+private:
+  QLabel* m_text = nullptr;
+  QProgressBar* m_bar = nullptr;
+};
+
+} // namespace limn

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/pictures/PictureLoop.h"
+
+#include <exception>
+
+namespace limn {
+namespace {
+
+constexpr int idleMs = 150;               // from the last coarse picture to the first strip
+constexpr double budgetMs = 30.0;         // of drawing in one turn of the event loop
+constexpr double restBudgetMs = 20.0;     // of drawing what nobody waits for
+constexpr int showEveryMs = 200;          // while refining: showing costs as much as a turn of it
+constexpr int waitMs = 4;                 // for another thread
+constexpr double timeBetweenProbes = 9.0; // in times of one
+
+} // namespace
+
+PictureLoop::PictureLoop(MakeEngine makeEngine, PictureContext context, QObject* parent)
+    : QObject(parent), m_makeEngine(std::move(makeEngine)), m_context(std::move(context)) {
+  for (QTimer* timer : {&m_idleTimer, &m_refineTimer, &m_restTimer, &m_probeTimer})
+    timer->setSingleShot(true);
+  m_idleTimer.setInterval(idleMs);
+  connect(&m_idleTimer, &QTimer::timeout, this, &PictureLoop::refine);
+  connect(&m_refineTimer, &QTimer::timeout, this, &PictureLoop::refine);
+  connect(&m_restTimer, &QTimer::timeout, this, &PictureLoop::workAtRest);
+  connect(&m_probeTimer, &QTimer::timeout, this, &PictureLoop::probeError);
+}
+
+void PictureLoop::restart() {
+  m_isStale = true;
+  if (m_state.resting) {
+    m_state.resting = false;
+    m_state.refines = false;
+    m_state.refinementEnd.reset();
+    for (SideState& side : m_state.sides)
+      side.fraction = 0.0;
+    emit stateChanged(m_state);
+  }
+  m_refineTimer.stop();
+  m_idleTimer.stop();
+  m_restTimer.stop();
+  showTimes({});
+}
+
+void PictureLoop::stop() {
+  m_idleTimer.stop();
+  m_refineTimer.stop();
+  m_restTimer.stop();
+  m_probeTimer.stop();
+}
+
+void PictureLoop::resume() {
+  m_restTimer.start(0);
+}
+
+void PictureLoop::release(bool isLost) {
+  stop();
+  // To delete what a lost context held would need another.
+  if (isLost)
+    static_cast<void>(m_pictures.release());
+  else
+    m_pictures.reset();
+  m_state = {};
+}
+
+void PictureLoop::drawIfStale(const PictureRequest& request) {
+  if (!m_pictures) {
+    m_pictures = std::make_unique<Pictures>(m_makeEngine());
+    m_isStale = true;
+  }
+  if (!m_isStale)
+    return;
+  m_isStale = false;
+  if (request.size.x > 0 && request.size.y > 0)
+    drawCoarsely(request);
+}
+
+// Draw at the quality that was fast enough last time; where it proves to have been too careful, once more.
+void PictureLoop::drawCoarsely(const PictureRequest& request) {
+  m_pictures->want(request.scenes, request.size);
+  const double all = static_cast<double>(request.scenes.size()) * request.size.x * request.size.y;
+  const double seen = request.seenShare * all;
+  int level = m_quality.levelFor(seen);
+  if (level == 0 && m_quality.levelFor(all) > 0)
+    level = 1; // full quality draws the hidden parts too
+  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, request.seen));
+  if (m_quality.levelFor(all) < level) {
+    m_isStale = true;
+    QTimer::singleShot(0, this, &PictureLoop::showNeeded);
+  }
+  m_idleTimer.start();
+  if (!m_probeTimer.isActive())
+    m_probeTimer.start(0);
+  updateState();
+  const std::vector<EffectRow> rows = m_pictures->effectRowsOf(m_pictures->count() - 1);
+  if (rows != m_effects || request.lastName != m_effectsPicture)
+    tellEffects(rows, request.lastName);
+}
+
+void PictureLoop::refine() {
+  if (!m_pictures || !m_context.canDraw())
+    return;
+  bool isComplete = false;
+  m_context.makeCurrent();
+  m_context.guard([&] { isComplete = m_pictures->refine(budgetMs); });
+  m_context.doneCurrent();
+  updateState();
+  if (isComplete || m_sinceShown.elapsed() >= showEveryMs)
+    emit showNeeded();
+  if (!m_context.canDraw())
+    return;
+  if (isComplete)
+    emit completed();
+  (isComplete ? m_restTimer : m_refineTimer).start(0);
+}
+
+void PictureLoop::measureEffects() {
+  if (!m_pictures || m_effects.empty())
+    return;
+  m_pictures->rest().measureCosts(m_pictures->count() - 1);
+  showTimes(m_pictures->rest().times());
+  m_restTimer.start(0);
+}
+
+void PictureLoop::setRefines(bool refines) {
+  if (refines == m_refines)
+    return;
+  m_refines = refines;
+  if (!m_pictures || !m_state.resting)
+    return;
+  if (!refines)
+    m_pictures->leaveRefinementPass();
+  updateState();
+  emit showNeeded();
+  m_restTimer.start(0);
+}
+
+void PictureLoop::updateState() {
+  const PictureState state = m_pictures->state();
+  if (state == m_state)
+    return;
+  m_state = state;
+  // Receivers may set widgets, which must not happen in the middle of painting.
+  QTimer::singleShot(0, this, [this, state] { emit stateChanged(state); });
+}
+
+// Asked before work that nobody waits for, which ends quietly where it fails.
+bool PictureLoop::isDriverLost() {
+  m_context.guard([] {});
+  return !m_context.canDraw();
+}
+
+// Small pictures take a part of the time that the ones they stand for are given.
+void PictureLoop::probeError() {
+  if (!m_pictures || !m_context.canDraw())
+    return;
+  QElapsedTimer clock;
+  clock.start();
+  bool didSomething = false;
+  m_context.makeCurrent();
+  if (isDriverLost())
+    return m_context.doneCurrent();
+  try {
+    didSomething = m_pictures->probeError();
+  } catch (const std::exception& error) {
+    // The picture stays; only the estimate of its error is missing.
+    emit restFailed(QString::fromStdString(error.what()));
+  }
+  m_context.doneCurrent();
+  updateState();
+  if (didSomething)
+    m_probeTimer.start(static_cast<int>(timeBetweenProbes * static_cast<double>(clock.elapsed())));
+}
+
+void PictureLoop::workAtRest() {
+  if (!m_pictures || !m_state.resting || !m_context.canDraw())
+    return;
+  const RestTurn turn = restTurn();
+  const std::vector<SideState> before = m_state.sides;
+  updateState();
+  const bool isDue = m_state.refines && m_sinceShown.elapsed() >= showEveryMs;
+  if (turn == RestTurn::finished || isDue || before != m_state.sides)
+    emit showNeeded();
+  if (turn == RestTurn::nothing)
+    return;
+  showTimes(m_pictures->rest().times());
+  m_restTimer.start(turn == RestTurn::waiting ? waitMs : 0);
+}
+
+RestTurn PictureLoop::restTurn() {
+  RestTurn turn = RestTurn::nothing;
+  m_context.makeCurrent();
+  if (isDriverLost()) {
+    m_context.doneCurrent();
+    return turn;
+  }
+  try {
+    turn = m_pictures->workAtRest(m_refines, restBudgetMs);
+  } catch (const std::exception& error) {
+    // The picture is complete: it stays, only what was to be measured or refined is missing.
+    m_pictures->giveUpRefinement();
+    emit restFailed(QString::fromStdString(error.what()));
+  }
+  m_context.doneCurrent();
+  return turn;
+}
+
+void PictureLoop::forget() {
+  m_state = {};
+  m_quality.forget();
+}
+
+const SidePicture* PictureLoop::resting(int side) const {
+  return m_state.resting && side < m_pictures->count() ? &m_pictures->side(side) : nullptr;
+}
+
+GradientScale PictureLoop::gradientScaleOf(int side) const {
+  return m_pictures && side < m_pictures->count() ? m_pictures->side(side).gradientScale() : GradientScale{};
+}
+
+void PictureLoop::forgetEffects() {
+  if (!m_effects.empty())
+    tellEffects({}, {});
+}
+
+// Receivers set widgets, which must not happen in the middle of painting.
+void PictureLoop::tellEffects(const std::vector<EffectRow>& rows, const QString& picture) {
+  m_effects = rows;
+  m_effectsPicture = picture;
+  QTimer::singleShot(0, this, [this, rows, picture] { emit effectsChanged(rows, picture); });
+}
+
+void PictureLoop::showTimes(const EffectTimes& times) {
+  if (times == m_times)
+    return;
+  m_times = times;
+  QTimer::singleShot(0, this, [this, times] { emit timesChanged(times); });
+}
+
+} // namespace limn

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "widgets/view/pictures/Pictures.h"
+
+#include "engine/DrawingEngine.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace limn {
+namespace {
+
+// Qt's painter leaves its own state behind.
+void resetState() {
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  glUseProgram(0);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+double msSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+Pictures::Pictures(std::unique_ptr<DrawingEngine> engine) : m_engine(std::move(engine)) {}
+
+Pictures::~Pictures() = default;
+
+void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
+  m_count = static_cast<int>(scenes.size());
+  for (int i = 0; i < m_count; ++i)
+    m_sides[i].want(scenes[i], size);
+  m_rest.want(scenes, size);
+  m_refinement.reset();
+}
+
+// Follow what is shown: its error is estimated, and whether it sees the transfer function.
+void Pictures::noteShown() {
+  std::vector<Scene> shown;
+  for (int i = 0; i < m_count; ++i) {
+    shown.push_back(withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+    m_isResolved[i] = isResolved(*m_engine, shown.back());
+  }
+  m_limitation = QString::fromStdString(m_engine->limitation());
+  if (m_count > 0)
+    m_probe.want(shown, m_sides[0].size());
+}
+
+bool Pictures::probeError() {
+  resetState();
+  return m_probe.step(*m_engine);
+}
+
+RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
+  resetState();
+  if (m_rest.step(*m_engine) || m_probe.step(*m_engine))
+    return RestTurn::worked;
+  if (!refines)
+    return RestTurn::nothing;
+  const RestTurn turn = m_refinement.step(*m_engine, sides(), budgetMs);
+  for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
+    m_isResolved[i] = isResolved(*m_engine, withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+  return turn;
+}
+
+SideState Pictures::stateOf(int index) const {
+  const SidePicture& side = m_sides[index];
+  SideState state;
+  state.model = side.scene().shading.model;
+  state.fraction = side.fraction();
+  state.stepVoxels = side.shownStepVoxels();
+  state.imageScale = side.shownImageScale();
+  state.shownMs = side.shownMs();
+  state.completeMs = side.completeMs();
+  state.contrast = side.contrast();
+  state.overflow = m_rest.overflow(index);
+  state.estimate = m_refinement.estimate(index);
+  state.isRough = !state.estimate;
+  if (state.isRough)
+    state.estimate = m_probe.estimate(index, state.stepVoxels);
+  state.isResolved = m_isResolved[index];
+  return state;
+}
+
+PictureState Pictures::state() const {
+  PictureState state;
+  state.resting = m_count > 0;
+  state.limitation = m_limitation;
+  state.renderer = QString::fromStdString(m_engine->name());
+  for (int i = 0; i < m_count; ++i) {
+    state.sides.push_back(stateOf(i));
+    state.resting = state.resting && m_sides[i].finished();
+    if (m_sides[i].isFiner()) {
+      state.refines = true;
+      state.refinementFraction += m_sides[i].finerSchedule().fraction() / m_count;
+    }
+  }
+  state.refinementEnd = m_refinement.end();
+  return state;
+}
+
+std::vector<EffectRow> Pictures::effectRowsOf(int side) {
+  resetState();
+  const Scene& scene = m_sides[side].scene();
+  return effectRows(scene, m_engine->facts(scene).plan);
+}
+
+void clearTo(const glm::dvec3& background) {
+  glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
+               static_cast<float>(background.b), 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
+  resetState();
+  double ms = 0.0;
+  for (int i = 0; i < m_count; ++i)
+    ms += m_sides[i].drawCoarsely(*m_engine, level, seen[i]);
+  noteShown();
+  return ms;
+}
+
+bool Pictures::refine(double budgetMs) {
+  resetState();
+  const auto start = std::chrono::steady_clock::now();
+  // Draw at least one strip, then as many as the budget is likely to hold.
+  for (SidePicture* side = leastComplete(); side; side = leastComplete()) {
+    side->drawStrip(*m_engine);
+    const SidePicture* next = leastComplete();
+    if (next && msSince(start) + next->predictedMs() > budgetMs)
+      return false;
+  }
+  // Read one picture back per turn: it takes about as long as a few strips.
+  for (int i = 0; i < m_count; ++i)
+    if (!m_sides[i].finished()) {
+      m_sides[i].finish();
+      if (i + 1 < m_count)
+        return false;
+    }
+  noteShown();
+  return true;
+}
+
+SidePicture* Pictures::leastComplete() {
+  const auto end = m_sides.begin() + m_count;
+  const auto least = std::min_element(m_sides.begin(), end, [](const SidePicture& a, const SidePicture& b) {
+    return a.fraction() < b.fraction();
+  });
+  return least == end || least->complete() ? nullptr : &*least;
+}
+
+void Pictures::show(const Arrangement& arrangement, unsigned framebuffer,
+                    const glm::dvec3& background) const {
+  resetState();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, arrangement.size.x, arrangement.size.y);
+  clearTo(background);
+  if (m_count == 0 || static_cast<int>(arrangement.places.size()) != m_count)
+    return;
+  if (arrangement.layout == CompareLayout::difference)
+    return showDifference(arrangement, background);
+  for (int position = 0; position < m_count; ++position) {
+    const PixelRect& place = arrangement.places[position];
+    PixelRect part = place;
+    if (arrangement.layout == CompareLayout::wipe) {
+      part.topLeft.x = position == 0 ? 0 : arrangement.wipeColumn;
+      part.size.x = position == 0 ? arrangement.wipeColumn : arrangement.size.x - arrangement.wipeColumn;
+    }
+    const int side = arrangement.swapped ? m_count - 1 - position : position;
+    m_sides[side].show(m_presenter, {arrangement.size.y, place, part});
+  }
+}
+
+void Pictures::showDifference(const Arrangement& arrangement, const glm::dvec3& background) const {
+  const SidePicture& left = m_sides[0];
+  const SidePicture& right = m_sides[1];
+  const PixelRect place = arrangement.places[0];
+  const int done = std::min(left.rowsDone(), right.rowsDone());
+  PicturePresenter::Placement placement{arrangement.size.y, place, place};
+  placement.part.size.y = done;
+  if (done > 0)
+    m_presenter.showDifference(left.finerTexture(), right.finerTexture(), placement, background,
+                               differenceGain);
+  placement.part = {{place.topLeft.x, place.topLeft.y + done}, {place.size.x, place.size.y - done}};
+  if (done < place.size.y && left.hasCoarser() && right.hasCoarser())
+    m_presenter.showDifference(left.coarserTexture(), right.coarserTexture(), placement, background,
+                               differenceGain);
+}
+
+} // namespace limn

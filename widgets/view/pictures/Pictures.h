@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/CompareLayout.h"
+#include "widgets/view/pictures/ErrorProbe.h"
+#include "widgets/view/pictures/PictureState.h"
+#include "widgets/view/pictures/Refinement.h"
+#include "widgets/view/pictures/RestWork.h"
+#include "widgets/view/pictures/SidePicture.h"
+
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace limn {
+
+/// One or two pictures on their way from coarse to exact, and what puts them on the screen: one engine for
+/// both, so that the volume is uploaded once, strips that fit into a turn of the event loop, and what is done
+/// once they rest. Needs the same OpenGL context current for every call, construction and destruction.
+class Pictures {
+public:
+  /// Throws Error (openGl).
+  explicit Pictures(std::unique_ptr<DrawingEngine> engine);
+  ~Pictures();
+
+  /// Asks for pictures of these scenes (one or two), all of one size.
+  void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
+
+  /// Draws what is seen of every wanted picture at a level and returns the time, ms.
+  double drawCoarsely(int level, const std::array<Columns, 2>& seen);
+
+  /// Draws strips, alternately, until `budgetMs` is spent or all pictures are complete and read back.
+  /// True when they are.
+  bool refine(double budgetMs);
+
+  /// Measures from small pictures how far one side lies from the exact picture. False when all are measured.
+  bool probeError();
+
+  /// Does one piece, of at most about `budgetMs`, of what is done at rest: small measures first, then, where
+  /// `refines`, pictures of smaller steps.
+  RestTurn workAtRest(bool refines, double budgetMs);
+  void leaveRefinementPass() { m_refinement.leavePass(sides()); }
+  void giveUpRefinement() {
+    leaveRefinementPass();
+    m_refinement.giveUp();
+  }
+  RestWork& rest() { return m_rest; }
+  const RestWork& rest() const { return m_rest; }
+
+  /// What the picture of a side calls for at rest.
+  std::vector<EffectRow> effectRowsOf(int side);
+
+  /// How the finished and half-finished pictures are put together on the screen.
+  struct Arrangement {
+    CompareLayout layout = CompareLayout::single;
+    std::vector<PixelRect> places; ///< one per picture, y down
+    glm::ivec2 size{0};            ///< of the framebuffer
+    int wipeColumn = 0;
+    bool swapped = false; ///< left and right exchanged
+  };
+
+  /// Draws the arrangement into framebuffer `framebuffer`.
+  void show(const Arrangement& arrangement, unsigned framebuffer, const glm::dvec3& background) const;
+
+  /// What is shown at the moment.
+  PictureState state() const;
+
+  int count() const { return m_count; }
+  const SidePicture& side(int index) const { return m_sides[index]; }
+  const DrawingEngine& engine() const { return *m_engine; }
+
+private:
+  std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
+  SideState stateOf(int index) const;
+  void noteShown();
+  void showDifference(const Arrangement& arrangement, const glm::dvec3& background) const;
+  SidePicture* leastComplete();
+
+  std::unique_ptr<DrawingEngine> m_engine;
+  PicturePresenter m_presenter;
+  std::array<SidePicture, 2> m_sides;
+  RestWork m_rest;
+  ErrorProbe m_probe;
+  Refinement m_refinement;
+  std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
+  QString m_limitation;                         ///< of the scenes at their own step
+  int m_count = 0;
+};
+
+/// Fills the framebuffer bound with a background.
+void clearTo(const glm::dvec3& background);
+
+} // namespace limn

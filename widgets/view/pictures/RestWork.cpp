@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <epoxy/gl.h> // before any OpenGL header of Qt
+
+#include "widgets/view/pictures/RestWork.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// Small enough for a frame to fit into a turn of the event loop on a software renderer.
+constexpr int longestMeasured = 256;
+
+constexpr glm::ivec2 warmUpSize{16, 16};
+
+} // namespace
+
+glm::ivec2 smallerSize(const glm::ivec2& size, int longest) {
+  const double scale = std::min(1.0, static_cast<double>(longest) / std::max(size.x, size.y));
+  return glm::max(glm::ivec2(1), glm::ivec2(glm::round(glm::dvec2(size) * scale)));
+}
+
+void RestWork::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
+  m_sides.clear();
+  for (const Scene& scene : scenes)
+    m_sides.push_back({scene, false, 0, std::nullopt});
+  m_size = size;
+  m_costSide.reset();
+  m_costs.reset();
+}
+
+bool RestWork::step(DrawingEngine& engine) {
+  return warmUp(engine) || measureOverflow(engine) || measureCosts(engine);
+}
+
+bool RestWork::warmUp(DrawingEngine& engine) {
+  for (Side& side : m_sides) {
+    if (side.isWarm)
+      continue;
+    m_target.resize(warmUpSize);
+    m_target.bind();
+    side.isWarm = !engine.prepare(side.scene, warmUpSize);
+    glFinish();
+    return true;
+  }
+  return false;
+}
+
+bool RestWork::measureOverflow(DrawingEngine& engine) {
+  for (Side& side : m_sides) {
+    if (side.overflowPieces == 2)
+      continue;
+    if (!engine.facts(side.scene).plan.effects.has(Effect::lighting)) {
+      side.overflowPieces = 2;
+      continue;
+    }
+    // Compile in one piece, draw in the next.
+    if (++side.overflowPieces == 1) {
+      engine.drawUnlimited(side.scene, glm::ivec2(1));
+      return true;
+    }
+    side.overflow = overflowOf(engine.drawUnlimited(side.scene, measuredSize()));
+    return true;
+  }
+  return false;
+}
+
+bool RestWork::measureCosts(DrawingEngine& engine) {
+  if (!m_costSide)
+    return false;
+  if (!m_costs)
+    m_costs = engine.measureEffects(m_sides[static_cast<std::size_t>(*m_costSide)].scene, measuredSize());
+  if (!m_costs) // this engine cannot tell
+    m_costSide.reset();
+  if (!m_costs || m_costs->figures().isComplete)
+    return false;
+  m_target.resize(measuredSize());
+  m_target.bind();
+  m_costs->step();
+  return true;
+}
+
+glm::ivec2 RestWork::measuredSize() const {
+  return smallerSize(m_size, longestMeasured);
+}
+
+EffectTimes RestWork::times() const {
+  EffectTimes times;
+  if (!m_costs) {
+    times.isMeasuring = m_costSide.has_value();
+    return times;
+  }
+  const EffectFigures figures = m_costs->figures();
+  times.isMeasuring = !figures.isComplete;
+  times.fraction = figures.fraction;
+  times.costs = figures.costs;
+  times.wholeMs = figures.wholeMs;
+  times.method = QString::fromStdString(figures.method);
+  times.size = {measuredSize().x, measuredSize().y};
+  return times;
+}
+
+} // namespace limn

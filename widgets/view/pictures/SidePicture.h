@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/PictureTarget.h"
+#include "raycaster/PicturePresenter.h"
+#include "scene/Gradient.h"
+#include "widgets/view/pictures/FinishedPicture.h"
+#include "widgets/view/pictures/InteractionQuality.h"
+#include "widgets/view/pictures/TileSchedule.h"
+
+#include <optional>
+
+namespace limn {
+
+class DrawingEngine;
+
+/// A part of a picture's columns, as fractions of its width.
+struct Columns {
+  double from = 0.0;
+  double to = 1.0;
+};
+
+/// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
+/// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full
+/// one as 8 bits. On request it is then replaced, again strip by strip, by pictures of smaller steps. Needs
+/// the same OpenGL context current for every call that draws and for its end.
+class SidePicture {
+public:
+  /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
+  void want(const Scene& scene, const glm::ivec2& size);
+
+  /// Draws the coarse picture, as far as its columns will be seen (level 0: the full one, all of it), and
+  /// returns the time, ms.
+  double drawCoarsely(DrawingEngine& engine, int level, const Columns& seen);
+
+  /// Draws the next strip; only while not complete.
+  void drawStrip(DrawingEngine& engine);
+  bool complete() const { return m_pass == 0 && m_schedule.complete(); }
+  double fraction() const; ///< of the work from the coarse picture to the full one, 0..1
+  double predictedMs() const { return m_schedule.predictedMs(); } ///< of the next strip
+
+  /// Reads the full picture back and makes it 8 bits on the processor, so that what is shown is rounded as a
+  /// file is, whatever the driver. Only while complete.
+  void finish();
+  bool finished() const { return m_finished; }
+
+  /// Begins to draw the finished picture anew with another step; until it is adopted, everything told of the
+  /// finished picture stays.
+  void beginFiner(double stepVoxels);
+  bool isFiner() const { return m_finer.has_value(); } ///< begun and not adopted yet
+  void leaveFiner() { m_finer.reset(); }
+  /// Lets the driver compile what a step needs; false where it has. Only while a finer picture is begun.
+  bool prepareFiner(DrawingEngine& engine, double stepVoxels);
+  void drawFinerStrip(DrawingEngine& engine);
+  const TileSchedule& finerSchedule() const { return m_finer->schedule; }
+  /// The picture of the step begun, once its schedule is complete; waits for the drawing to end.
+  Image readFiner() const { return m_full.read(); }
+  void adoptFiner(FinishedPicture picture);
+
+  /// Shows `part` of the picture at `place`.
+  void show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const;
+
+  /// The textures to show: the finer one for the rows [0, rowsDone) of the full size, the coarser one, where
+  /// there is one, below.
+  int rowsDone() const;
+  unsigned finerTexture() const;
+  unsigned coarserTexture() const { return m_finer ? m_bytesTexture.texture() : m_coarse.texture(); }
+  bool hasCoarser() const { return m_finer || !m_coarse.isEmpty(); }
+
+  const Scene& scene() const { return m_scene; }
+  const glm::ivec2& size() const { return m_size; }
+  double shownStepVoxels() const; ///< of the coarsest part shown
+  double shownImageScale() const; ///< of width and height, of the coarsest part shown, 0..1
+  double shownMs() const;         ///< what drawing the coarsest part took
+  std::optional<double> completeMs() const { return m_completeMs; }
+  const GradientScale& gradientScale() const { return m_gradientScale; }
+  const FinishedPicture& picture() const { return m_picture; }       ///< empty unless finished
+  double finishedStepVoxels() const { return m_finishedStepVoxels; } ///< of that picture
+  std::optional<double> contrast() const;                            ///< while finished
+
+private:
+  // A picture of a smaller step that replaces the finished one.
+  struct Finer {
+    double stepVoxels = 0.0;
+    TileSchedule schedule;
+  };
+  void adopt(FinishedPicture picture, double stepVoxels);
+
+  Scene m_scene;
+  glm::ivec2 m_size{0};
+  int m_pass = 0; ///< the quality level that is being drawn in strips
+  TileSchedule m_schedule;
+  bool m_hasMiddlePass = false;
+  QualityLevel m_coarseQuality; ///< of the coarse picture
+  double m_coarseMs = 0.0;
+  GradientScale m_gradientScale;
+  std::optional<double> m_completeMs;
+  bool m_finished = false;
+  PictureTarget m_coarse, m_middle, m_full;
+  ByteTexture m_bytesTexture;
+  FinishedPicture m_picture;
+  double m_finishedStepVoxels = 0.0;
+  std::vector<double> m_finishedRowMs; ///< what each of its rows took
+  std::optional<Finer> m_finer;
+};
+
+} // namespace limn
