@@ -61,9 +61,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_safety(m_document, [this] { return sessionDocument(); },
                {*m_centre.recovery, *m_centre.unsafe, *m_menus.unsavedSessions, *this}),
       m_opening(
-          m_settings, *m_actions.patientInTitle, *m_centre.messages,
-          [this] { return m_safety.savingOfNow(); }, *this),
-      m_recent(m_settings, *m_menus.recentSources) {
+          m_settings, *m_actions.patientInTitle, *m_menus.recentSources, *m_centre.messages,
+          [this] { return m_safety.savingOfNow(); }, *this) {
   setObjectName(QStringLiteral("limnWindow"));
   setAcceptDrops(true);
   setMinimumSize(800, 560);
@@ -156,11 +155,6 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
-  connect(&m_opening, &OpeningDesk::failed, this, [this](const QString& source, const QString& sentence) {
-    m_recent.remove(source);
-    showError(sentence);
-  });
-  connect(&m_recent, &RecentMenu::chosen, this, [this](const QString& path) { openSource(path); });
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningDesk::restore);
   connect(m_menus.file, &QMenu::aboutToShow, &m_safety, &SessionSafety::refreshMenu);
 }
@@ -217,7 +211,7 @@ void MainWindow::connectSettings() {
     m_settings.setPatientIsShown(shown);
     updateTitle();
   });
-  check(*m_actions.themes, m_settings.theme());
+  checkOnly(*m_actions.themes, m_settings.theme());
   connect(m_actions.themes, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     const QString theme = chosen->data().toString();
     m_settings.setTheme(theme);
@@ -280,7 +274,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_document.settle(sessionDocument());
     m_safety.noteChange();
   }
-  m_recent.add(m_document.request().source, labelOf(m_document));
+  m_opening.remember(m_document.request().source, labelOf(m_document));
   updateTitle();
 }
 

@@ -13,7 +13,6 @@
 #include "app/desks/StatusTexts.h"
 #include "app/document/OpenDocument.h"
 #include "app/opening/OpeningDesk.h"
-#include "app/opening/RecentMenu.h"
 #include "app/presets/PresetDesk.h"
 #include "app/recovery/SessionSafety.h"
 #include "app/saving/PictureSaving.h"
@@ -102,7 +101,6 @@ private:
   SavingDesk m_saving;
   SessionSafety m_safety;
   OpeningDesk m_opening;
-  RecentMenu m_recent;
 };
 
 } // namespace limn

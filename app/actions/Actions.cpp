@@ -176,7 +176,7 @@ void Actions::setVolumeOpen(bool isOpen) const {
     action->setEnabled(isOpen);
 }
 
-void check(const QActionGroup& group, const QVariant& data) {
+void checkOnly(const QActionGroup& group, const QVariant& data) {
   for (QAction* action : group.actions())
     action->setChecked(action->data() == data);
 }

@@ -72,7 +72,7 @@ private:
   QWidget& m_window;
 };
 
-/// Checks the action of a group that stands for `data`, and no other.
-void check(const QActionGroup& group, const QVariant& data);
+/// Checks the action of a group that has this data, and no other.
+void checkOnly(const QActionGroup& group, const QVariant& data);
 
 } // namespace limn

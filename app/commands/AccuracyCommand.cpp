@@ -7,8 +7,8 @@
 #include "app/measure/accuracy/AccuracyTable.h"
 #include "app/measure/accuracy/MeasureAccuracy.h"
 #include "io/AtomicFile.h"
-#include "io/reports/AccuracyJson.h"
 #include "io/reports/AccuracyPage.h"
+#include "io/reports/ReportJson.h"
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QApplication>

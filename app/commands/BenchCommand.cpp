@@ -8,7 +8,7 @@
 #include "app/measure/bench/Contenders.h"
 #include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
-#include "io/reports/BenchJson.h"
+#include "io/reports/ReportJson.h"
 #include "scene/Error.h"
 #include "scene/PresetFit.h"
 

@@ -4,7 +4,7 @@
 #include "app/commands/SceneArguments.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
-#include "io/reports/EffectsJson.h"
+#include "io/reports/ReportJson.h"
 #include "raycaster/EffectCosts.h"
 #include "raycaster/RayCaster.h"
 #include "scene/PictureFigures.h"

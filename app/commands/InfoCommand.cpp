@@ -3,7 +3,7 @@
 
 #include "app/commands/Arguments.h"
 #include "app/commands/SystemInfo.h"
-#include "io/reports/VolumeJson.h"
+#include "io/reports/ReportJson.h"
 #include "scene/Error.h"
 #include "scene/Gradient.h"
 

@@ -8,7 +8,7 @@
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
-#include "io/reports/StabilityJson.h"
+#include "io/reports/ReportJson.h"
 #include "scene/Error.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"

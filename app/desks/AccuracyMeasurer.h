@@ -41,8 +41,6 @@ public:
   /// Lets go of what is kept of any other volume.
   void forgetOthersThan(const std::shared_ptr<const Volume>& volume);
 
-  bool isWorking() const { return m_work != nullptr; }
-
 signals:
   void progressed(double fraction, const QString& doing);
   void measured(const limn::MeasuredAccuracy& accuracy);

@@ -18,7 +18,7 @@ ComparisonDesk::ComparisonDesk(Session& session, CompareView& view, const Action
 
 void ComparisonDesk::setLayout(CompareLayout layout) {
   m_view.setCompareLayout(layout);
-  check(*m_actions.layouts, static_cast<int>(layout));
+  checkOnly(*m_actions.layouts, static_cast<int>(layout));
   show();
 }
 
@@ -44,7 +44,7 @@ void ComparisonDesk::show() {
   m_view.setModels(m_left, m_right);
   emit modelsShown(isSingle ? std::vector{single} : std::vector{m_left, m_right});
   // A comparison names its models on the pictures; the buttons then only offer to leave it.
-  check(*m_actions.models, isSingle ? QVariant(static_cast<int>(single)) : QVariant());
+  checkOnly(*m_actions.models, isSingle ? QVariant(static_cast<int>(single)) : QVariant());
   emit shown();
 }
 

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/Request.h"
 #include "app/document/Session.h"
 #include "scene/Histogram.h"
 #include "scene/Preset.h"
 
 namespace limn {
+
+/// A source as it was asked for, to read it again with other options.
+struct Request {
+  QString source;
+  SourceOptions options;
+  bool isUnsavedSession = false; ///< one that Limn kept, not a file of the user's
+};
 
 /// What is open beside the scene (Session): where it came from, the file it was saved to, the preset in use,
 /// and what counts as saved.

@@ -6,16 +6,21 @@
 #include "app/opening/SeriesDialog.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLocale>
+#include <QMenu>
+
+#include <algorithm>
 
 namespace limn {
 
-OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, MessageBar& messages,
+OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu& recent, MessageBar& messages,
                          std::function<std::function<void()>()> before, QWidget& window)
-    : QObject(&window), m_settings(settings), m_showsPatient(showsPatient), m_messages(messages),
-      m_before(std::move(before)), m_window(window) {
+    : QObject(&window), m_settings(settings), m_showsPatient(showsPatient), m_recent(recent),
+      m_messages(messages), m_before(std::move(before)), m_window(window) {
   connect(&m_loader, &VolumeLoader::progressed, this, &OpeningDesk::progressed);
   connect(&m_loader, &VolumeLoader::cancelled, this, &OpeningDesk::ended);
   connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningDesk::chooseSeries);
@@ -26,7 +31,9 @@ OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, Messag
           });
   connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
     emit ended();
-    emit failed(source, sentence);
+    m_settings.removeRecentSource(source);
+    refreshRecent();
+    m_messages.show(MessageBar::Kind::error, sentence);
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
           [this](const QString& source, const QString& expected) {
@@ -34,6 +41,8 @@ OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, Messag
                             tr("The scene's volume is not where the scene expects it: %1.").arg(expected), {},
                             {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });
+  connect(&recent, &QMenu::aboutToShow, this, &OpeningDesk::refreshRecent);
+  refreshRecent();
 }
 
 void OpeningDesk::open(const QString& source, const SourceOptions& options) {
@@ -131,6 +140,33 @@ void OpeningDesk::readWithSpacing(const Request& shown, const QString& entered) 
   SourceOptions options = shown.options;
   options.read.spacingMm = spacingMm;
   open(shown.source, options);
+}
+
+void OpeningDesk::remember(const QString& path, const QString& label) {
+  m_settings.addRecentSource(path, label);
+  refreshRecent();
+}
+
+void OpeningDesk::refreshRecent() {
+  m_recent.clear();
+  const QList<RecentSource> recent = m_settings.recentSources();
+  for (const RecentSource& source : recent) {
+    const bool isAlone = std::count_if(recent.begin(), recent.end(), [&](const RecentSource& other) {
+                           return other.label == source.label;
+                         }) == 1;
+    const QDateTime opened = QDateTime::fromString(source.opened, Qt::ISODateWithMs).toLocalTime();
+    QString text =
+        isAlone ? source.label
+                : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat));
+    m_recent.addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                       [this, path = source.path] { open(path); });
+  }
+  m_recent.setEnabled(!m_recent.isEmpty());
+  m_recent.addSeparator();
+  m_recent.addAction(tr("&Clear this list"), this, [this] {
+    m_settings.clearRecentSources();
+    m_recent.setEnabled(false);
+  });
 }
 
 } // namespace limn

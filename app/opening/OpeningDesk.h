@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/document/Request.h"
+#include "app/document/OpenDocument.h"
 #include "app/opening/VolumeLoader.h"
 
 #include <QWidget>
 
 class QAction;
+class QMenu;
 
 namespace limn {
 
 class MessageBar;
 class Settings;
 
-/// Asks what to open and reads it; what cannot be read as it is, it asks more about: which series, where the
-/// volume is, how far its voxels lie apart.
+/// Asks what to open, or offers what was opened before, and reads it; what cannot be read as it is, it asks
+/// more about: which series, where the volume is, how far its voxels lie apart.
 class OpeningDesk : public QObject {
   Q_OBJECT
 
 public:
-  /// Names of files are shown where `showsPatient` is checked. `before` tells what is done on the worker
-  /// thread before anything is read.
-  OpeningDesk(Settings& settings, const QAction& showsPatient, MessageBar& messages,
+  /// Names of files are shown where `showsPatient` is checked. `recent` is the menu of what was opened
+  /// before. `before` tells what is done on the worker thread before anything is read.
+  OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu& recent, MessageBar& messages,
               std::function<std::function<void()>()> before, QWidget& window);
 
   const VolumeLoader& loader() const { return m_loader; }
@@ -38,6 +39,9 @@ public:
   /// Asks how far the voxels of what is shown lie apart, `spacingMm` at present, and reads it again.
   void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
 
+  /// Adds to what was opened before; `label` names nobody.
+  void remember(const QString& path, const QString& label);
+
 signals:
   /// Something is read, or asked about no longer; `fraction` 0..1, or less than 0 where it is unknown.
   void progressed(double fraction, const QString& what);
@@ -45,16 +49,17 @@ signals:
   /// After ended.
   void loaded(const limn::LoadedScene& loaded, const limn::Histogram& histogram,
               const limn::Request& request);
-  void failed(const QString& source, const QString& sentence);
 
 private:
   void start(const Request& request, const QString& what);
   void locateVolume(const QString& scene);
   void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
   void readWithSpacing(const Request& shown, const QString& entered);
+  void refreshRecent();
 
   Settings& m_settings;
   const QAction& m_showsPatient;
+  QMenu& m_recent;
   MessageBar& m_messages;
   std::function<std::function<void()>()> m_before;
   QWidget& m_window;

@@ -2,10 +2,9 @@
 #include "io/ImageFile.h"
 
 #include "io/AtomicFile.h"
+#include "io/openimageio/PictureLibrary.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,18 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Kind { png, tiff, jpeg, exr };
+using Format = PictureToWrite::Format;
 
-Kind kindOf(const fs::path& path) {
+Format formatOf(const fs::path& path) {
   const std::string ending = lowerCase(path.extension().string());
   if (ending == ".png")
-    return Kind::png;
+    return Format::png;
   if (ending == ".tif" || ending == ".tiff")
-    return Kind::tiff;
+    return Format::tiff;
   if (ending == ".jpg" || ending == ".jpeg")
-    return Kind::jpeg;
+    return Format::jpeg;
   if (ending == ".exr")
-    return Kind::exr;
+    return Format::exr;
   throw Error(Error::Kind::usage, "Cannot write " + path.string() +
                                       ": its ending names no picture format; use .png, .tif, .jpg or .exr.");
 }
@@ -48,25 +47,6 @@ std::vector<std::uint8_t> composited(const Image& image, const glm::dvec3& backg
   return levels;
 }
 
-OIIO::ImageSpec specOf(Kind kind, const glm::ivec2& size, const std::string& description) {
-  const bool isFloat = kind == Kind::exr;
-  OIIO::ImageSpec spec(size.x, size.y, isFloat ? 4 : 3,
-                       isFloat ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
-  if (isFloat)
-    spec.alpha_channel = 3;
-  else
-    spec.attribute("oiio:ColorSpace", "sRGB");
-  if (kind == Kind::jpeg) {
-    spec.attribute("CompressionQuality", 95);
-    spec.attribute("jpeg:subsampling", "4:4:4");
-  }
-  if (kind == Kind::tiff)
-    spec.attribute("compression", "zip");
-  if (!description.empty())
-    spec.attribute("ImageDescription", description);
-  return spec;
-}
-
 // libjpeg ends the whole program where a picture or a comment is beyond what the format can hold.
 void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std::string& description) {
   constexpr int longestSide = 65500;
@@ -76,37 +56,30 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
                                         ": the picture or its description is too large for JPEG; use .png.");
 }
 
-void writePixels(const fs::path& temporary, const fs::path& target, const OIIO::ImageSpec& spec,
-                 const void* pixels) {
-  const auto output = OIIO::ImageOutput::create(temporary.string());
-  const bool isWritten = output && output->open(temporary.string(), spec) &&
-                         output->write_image(spec.format, pixels) && output->close();
-  if (!isWritten)
-    throw Error(Error::Kind::other, "Cannot write " + target.string() + ": " +
-                                        (output ? output->geterror() : OIIO::geterror()) +
-                                        "; choose another folder, ending or size.");
-}
-
 } // namespace
 
 void writeImage(const fs::path& path, const Image& image, const glm::dvec3& background,
                 const std::string& description) {
-  const Kind kind = kindOf(path);
+  const Format format = formatOf(path);
   if (image.size.x < 1 || image.size.y < 1)
     throw Error(Error::Kind::usage, "Cannot write " + path.string() + ": the picture has no pixels.");
-  if (kind == Kind::jpeg)
+  if (format == Format::jpeg)
     requireJpegCanHold(path, image.size, description);
-  const OIIO::ImageSpec spec = specOf(kind, image.size, description);
   const std::vector<std::uint8_t> levels =
-      kind == Kind::exr ? std::vector<std::uint8_t>() : composited(image, background);
-  const void* pixels = kind == Kind::exr ? static_cast<const void*>(image.pixels.data()) : levels.data();
-  replaceAtomically(path, [&](const fs::path& temporary) { writePixels(temporary, path, spec, pixels); });
+      format == Format::exr ? std::vector<std::uint8_t>() : composited(image, background);
+  const void* pixels = format == Format::exr ? static_cast<const void*>(image.pixels.data()) : levels.data();
+  const PictureToWrite picture{format, image.size.x, image.size.y, pixels, description};
+  replaceAtomically(path, [&](const fs::path& temporary) {
+    const std::string problem = pictureLibrary().write(temporary.string(), picture);
+    if (!problem.empty())
+      throw Error(Error::Kind::other, "Cannot write " + path.string() + ": " + problem +
+                                          "; choose another folder, ending or size.");
+  });
 }
 
 std::string readImageDescription(const fs::path& path) {
-  const auto input = OIIO::ImageInput::open(path.string());
-  if (!input) {
-    OIIO::geterror(); // the library's words, which it would print at the end
+  const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
+  if (!picture) {
     std::error_code problem;
     const bool isThere = fs::exists(path, problem);
     const bool isEmpty = isThere && fs::file_size(path, problem) == 0 && !problem;
@@ -115,7 +88,7 @@ std::string readImageDescription(const fs::path& path) {
                                    : "it is no picture, or a damaged one";
     failReading(path, reason, "choose a PNG, TIFF, JPEG or EXR picture");
   }
-  return input->spec().get_string_attribute("ImageDescription");
+  return picture->description;
 }
 
 } // namespace limn

@@ -11,9 +11,8 @@
 #include "io/formats/voxels/Bytes.h"
 #include "io/formats/vtk/VtkLegacyFile.h"
 #include "io/formats/vtk/VtkXmlFile.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
-#include "io/reading/PlainText.h"
-#include "io/reading/PlausibleGrid.h"
 #include "io/reading/ReadError.h"
 
 #include <cmath>
@@ -122,12 +121,10 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   for (std::string& warning : info.warnings)
     warning = plainText(std::move(warning));
   requirePlausible(path, parts.grid);
-  try {
+  return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
                                           std::move(info));
-  } catch (const Error& error) {
-    failReading(path, error);
-  }
+  });
 }
 
 std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptions& options,

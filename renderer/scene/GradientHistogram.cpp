@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/GradientHistogram.h"
 
-#include "scene/PresetFit.h"
-
 namespace limn {
 
 GradientOpacity boundaryRamp(const Histogram& gradients) {

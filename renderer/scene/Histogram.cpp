@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 namespace limn {
@@ -53,6 +54,26 @@ Histogram histogramOf(const Volume& volume, int mostBins) {
     }
   });
   return histogram;
+}
+
+double binWidth(const Histogram& histogram) {
+  return (histogram.range.highest - histogram.range.lowest) / static_cast<double>(histogram.counts.size());
+}
+
+double valueOfBin(const Histogram& histogram, std::size_t bin) {
+  return histogram.range.lowest + (static_cast<double>(bin) + 0.5) * binWidth(histogram);
+}
+
+double quantile(const Histogram& histogram, double fraction) {
+  const auto total = static_cast<double>(
+      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}));
+  double counted = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    counted += static_cast<double>(histogram.counts[bin]);
+    if (counted >= fraction * total)
+      return valueOfBin(histogram, bin);
+  }
+  return histogram.range.highest;
 }
 
 } // namespace limn

@@ -20,4 +20,12 @@ struct Histogram {
 /// appears; a constant volume has one bin.
 Histogram histogramOf(const Volume& volume, int mostBins = 1024);
 
+double binWidth(const Histogram& histogram);
+
+/// The value in the middle of a bin.
+double valueOfBin(const Histogram& histogram, std::size_t bin);
+
+/// The value below which `fraction` (0..1) of the counted voxels lie, to within one bin.
+double quantile(const Histogram& histogram, double fraction);
+
 } // namespace limn

@@ -2,18 +2,9 @@
 #include "scene/PresetFit.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace limn {
 namespace {
-
-double binWidth(const Histogram& histogram) {
-  return (histogram.range.highest - histogram.range.lowest) / static_cast<double>(histogram.counts.size());
-}
-
-double valueOfBin(const Histogram& histogram, std::size_t bin) {
-  return histogram.range.lowest + (static_cast<double>(bin) + 0.5) * binWidth(histogram);
-}
 
 const Preset* named(const std::vector<Preset>& presets, const std::string& name) {
   const auto found =
@@ -30,18 +21,6 @@ bool looksLikeHounsfield(const Volume& volume) {
     return false;
   const ValueRange range = volume.range();
   return range.lowest >= -3100.0 && range.lowest <= -900.0 && range.highest > 150.0;
-}
-
-double quantile(const Histogram& histogram, double fraction) {
-  const auto total = static_cast<double>(
-      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}));
-  double counted = 0.0;
-  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    counted += static_cast<double>(histogram.counts[bin]);
-    if (counted >= fraction * total)
-      return valueOfBin(histogram, bin);
-  }
-  return histogram.range.highest;
 }
 
 double objectThreshold(const Histogram& histogram) {

@@ -13,9 +13,6 @@ namespace limn {
 /// air (-3100..-900) and reaches beyond soft tissue (> 150).
 bool looksLikeHounsfield(const Volume& volume);
 
-/// The value below which `fraction` (0..1) of the counted voxels lie, to within one bin.
-double quantile(const Histogram& histogram, double fraction);
-
 /// The threshold that best separates background from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), scalar
 /// units.
 double objectThreshold(const Histogram& histogram);

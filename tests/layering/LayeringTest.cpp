@@ -70,6 +70,14 @@ TEST(Layering, onlyIoTalksToFileLibraries) {
                      "files, JSON and XML are read and written in renderer/io", "renderer/io");
 }
 
+TEST(Layering, theWindowNeedsNoLaboratory) {
+  for (const test::Include& include : test::includesBelow("app"))
+    if (!include.file.string().starts_with("app/measure/") &&
+        !include.file.string().starts_with("app/commands/"))
+      EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
+          << include.file << " includes " << include.header << ": reports belong to the command line";
+}
+
 TEST(Layering, widgetsIncludeNeitherIoNorApp) {
   expectNoIncludes("widgets", "^(io|app)/", "widgets show values and ask for edits");
 }

@@ -6,9 +6,7 @@
 #include "io/dicom/series/DicomGeometry.h"
 #include "io/dicom/series/DicomPhases.h"
 #include "io/dicom/series/DicomScan.h"
-#include "io/reading/MachineMemory.h"
-#include "io/reading/PlainText.h"
-#include "io/reading/PlausibleGrid.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/ReadError.h"
 #include "io/reading/RealFolder.h"
 
@@ -112,16 +110,6 @@ void requireRoom(const std::filesystem::path& path, const glm::ivec3& dims) {
   requireMemory(path, static_cast<double>(dims.x) * dims.y * dims.z);
 }
 
-// Runs a step whose sentences speak of the series, and adds the name of what was opened.
-template <class Step>
-auto named(const std::filesystem::path& path, Step&& step) {
-  try {
-    return step();
-  } catch (const Error& error) {
-    failReading(path, error);
-  }
-}
-
 void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
   if (!options.spacingMm)
     return;
@@ -148,7 +136,7 @@ std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const 
                                        const ReadOptions& options, const Progress& progress,
                                        std::vector<std::string> warnings) {
   DicomGeometry geometry =
-      named(path, [&] { return geometryOf(series, options.spacingMm.has_value(), warnings); });
+      naming(path, [&] { return geometryOf(series, options.spacingMm.has_value(), warnings); });
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
@@ -158,7 +146,7 @@ std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const 
     voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.8, 1.0));
   applySpacing(options, geometry);
   requirePlausible(path, geometry.grid);
-  return named(path, [&] {
+  return naming(path, [&] {
     return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
                                           voxels.padding, infoOf(series, geometry, warnings));
   });

@@ -8,6 +8,10 @@
 
 namespace limn {
 
+/// A text that came out of a file, fit to stand in a sentence: control characters become question marks, and
+/// it ends after `most` bytes.
+std::string plainText(std::string text, std::size_t most = std::string::npos);
+
 /// Throws Error (input) with the one sentence of a file that cannot be read. `reason` continues "Cannot read
 /// FILE: " and `wayOut` is an instruction without a full stop. What a damaged header put into the reason
 /// becomes plain text of some length.
@@ -16,6 +20,16 @@ namespace limn {
 
 /// Throws an error of the same kind whose sentence says which file was being read.
 [[noreturn]] void failReading(const std::filesystem::path& file, const Error& cause);
+
+/// Runs a step whose sentences speak of a series or volume, and adds the name of what was opened.
+template <class Step>
+auto naming(const std::filesystem::path& file, Step&& step) {
+  try {
+    return step();
+  } catch (const Error& error) {
+    failReading(file, error);
+  }
+}
 
 /// The way out where a file ends early or its header lies.
 inline constexpr const char* copyAgain = "copy or export the file again";

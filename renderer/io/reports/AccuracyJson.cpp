@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/reports/AccuracyJson.h"
+#include "io/reports/ReportJson.h"
 
+#include "accuracy/AccuracySweep.h"
 #include "accuracy/FigureText.h"
 #include "io/json/JsonText.h"
 

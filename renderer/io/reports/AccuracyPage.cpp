@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/reports/AccuracyPage.h"
 
+#include "accuracy/AccuracySweep.h"
 #include "accuracy/DecisionVerdict.h"
 #include "accuracy/FigureText.h"
 #include "io/reports/HtmlPage.h"

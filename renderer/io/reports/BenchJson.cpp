@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/reports/BenchJson.h"
+#include "io/reports/ReportJson.h"
 
+#include "accuracy/BenchRow.h"
 #include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>

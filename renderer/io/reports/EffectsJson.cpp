@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/reports/EffectsJson.h"
+#include "io/reports/ReportJson.h"
 
 #include "io/json/JsonText.h"
+#include "scene/EffectRows.h"
 
 #include <nlohmann/json.hpp>
 

@@ -53,10 +53,10 @@ TEST_F(ActionsTest, withoutAVolumeWhatNeedsOneIsDisabled) {
 }
 
 TEST_F(ActionsTest, aChoiceOfAGroupIsCheckedAlone) {
-  check(*actions.layouts, static_cast<int>(CompareLayout::wipe));
-  check(*actions.layouts, static_cast<int>(CompareLayout::single));
+  checkOnly(*actions.layouts, static_cast<int>(CompareLayout::wipe));
+  checkOnly(*actions.layouts, static_cast<int>(CompareLayout::single));
   EXPECT_EQ(actions.layouts->checkedAction()->objectName(), QStringLiteral("layout-single"));
-  check(*actions.models, {});
+  checkOnly(*actions.models, {});
   EXPECT_EQ(actions.models->checkedAction(), nullptr);
 }
 

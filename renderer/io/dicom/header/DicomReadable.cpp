@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomObjectKind.h"
-#include "io/reading/PlainText.h"
+#include "io/reading/ReadError.h"
 #include "scene/Error.h"
 
 #include <algorithm>

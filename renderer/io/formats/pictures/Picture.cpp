@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/pictures/Picture.h"
 
+#include "io/openimageio/PictureLibrary.h"
 #include "io/reading/ReadError.h"
-
-#include <OpenImageIO/imageio.h>
 
 #include <fstream>
 #include <iterator>
-#include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
-using OIIO::TypeDesc;
 
 // The library keeps the segments before a picture in a list and walks it for each.
 constexpr int mostSegments = 4096;
@@ -24,15 +22,16 @@ constexpr int mostChunks = 1 << 20;
   failReading(file, "the picture is damaged or cut off", copyAgain);
 }
 
-VoxelType typeOf(const fs::path& file, TypeDesc stored) {
-  switch (stored.basetype) {
-  case TypeDesc::UINT8:
+VoxelType typeOf(const fs::path& file, StoredPicture::Sample stored) {
+  switch (stored) {
+  case StoredPicture::Sample::uint8:
     return VoxelType::uint8;
-  case TypeDesc::UINT16:
+  case StoredPicture::Sample::uint16:
     return VoxelType::uint16;
-  default:
-    failReading(file, "its samples are of a type that is not supported", "convert it to 8 or 16 bits first");
+  case StoredPicture::Sample::other:
+    break;
   }
+  failReading(file, "its samples are of a type that is not supported", "convert it to 8 or 16 bits first");
 }
 
 // Walks the segments of a JPEG file up to its pixels. Throws where there are more than any camera writes, or
@@ -102,24 +101,14 @@ Picture openPicture(const fs::path& file) {
     requireSoundJpeg(file);
   else
     requireWholePng(file);
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
-  const std::shared_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &wishes);
-  if (!input) {
-    OIIO::geterror(); // the library's words, which it would print at the end
+  const std::optional<StoredPicture> stored = pictureLibrary().open(file.string());
+  if (!stored)
     failDamaged(file);
-  }
-  const OIIO::ImageSpec& spec = input->spec();
   Picture picture;
-  picture.shape = {spec.width, spec.height, spec.nchannels, typeOf(file, spec.format)};
+  picture.shape = {stored->width, stored->height, stored->channels, typeOf(file, stored->sample)};
   requireRoom(file, picture.shape);
-  picture.readRows = [input, file](unsigned char* to, int first, int count) {
-    const OIIO::ImageSpec& own = input->spec();
-    const bool isRead = input->read_scanlines(0, 0, own.y + first, own.y + first + count, 0, 0, own.nchannels,
-                                              own.format, to);
-    // Some damage is only left as a text, with the rows filled up.
-    const std::string damage = input->geterror();
-    if (!isRead || !damage.empty())
+  picture.readRows = [read = stored->readRows, file](unsigned char* to, int first, int count) {
+    if (!read(to, first, count))
       failDamaged(file);
   };
   return picture;

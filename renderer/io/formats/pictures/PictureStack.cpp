@@ -4,7 +4,7 @@
 #include "io/formats/pictures/Picture.h"
 #include "io/formats/pictures/TiffPages.h"
 #include "io/formats/voxels/StoredType.h"
-#include "io/reading/MachineMemory.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/NameLikeness.h"
 #include "io/reading/ReadError.h"
 

@@ -2,7 +2,7 @@
 #include "io/formats/voxels/TextVoxels.h"
 
 #include "io/formats/voxels/StoredType.h"
-#include "io/reading/MachineMemory.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/ReadError.h"
 
 #include <charconv>

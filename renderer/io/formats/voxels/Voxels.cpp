@@ -2,8 +2,8 @@
 #include "io/formats/voxels/Voxels.h"
 
 #include "io/formats/voxels/StoredType.h"
+#include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
-#include "io/reading/MachineMemory.h"
 #include "io/reading/ReadError.h"
 
 #include <algorithm>

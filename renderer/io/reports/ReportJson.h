@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/reading/SeriesSummary.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+struct AccuracyReport;
+struct BenchRow;
+struct EffectRow;
+struct StabilityReport;
+class Volume;
+
+/// What is told of a volume.
+struct VolumeFacts {
+  std::shared_ptr<const Volume> volume;
+  std::vector<SeriesSummary> series;
+  double gradientMax = 0.0;        ///< value/mm
+  double gradientPercentile = 0.0; ///< the 99.5th, value/mm
+};
+
+// What machines read of Limn: one JSON object each, keys as the command line documents them.
+
+/// Nothing of the patient.
+std::string volumeJson(const VolumeFacts& facts);
+
+/// The effects of a scene. `costsMs` has one entry per row, 0 where an effect costs nothing.
+std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
+                        const std::vector<double>& costsMs);
+
+/// `machine` names processor and renderer.
+std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows);
+
+/// Errors are null where the exact picture did not converge.
+std::string accuracyJson(const AccuracyReport& report);
+
+/// One line per point, comma separated, with a header; errors are empty where there are none.
+std::string accuracyCsv(const AccuracyReport& report);
+
+/// Figures that are no numbers are null.
+std::string stabilityJson(const StabilityReport& report);
+
+} // namespace limn
