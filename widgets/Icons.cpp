@@ -4,11 +4,9 @@
 #include "widgets/Resources.h"
 #include "widgets/Theme.h"
 
-#include <QDir>
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QSvgRenderer>
 
 #include <cassert>
@@ -62,16 +60,6 @@ QIcon themedIcon(const QString& name, const QPalette& palette) {
   if (!opened)
     return {};
   return QIcon(new ThemedIconEngine(file.readAll(), themeColors(palette)));
-}
-
-QStringList iconNames() {
-  loadWidgetResources();
-  // Those of one fixed colour belong to the style sheet.
-  QStringList names = QDir(QStringLiteral(":/limn/icons")).entryList({QStringLiteral("*.svg")});
-  names = names.filter(QRegularExpression(QStringLiteral("^(?!check|chevron)")));
-  for (QString& name : names)
-    name.chop(4);
-  return names;
 }
 
 } // namespace limn

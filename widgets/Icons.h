@@ -4,16 +4,12 @@
 #include <QIcon>
 #include <QPalette>
 #include <QString>
-#include <QStringList>
 
 namespace limn {
 
 /// An icon of our own set, its strokes in the palette's text colour, in the accent where it is switched on,
-/// and faded where disabled; sharp at every size. `name` is one of iconNames(). Make icons anew when the
-/// palette changes (QEvent::PaletteChange).
+/// and faded where disabled; sharp at every size. `name` is a file's in widgets/icons: "open". Make icons
+/// anew when the palette changes (QEvent::PaletteChange).
 QIcon themedIcon(const QString& name, const QPalette& palette);
-
-/// Every icon of the set: "open", "undo", …
-QStringList iconNames();
 
 } // namespace limn

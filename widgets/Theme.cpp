@@ -130,9 +130,4 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
   application.setStyleSheet(themeStyleSheet(dark));
 }
 
-double contrastRatio(const QColor& a, const QColor& b) {
-  const auto [darker, lighter] = std::minmax({relativeLuminance(a), relativeLuminance(b)});
-  return (lighter + 0.05) / (darker + 0.05);
-}
-
 } // namespace limn

@@ -51,7 +51,4 @@ bool isDark(const QPalette& palette);
 /// Widgets of ours repaint by themselves.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
-/// Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
-double contrastRatio(const QColor& a, const QColor& b);
-
 } // namespace limn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/FrameCost.h"
+#include "accuracy/Timing.h"
 
 #include <chrono>
 #include <string>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/ErrorEstimate.h"
 
+#include "scene/ProjectionFacts.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,10 +32,8 @@ ErrorEstimate errorAfterHalving(const ImageError& halving, const std::optional<I
 }
 
 ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene) {
-  const bool canEnd =
-      scene.projection == Projection::composite || scene.projection == Projection::compositeIsosurface;
   const double end = scene.quality.earlyTermination;
-  if (!canEnd || end >= 1.0)
+  if (!composites(scene.projection) || end >= 1.0)
     return {};
   Image whole = picture;
   for (glm::vec4& pixel : whole.pixels)

@@ -2,20 +2,13 @@
 #include "accuracy/Resolution.h"
 
 #include "scene/FunctionDetail.h"
+#include "scene/ProjectionFacts.h"
 #include "scene/RayFrame.h"
 
 namespace limn {
-namespace {
-
-bool classifiesSamples(Projection projection) {
-  return projection == Projection::composite || projection == Projection::xray ||
-         projection == Projection::compositeIsosurface;
-}
-
-} // namespace
 
 bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegrated) {
-  if (isPreintegrated || !classifiesSamples(scene.projection))
+  if (isPreintegrated || !integrates(scene.projection))
     return true;
   const double perStep = steepestPerMm * stepMm(scene);
   const TransferFunction function =

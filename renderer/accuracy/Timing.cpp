@@ -14,4 +14,18 @@ Timing timingOf(std::vector<double> times) {
   return {median, times.front(), times.back()};
 }
 
+std::vector<double> wallTimes(const std::vector<FrameCost>& frames) {
+  std::vector<double> times;
+  for (const FrameCost& frame : frames)
+    times.push_back(frame.ms);
+  return times;
+}
+
+std::vector<double> processorTimes(const std::vector<FrameCost>& frames) {
+  std::vector<double> times;
+  for (const FrameCost& frame : frames)
+    times.push_back(frame.cpuMs);
+  return times;
+}
+
 } // namespace limn

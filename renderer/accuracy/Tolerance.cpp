@@ -4,6 +4,7 @@
 #include "accuracy/ErrorEstimate.h"
 #include "scene/BlockSteps.h"
 #include "scene/LocalSteps.h"
+#include "scene/ProjectionFacts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -171,11 +172,6 @@ std::string describe(const WithinTolerance& found) {
   else
     std::snprintf(steps, sizeof steps, "equal steps of %.3g voxels", quality.stepVoxels);
   return "estimated within " + levelsText(found.estimateLevels) + ", with " + steps;
-}
-
-bool integrates(Projection projection) {
-  return projection == Projection::composite || projection == Projection::compositeIsosurface ||
-         projection == Projection::xray;
 }
 
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,

@@ -43,7 +43,4 @@ inline bool needsSteps(const Scene& scene) {
 /// What was found, in words: "estimated within 0.8 levels, with error-controlled steps of fineness 5".
 std::string describe(const WithinTolerance& found);
 
-/// Whether samples along a ray add up to its pixel, so that error-controlled steps can be taken.
-bool integrates(Projection projection);
-
 } // namespace limn

@@ -63,28 +63,34 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
   failReading(path, "its content is of no known kind", knownFormats);
 }
 
+// A kind of file, told by its content.
+struct FileKind {
+  bool (*isKind)(std::string_view start); // of the first bytes, inflated where they are packed with gzip
+  VolumeParts (*read)(const fs::path& path, const Progress& progress);
+  bool mayBePacked;
+};
+
+VolumeParts readPicture(const fs::path& path, const Progress& progress) {
+  return readPictures(path, {path}, progress);
+}
+
+constexpr FileKind fileKinds[] = {
+    {isNifti, readNifti, true},          {isTar, readInVesalius, true},       {isNrrd, readNrrd, false},
+    {isMetaImage, readMetaImage, false}, {isVtkLegacy, readVtkLegacy, false}, {isVtkXml, readVtkXml, false},
+    {isPicture, readPicture, true},
+};
+
 // The reader of a file is chosen by its content; only the voxel file of a NIfTI pair goes by its name.
 VolumeParts readFile(const fs::path& path, const Progress& progress) {
   const std::string start = firstBytes(path, probeBytes);
   if (start.empty())
     failReading(path, "the file is empty", copyAgain);
-  if (parseNiftiHeader(start) || isAnalyzeHeader(start))
-    return readNifti(path, progress);
-  if (isTar(start))
-    return readInVesalius(path, progress);
-  const bool isPacked = isNrrd(start) || isMetaImage(start) || isVtkLegacy(start) || isVtkXml(start);
-  if (isPacked && isGzip(path))
-    failReading(path, "it is packed with gzip", "unpack it and open the file inside");
-  if (isNrrd(start))
-    return readNrrd(path, progress);
-  if (isMetaImage(start))
-    return readMetaImage(path, progress);
-  if (isVtkLegacy(start))
-    return readVtkLegacy(path, progress);
-  if (isVtkXml(start))
-    return readVtkXml(path, progress);
-  if (isPicture(start))
-    return readPictures(path, {path}, progress);
+  for (const FileKind& kind : fileKinds)
+    if (kind.isKind(start)) {
+      if (!kind.mayBePacked && isGzip(path))
+        failReading(path, "it is packed with gzip", "unpack it and open the file inside");
+      return kind.read(path, progress);
+    }
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
   if (lowerCase(inner.extension().string()) == ".img")
     return readNifti(path, progress);

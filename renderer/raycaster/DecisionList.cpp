@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/DecisionList.h"
 
+#include "scene/ProjectionFacts.h"
+
 namespace limn {
 namespace {
 
@@ -29,16 +31,11 @@ struct List {
   }
 };
 
-bool gathers(const Scene& scene) {
-  return scene.projection == Projection::composite || scene.projection == Projection::compositeIsosurface ||
-         scene.projection == Projection::xray;
-}
-
 bool canShow(const DecisionVariant& variant, const Scene& scene, EffectSet effects) {
   if (variant.group == corrections || variant.group == orders)
-    return gathers(scene);
+    return integrates(scene.projection);
   if (variant.group == ends)
-    return gathers(scene) && scene.projection != Projection::xray;
+    return composites(scene.projection);
   if (variant.group == gradients)
     return effects.has(Effect::gradient);
   if (variant.group == places)

@@ -2,6 +2,7 @@
 #include "raycaster/SceneTextures.h"
 
 #include "raycaster/FunctionTable.h"
+#include "scene/ProjectionFacts.h"
 #include "scene/RayFrame.h"
 
 #include <epoxy/gl.h>
@@ -82,12 +83,9 @@ void SceneTextures::measure(const Scene& scene, EffectSet effects) {
 }
 
 void SceneTextures::updateEmptySpace(const Scene& scene) {
-  // Projections that classify once look at every sample.
-  if (scene.projection == Projection::mip || scene.projection == Projection::minip ||
-      scene.projection == Projection::average)
+  if (classifiesOnce(scene.projection))
     return;
-  const bool hasSurface =
-      scene.projection == Projection::isosurface || scene.projection == Projection::compositeIsosurface;
+  const bool hasSurface = showsSurface(scene.projection);
   EmptySpaceKey key{scene.transferFunction, scene.projection != Projection::isosurface, std::nullopt};
   if (hasSurface)
     key.isovalue = scene.isovalue;

@@ -12,9 +12,6 @@ namespace {
 // GLSL 1.30 is the language of OpenGL 3.0. Desktop drivers ignore precision.
 constexpr const char* version = "#version 130\n";
 
-const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
-const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
-
 std::string prelude(EffectSet effects) {
   std::string text = version;
   const auto define = [&text](const char* name) { text += std::string("#define ") + name + "\n"; };

@@ -67,8 +67,6 @@ const EffectSet neutralEffects{Effect::lighting,
                                Effect::emptySpaceSkipping,
                                Effect::denseFunctions};
 
-const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
-const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
 const EffectSet highlightChoices{Effect::phong, Effect::specularOfLight};
 const EffectSet lightChoices{Effect::twoSided, Effect::fixedLight};
 const EffectSet curves{Effect::gammaCurve, Effect::logCurve};

@@ -82,6 +82,11 @@ private:
   std::uint64_t m_bits = 0;
 };
 
+/// The projections that classify one value of each ray (classifiesOnce).
+inline const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
+
+inline const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
+
 /// Whether a program of these effects reads the normalised gradient modulus r.
 bool usesRatio(EffectSet effects);
 

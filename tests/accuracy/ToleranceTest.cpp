@@ -13,6 +13,7 @@
 #include "support/AnalyticCases.h"
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"
+#include "support/Places.h"
 #include "support/TestData.h"
 
 #include <iostream>
@@ -133,8 +134,7 @@ const DataSet dataSets[] = {
 
 std::vector<Preset> presets() {
   std::vector<Preset> all;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(LIMN_SOURCE_DIR) / "app/presets"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets"))
     if (entry.path().extension() == ".json")
       all.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
   std::sort(all.begin(), all.end(), [](const Preset& a, const Preset& b) { return a.name < b.name; });

@@ -2,6 +2,7 @@
 // `limn accuracy` on real volumes: the shape of its report, and a chosen point measured again from scratch by
 // other calls of the program.
 #include "accuracy/ImageError.h"
+#include "support/Places.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
@@ -95,8 +96,7 @@ Json fastestOf(const Json& report, double levels) {
 }
 
 TEST_P(AccuracyCommand, reportsAnErrorThatFallsAndPointsThatKeepTheirBound) {
-  const Json expected =
-      jsonIn(std::filesystem::path(LIMN_SOURCE_DIR) / "tests/accuracy/expectations" / GetParam());
+  const Json expected = jsonIn(test::sourceFolder() / "tests/accuracy/expectations" / GetParam());
   LIMN_NEEDS_SHARED(expected["volume"].get<std::string>());
   ASSERT_EQ(run("accuracy " + sourceOf(expected) + " -o '" + file("report") + "'"), 0);
   for (const char* name : {"accuracy.csv", "accuracy.png", "accuracy.html"})

@@ -2,6 +2,7 @@
 #include "WindowHarness.h"
 #include "app/renderers/RealRenderers.h"
 #include "support/Heart.h"
+#include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/chart/AccuracyChart.h"
 #include "widgets/accuracy/chart/AccuracyChartView.h"
@@ -12,7 +13,6 @@
 #include "widgets/accuracy/sections/StopSlider.h"
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QCheckBox>
@@ -20,6 +20,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
+#include <QLabel>
 #include <QPushButton>
 
 #include <algorithm>
@@ -53,6 +54,17 @@ protected:
   }
 
   AccuracyPanel& panel() { return *window->findChild<AccuracyPanel*>(); }
+  QPushButton* measureButton() { return widgetNamed<QPushButton>(panel(), "Measure error and time"); }
+  QCheckBox* mapCheck() { return panel().findChild<MapSection*>()->findChild<QCheckBox*>(); }
+  template <class Section>
+  QString textOf(const char* label) {
+    return panel().findChild<Section*>()->template findChild<QLabel*>(QString::fromLatin1(label))->text();
+  }
+  std::size_t shownCurves() {
+    return dynamic_cast<const AccuracyChart&>(*panel().findChild<AccuracyChartView*>()->chart())
+        .curves()
+        .size();
+  }
   ErrorMapOverlay& map() { return *window->findChild<ErrorMapOverlay*>(); }
 
   void click(QWidget* control) {
@@ -62,7 +74,7 @@ protected:
   }
 
   void click(const OperatingPoint& point) {
-    AccuracyChartView& chart = *panel().measuredSection()->chartView();
+    AccuracyChartView& chart = *panel().findChild<AccuracyChartView*>();
     const std::optional<std::size_t> index = indexOf(point, panel().measured()->report.points);
     ASSERT_TRUE(index);
     panel().ensureWidgetVisible(&chart);
@@ -75,13 +87,13 @@ protected:
   }
 
   [[nodiscard]] bool measure() {
-    click(panel().measuredSection()->measureButton());
+    click(measureButton());
     return panel().work() == AccuracyWork::measuring && workEnds() && panel().measured().has_value();
   }
 };
 
 TEST_F(AccuracyWindowTest, measuringGivesPointsOfEveryPositionWithoutBlockingTheWindow) {
-  click(panel().measuredSection()->measureButton());
+  click(measureButton());
   ASSERT_EQ(panel().work(), AccuracyWork::measuring);
   const test::Heart heart;
   ASSERT_TRUE(workEnds());
@@ -92,11 +104,11 @@ TEST_F(AccuracyWindowTest, measuringGivesPointsOfEveryPositionWithoutBlockingThe
   EXPECT_TRUE(measured.report.reference.converged);
   for (const OperatingPoint& point : dialPoints(measured.scene, measured.steepestPerMm))
     EXPECT_TRUE(indexOf(point, measured.report.points)) << point.stepVoxels;
-  EXPECT_TRUE(panel().dialSection()->sentence().contains(QStringLiteral("within")));
+  EXPECT_TRUE(textOf<DialSection>("sentence").contains(QStringLiteral("within")));
   std::set<std::string> families;
   for (const MeasuredPoint& point : measured.report.points)
     families.insert(familyOf(point.point));
-  EXPECT_EQ(panel().measuredSection()->chartView()->chartShown().curves().size(), families.size());
+  EXPECT_EQ(shownCurves(), families.size());
 }
 
 TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) {
@@ -127,7 +139,8 @@ TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) 
 
 TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   ASSERT_TRUE(measure());
-  WishSection& wish = *panel().wishSection();
+  auto* useLevels = widgetNamed<QPushButton>(panel(), "Use: Error at most, levels");
+  auto* levels = widgetNamed<NumberField>(panel(), "Error at most, levels");
   // What the finest equal steps keep with a hundredth to spare, some point keeps; nothing is promised below
   // what the exact picture is certain to.
   const std::vector<MeasuredPoint>& points = panel().measured()->report.points;
@@ -136,61 +149,63 @@ TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   finest.preintegrated = false;
   const double limit = 1.01 * std::max(points[*indexOf(finest, points)].error.p99_9,
                                        leastP99_9(panel().measured()->report.reference));
-  wish.levelsField()->setNumber(limit);
+  levels->setNumber(limit);
   const MeasuredPoint* fastest = fastestWithin(points, limit);
   ASSERT_TRUE(fastest);
   const OperatingPoint wished = fastest->point;
-  click(wish.levelsButton());
+  click(useLevels);
   ASSERT_TRUE(workEnds()) << "a tolerance has its steps found first";
   EXPECT_EQ(pointOf(scene(), panel().measured()->steepestPerMm), wished);
-  EXPECT_TRUE(wish.answer().startsWith(QStringLiteral("Chosen: "))) << wish.answer().toStdString();
+  EXPECT_TRUE(textOf<WishSection>("answer").startsWith(QStringLiteral("Chosen: ")))
+      << textOf<WishSection>("answer").toStdString();
   const Quality used = scene().quality;
-  wish.msField()->setNumber(0.001);
-  wish.levelsField()->setNumber(1e-6);
-  click(wish.levelsButton());
+  widgetNamed<NumberField>(panel(), "Time at most, ms")->setNumber(0.001);
+  levels->setNumber(1e-6);
+  click(useLevels);
   EXPECT_EQ(scene().quality, used);
-  EXPECT_TRUE(wish.answer().contains(QStringLiteral("Closest:"))) << wish.answer().toStdString();
+  EXPECT_TRUE(textOf<WishSection>("answer").contains(QStringLiteral("Closest:")))
+      << textOf<WishSection>("answer").toStdString();
 }
 
 TEST_F(AccuracyWindowTest, cancellingLeavesNothingHalf) {
-  click(panel().measuredSection()->measureButton());
+  click(measureButton());
   QSignalSpy progress(&panel(), &AccuracyPanel::cancelRequested);
   ASSERT_EQ(panel().work(), AccuracyWork::measuring);
-  click(panel().measuredSection()->work()->cancelButton());
+  click(panel().findChild<MeasuredSection*>()->work()->findChild<QPushButton*>());
   EXPECT_EQ(panel().work(), AccuracyWork::none);
   EXPECT_FALSE(panel().measured());
-  EXPECT_TRUE(panel().measuredSection()->measureButton()->isEnabled());
+  EXPECT_TRUE(measureButton()->isEnabled());
   ASSERT_TRUE(measure()) << "and it can be measured anew";
   EXPECT_FALSE(panel().measured()->report.points.empty());
 }
 
 TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges) {
-  click(panel().mapSection()->check());
+  click(mapCheck());
   ASSERT_EQ(panel().work(), AccuracyWork::comparing);
   ASSERT_TRUE(workEnds());
   EXPECT_TRUE(map().isVisible());
-  EXPECT_TRUE(panel().mapSection()->sentence().contains(QStringLiteral("999 of 1000")));
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("999 of 1000")));
   EXPECT_TRUE(QRectF(view().rect()).contains(map().legendRect()));
   const QPoint centre = view().rect().center();
   QTest::mousePress(&view(), Qt::LeftButton, {}, centre);
   QTest::mouseMove(&view(), centre + QPoint(30, 10));
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, centre + QPoint(30, 10));
   EXPECT_FALSE(map().isVisible());
-  EXPECT_FALSE(panel().mapSection()->check()->isChecked());
+  EXPECT_FALSE(mapCheck()->isChecked());
   clickTool(QStringLiteral("Wipe"));
-  EXPECT_FALSE(panel().mapSection()->check()->isEnabled()) << "two pictures lie over each other";
+  EXPECT_FALSE(mapCheck()->isEnabled()) << "two pictures lie over each other";
 }
 
 TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
   ASSERT_TRUE(measure());
-  window->writeAccuracy(pathTo("chart.png"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("chart.png"));
   EXPECT_EQ(QImage(pathTo("chart.png")).size(), QSize(1200, 750));
-  window->writeAccuracy(pathTo("table.csv"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("table.csv"));
   QFile table(pathTo("table.csv"));
   ASSERT_TRUE(table.open(QIODevice::ReadOnly));
   const auto lines = QString::fromUtf8(table.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   EXPECT_EQ(lines.size(), 1 + static_cast<int>(panel().measured()->report.points.size()));
-  window->writeAccuracy(pathTo("page.html"));
+  window->findChild<AccuracyDesk*>()->write(pathTo("page.html"));
   QFile page(pathTo("page.html"));
   ASSERT_TRUE(page.open(QIODevice::ReadOnly));
   const QByteArray text = page.readAll();
@@ -202,7 +217,7 @@ TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
 
 TEST_F(AccuracyWindowTest, theTimeWhileMovingIsKeptForTheNextRun) {
   EXPECT_EQ(loop().movingMs(), 40.0);
-  QComboBox* box = panel().dialSection()->movingChoice()->box();
+  QComboBox* box = widgetNamed<QComboBox>(panel(), "While moving");
   panel().ensureWidgetVisible(box);
   box->setFocus();
   QTest::keyClick(box, Qt::Key_End);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/ImageFile.h"
+#include "support/EffectNames.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
@@ -81,25 +82,9 @@ TEST_F(CommandLine, effectsPrintsEveryRowWithItsReasonAndCostAsOneJsonObject) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
   EXPECT_FALSE(json["renderer"].get<std::string>().empty());
-  const char* const names[] = {"gradient",
-                               "lighting",
-                               "specular",
-                               "exponent_map",
-                               "opacity_map",
-                               "gradient_curve",
-                               "robust",
-                               "fog",
-                               "crop",
-                               "early_termination",
-                               "preintegration",
-                               "empty_space_skipping",
-                               "gradient_opacity",
-                               "isosurface",
-                               "jitter",
-                               "knee",
-                               "two_sided"};
-  ASSERT_EQ(json["effects"].size(), std::size(names));
-  for (std::size_t i = 0; i < std::size(names); ++i) {
+  const std::vector<std::string>& names = test::documentedEffects;
+  ASSERT_EQ(json["effects"].size(), names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
     const nlohmann::json& effect = json["effects"][i];
     EXPECT_EQ(effect.size(), 4u);
     EXPECT_EQ(effect["name"], names[i]);

@@ -2,6 +2,7 @@
 #include "WindowHarness.h"
 #include "io/dicom/SyntheticSeries.h"
 #include "support/FileBytes.h"
+#include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
@@ -19,7 +20,7 @@ using MainWindowFiles = test::WindowHarness;
 
 // Clicks a preset of the list by name.
 void clickPreset(PresetBrowser& browser, const QString& name) {
-  QTreeView& list = *browser.list();
+  QTreeView& list = *browser.findChild<QTreeView*>();
   const QModelIndexList found = list.model()->match(list.model()->index(0, 0), Qt::DisplayRole, name, 1,
                                                     Qt::MatchExactly | Qt::MatchRecursive);
   ASSERT_EQ(found.size(), 1) << name.toStdString();
@@ -31,8 +32,8 @@ TEST_F(MainWindowFiles, choosingAPresetIsOneUndoStep) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   auto& browser = *window->findChild<PresetBrowser*>();
   const TransferFunction before = scene().transferFunction;
-  const QStringList names = browser.shownNames();
-  const QString current = browser.list()->currentIndex().data().toString();
+  const QStringList names = presetNames(browser);
+  const QString current = browser.findChild<QTreeView*>()->currentIndex().data().toString();
   const auto other = std::find_if(names.begin(), names.end(), [&](const QString& n) { return n != current; });
   ASSERT_NE(other, names.end());
   clickPreset(browser, *other);
@@ -49,11 +50,11 @@ TEST_F(MainWindowFiles, aSavedPresetAppearsAsAFileAndInTheListUntilDeleted) {
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue(QStringLiteral("My head"));
   dialog->accept();
-  ASSERT_TRUE(browser.shownNames().contains(QStringLiteral("My head")));
+  ASSERT_TRUE(presetNames(browser).contains(QStringLiteral("My head")));
   EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 1u);
   clickPreset(browser, QStringLiteral("My head"));
-  QTest::keyClick(browser.list(), Qt::Key_Delete);
-  EXPECT_FALSE(browser.shownNames().contains(QStringLiteral("My head")));
+  QTest::keyClick(browser.findChild<QTreeView*>(), Qt::Key_Delete);
+  EXPECT_FALSE(presetNames(browser).contains(QStringLiteral("My head")));
   EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 0u);
 }
 
@@ -89,8 +90,8 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleAndInNoFile) {
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue(QStringLiteral("Marked"));
   dialog->accept();
-  window->writeScene(pathTo("scene.json"));
-  window->writePicture(pathTo("picture.png"));
+  saving().writeScene(pathTo("scene.json"));
+  saving().writePicture(pathTo("picture.png"));
   window->close();
   window.reset();
   std::filesystem::remove_all(folder.path() / "series");

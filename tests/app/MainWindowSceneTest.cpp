@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "support/CropHandle.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
@@ -26,12 +26,12 @@ protected:
   void SetUp() override {
     WindowHarness::SetUp();
     ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-    window->setCompareLayout(CompareLayout::single);
-    window->session().setCamera(orbited(scene().camera, 0.5, 0.4));
+    setLayout(CompareLayout::single);
+    session().setCamera(orbited(scene().camera, 0.5, 0.4));
   }
 
   PropertiesPanel& properties() { return *window->findChild<PropertiesPanel*>(); }
-  GradientOpacityEditor& gradientEditor() { return *window->curves().gradientEditor(); }
+  GradientOpacityEditor& gradientEditor() { return *curves().gradientEditor(); }
 
   QPoint handle(CropFace face) {
     return view().mapTo(window.get(), test::cropHandle(view(), face).toPoint());
@@ -43,8 +43,11 @@ protected:
   }
   void release(const QPoint& at) { QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, at); }
 
+  QCheckBox* useBox() {
+    return widgetNamed<QCheckBox>(gradientEditor(), "Use the curve of opacity over the gradient");
+  }
   [[nodiscard]] bool gradientsCounted() {
-    return test::waitUntil([this] { return gradientEditor().useBox()->isEnabled(); });
+    return test::waitUntil([this] { return useBox()->isEnabled(); });
   }
 
   void saveAsPreset(const QString& name) {
@@ -92,18 +95,18 @@ TEST_F(MainWindowScene, theCropBoxShowsWhileItsSectionIsUsedAndOnIntoTheView) {
   CropSection* section = properties().cropSection();
   section->setFolded(false);
   EXPECT_FALSE(view().cropBoxIsVisible());
-  section->range(0)->lowerField()->setFocus();
+  section->findChild<NumberField*>()->setFocus();
   EXPECT_TRUE(view().cropBoxIsVisible());
   view().setFocus();
   EXPECT_TRUE(view().cropBoxIsVisible());
-  window->findChild<PresetBrowser*>()->searchField()->setFocus();
+  window->findChild<PresetBrowser*>()->findChild<QLineEdit*>()->setFocus();
   EXPECT_FALSE(view().cropBoxIsVisible());
   view().setFocus();
   EXPECT_FALSE(view().cropBoxIsVisible());
 }
 
 TEST_F(MainWindowScene, theLetterOfTheCropBoxCanBeTypedElsewhere) {
-  QLineEdit* search = window->findChild<PresetBrowser*>()->searchField();
+  QLineEdit* search = window->findChild<PresetBrowser*>()->findChild<QLineEdit*>();
   search->setFocus();
   QTest::keyClick(search, Qt::Key_B);
   EXPECT_FALSE(view().cropBoxIsVisible());
@@ -112,20 +115,20 @@ TEST_F(MainWindowScene, theLetterOfTheCropBoxCanBeTypedElsewhere) {
 
 TEST_F(MainWindowScene, gradientsAreCountedOnlyOnceTheirCurveIsLookedAt) {
   QCoreApplication::processEvents();
-  EXPECT_FALSE(gradientEditor().useBox()->isEnabled());
-  window->curves().showGradient(true);
+  EXPECT_FALSE(useBox()->isEnabled());
+  curves().showGradient(true);
   ASSERT_TRUE(gradientsCounted());
-  window->curves().showGradient(false);
-  window->curves().showGradient(true);
-  EXPECT_TRUE(gradientEditor().useBox()->isEnabled()); // and not again
-  ASSERT_TRUE(open(QStringLiteral("phantom:5")));      // another volume, whose curve is in view
+  curves().showGradient(false);
+  curves().showGradient(true);
+  EXPECT_TRUE(useBox()->isEnabled());             // and not again
+  ASSERT_TRUE(open(QStringLiteral("phantom:5"))); // another volume, whose curve is in view
   EXPECT_TRUE(gradientsCounted());
 }
 
 TEST_F(MainWindowScene, theCurveOverTheGradientIsSwitchedOnDraggedAndUndone) {
-  window->curves().showGradient(true);
+  curves().showGradient(true);
   ASSERT_TRUE(gradientsCounted());
-  QCheckBox* use = gradientEditor().useBox();
+  QCheckBox* use = useBox();
   QTest::mouseClick(use, Qt::LeftButton, {}, {8, use->height() / 2});
   ASSERT_TRUE(scene().gradientOpacity);
   const GradientOpacity ramp = *scene().gradientOpacity;
@@ -153,7 +156,7 @@ TEST_F(MainWindowScene, theCurveOverTheGradientIsSwitchedOnDraggedAndUndone) {
 TEST_F(MainWindowScene, aSurfaceBeginsAtAValueThatTheVolumeHas) {
   Scene far = scene();
   far.isovalue = 1e6;
-  window->session().edit(far, {nextGestureId(), QStringLiteral("far")});
+  session().edit(far, {nextGestureId(), QStringLiteral("far")});
   emit properties().projectionEdited(Projection::isosurface, {nextGestureId(), QStringLiteral("surface")});
   EXPECT_EQ(scene().projection, Projection::isosurface);
   EXPECT_GT(scene().isovalue, scene().volume->range().lowest);
@@ -172,20 +175,20 @@ TEST_F(MainWindowScene, aPresetKeepsCurveOverTheGradientAndSurface) {
   shaped.gradientOpacity = GradientOpacity{{{5.0, 0.25}, {80.0, 0.75}}};
   shaped.projection = Projection::compositeIsosurface;
   shaped.isovalue = 123.5;
-  window->session().edit(shaped, {nextGestureId(), QStringLiteral("shape")});
+  session().edit(shaped, {nextGestureId(), QStringLiteral("shape")});
   saveAsPreset(QStringLiteral("Mine"));
   Scene plain = shaped;
   plain.gradientOpacity.reset();
   plain.projection = Projection::composite;
   plain.isovalue = 300.0;
-  window->session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
+  session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
   auto& browser = *window->findChild<PresetBrowser*>();
-  EXPECT_NE(browser.list()->currentIndex().data().toString(), QStringLiteral("Mine"));
+  EXPECT_NE(browser.findChild<QTreeView*>()->currentIndex().data().toString(), QStringLiteral("Mine"));
   emit browser.presetChosen(QStringLiteral("Mine"));
   EXPECT_EQ(scene().gradientOpacity, shaped.gradientOpacity);
   EXPECT_EQ(scene().projection, shaped.projection);
   EXPECT_EQ(scene().isovalue, shaped.isovalue);
-  EXPECT_TRUE(gradientEditor().useBox()->isChecked());
+  EXPECT_TRUE(useBox()->isChecked());
 }
 
 } // namespace

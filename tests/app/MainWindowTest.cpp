@@ -83,7 +83,7 @@ TEST_F(MainWindowTest, enhancedWithEqualRangesShowsTheClassicPicture) {
   // DEFINITION section 5: the ranges then give the exponent and the opacity factor of classic everywhere.
   shading.exponentRange = {shading.exponent, shading.exponent};
   shading.opacityRange = {1.0, 1.0};
-  window->session().setShading(shading, {nextGestureId(), QStringLiteral("equal ranges")});
+  session().setShading(shading, {nextGestureId(), QStringLiteral("equal ranges")});
   ASSERT_TRUE(rest());
   ASSERT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic);
   ASSERT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::enhanced);
@@ -95,7 +95,7 @@ TEST_F(MainWindowTest, theRestingPictureIsThatOfTheSavedScene) {
   ASSERT_TRUE(rest());
   const auto shown = view().restingImage(0);
   ASSERT_TRUE(shown);
-  window->writeScene(pathTo("scene.json"));
+  saving().writeScene(pathTo("scene.json"));
   LoadedScene saved = loadScene((folder.path() / "scene.json").string(), {}, {});
   saved.scene.shading.model = view().sceneOfSide(0).shading.model;
   view().doneCurrent(); // makes room for the command line's context
@@ -132,7 +132,7 @@ TEST_F(MainWindowTest, aCancelledLoadLeavesNoTraceInTheTitle) {
   const QString title = window->windowTitle();
   window->openSource(QStringLiteral("sample"));
   QTest::mouseClick(window->findChild<QWidget*>(QStringLiteral("cancel")), Qt::LeftButton);
-  ASSERT_EQ(std::as_const(*window).session().volumePath(), "phantom:4");
+  ASSERT_EQ(session().volumePath(), "phantom:4");
   QAction* patient = action(QStringLiteral("Patient in the title &bar"));
   ASSERT_NE(patient, nullptr);
   patient->trigger(); // writes the title anew
@@ -158,16 +158,16 @@ TEST_F(MainWindowTest, theCurvesAxisHasTheRangeOfTheVolumeThatIsOpenedLast) {
   file.close();
   ASSERT_TRUE(open(pathTo("small.nrrd")));
   // The bins of 0 to 199, each one wide, and the margin of three hundredths at either side.
-  const ValueRange visible = window->editor().canvas()->transform().visible;
+  const ValueRange visible = curves().valueEditor()->canvas()->transform().visible;
   EXPECT_NEAR(visible.lowest, -0.5 - 0.03 * 200.0, 1e-9);
   EXPECT_NEAR(visible.highest, 199.5 + 0.03 * 200.0, 1e-9);
 }
 
 TEST_F(MainWindowTest, openingASecondVolumeWhileOneLoadsShowsOnlyTheSecond) {
-  QSignalSpy scenes(&window->session(), &Session::sceneChanged);
+  QSignalSpy scenes(&session(), &Session::sceneChanged);
   window->openSource(QStringLiteral("phantom:2"));
   ASSERT_TRUE(open(phantom));
-  EXPECT_EQ(std::as_const(*window).session().volumePath(), "phantom:4");
+  EXPECT_EQ(session().volumePath(), "phantom:4");
   EXPECT_TRUE(rest());
   EXPECT_EQ(scenes.count(), 1);
   EXPECT_FALSE(isLoadingShown());

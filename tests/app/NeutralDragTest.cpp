@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "support/Heart.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
@@ -48,21 +49,19 @@ protected:
   [[nodiscard]] bool show(const std::function<void(Scene&)>& change, CompareLayout layout) {
     if (!open(QStringLiteral("phantom:4")))
       return false;
-    window->setCompareLayout(layout);
+    setLayout(layout);
     for (FoldingSection* section : window->findChildren<FoldingSection*>())
       section->setFolded(false);
     Scene changed = scene();
     change(changed);
-    window->session().edit(changed, {nextGestureId(), QStringLiteral("start")});
+    session().edit(changed, {nextGestureId(), QStringLiteral("start")});
     return idle();
   }
 
   template <class Slider>
-  TrackSlider* track(const QString& label) {
-    for (Slider* one : window->findChildren<Slider*>())
-      if (one->label()->text() == label)
-        return one->slider();
-    return nullptr;
+  TrackSlider* track(const char* label) {
+    auto* row = rowNamed<Slider>(*window, label);
+    return row ? row->template findChild<TrackSlider*>() : nullptr;
   }
 
   // One mouse move until its frame is shown.
@@ -107,7 +106,7 @@ protected:
 
 TEST_F(NeutralDrag, highlightsLeaveZeroWithoutAStall) {
   ASSERT_TRUE(show([](Scene& s) { s.shading.specular = 0.0; }, CompareLayout::sideBySide));
-  TrackSlider* slider = track<ValueSlider>(QStringLiteral("Highlights (ks)"));
+  TrackSlider* slider = track<ValueSlider>("Highlights (ks)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("specular", drag(*slider, 0, 80));
   EXPECT_EQ(scene().shading.specular, 0.0) << "the drag ends where it began";
@@ -121,7 +120,7 @@ TEST_F(NeutralDrag, boundaryEmphasisOpensWithoutAStall) {
         s.shading.exponentRange = {32.0, 32.0};
       },
       CompareLayout::single));
-  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
+  TrackSlider* slider = track<RangeSlider>("Boundary emphasis (O)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("boundary emphasis", drag(*slider, 1, 60));
 }
@@ -134,7 +133,7 @@ TEST_F(NeutralDrag, highlightSharpnessOpensWithoutAStall) {
         s.shading.exponentRange = {32.0, 32.0};
       },
       CompareLayout::single));
-  TrackSlider* slider = track<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  TrackSlider* slider = track<RangeSlider>("Highlight sharpness (SP)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("highlight sharpness", drag(*slider, 1, 40));
 }
@@ -145,7 +144,7 @@ TEST_F(NeutralDrag, fogRisesWithoutAStall) {
         s.fog = {Fog::Mode::exp2, glm::dvec3(0.1), 0.0, 0.0, 1000.0};
       },
       CompareLayout::sideBySide));
-  TrackSlider* slider = window->findChild<FogSection*>()->densitySlider()->slider();
+  TrackSlider* slider = track<ValueSlider>("Density (ρ)");
   ASSERT_NE(slider, nullptr);
   expectNoStall("fog", drag(*slider, 0, 80));
 }

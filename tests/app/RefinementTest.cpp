@@ -2,6 +2,7 @@
 #include "WindowHarness.h"
 #include "scene/ModelName.h"
 #include "support/Heart.h"
+#include "support/Places.h"
 #include "support/TestData.h"
 #include "widgets/view/status/PictureStatus.h"
 
@@ -62,7 +63,7 @@ protected:
   std::vector<float> renderedByTheProgram(const QString& scene, ShadingModel model, const glm::ivec2& size) {
     const QString out = pathTo("rendered.exr");
     QProcess program;
-    program.start(QStringLiteral(LIMN_PROGRAM),
+    program.start(QString::fromStdString(test::programPath()),
                   {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
                    QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
@@ -88,7 +89,7 @@ protected:
     const bool isClose = statedLevels() >= 0.0 && statedLevels() <= 0.5;
     EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
     EXPECT_EQ(scene().quality.stepVoxels, step) << "the step that the user chose stays";
-    window->writeScene(pathTo("scene.json"));
+    saving().writeScene(pathTo("scene.json"));
     for (int side = 0; side < static_cast<int>(view().pictureState().sides.size()); ++side) {
       const std::optional<Image> shown = view().restingImage(side);
       ASSERT_TRUE(shown);
@@ -110,7 +111,7 @@ TEST_F(RefinementTest, afterAnEditThePictureBecomesTheOneThatTheCommandLineDraws
 TEST_F(RefinementTest, theCtHeadDoesSoToo) {
   const char* const head = "data/ct_head_cranium/ct_head_cranium.nii.gz";
   LIMN_NEEDS_SHARED(head);
-  window->setCompareLayout(CompareLayout::single);
+  setLayout(CompareLayout::single);
   ASSERT_TRUE(open(QString::fromStdString((test::sharedFolder() / head).string())));
   ASSERT_TRUE(rest());
   view().setRefinesAtRest(true);
@@ -126,7 +127,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   EXPECT_TRUE(labelSays(QStringLiteral("of 255 levels"))) << "where everybody can read it";
   Scene moved = scene();
   moved.camera = orbited(moved.camera, 0.3, 0.0);
-  window->session().setCamera(moved.camera);
+  session().setCamera(moved.camera);
   ASSERT_TRUE(test::waitUntil([&] { return !view().pictureState().resting; }));
   QCoreApplication::processEvents();
   EXPECT_GT(statedLevels(), 0.0) << "what was known of the former view is scaled: "
@@ -134,12 +135,12 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
 }
 
 TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {
-  window->setCompareLayout(CompareLayout::single);
+  setLayout(CompareLayout::single);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   view().setRefinesAtRest(true);
   ASSERT_TRUE(refined());
   const std::optional<Image> shown = view().restingImage(0);
-  window->writePicture(pathTo("saved.exr"));
+  saving().writePicture(pathTo("saved.exr"));
   EXPECT_TRUE(samplesOf(pathTo("saved.exr")) == samplesOf(*shown));
   const LoadedScene inside = loadScene((folder.path() / "saved.exr").string(), {}, {});
   EXPECT_EQ(inside.scene.quality.stepVoxels, view().pictureState().sides[0].stepVoxels);

@@ -134,14 +134,14 @@ TEST_F(Saving, whoeverNoLongerWantsThePictureCancels) {
 
 TEST_F(Saving, aFailureIsForgottenOnceSomethingIsSaved) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  window->writeSession(pathTo("none/mine.json"));
+  saving().writeSession(pathTo("none/mine.json"));
   ASSERT_TRUE(messages().isVisible());
-  window->writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.json"));
   EXPECT_FALSE(messages().isVisible());
   // Another message stays.
-  window->writeSession(pathTo("none/mine.json"));
+  saving().writeSession(pathTo("none/mine.json"));
   ASSERT_TRUE(open(pathTo("missing.nii")));
-  window->writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.json"));
   EXPECT_TRUE(messages().isVisible());
 }
 
@@ -154,10 +154,10 @@ TEST_F(Saving, thatWorkIsNotSafeIsSaidAsLongAsItIsTrue) {
   dragAPoint();
   MessageBar& unsafe = bar("unsafeBar");
   ASSERT_TRUE(test::waitUntil([&] { return unsafe.isVisible(); }));
-  window->writeScene(pathTo("none/scene.json"));
+  saving().writeScene(pathTo("none/scene.json"));
   EXPECT_TRUE(unsafe.isVisible());
   EXPECT_TRUE(messages().isVisible());
-  window->writeScene(pathTo("scene.json"));
+  saving().writeScene(pathTo("scene.json"));
   EXPECT_TRUE(unsafe.isVisible());
   EXPECT_FALSE(messages().isVisible());
   // There is room again, although nothing changes.
@@ -168,7 +168,7 @@ TEST_F(Saving, thatWorkIsNotSafeIsSaidAsLongAsItIsTrue) {
 
 TEST_F(Saving, aRelativePathIsRememberedWhole) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  window->writeScene(pathTo("scene.json"));
+  saving().writeScene(pathTo("scene.json"));
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
   const bool opened = open(QStringLiteral("scene.json"));

@@ -88,7 +88,7 @@ TEST_F(SessionWindow, aSavedSessionComesBackAsItWas) {
   EXPECT_EQ(before.rightModel, ShadingModel::robust);
   EXPECT_EQ(before.panel, SessionDocument::Panel::effects);
   EXPECT_TRUE(before.cropBoxIsShown);
-  window->writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.json"));
   EXPECT_FALSE(window->isWindowModified());
   EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("mine.json")));
 
@@ -106,7 +106,7 @@ TEST_F(SessionWindow, aSavedSessionComesBackAsItWas) {
 
 TEST_F(SessionWindow, savingAgainAsksForNoName) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  window->writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.json"));
   const std::string first = test::bytesOfFile(folder.path() / "mine.json");
   dragAPoint();
   action(QStringLiteral("&Save session"))->trigger();
@@ -213,7 +213,7 @@ TEST_F(SessionWindow, beforeAVolumeIsReadTheSessionIsOnTheDisk) {
   };
   QMetaObject::Connection once = QObject::connect(&window->loader(), &VolumeLoader::progressed, window.get(),
                                                   [&](double, const QString&) { look(); });
-  window->session().setTransferFunction(edited, {nextGestureId(), QStringLiteral("last")});
+  session().setTransferFunction(edited, {nextGestureId(), QStringLiteral("last")});
   window->openSource(QStringLiteral("phantom:5"));
   ASSERT_TRUE(test::waitUntil([&] { return onDisk.isUnsaved || !window->loader().isLoading(); }));
   QObject::disconnect(once);

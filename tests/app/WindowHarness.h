@@ -6,8 +6,10 @@
 #include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
+#include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/view/CompareView.h"
 #include "widgets/view/panels/ViewPanels.h"
 #include "widgets/view/pictures/PictureLoop.h"
 
@@ -44,11 +46,15 @@ protected:
   }
 
   QString pathTo(const char* name) const { return QString::fromStdString((folder.path() / name).string()); }
-  const Scene& scene() const { return std::as_const(*window).session().scene(); }
-  QUndoStack& undo() { return window->session().undoStack(); }
+  Session& session() const { return *window->findChild<Session*>(); }
+  const Scene& scene() const { return session().scene(); }
+  QUndoStack& undo() { return session().undoStack(); }
   CompareView& view() { return window->view(); }
   PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
   int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
+  CurvePanel& curves() const { return *window->findChild<CurvePanel*>(); }
+  SavingDesk& saving() const { return *window->findChild<SavingDesk*>(); }
+  void setLayout(CompareLayout layout) { window->findChild<ComparisonDesk*>()->setLayout(layout); }
 
   /// Waits until nothing loads and every picture is complete.
   [[nodiscard]] bool rest() {
@@ -75,7 +81,7 @@ protected:
 
   /// Drags the first visible point of the curve that is neither transparent nor opaque 25 pixels down.
   void dragAPoint() {
-    TransferFunctionCanvas& canvas = *window->editor().canvas();
+    TransferFunctionCanvas& canvas = *curves().valueEditor()->canvas();
     const PlotTransform plot = canvas.transform();
     for (const ControlPoint& point : canvas.transferFunction().points) {
       if (point.opacity < 0.2 || point.value < plot.visible.lowest || point.value > plot.visible.highest)

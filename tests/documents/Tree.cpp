@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "documents/Tree.h"
+#include "support/Places.h"
 
 #include <algorithm>
 #include <fstream>
@@ -33,7 +34,7 @@ const std::vector<fs::path>& paths() {
 } // namespace
 
 fs::path projectRoot() {
-  return LIMN_SOURCE_DIR;
+  return sourceFolder();
 }
 
 TextFile fileAt(const fs::path& path) {

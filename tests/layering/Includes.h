@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/Places.h"
+
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -15,7 +17,7 @@ struct Include {
   std::string header;         ///< as written
 };
 
-inline const std::filesystem::path sourceRoot = LIMN_SOURCE_DIR;
+inline const std::filesystem::path sourceRoot = sourceFolder();
 
 /// Every include of the sources below a folder, which is relative to the root.
 inline std::vector<Include> includesBelow(const std::filesystem::path& folder) {

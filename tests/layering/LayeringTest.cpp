@@ -64,28 +64,24 @@ TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
 }
 
 TEST(Layering, onlyIoTalksToFileLibraries) {
-  for (const char* folder : {"renderer/gl", "renderer/raycaster", "renderer/slices", "renderer/reference",
-                             "renderer/accuracy", "renderer/stability", "widgets"})
-    expectNoIncludes(folder, "^(vtk|itk|gdcm|OpenImageIO|nlohmann|pugixml|archive)",
-                     "files are read and written in io");
-}
-
-TEST(Layering, allJsonAndXmlIsMadeAndReadInIo) {
   for (const char* folder : {"renderer", "widgets", "app"})
-    expectNoIncludes(folder, "nlohmann|json.hpp|json_fwd|pugixml|QJson|QXml|QDom",
-                     "texts of files are made and read in renderer/io", "renderer/io");
-}
-
-TEST(Layering, theWindowNeedsNoLaboratory) {
-  for (const Include& include : includesBelow("app"))
-    if (!include.file.string().starts_with("app/measure/") &&
-        !include.file.string().starts_with("app/commands/"))
-      EXPECT_FALSE(include.header.starts_with("app/measure/") || include.header.starts_with("stability/"))
-          << include.file << " includes " << include.header << ": reports belong to the command line";
+    expectNoIncludes(folder,
+                     "^(vtk|itk|gdcm|OpenImageIO|nlohmann|json|pugixml|archive|tiff|zlib|QJson|QXml|QDom)",
+                     "files, JSON and XML are read and written in renderer/io", "renderer/io");
 }
 
 TEST(Layering, widgetsIncludeNeitherIoNorApp) {
   expectNoIncludes("widgets", "^(io|app)/", "widgets show values and ask for edits");
+}
+
+TEST(Layering, readersShareWhatStandsBelowThemAndKnowNoOtherReader) {
+  expectNoIncludes("renderer/io/reading", "^io/(?!reading/)", "what readers share stands below them");
+  expectNoIncludes("renderer/io/dicom", "^io/(?!(reading|dicom)/)", "DICOM is read by itself");
+  for (const auto& room : fs::directory_iterator(root / "renderer/io/formats"))
+    if (room.is_directory())
+      expectNoIncludes(fs::relative(room.path(), root),
+                       "^io/(?!reading/|formats/(voxels|" + room.path().filename().string() + ")/)",
+                       "a format is read by itself");
 }
 
 TEST(Layering, ioIncludesNeitherRenderersNorWidgets) {

@@ -8,6 +8,7 @@
 #include "scene/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/Places.h"
 #include "support/TestData.h"
 
 #include <cmath>
@@ -67,7 +68,7 @@ using DecisionPictures = test::GlTest;
 TEST(DecisionText, theProgramsOwnDecisionsUseTheProgramsOwnBlocksOnly) {
   std::set<std::string> replacing;
   for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(LIMN_SOURCE_DIR) / "shaders" / "decisions"))
+       std::filesystem::directory_iterator(test::sourceFolder() / "shaders" / "decisions"))
     replacing.insert(entry.path().filename().string());
   ASSERT_FALSE(replacing.empty());
   std::set<std::string> used;
@@ -88,7 +89,7 @@ TEST(DecisionText, theProgramsOwnDecisionsUseTheProgramsOwnBlocksOnly) {
 TEST(DecisionText, everyDecisionIsValidGlsl130) {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "needs glslangValidator (Debian package glslang-tools), which this machine does not have";
-  const auto folder = std::filesystem::path(LIMN_BINARY_DIR) / "decision_variants";
+  const auto folder = test::buildFolder() / "decision_variants";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   int count = 0;

@@ -5,6 +5,7 @@
 #include "raycaster/EmbeddedShaders.h"
 #include "scene/EffectSet.h"
 #include "support/GlTest.h"
+#include "support/Places.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -107,7 +108,7 @@ TEST_F(ShaderVariants, everyReachableProgramLinks) {
 TEST(ShaderVariantText, everyReachableProgramIsValidGlsl130) {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "needs glslangValidator (Debian package glslang-tools), which this machine does not have";
-  const auto folder = std::filesystem::path(LIMN_BINARY_DIR) / "shader_variants";
+  const auto folder = test::buildFolder() / "shader_variants";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "full_screen.vert") << vertexSource().text;

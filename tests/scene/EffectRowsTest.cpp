@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/EffectRows.h"
 #include "scene/Phantom.h"
+#include "support/EffectNames.h"
 
 #include <gtest/gtest.h>
 
@@ -9,25 +10,6 @@
 
 namespace limn {
 namespace {
-
-// The names of the scene format's documentation, in its order.
-const std::vector<std::string> publicNames{"gradient",
-                                           "lighting",
-                                           "specular",
-                                           "exponent_map",
-                                           "opacity_map",
-                                           "gradient_curve",
-                                           "robust",
-                                           "fog",
-                                           "crop",
-                                           "early_termination",
-                                           "preintegration",
-                                           "empty_space_skipping",
-                                           "gradient_opacity",
-                                           "isosurface",
-                                           "jitter",
-                                           "knee",
-                                           "two_sided"};
 
 Scene phantomScene() {
   Scene scene;
@@ -70,7 +52,7 @@ TEST(EffectRows, areTheDocumentedOnesInTheirOrder) {
   std::vector<std::string> names;
   for (const EffectRow& one : rowsOf(phantomScene()))
     names.push_back(one.name);
-  EXPECT_EQ(names, publicNames);
+  EXPECT_EQ(names, test::documentedEffects);
 }
 
 TEST(EffectRows, holdEveryEffectButTheTechnicalOnesWhichSayWhy) {

@@ -4,6 +4,7 @@
 #include "raycaster/ShaderVariant.h"
 #include "scene/EffectSet.h"
 #include "support/GlTest.h"
+#include "support/Places.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -47,7 +48,7 @@ TEST_F(SliceShaders, everyProgramLinks) {
 TEST(SliceShaderText, everyProgramIsValidGlsl130) {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "needs glslangValidator (Debian package glslang-tools), which this machine does not have";
-  const auto folder = std::filesystem::path(LIMN_BINARY_DIR) / "slice_variants";
+  const auto folder = test::buildFolder() / "slice_variants";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "slice.vert") << sliceVertexSource().text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/Places.h"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -10,7 +12,7 @@ namespace limn::test {
 
 /// The array of cases of analytic_cases.json, which lies beside this file.
 inline nlohmann::json analyticCases() {
-  std::ifstream stream(std::filesystem::path(LIMN_SOURCE_DIR) / "tests/support/analytic_cases.json");
+  std::ifstream stream(sourceFolder() / "tests/support/analytic_cases.json");
   return nlohmann::json::parse(stream)["cases"];
 }
 

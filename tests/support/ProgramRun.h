@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/FileBytes.h"
+#include "support/Places.h"
 
 #include <cstdlib>
 
@@ -17,13 +18,13 @@ struct Outcome {
 };
 
 /// Runs the built program without a display and with `home` as the user's home, as a shell does. `before`
-/// goes in front of the command: variables, or limits of the shell. For targets that define LIMN_PROGRAM.
+/// goes in front of the command: variables, or limits of the shell. For tests declared with PROGRAM.
 inline Outcome runProgram(const std::filesystem::path& home, const std::string& arguments,
                           const std::string& before = {}) {
   const std::filesystem::path out = home / "stdout", err = home / "stderr";
   const std::string command = before + " env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM HOME='" +
-                              home.string() + "' '" LIMN_PROGRAM "' " + arguments + " >'" + out.string() +
-                              "' 2>'" + err.string() + "' </dev/null";
+                              home.string() + "' '" + programPath() + "' " + arguments + " >'" +
+                              out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int raw = std::system(command.c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, bytesOfFile(out), bytesOfFile(err)};
 }

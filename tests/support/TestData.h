@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/Places.h"
+
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -12,7 +14,7 @@ namespace limn::test {
 inline std::filesystem::path sharedFolder() {
   if (const char* given = std::getenv("LIMN_SHARED"))
     return given;
-  return std::filesystem::path(LIMN_SOURCE_DIR) / ".." / "shared";
+  return sourceFolder() / ".." / "shared";
 }
 
 } // namespace limn::test

@@ -46,7 +46,7 @@ NumberSpec sharpness(const SliderScale& scale) {
 TEST(AccessibleSlider, isASliderWithNameNumberAndLimits) {
   ValueSlider slider(sharpness({1.0, 1024.0, true}));
   slider.setValue(32.0);
-  QAccessibleInterface& track = accessible(slider.slider());
+  QAccessibleInterface& track = accessible(slider.findChild<TrackSlider*>());
   EXPECT_EQ(track.role(), QAccessible::Slider);
   EXPECT_EQ(track.text(QAccessible::Name), QStringLiteral("Sharpness"));
   EXPECT_EQ(track.childCount(), 0);
@@ -64,7 +64,7 @@ TEST(AccessibleSlider, aNumberSetIsAnEditOfTheUsers) {
   std::vector<std::pair<double, Gesture>> edits;
   QObject::connect(&slider, &ValueSlider::valueEdited, &slider,
                    [&](double number, const Gesture& gesture) { edits.emplace_back(number, gesture); });
-  QAccessibleValueInterface* value = accessible(slider.slider()).valueInterface();
+  QAccessibleValueInterface* value = accessible(slider.findChild<TrackSlider*>()).valueInterface();
   value->setCurrentValue(100.0);
   value->setCurrentValue(5000.0); // beyond the scale
   ASSERT_EQ(edits.size(), 2u);
@@ -76,7 +76,7 @@ TEST(AccessibleSlider, aNumberSetIsAnEditOfTheUsers) {
   slider.setUnavailable(QStringLiteral("Not now."));
   value->setCurrentValue(10.0);
   EXPECT_EQ(edits.size(), 2u);
-  EXPECT_TRUE(accessible(slider.slider()).state().disabled);
+  EXPECT_TRUE(accessible(slider.findChild<TrackSlider*>()).state().disabled);
 }
 
 TEST(AccessibleSlider, aSpringIsPulledOnceAndSpringsBack) {
@@ -84,7 +84,7 @@ TEST(AccessibleSlider, aSpringIsPulledOnceAndSpringsBack) {
                       [](double v) { return QString::number(v); });
   std::vector<double> pulled;
   QObject::connect(&spring, &SpringSlider::pulled, &spring, [&](double v) { pulled.push_back(v); });
-  QAccessibleInterface& track = accessible(spring.slider());
+  QAccessibleInterface& track = accessible(spring.findChild<TrackSlider*>());
   EXPECT_EQ(track.text(QAccessible::Name), QStringLiteral("Opacity"));
   track.valueInterface()->setCurrentValue(2.0);
   EXPECT_EQ(pulled, std::vector<double>{2.0});
@@ -101,7 +101,7 @@ protected:
       m_edits.push_back({lower, upper});
     });
   }
-  QAccessibleInterface& group() const { return accessible(m_range.slider()); }
+  QAccessibleInterface& group() const { return accessible(m_range.findChild<TrackSlider*>()); }
   QAccessibleInterface& handle(int index) const { return *group().child(index); }
 
   RangeSlider m_range;
@@ -119,7 +119,8 @@ TEST_F(AccessibleRange, isAGroupOfTwoNamedSliders) {
     EXPECT_EQ(handle(i).parent(), &group());
     EXPECT_EQ(group().indexOfChild(&handle(i)), i);
     EXPECT_EQ(group().child(i), &handle(i)); // one and the same whenever asked for
-    const QPoint centre = m_range.slider()->mapToGlobal(m_range.slider()->handleCentre(i).toPoint());
+    const QPoint centre = m_range.findChild<TrackSlider*>()->mapToGlobal(
+        m_range.findChild<TrackSlider*>()->handleCentre(i).toPoint());
     EXPECT_TRUE(handle(i).rect().contains(centre));
     EXPECT_EQ(group().childAt(centre.x(), centre.y()), &handle(i));
   }
@@ -146,21 +147,21 @@ TEST_F(AccessibleRange, aNumberSetMovesThatHandleUpToTheOther) {
 TEST_F(AccessibleRange, theFocusIsOnAHandle) {
   handle(1).actionInterface()->doAction(QAccessibleActionInterface::setFocusAction());
   QApplication::processEvents();
-  EXPECT_EQ(QApplication::focusWidget(), m_range.slider());
+  EXPECT_EQ(QApplication::focusWidget(), m_range.findChild<TrackSlider*>());
   EXPECT_EQ(group().focusChild(), &handle(1));
   EXPECT_TRUE(handle(1).state().focused);
   EXPECT_FALSE(handle(0).state().focused);
   EXPECT_FALSE(group().state().focused);
-  QTest::keyClick(m_range.slider(), Qt::Key_Right);
+  QTest::keyClick(m_range.findChild<TrackSlider*>(), Qt::Key_Right);
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_NEAR(m_edits[0][1], 5.08, 1e-9); // a hundredth of the track
-  QTest::keyClick(m_range.slider(), Qt::Key_Backtab, Qt::ShiftModifier);
+  QTest::keyClick(m_range.findChild<TrackSlider*>(), Qt::Key_Backtab, Qt::ShiftModifier);
   EXPECT_EQ(group().focusChild(), &handle(0));
 }
 
 TEST_F(AccessibleRange, handlesGoWithTheirSlider) {
   auto range = std::make_unique<RangeSlider>(sharpness({0.0, 8.0, false}));
-  const QAccessible::Id id = QAccessible::uniqueId(accessible(range->slider()).child(0));
+  const QAccessible::Id id = QAccessible::uniqueId(accessible(range->findChild<TrackSlider*>()).child(0));
   EXPECT_NE(QAccessible::accessibleInterface(id), nullptr);
   range.reset();
   EXPECT_EQ(QAccessible::accessibleInterface(id), nullptr);

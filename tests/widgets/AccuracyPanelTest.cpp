@@ -2,6 +2,7 @@
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
+#include "widgets/FindWidget.h"
 #include "widgets/accuracy/chart/AccuracyChartView.h"
 #include "widgets/accuracy/sections/DialSection.h"
 #include "widgets/accuracy/sections/MapSection.h"
@@ -9,12 +10,12 @@
 #include "widgets/accuracy/sections/StopSlider.h"
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -56,9 +57,18 @@ protected:
       QCoreApplication::processEvents();
   }
 
-  StopSlider& dial() { return *panel.dialSection()->dial(); }
-  QString sentence() { return panel.dialSection()->sentence(); }
-  AccuracyChartView& chart() { return *panel.measuredSection()->chartView(); }
+  StopSlider& dial() { return *panel.findChild<StopSlider*>(); }
+  template <class Section>
+  QString textOf(const char* label) {
+    return panel.findChild<Section*>()->template findChild<QLabel*>(QString::fromLatin1(label))->text();
+  }
+  QString answer() { return textOf<WishSection>("answer"); }
+  QPushButton* useLevels() { return widgetNamed<QPushButton>(panel, "Use: Error at most, levels"); }
+  QPushButton* useMs() { return widgetNamed<QPushButton>(panel, "Use: Time at most, ms"); }
+  QCheckBox* mapCheck() { return panel.findChild<MapSection*>()->findChild<QCheckBox*>(); }
+  WorkRow& work() { return *panel.findChild<MeasuredSection*>()->work(); }
+  QString sentence() { return textOf<DialSection>("sentence"); }
+  AccuracyChartView& chart() { return *panel.findChild<AccuracyChartView*>(); }
 
   void clickPoint(const OperatingPoint& point) {
     const std::optional<std::size_t> index = indexOf(point, panel.measured()->report.points);
@@ -83,7 +93,7 @@ TEST_F(AccuracyPanelTest, theDialTellsErrorAndTimeOfItsPositionOnceMeasured) {
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: not measured for this picture."));
   measure();
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms."));
-  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().stopCentre(3).toPoint());
+  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().centreAt(3).toPoint());
   EXPECT_EQ(edits, 1);
   EXPECT_EQ(scene.quality.stepVoxels, 0.25);
   EXPECT_EQ(undoText, QStringLiteral("use step 1/4 voxel"));
@@ -101,7 +111,7 @@ TEST_F(AccuracyPanelTest, theDialObeysKeysAndStandsBetweenPositionsWhereTheStepI
   panel.setScene(scene);
   EXPECT_NEAR(dial().place(), std::log2(2.0 / 0.4), 1e-12);
   edits = 0;
-  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().stopCentre(2).toPoint());
+  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().centreAt(2).toPoint());
   EXPECT_EQ(edits, 1) << "the nearest position is another step";
   EXPECT_EQ(scene.quality.stepVoxels, 0.5);
 }
@@ -157,28 +167,26 @@ TEST_F(AccuracyPanelTest, keysWalkThePointsInOrderOfTimeAndEnterUsesOne) {
 
 TEST_F(AccuracyPanelTest, aWishTakesTheBestPointThatKeepsIt) {
   measure();
-  QTest::mouseClick(panel.wishSection()->levelsButton(), Qt::LeftButton);
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
   EXPECT_EQ(scene.quality.stepVoxels, 0.25) << "the fastest within 1 level: 48 ms";
-  EXPECT_TRUE(panel.wishSection()->answer().contains(QStringLiteral("within 0.65 levels, 48 ms")))
-      << panel.wishSection()->answer().toStdString();
-  QTest::mouseClick(panel.wishSection()->msButton(), Qt::LeftButton);
+  EXPECT_TRUE(answer().contains(QStringLiteral("within 0.65 levels, 48 ms"))) << answer().toStdString();
+  QTest::mouseClick(useMs(), Qt::LeftButton);
   EXPECT_EQ(scene.quality.stepVoxels, 0.5) << "the most exact within 33 ms: 30 ms";
   EXPECT_EQ(edits, 2);
 }
 
 TEST_F(AccuracyPanelTest, aWishThatNoneKeepsSaysWhatComesClosest) {
   measure();
-  panel.wishSection()->levelsField()->setNumber(0.03);
-  QTest::mouseClick(panel.wishSection()->levelsButton(), Qt::LeftButton);
+  widgetNamed<NumberField>(panel, "Error at most, levels")->setNumber(0.03);
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
   EXPECT_EQ(edits, 0);
-  EXPECT_EQ(
-      panel.wishSection()->answer(),
-      QStringLiteral("No measured picture is that close. Closest: Step 1/16 voxel: within 0.041 levels, "
-                     "156 ms."));
-  panel.wishSection()->msField()->setNumber(5.0);
-  QTest::mouseClick(panel.wishSection()->msButton(), Qt::LeftButton);
+  EXPECT_EQ(answer(), QStringLiteral(
+                          "No measured picture is that close. Closest: Step 1/16 voxel: within 0.041 levels, "
+                          "156 ms."));
+  widgetNamed<NumberField>(panel, "Time at most, ms")->setNumber(5.0);
+  QTest::mouseClick(useMs(), Qt::LeftButton);
   EXPECT_EQ(edits, 0);
-  EXPECT_TRUE(panel.wishSection()->answer().startsWith(QStringLiteral("No measured picture is that fast.")));
+  EXPECT_TRUE(answer().startsWith(QStringLiteral("No measured picture is that fast.")));
 }
 
 TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
@@ -186,13 +194,13 @@ TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
   scene.camera.position.x += 5.0;
   panel.setScene(scene);
   EXPECT_TRUE(
-      panel.measuredSection()->summary().startsWith(QStringLiteral("Measured from another direction.")));
+      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured from another direction.")));
   scene.transferFunction.points[1].opacity = 0.4;
   panel.setScene(scene);
   EXPECT_TRUE(
-      panel.measuredSection()->summary().startsWith(QStringLiteral("Measured for an earlier picture")));
+      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured for an earlier picture")));
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: not measured for this picture."));
-  EXPECT_FALSE(panel.wishSection()->levelsButton()->isEnabled());
+  EXPECT_FALSE(useLevels()->isEnabled());
   clickPoint(raysAt(0.125));
   EXPECT_EQ(edits, 0);
   scene.transferFunction.points[1].opacity = 0.8;
@@ -206,29 +214,29 @@ TEST_F(AccuracyPanelTest, withoutAConvergedPictureNoErrorIsTold) {
   report.reference.converged = false;
   panel.setMeasured({report, scene, 0.0});
   EXPECT_TRUE(sentence().contains(QStringLiteral("not converged")));
-  QTest::mouseClick(panel.wishSection()->levelsButton(), Qt::LeftButton);
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
   EXPECT_EQ(edits, 0);
-  EXPECT_TRUE(panel.wishSection()->answer().contains(QStringLiteral("not converged")));
-  QTest::mouseClick(panel.wishSection()->msButton(), Qt::LeftButton);
+  EXPECT_TRUE(answer().contains(QStringLiteral("not converged")));
+  QTest::mouseClick(useMs(), Qt::LeftButton);
   EXPECT_EQ(edits, 1) << "a time can be kept without knowing the error";
 }
 
 TEST_F(AccuracyPanelTest, progressStandsInThePanelAndCanBeCancelled) {
   QSignalSpy asked(&panel, &AccuracyPanel::measureRequested);
   QSignalSpy cancelled(&panel, &AccuracyPanel::cancelRequested);
-  QPushButton* button = panel.measuredSection()->measureButton();
+  QPushButton* button = widgetNamed<QPushButton>(panel, "Measure error and time");
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(asked.count(), 1);
   panel.setWork(AccuracyWork::measuring);
   panel.showProgress(0.5, QStringLiteral("Drawing the exact picture"));
   EXPECT_FALSE(button->isEnabled());
-  EXPECT_TRUE(panel.measuredSection()->work()->isVisible());
-  EXPECT_FALSE(panel.mapSection()->check()->isEnabled()) << "one piece of work at a time";
+  EXPECT_TRUE(work().isVisible());
+  EXPECT_FALSE(mapCheck()->isEnabled()) << "one piece of work at a time";
   QCoreApplication::processEvents();
-  QTest::mouseClick(panel.measuredSection()->work()->cancelButton(), Qt::LeftButton);
+  QTest::mouseClick(work().findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(cancelled.count(), 1);
   panel.setWork(AccuracyWork::none);
-  EXPECT_FALSE(panel.measuredSection()->work()->isVisible());
+  EXPECT_FALSE(work().isVisible());
   EXPECT_TRUE(button->isEnabled());
 }
 
@@ -240,22 +248,22 @@ TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
   compared.error.shareOverOne = 0.034;
   compared.map = {{2, 1}, {0.0f, 1.5f}};
   panel.setCompared(compared);
-  EXPECT_TRUE(panel.mapSection()->check()->isChecked());
-  EXPECT_TRUE(panel.mapSection()->sentence().contains(QStringLiteral("within 1.3 levels")));
-  EXPECT_TRUE(panel.mapSection()->sentence().contains(QStringLiteral("3.4 % of the pixels")));
+  EXPECT_TRUE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("within 1.3 levels")));
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("3.4 % of the pixels")));
   scene.isovalue += 1.0;
   panel.setScene(scene);
-  EXPECT_FALSE(panel.mapSection()->check()->isChecked());
-  EXPECT_TRUE(panel.mapSection()->sentence().isEmpty());
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").isEmpty());
   compared.reference.converged = false;
   panel.setCompared(compared);
-  EXPECT_FALSE(panel.mapSection()->check()->isChecked());
-  EXPECT_TRUE(panel.mapSection()->sentence().startsWith(QStringLiteral("Not converged")));
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").startsWith(QStringLiteral("Not converged")));
 }
 
 TEST_F(AccuracyPanelTest, theTimeWhileMovingIsChosenFromAFew) {
   QSignalSpy picked(&panel, &AccuracyPanel::movingMsPicked);
-  QComboBox* box = panel.dialSection()->movingChoice()->box();
+  QComboBox* box = widgetNamed<QComboBox>(panel, "While moving");
   EXPECT_EQ(box->currentText(), QStringLiteral("at most 40 ms"));
   box->setFocus();
   QTest::keyClick(box, Qt::Key_Up);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/Phantom.h"
 #include "widgets/AccuracySamples.h"
-#include "widgets/Theme.h"
+#include "widgets/ContrastRatio.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/accuracy/map/ErrorScale.h"
 #include "widgets/accuracy/points/PointText.h"

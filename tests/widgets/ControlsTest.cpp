@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/FindWidget.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/FoldingSection.h"
@@ -103,8 +104,9 @@ protected:
                        m_ids.push_back(gesture.id);
                      });
   }
-  QPoint handle(int i) const { return m_range.slider()->handleCentre(i).toPoint(); }
-  double perPixel() const { return 8.0 / (m_range.slider()->width() - 16.0); }
+  NumberField* lowerField() const { return widgetNamed<NumberField>(m_range, "Sharpness, from"); }
+  QPoint handle(int i) const { return m_range.findChild<TrackSlider*>()->handleCentre(i).toPoint(); }
+  double perPixel() const { return 8.0 / (m_range.findChild<TrackSlider*>()->width() - 16.0); }
 
   RangeSlider m_range;
   std::vector<std::array<double, 2>> m_edits;
@@ -117,53 +119,53 @@ TEST_F(RangeSliderTest, settingEmitsNothing) {
 }
 
 TEST_F(RangeSliderTest, eachHandleMovesItsEndUnderOneGesture) {
-  drag(*m_range.slider(), handle(0), handle(0) + QPoint(20, 0));
+  drag(*m_range.findChild<TrackSlider*>(), handle(0), handle(0) + QPoint(20, 0));
   ASSERT_GE(m_edits.size(), 2u);
   EXPECT_NEAR(m_edits.back()[0], 1.0 + 20.0 * perPixel(), 0.005); // rounded to two decimals
   EXPECT_DOUBLE_EQ(m_edits.back()[1], 5.0);
   EXPECT_EQ(m_ids.front(), m_ids.back());
   const std::uint64_t first = m_ids.back();
-  drag(*m_range.slider(), handle(1), handle(1) + QPoint(20, 0));
+  drag(*m_range.findChild<TrackSlider*>(), handle(1), handle(1) + QPoint(20, 0));
   EXPECT_NEAR(m_edits.back()[1], 5.0 + 20.0 * perPixel(), 0.005);
   EXPECT_NE(m_ids.back(), first);
 }
 
 TEST_F(RangeSliderTest, handlesDoNotPassEachOther) {
-  drag(*m_range.slider(), handle(0), handle(1) + QPoint(60, 0));
+  drag(*m_range.findChild<TrackSlider*>(), handle(0), handle(1) + QPoint(60, 0));
   EXPECT_EQ(m_edits.back(), (std::array{5.0, 5.0}));
 }
 
 TEST_F(RangeSliderTest, handlesOnOneSpotAtTheTopCanBePulledApart) {
   m_range.setRange(8.0, 8.0);
-  drag(*m_range.slider(), handle(1), handle(1) - QPoint(40, 0));
+  drag(*m_range.findChild<TrackSlider*>(), handle(1), handle(1) - QPoint(40, 0));
   EXPECT_LT(m_edits.back()[0], 8.0);
   EXPECT_DOUBLE_EQ(m_edits.back()[1], 8.0);
 }
 
 TEST_F(RangeSliderTest, escBringsBackTheExactNumbers) {
   m_range.setRange(1.23456789, 5.0);
-  QTest::mousePress(m_range.slider(), Qt::LeftButton, {}, handle(0));
+  QTest::mousePress(m_range.findChild<TrackSlider*>(), Qt::LeftButton, {}, handle(0));
   const QPoint to = handle(0) + QPoint(30, 0);
-  QMouseEvent move(QEvent::MouseMove, to, m_range.slider()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton,
-                   {});
-  QApplication::sendEvent(m_range.slider(), &move);
+  QMouseEvent move(QEvent::MouseMove, to, m_range.findChild<TrackSlider*>()->mapToGlobal(to), Qt::NoButton,
+                   Qt::LeftButton, {});
+  QApplication::sendEvent(m_range.findChild<TrackSlider*>(), &move);
   ASSERT_NE(m_edits.back()[0], 1.23456789);
-  QTest::keyClick(m_range.slider(), Qt::Key_Escape);
+  QTest::keyClick(m_range.findChild<TrackSlider*>(), Qt::Key_Escape);
   EXPECT_EQ(m_edits.back()[0], 1.23456789);
   EXPECT_EQ(m_ids.front(), m_ids.back());
 }
 
 TEST_F(RangeSliderTest, typedEndsStopAtEachOther) {
-  m_range.lowerField()->setFocus();
-  m_range.lowerField()->selectAll();
-  QTest::keyClicks(m_range.lowerField(), QStringLiteral("7"));
-  QTest::keyClick(m_range.lowerField(), Qt::Key_Return);
+  lowerField()->setFocus();
+  lowerField()->selectAll();
+  QTest::keyClicks(lowerField(), QStringLiteral("7"));
+  QTest::keyClick(lowerField(), Qt::Key_Return);
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_EQ(m_edits.back(), (std::array{5.0, 5.0}));
 }
 
 TEST_F(RangeSliderTest, aDoubleClickOnTheNameResetsBothEnds) {
-  QTest::mouseDClick(m_range.label(), Qt::LeftButton);
+  QTest::mouseDClick(m_range.findChild<ResetLabel*>(), Qt::LeftButton);
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_EQ(m_edits.back(), (std::array{2.0, 4.0}));
 }
@@ -183,34 +185,34 @@ protected:
 TEST_F(ValueSliderTest, aLogarithmicSliderMultipliesByEqualFactorsPerPixel) {
   m_slider.setValue(32.0);
   EXPECT_TRUE(m_edits.empty());
-  const QPoint from = m_slider.slider()->handleCentre(0).toPoint();
-  drag(*m_slider.slider(), from, from + QPoint(30, 0));
-  const double track = m_slider.slider()->width() - 16.0;
+  const QPoint from = m_slider.findChild<TrackSlider*>()->handleCentre(0).toPoint();
+  drag(*m_slider.findChild<TrackSlider*>(), from, from + QPoint(30, 0));
+  const double track = m_slider.findChild<TrackSlider*>()->width() - 16.0;
   EXPECT_NEAR(m_edits.back().first, 32.0 * std::pow(1024.0, 30.0 / track), 0.005);
   EXPECT_EQ(m_edits.back().second.text, QStringLiteral("change sharpness"));
 }
 
 TEST_F(ValueSliderTest, keysAndTypingEdit) {
   m_slider.setValue(32.0);
-  m_slider.slider()->setFocus();
-  QTest::keyClick(m_slider.slider(), Qt::Key_Right);
+  m_slider.findChild<TrackSlider*>()->setFocus();
+  QTest::keyClick(m_slider.findChild<TrackSlider*>(), Qt::Key_Right);
   EXPECT_NEAR(m_edits.back().first, 32.0 * std::pow(1024.0, 0.01), 0.005);
-  m_slider.field()->setFocus();
-  m_slider.field()->selectAll();
-  QTest::keyClicks(m_slider.field(), QStringLiteral("100"));
-  QTest::keyClick(m_slider.field(), Qt::Key_Return);
+  m_slider.findChild<NumberField*>()->setFocus();
+  m_slider.findChild<NumberField*>()->selectAll();
+  QTest::keyClicks(m_slider.findChild<NumberField*>(), QStringLiteral("100"));
+  QTest::keyClick(m_slider.findChild<NumberField*>(), Qt::Key_Return);
   EXPECT_DOUBLE_EQ(m_edits.back().first, 100.0);
-  QTest::keyClick(m_slider.field(), Qt::Key_Up);
+  QTest::keyClick(m_slider.findChild<NumberField*>(), Qt::Key_Up);
   EXPECT_DOUBLE_EQ(m_edits.back().first, 110.0); // adaptive: a tenth of the number's decade
 }
 
 TEST_F(ValueSliderTest, aFieldThatIsOnlyVisitedKeepsTheExactNumber) {
   m_slider.setValue(3.14159265);
-  m_slider.field()->setFocus();
-  QTest::keyClick(m_slider.field(), Qt::Key_Return);
-  m_slider.slider()->setFocus();
+  m_slider.findChild<NumberField*>()->setFocus();
+  QTest::keyClick(m_slider.findChild<NumberField*>(), Qt::Key_Return);
+  m_slider.findChild<TrackSlider*>()->setFocus();
   EXPECT_TRUE(m_edits.empty());
-  EXPECT_EQ(m_slider.field()->number(), 3.14159265);
+  EXPECT_EQ(m_slider.findChild<NumberField*>()->number(), 3.14159265);
 }
 
 TEST_F(ValueSliderTest, theReasonForBeingDisabledStandsInTheToolTip) {
@@ -229,7 +231,7 @@ TEST(SpringSlider, springsBackAndStartsANewPull) {
   spring.show();
   std::vector<double> pulled;
   QObject::connect(&spring, &SpringSlider::pulled, &spring, [&](double v) { pulled.push_back(v); });
-  TrackSlider* slider = spring.slider();
+  TrackSlider* slider = spring.findChild<TrackSlider*>();
   const QPoint from = slider->handleCentre(0).toPoint();
   drag(*slider, from, from + QPoint(20, 0));
   EXPECT_GT(pulled.back(), 1.0);

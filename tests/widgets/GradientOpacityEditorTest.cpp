@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "scene/GradientHistogram.h"
+#include "widgets/FindWidget.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/color/ColorButton.h"
@@ -8,7 +9,6 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
-#include "widgets/curve/points/PointFields.h"
 #include "widgets/curve/points/PointPopup.h"
 
 #include <QApplication>
@@ -29,6 +29,10 @@ Histogram fallingGradients() {
   for (std::size_t i = 0; i < 1000; ++i)
     histogram.counts[i] = 1000 - i;
   return histogram;
+}
+
+NumberField* valueFieldOf(const QWidget& parent) {
+  return widgetNamed<NumberField>(parent, "Gradient of the selected point");
 }
 
 class GradientEditor : public testing::Test {
@@ -59,16 +63,17 @@ protected:
     }
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, to);
   }
-  void tick() {
-    QTest::mouseClick(editor().useBox(), Qt::LeftButton, {}, {8, editor().useBox()->height() / 2});
+  QCheckBox* useBox() {
+    return widgetNamed<QCheckBox>(editor(), "Use the curve of opacity over the gradient");
   }
+  void tick() { QTest::mouseClick(useBox(), Qt::LeftButton, {}, {8, useBox()->height() / 2}); }
 
   CurvePanel m_panel;
   std::vector<std::pair<std::optional<GradientOpacity>, Gesture>> m_edits;
 };
 
 TEST_F(GradientEditor, isSwitchedOnWithARampOfTheVolumesOwnGradients) {
-  EXPECT_FALSE(editor().useBox()->isEnabled()); // there is nothing to make a ramp of
+  EXPECT_FALSE(useBox()->isEnabled()); // there is nothing to make a ramp of
   editor().setHistogram(fallingGradients());
   EXPECT_FALSE(canvas().isEnabled());
   EXPECT_TRUE(m_edits.empty());
@@ -84,7 +89,7 @@ TEST_F(GradientEditor, comesBackAsItWasWhenSwitchedOffAndOn) {
   editor().setHistogram(fallingGradients());
   const GradientOpacity own{{{10.0, 0.25}, {500.0, 0.75}}};
   editor().setGradientOpacity(own);
-  EXPECT_TRUE(editor().useBox()->isChecked());
+  EXPECT_TRUE(useBox()->isChecked());
   tick();
   EXPECT_FALSE(m_edits.back().first.has_value());
   EXPECT_TRUE(canvas().transferFunction().points.empty());
@@ -132,13 +137,13 @@ TEST_F(GradientEditor, hasNoColours) {
   editor().setHistogram(fallingGradients());
   editor().setGradientOpacity(GradientOpacity{{{200.0, 0.0}, {600.0, 1.0}}});
   canvas().selectPoints({1});
-  EXPECT_TRUE(editor().editor()->fields()->valueField()->isVisible());
-  EXPECT_FALSE(editor().editor()->fields()->colorButton()->isVisible());
+  EXPECT_TRUE(valueFieldOf(editor())->isVisible());
+  EXPECT_FALSE(editor().findChild<ColorButton*>()->isVisible());
   QTest::mouseDClick(&canvas(), Qt::LeftButton, {}, pixel(600.0, 1.0));
   auto* popup = editor().findChild<PointPopup*>();
   ASSERT_NE(popup, nullptr);
-  EXPECT_FALSE(popup->picker()->isVisible());
-  EXPECT_EQ(popup->fields()->valueField()->minimum(), 0.0);
+  EXPECT_FALSE(popup->findChild<ColorPicker*>()->isVisible());
+  EXPECT_EQ(valueFieldOf(*popup)->minimum(), 0.0);
   popup->close();
 }
 

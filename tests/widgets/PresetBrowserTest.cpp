@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/FindWidget.h"
+#include "widgets/PresetNames.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/presets/PresetModel.h"
 
@@ -7,7 +9,6 @@
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
-#include <QTreeView>
 
 #include <gtest/gtest.h>
 
@@ -31,17 +32,19 @@ protected:
                      [this](const QString& name) { m_deleted << name; });
   }
 
+  QTreeView* list() const { return m_browser.findChild<QTreeView*>(); }
+  QLineEdit* search() const { return m_browser.findChild<QLineEdit*>(); }
+
   void click(const QString& name) {
-    const auto* model = m_browser.list()->model();
+    const auto* model = list()->model();
     const QModelIndexList found =
         model->match(model->index(0, 0), Qt::DisplayRole, name, 1, Qt::MatchExactly | Qt::MatchRecursive);
     ASSERT_EQ(found.size(), 1);
-    QTest::mouseClick(m_browser.list()->viewport(), Qt::LeftButton, {},
-                      m_browser.list()->visualRect(found.front()).center());
+    QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, list()->visualRect(found.front()).center());
   }
 
   PresetBrowser m_browser;
-  QString marked() const { return m_browser.list()->currentIndex().data().toString(); }
+  QString marked() const { return list()->currentIndex().data().toString(); }
 
   bool m_takesEffect = true; ///< whether a choice changes the picture, as it does while one is shown
   QStringList m_chosen;
@@ -49,7 +52,7 @@ protected:
 };
 
 TEST_F(PresetBrowserTest, listsOwnPresetsFirstThenModalities) {
-  EXPECT_EQ(m_browser.shownNames(),
+  EXPECT_EQ(presetNames(m_browser),
             (QStringList{"My temporal bone", "CT skin and bone", "CT bone", "CT lung", "MR head"}));
   EXPECT_TRUE(m_chosen.empty());
 }
@@ -79,38 +82,35 @@ TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {
 
 TEST_F(PresetBrowserTest, searchFindsWordsInAnyOrderInNameModalityAndNote) {
   m_browser.focusSearch();
-  QTest::keyClicks(m_browser.searchField(), QStringLiteral("bone ct"));
-  EXPECT_EQ(m_browser.shownNames(), (QStringList{"My temporal bone", "CT skin and bone", "CT bone"}));
-  m_browser.searchField()->selectAll();
-  QTest::keyClicks(m_browser.searchField(), QStringLiteral("brain"));
-  EXPECT_EQ(m_browser.shownNames(), QStringList{"MR head"});
-  QTest::keyClick(m_browser.searchField(), Qt::Key_Return);
+  QTest::keyClicks(search(), QStringLiteral("bone ct"));
+  EXPECT_EQ(presetNames(m_browser), (QStringList{"My temporal bone", "CT skin and bone", "CT bone"}));
+  search()->selectAll();
+  QTest::keyClicks(search(), QStringLiteral("brain"));
+  EXPECT_EQ(presetNames(m_browser), QStringList{"MR head"});
+  QTest::keyClick(search(), Qt::Key_Return);
   EXPECT_EQ(m_chosen, QStringList{"MR head"});
-  QTest::keyClick(m_browser.searchField(), Qt::Key_Escape);
-  EXPECT_EQ(m_browser.shownNames().size(), 5);
+  QTest::keyClick(search(), Qt::Key_Escape);
+  EXPECT_EQ(presetNames(m_browser).size(), 5);
 }
 
 TEST_F(PresetBrowserTest, searchTakesSignsLiterally) {
-  QTest::keyClicks(m_browser.searchField(), QStringLiteral("(.*"));
-  EXPECT_TRUE(m_browser.shownNames().isEmpty());
+  QTest::keyClicks(search(), QStringLiteral("(.*"));
+  EXPECT_TRUE(presetNames(m_browser).isEmpty());
 }
 
 TEST_F(PresetBrowserTest, arrowsAndEnterChooseFromTheSearchField) {
-  QTest::keyClicks(m_browser.searchField(), QStringLiteral("ct"));
-  QTest::keyClick(m_browser.searchField(), Qt::Key_Down);
-  QTest::keyClick(m_browser.list(), Qt::Key_Return);
+  QTest::keyClicks(search(), QStringLiteral("ct"));
+  QTest::keyClick(search(), Qt::Key_Down);
+  QTest::keyClick(list(), Qt::Key_Return);
   EXPECT_EQ(m_chosen, QStringList{"My temporal bone"});
 }
 
 TEST_F(PresetBrowserTest, onlyOwnPresetsCanBeDeleted) {
-  QToolButton* deletion = nullptr;
-  for (QToolButton* button : m_browser.findChildren<QToolButton*>()) // the search field has some of its own
-    if (button->accessibleName() == QStringLiteral("Delete preset"))
-      deletion = button;
+  auto* deletion = widgetNamed<QToolButton>(m_browser, "Delete preset");
   ASSERT_NE(deletion, nullptr);
   click(QStringLiteral("CT bone"));
   EXPECT_FALSE(deletion->isEnabled());
-  QTest::keyClick(m_browser.list(), Qt::Key_Delete);
+  QTest::keyClick(list(), Qt::Key_Delete);
   EXPECT_TRUE(m_deleted.empty());
   click(QStringLiteral("My temporal bone"));
   EXPECT_TRUE(deletion->isEnabled());
@@ -123,16 +123,6 @@ TEST_F(PresetBrowserTest, savingIsAskedFor) {
   QObject::connect(&m_browser, &PresetBrowser::saveRequested, &m_browser, [&] { ++asked; });
   QTest::mouseClick(m_browser.findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(asked, 1);
-}
-
-TEST_F(PresetBrowserTest, aThumbnailTakesTheCurvesPlace) {
-  QImage red(56, 40, QImage::Format_RGB32);
-  red.fill(Qt::red);
-  m_browser.setThumbnail(QStringLiteral("CT lung"), red);
-  const auto* model = m_browser.list()->model();
-  const QModelIndexList found =
-      model->match(model->index(0, 0), Qt::DisplayRole, "CT lung", 1, Qt::MatchExactly | Qt::MatchRecursive);
-  EXPECT_EQ(found.front().data(presetRole::thumbnail).value<QImage>(), red);
 }
 
 TEST(CurveThumbnail, showsTheFunctionsColours) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/PropertiesPanel.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/TrackSlider.h"
@@ -23,19 +24,11 @@ protected:
   PropertiesPanelTest() {
     m_panel.resize(320, 1200);
     m_panel.show();
-    for (ShadingSection* section : m_panel.sections())
+    for (ShadingSection* section : m_panel.findChildren<ShadingSection*>())
       section->setFolded(false);
     QObject::connect(
         &m_panel, &PropertiesPanel::shadingEdited, &m_panel,
         [this](const Shading& shading, const Gesture& gesture) { m_edits.emplace_back(shading, gesture); });
-  }
-
-  template <class Row>
-  Row* row(const QString& label) {
-    for (Row* candidate : m_panel.findChildren<Row*>())
-      if (candidate->label()->text() == label)
-        return candidate;
-    return nullptr;
   }
 
   PropertiesPanel m_panel;
@@ -79,12 +72,12 @@ TEST_F(PropertiesPanelTest, settingEmitsNothing) {
 TEST_F(PropertiesPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
   m_panel.setShading(unusual());
   m_panel.setModelsShown({ShadingModel::robust});
-  auto* diffuse = row<ValueSlider>(QStringLiteral("Diffuse (kd)"));
+  auto* diffuse = rowNamed<ValueSlider>(m_panel, "Diffuse (kd)");
   ASSERT_NE(diffuse, nullptr);
-  diffuse->field()->setFocus();
-  diffuse->field()->selectAll();
-  QTest::keyClicks(diffuse->field(), QLocale().toString(0.5));
-  QTest::keyClick(diffuse->field(), Qt::Key_Return);
+  diffuse->findChild<NumberField*>()->setFocus();
+  diffuse->findChild<NumberField*>()->selectAll();
+  QTest::keyClicks(diffuse->findChild<NumberField*>(), QLocale().toString(0.5));
+  QTest::keyClick(diffuse->findChild<NumberField*>(), Qt::Key_Return);
   ASSERT_EQ(m_edits.size(), 1u);
   Shading expected = unusual();
   expected.diffuse = 0.5;
@@ -92,7 +85,7 @@ TEST_F(PropertiesPanelTest, oneEditChangesOneNumberAndLeavesTheOthersExact) {
 }
 
 TEST_F(PropertiesPanelTest, theModelIsChosenFromTheList) {
-  auto* model = row<ChoiceRow>(QStringLiteral("Model"));
+  auto* model = rowNamed<ChoiceRow>(m_panel, "Model");
   model->box()->setFocus();
   QTest::keyClick(model->box(), Qt::Key_Down);
   ASSERT_EQ(m_edits.size(), 1u);
@@ -101,18 +94,18 @@ TEST_F(PropertiesPanelTest, theModelIsChosenFromTheList) {
 
 TEST_F(PropertiesPanelTest, theRangeOfSharpnessIsOneSliderWithTwoHandles) {
   m_panel.setModelsShown({ShadingModel::enhanced});
-  auto* range = row<RangeSlider>(QStringLiteral("Highlight sharpness (SP)"));
+  auto* range = rowNamed<RangeSlider>(m_panel, "Highlight sharpness (SP)");
   ASSERT_NE(range, nullptr);
-  range->slider()->setFocus();
-  QTest::keyClick(range->slider(), Qt::Key_Tab); // to the second handle
-  QTest::keyClick(range->slider(), Qt::Key_End);
+  range->findChild<TrackSlider*>()->setFocus();
+  QTest::keyClick(range->findChild<TrackSlider*>(), Qt::Key_Tab); // to the second handle
+  QTest::keyClick(range->findChild<TrackSlider*>(), Qt::Key_End);
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_EQ(m_edits.front().first.exponentRange, (CoefficientRange{1.0, 1024.0}));
 }
 
 TEST_F(PropertiesPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
-  auto* sharpness = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"));
-  auto* emphasis = row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"));
+  auto* sharpness = rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)");
+  auto* emphasis = rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)");
   m_panel.setModelsShown({ShadingModel::classic});
   EXPECT_TRUE(sharpness->isEnabled());
   EXPECT_FALSE(emphasis->isEnabled());
@@ -121,14 +114,14 @@ TEST_F(PropertiesPanelTest, controlsOfModelsNotShownAreDisabledWithTheReason) {
   EXPECT_FALSE(sharpness->isEnabled());
   EXPECT_TRUE(emphasis->isEnabled());
   m_panel.setModelsShown({ShadingModel::none});
-  EXPECT_FALSE(row<ValueSlider>(QStringLiteral("Ambient (ka)"))->isEnabled());
+  EXPECT_FALSE(rowNamed<ValueSlider>(m_panel, "Ambient (ka)")->isEnabled());
 }
 
 TEST_F(PropertiesPanelTest, aComparisonEnablesWhatEitherModelUses) {
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
-  EXPECT_TRUE(row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->isEnabled());
-  EXPECT_TRUE(row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"))->isEnabled());
-  EXPECT_FALSE(row<ChoiceRow>(QStringLiteral("Model"))->isEnabled());
+  EXPECT_TRUE(rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)")->isEnabled());
+  EXPECT_TRUE(rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)")->isEnabled());
+  EXPECT_FALSE(rowNamed<ChoiceRow>(m_panel, "Model")->isEnabled());
 }
 
 TEST_F(PropertiesPanelTest, aDoubleClickOnANameResets) {
@@ -136,13 +129,14 @@ TEST_F(PropertiesPanelTest, aDoubleClickOnANameResets) {
   shading.opacityRange = {1.0, 1.0};
   m_panel.setShading(shading);
   m_panel.setModelsShown({ShadingModel::enhanced});
-  QTest::mouseDClick(row<RangeSlider>(QStringLiteral("Boundary emphasis (O)"))->label(), Qt::LeftButton);
+  QTest::mouseDClick(rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)")->findChild<ResetLabel*>(),
+                     Qt::LeftButton);
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_EQ(m_edits.front().first, Shading{});
 }
 
 TEST_F(PropertiesPanelTest, aDragIsOneGesture) {
-  auto* slider = row<ValueSlider>(QStringLiteral("Highlight sharpness (SP)"))->slider();
+  auto* slider = rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)")->findChild<TrackSlider*>();
   const QPoint from = slider->handleCentre(0).toPoint();
   QTest::mousePress(slider, Qt::LeftButton, {}, from);
   for (const int dx : {5, 10, 15}) {
@@ -163,11 +157,11 @@ TEST_F(PropertiesPanelTest, qualityIsEditedOnItsOwn) {
   Quality quality;
   quality.jitter = true;
   m_panel.setQuality(quality);
-  auto* step = row<ValueSlider>(QStringLiteral("Step"));
-  step->field()->setFocus();
-  step->field()->selectAll();
-  QTest::keyClicks(step->field(), QStringLiteral("1"));
-  QTest::keyClick(step->field(), Qt::Key_Return);
+  auto* step = rowNamed<ValueSlider>(m_panel, "Step");
+  step->findChild<NumberField*>()->setFocus();
+  step->findChild<NumberField*>()->selectAll();
+  QTest::keyClicks(step->findChild<NumberField*>(), QStringLiteral("1"));
+  QTest::keyClick(step->findChild<NumberField*>(), Qt::Key_Return);
   ASSERT_EQ(edits.size(), 1u);
   quality.stepVoxels = 1.0;
   EXPECT_EQ(edits.front(), quality);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/Phantom.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
@@ -8,10 +9,10 @@
 #include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/scene/CropSection.h"
 #include "widgets/scene/FogSection.h"
-#include "widgets/scene/ProjectionSection.h"
 #include "widgets/scene/PropertiesPanel.h"
 #include "widgets/scene/QualitySection.h"
-#include "widgets/shading/ShadingSection.h"
+#include "widgets/shading/GradientSection.h"
+#include "widgets/shading/LightSection.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -101,23 +102,24 @@ TEST_F(SceneSections, settingEmitsNothing) {
 }
 
 TEST_F(SceneSections, theIsovalueShowsWhereASurfaceIsShown) {
-  ProjectionSection* section = m_panel.projectionSection();
-  EXPECT_FALSE(section->isovalueSlider()->isVisible());
-  choose(section->projectionRow(), static_cast<int>(Projection::compositeIsosurface));
+  auto* isovalue = rowNamed<ValueSlider>(m_panel, "Surface at");
+  auto* projection = rowNamed<ChoiceRow>(m_panel, "Shows");
+  EXPECT_FALSE(isovalue->isVisible());
+  choose(projection, static_cast<int>(Projection::compositeIsosurface));
   EXPECT_EQ(m_scene.projection, Projection::compositeIsosurface);
-  ASSERT_TRUE(section->isovalueSlider()->isVisible());
-  EXPECT_EQ(section->isovalueSlider()->field()->suffix(), QString(QChar(0x00a0)) + QStringLiteral("HU"));
-  type(section->isovalueSlider()->field(), QStringLiteral("-250"));
+  ASSERT_TRUE(isovalue->isVisible());
+  EXPECT_EQ(isovalue->findChild<NumberField*>()->suffix(), QString(QChar(0x00a0)) + QStringLiteral("HU"));
+  type(isovalue->findChild<NumberField*>(), QStringLiteral("-250"));
   EXPECT_EQ(m_scene.isovalue, -250.0);
   EXPECT_EQ(m_gestures.back().text, QStringLiteral("change surface at"));
-  choose(section->projectionRow(), static_cast<int>(Projection::mip));
-  EXPECT_FALSE(section->isovalueSlider()->isVisible());
+  choose(projection, static_cast<int>(Projection::mip));
+  EXPECT_FALSE(isovalue->isVisible());
 }
 
 TEST_F(SceneSections, theTrackOfTheIsovalueIsTheVolumesRange) {
   m_scene.projection = Projection::isosurface;
   m_panel.setScene(m_scene);
-  TrackSlider* track = m_panel.projectionSection()->isovalueSlider()->slider();
+  TrackSlider* track = rowNamed<ValueSlider>(m_panel, "Surface at")->findChild<TrackSlider*>();
   track->setFocus();
   QTest::keyClick(track, Qt::Key_Home);
   EXPECT_EQ(m_scene.isovalue, m_scene.volume->range().lowest);
@@ -129,20 +131,20 @@ TEST_F(SceneSections, anUnlitProjectionDisablesLightAndSaysSo) {
   m_panel.setModelsShown({ShadingModel::enhanced});
   m_scene.projection = Projection::mip;
   m_panel.setScene(m_scene);
-  ShadingSection* light = m_panel.sections()[2];
+  ShadingSection* light = m_panel.findChild<LightSection*>();
   EXPECT_TRUE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
   EXPECT_TRUE(light->isFolded());
   m_scene.projection = Projection::composite;
   m_panel.setScene(m_scene);
   EXPECT_FALSE(headerSays(light, QStringLiteral("unused: this projection is unlit")));
   EXPECT_FALSE(light->isFolded());
-  EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
+  EXPECT_TRUE(m_panel.findChild<GradientSection*>()->isFolded()); // as it was before
 }
 
 TEST_F(SceneSections, whatNoModelShownUsesFoldsOnceAndComesBack) {
-  ShadingSection* light = m_panel.sections()[2];
+  ShadingSection* light = m_panel.findChild<LightSection*>();
   m_panel.setModelsShown({ShadingModel::classic});
-  EXPECT_TRUE(headerSays(m_panel.sections()[1], QStringLiteral("unused: not in this model")));
+  EXPECT_TRUE(headerSays(m_panel.findChild<GradientSection*>(), QStringLiteral("unused: not in this model")));
   EXPECT_FALSE(light->isFolded());
   m_panel.setModelsShown({ShadingModel::none});
   EXPECT_TRUE(headerSays(light, QStringLiteral("unused: this model is unlit")));
@@ -153,7 +155,7 @@ TEST_F(SceneSections, whatNoModelShownUsesFoldsOnceAndComesBack) {
   light->setFolded(true);
   m_panel.setModelsShown({ShadingModel::none, ShadingModel::robust});
   EXPECT_FALSE(light->isFolded());
-  EXPECT_TRUE(m_panel.sections()[1]->isFolded()); // as it was before
+  EXPECT_TRUE(m_panel.findChild<GradientSection*>()->isFolded()); // as it was before
 }
 
 TEST_F(SceneSections, theHeaderOfACropThatCutsNothingSaysOff) {
@@ -172,46 +174,47 @@ TEST_F(SceneSections, aTypedPercentCutsOneSideAndLeavesTheOthersExact) {
   m_scene.crop.lower = {0.0123456789, 0.25, 0.0};
   m_panel.setScene(m_scene);
   m_panel.cropSection()->setFolded(false);
-  RangeSlider* range = m_panel.cropSection()->range(0);
-  EXPECT_EQ(range->label()->text(), QStringLiteral("Right–Left"));
-  type(range->upperField(), QStringLiteral("60"));
+  RangeSlider* range = rowNamed<RangeSlider>(m_panel, "Right–Left");
+  ASSERT_NE(range, nullptr);
+  type(widgetNamed<NumberField>(*range, "Right–Left, Left"), QStringLiteral("60"));
   EXPECT_EQ(m_scene.crop, (CropBox{{0.0123456789, 0.25, 0.0}, {0.6, 1.0, 1.0}}));
   EXPECT_EQ(m_gestures.back().text, QStringLiteral("crop right–left"));
-  QTest::mouseClick(m_panel.cropSection()->resetButton(), Qt::LeftButton);
+  QTest::mouseClick(m_panel.cropSection()->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(m_scene.crop, CropBox{});
   EXPECT_EQ(m_gestures.back().text, QStringLiteral("reset crop"));
-  EXPECT_FALSE(m_panel.cropSection()->resetButton()->isEnabled());
+  EXPECT_FALSE(m_panel.cropSection()->findChild<QPushButton*>()->isEnabled());
 }
 
 TEST_F(SceneSections, aRangeStopsOneVoxelBeforeItsOtherEnd) {
   m_panel.cropSection()->setFolded(false);
-  RangeSlider* range = m_panel.cropSection()->range(2);
-  type(range->upperField(), QStringLiteral("0"));
+  RangeSlider* range = rowNamed<RangeSlider>(m_panel, "Feet–Head");
+  type(widgetNamed<NumberField>(*range, "Feet–Head, Head"), QStringLiteral("0"));
   EXPECT_DOUBLE_EQ(m_scene.crop.upper.z, 1.0 / m_scene.volume->grid().dims.z);
   EXPECT_EQ(m_scene.crop.lower.z, 0.0);
-  EXPECT_NEAR(range->upperField()->number(), 100.0 * m_scene.crop.upper.z, 1e-12);
+  EXPECT_NEAR(widgetNamed<NumberField>(*range, "Feet–Head, Head")->number(), 100.0 * m_scene.crop.upper.z,
+              1e-12);
 }
 
 TEST_F(SceneSections, fogBeginsVisiblyAndShowsOnlyItsNumbers) {
-  FogSection* fog = m_panel.fogSection();
+  FogSection* fog = m_panel.findChild<FogSection*>();
   EXPECT_TRUE(fog->isFolded());
   EXPECT_TRUE(headerSays(fog, QStringLiteral("off")));
   fog->setFolded(false);
-  EXPECT_FALSE(fog->startSlider()->isVisible());
-  choose(fog->modeRow(), static_cast<int>(Fog::Mode::exp));
+  EXPECT_FALSE(rowNamed<ValueSlider>(*fog, "Begins at")->isVisible());
+  choose(fog->findChild<ChoiceRow*>(), static_cast<int>(Fog::Mode::exp));
   EXPECT_EQ(m_scene.fog.mode, Fog::Mode::exp);
   EXPECT_GT(m_scene.fog.densityPerMm, 0.0);
-  EXPECT_TRUE(fog->densitySlider()->isVisible());
-  EXPECT_FALSE(fog->endSlider()->isVisible());
+  EXPECT_TRUE(rowNamed<ValueSlider>(*fog, "Density (ρ)")->isVisible());
+  EXPECT_FALSE(rowNamed<ValueSlider>(*fog, "Full at")->isVisible());
   EXPECT_TRUE(headerSays(fog, QStringLiteral("on")));
-  choose(fog->modeRow(), static_cast<int>(Fog::Mode::linear));
-  EXPECT_FALSE(fog->densitySlider()->isVisible());
-  type(fog->endSlider()->field(), QStringLiteral("1234"));
+  choose(fog->findChild<ChoiceRow*>(), static_cast<int>(Fog::Mode::linear));
+  EXPECT_FALSE(rowNamed<ValueSlider>(*fog, "Density (ρ)")->isVisible());
+  type(rowNamed<ValueSlider>(*fog, "Full at")->findChild<NumberField*>(), QStringLiteral("1234"));
   EXPECT_EQ(m_scene.fog.endMm, 1234.0);
 }
 
 TEST_F(SceneSections, fogSaysWhyItDoesNothing) {
-  FogSection* fog = m_panel.fogSection();
+  FogSection* fog = m_panel.findChild<FogSection*>();
   m_scene.fog = {Fog::Mode::exp, {}, 0.0, 0.0, 1000.0};
   m_panel.setScene(m_scene);
   EXPECT_TRUE(headerSays(fog, QStringLiteral("off: its density is 0")));
@@ -224,8 +227,8 @@ TEST_F(SceneSections, fogSaysWhyItDoesNothing) {
 TEST_F(SceneSections, preintegrationAndJitterAreEditedOnTheirOwn) {
   m_scene.quality.stepVoxels = 0.123456789;
   m_panel.setScene(m_scene);
-  auto* row = m_panel.qualitySection()->findChild<ChoiceRow*>();
-  auto* jitter = m_panel.qualitySection()->findChild<QCheckBox*>();
+  auto* row = m_panel.findChild<QualitySection*>()->findChild<ChoiceRow*>();
+  auto* jitter = m_panel.findChild<QualitySection*>()->findChild<QCheckBox*>();
   Quality expected = m_scene.quality;
   EXPECT_FALSE(jitter->isChecked());
   choose(row, static_cast<int>(Preintegration::never));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Theme.h"
+#include "widgets/ContrastRatio.h"
 #include "widgets/Icons.h"
+#include "widgets/WidgetSamples.h"
 
 #include <QApplication>
 #include <QImage>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/FindWidget.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/color/ColorPicker.h"
-#include "widgets/controls/sliders/SpringSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/curve/points/PointFields.h"
@@ -35,6 +35,9 @@ protected:
                      });
   }
 
+  NumberField* valueField() { return widgetNamed<NumberField>(m_editor, "Value of the selected point"); }
+  NumberField* opacityField() { return widgetNamed<NumberField>(m_editor, "Opacity of the selected point"); }
+
   void type(NumberField* field, const QString& number) {
     field->setFocus();
     field->selectAll();
@@ -61,19 +64,19 @@ TEST_F(TransferFunctionEditorTest, enterLeadsToTheNumbersAndTypingMovesThePoint)
   m_editor.activateWindow();
   m_editor.canvas()->selectPoints({2});
   QTest::keyClick(m_editor.canvas(), Qt::Key_Return);
-  type(m_editor.fields()->valueField(), QStringLiteral("77"));
+  type(valueField(), QStringLiteral("77"));
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].value, 77.0);
-  type(m_editor.fields()->opacityField(), QStringLiteral("1"));
+  type(opacityField(), QStringLiteral("1"));
   EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].opacity, 1.0);
   EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
 }
 
 TEST_F(TransferFunctionEditorTest, aTypedValueStopsAtTheNeighbour) {
   m_editor.canvas()->selectPoints({2});
-  type(m_editor.fields()->valueField(), QStringLiteral("5000"));
+  type(valueField(), QStringLiteral("5000"));
   EXPECT_DOUBLE_EQ(m_edits.back().first.points[2].value, 300.0);
-  EXPECT_DOUBLE_EQ(m_editor.fields()->valueField()->number(), 300.0);
+  EXPECT_DOUBLE_EQ(valueField()->number(), 300.0);
 }
 
 TEST_F(TransferFunctionEditorTest, selectingAndVisitingFieldsChangesNothing) {
@@ -82,7 +85,7 @@ TEST_F(TransferFunctionEditorTest, selectingAndVisitingFieldsChangesNothing) {
   odd.points[2].opacity = 0.123456789;
   m_editor.setTransferFunction(odd);
   m_editor.canvas()->selectPoints({2});
-  for (NumberField* field : {m_editor.fields()->valueField(), m_editor.fields()->opacityField()}) {
+  for (NumberField* field : {valueField(), opacityField()}) {
     field->setFocus();
     QTest::keyClick(field, Qt::Key_Return);
   }
@@ -90,7 +93,7 @@ TEST_F(TransferFunctionEditorTest, selectingAndVisitingFieldsChangesNothing) {
 }
 
 TEST_F(TransferFunctionEditorTest, overallOpacityMultipliesFromWhereItStoodAndZeroStaysZero) {
-  pull(m_editor.opacitySlider()->slider(), -20);
+  pull(widgetNamed<TrackSlider>(m_editor, "Overall opacity"), -20);
   ASSERT_GE(m_edits.size(), 2u);
   const TransferFunction& edited = m_edits.back().first;
   EXPECT_DOUBLE_EQ(edited.points[0].opacity, 0.0);
@@ -100,12 +103,12 @@ TEST_F(TransferFunctionEditorTest, overallOpacityMultipliesFromWhereItStoodAndZe
   EXPECT_EQ(m_edits.front().second.id, m_edits.back().second.id);
   // A second pull starts from the result.
   const double before = edited.points[4].opacity;
-  pull(m_editor.opacitySlider()->slider(), -20);
+  pull(widgetNamed<TrackSlider>(m_editor, "Overall opacity"), -20);
   EXPECT_NEAR(m_edits.back().first.points[4].opacity, before * factor, 1e-9);
 }
 
 TEST_F(TransferFunctionEditorTest, shiftMovesTheWholeCurve) {
-  pull(m_editor.shiftSlider()->slider(), 20);
+  pull(widgetNamed<TrackSlider>(m_editor, "Shift"), 20);
   const double offset = m_edits.back().first.points[0].value - sampleFunction().points[0].value;
   EXPECT_GT(offset, 0.0);
   for (std::size_t i = 0; i < 5; ++i)
@@ -118,11 +121,11 @@ TEST_F(TransferFunctionEditorTest, aDoubleClickOnAPointOpensColourAndNumbers) {
   QTest::mouseDClick(m_editor.canvas(), Qt::LeftButton, {}, at);
   auto* popup = m_editor.findChild<PointPopup*>();
   ASSERT_NE(popup, nullptr);
-  QTest::mouseClick(popup->picker(), Qt::LeftButton, {},
+  QTest::mouseClick(popup->findChild<ColorPicker*>(), Qt::LeftButton, {},
                     QPoint(1, 1)); // white: no saturation, full brightness
   ASSERT_EQ(m_edits.size(), 1u);
   EXPECT_GT(glm::length(m_edits.back().first.points[3].color) / std::sqrt(3.0), 0.97);
-  type(popup->fields()->opacityField(), QStringLiteral("1"));
+  type(widgetNamed<NumberField>(*popup, "Opacity of the selected point"), QStringLiteral("1"));
   EXPECT_DOUBLE_EQ(m_edits.back().first.points[3].opacity, 1.0);
   popup->close();
 }
@@ -130,8 +133,8 @@ TEST_F(TransferFunctionEditorTest, aDoubleClickOnAPointOpensColourAndNumbers) {
 TEST_F(TransferFunctionEditorTest, aNarrowWindowHidesSlidersRatherThanGrow) {
   EXPECT_LE(m_editor.minimumSizeHint().width(), 300);
   m_editor.resize(600, 300);
-  EXPECT_FALSE(m_editor.shiftSlider()->isVisible());
-  EXPECT_TRUE(m_editor.fields()->isVisible());
+  EXPECT_FALSE(widgetNamed<TrackSlider>(m_editor, "Shift")->isVisible());
+  EXPECT_TRUE(m_editor.findChild<PointFields*>()->isVisible());
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/FogFit.h"
 #include "widgets/scene/PropertiesPanel.h"
-#include "widgets/shading/ShadingSection.h"
+#include "widgets/shading/GradientSection.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -100,7 +100,7 @@ void saveSections(const QString& prefix) {
   scene.crop = {{0.123, 0.0, 0.25}, {1.0, 0.8, 1.0}};
   const auto panelOf = [&](const Scene& shown) {
     auto* panel = new PropertiesPanel;
-    for (auto* section : panel->sections())
+    for (auto* section : panel->findChildren<ShadingSection*>())
       section->setFolded(true);
     panel->setScene(shown);
     panel->foldUnused();
@@ -127,7 +127,7 @@ void savePanels(const QString& prefix) {
   auto* browser = new PresetBrowser;
   auto* icons = new QListWidget;
   for (auto* panel : {open, compared})
-    panel->sections()[1]->setFolded(false);
+    panel->findChild<GradientSection*>()->setFolded(false);
   Shading robust;
   robust.model = ShadingModel::robust;
   robust.gradientReference = PercentileReference{};

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/WidgetSamples.h"
 
+#include "widgets/Resources.h"
+
+#include <QDir>
+#include <QRegularExpression>
+
 #include <cmath>
 
 namespace limn {
@@ -55,6 +60,15 @@ std::vector<Preset> samplePresets() {
       preset("MR head", "MR", "Skin and brain surface of T1 pictures",
              {1.0,
               {{30.0, {0.3, 0.2, 0.2}, 0.0}, {180.0, {0.9, 0.7, 0.6}, 0.4}, {400.0, {1, 0.95, 0.9}, 0.8}}})};
+}
+
+QStringList iconNames() {
+  loadWidgetResources();
+  QStringList names = QDir(QStringLiteral(":/limn/icons")).entryList({QStringLiteral("*.svg")});
+  names = names.filter(QRegularExpression(QStringLiteral("^(?!check|chevron)")));
+  for (QString& name : names)
+    name.chop(4);
+  return names;
 }
 
 } // namespace limn

@@ -4,6 +4,8 @@
 #include "scene/Histogram.h"
 #include "scene/Preset.h"
 
+#include <QStringList>
+
 #include <vector>
 
 namespace limn {
@@ -17,5 +19,8 @@ TransferFunction sampleFunction();
 
 /// A few presets of two modalities.
 std::vector<Preset> samplePresets();
+
+/// Every icon of the program's own set but those of one fixed colour, which belong to the style sheet.
+QStringList iconNames();
 
 } // namespace limn

@@ -42,11 +42,6 @@ public:
   void setMapUnavailable(const QString& reason);
   void setCompared(const std::optional<ComparedPicture>& compared);
 
-  DialSection* dialSection() const { return m_dial; }
-  WishSection* wishSection() const { return m_wish; }
-  MeasuredSection* measuredSection() const { return m_chart; }
-  MapSection* mapSection() const { return m_map; }
-
   QSize sizeHint() const override { return {320, 600}; }
 
 signals:

@@ -26,7 +26,6 @@ public:
   /// Disables the control and says why in its tool tip; an empty reason enables it.
   void setUnavailable(const QString& reason);
 
-  ResetLabel* label() const { return m_label; }
   QComboBox* box() const { return m_box; }
 
 signals:

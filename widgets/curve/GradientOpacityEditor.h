@@ -37,7 +37,6 @@ public:
   void setUnit(const QString& unit);
 
   TransferFunctionEditor* editor() const { return m_editor; }
-  QCheckBox* useBox() const { return m_use; }
 
 signals:
   void gradientOpacityEdited(const std::optional<limn::GradientOpacity>& curve, const limn::Gesture& gesture);

@@ -51,9 +51,6 @@ public:
   void setPinnedValue(std::optional<double> value);
 
   TransferFunctionCanvas* canvas() const { return m_canvas; }
-  PointFields* fields() const { return m_fields; }
-  SpringSlider* opacitySlider() const { return m_opacity; }
-  SpringSlider* shiftSlider() const { return m_shift; }
 
 signals:
   void transferFunctionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);

@@ -90,14 +90,9 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
   refill();
 }
 
-void PresetBrowser::setThumbnail(const QString& name, const QImage& thumbnail) {
-  m_thumbnails.insert(name, thumbnail);
-  refill();
-}
-
 void PresetBrowser::refill() {
   const QString current = m_list->currentIndex().data().toString();
-  fillPresetModel(*m_model, m_builtIn, m_own, m_thumbnails, isDark(palette()));
+  fillPresetModel(*m_model, m_builtIn, m_own, isDark(palette()));
   search(m_search->text());
   if (!current.isEmpty())
     mark(current);
@@ -134,16 +129,6 @@ void PresetBrowser::mark(const QString& name) {
 void PresetBrowser::focusSearch() {
   m_search->setFocus(Qt::ShortcutFocusReason);
   m_search->selectAll();
-}
-
-QStringList PresetBrowser::shownNames() const {
-  QStringList names;
-  for (int group = 0; group < m_filtered->rowCount(); ++group) {
-    const QModelIndex parent = m_filtered->index(group, 0);
-    for (int row = 0; row < m_filtered->rowCount(parent); ++row)
-      names << m_filtered->index(row, 0, parent).data().toString();
-  }
-  return names;
 }
 
 void PresetBrowser::choose(const QModelIndex& index) {

@@ -29,9 +29,6 @@ public:
 
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
 
-  /// A picture of what the preset shows; without one its curve is drawn.
-  void setThumbnail(const QString& name, const QImage& thumbnail);
-
   /// Marks a preset by name, without choosing it, as the one in use; an unknown or empty name marks none. A
   /// choice by the user marks nothing by itself: its receiver answers with this where the preset took effect,
   /// and with an empty name where an edit left it.
@@ -39,12 +36,6 @@ public:
 
   /// Puts the keyboard into the search field.
   void focusSearch();
-
-  /// The names shown at present, from top to bottom.
-  QStringList shownNames() const;
-
-  QLineEdit* searchField() const { return m_search; }
-  QTreeView* list() const { return m_list; }
 
   QSize sizeHint() const override { return {232, 480}; }
 
@@ -71,7 +62,6 @@ private:
 
   std::vector<Preset> m_builtIn;
   std::vector<Preset> m_own;
-  QMap<QString, QImage> m_thumbnails;
   QString m_current; ///< the preset in use
   QLineEdit* m_search;
   QTreeView* m_list;

@@ -83,14 +83,11 @@ QImage curveThumbnail(const TransferFunction& function, const QSize& size, doubl
 }
 
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, const QMap<QString, QImage>& thumbnails, bool dark) {
+                     const std::vector<Preset>& own, bool dark) {
   model.clear();
   const auto add = [&](const Preset& preset, bool isOwn, const QString& group) {
-    const QString name = QString::fromStdString(preset.name);
     const QSize size(thumbnailWidth, thumbnailHeight);
-    const QImage picture = thumbnails.contains(name)
-                               ? thumbnails.value(name)
-                               : curveThumbnail(preset.transferFunction, size, 2.0, dark);
+    const QImage picture = curveThumbnail(preset.transferFunction, size, 2.0, dark);
     groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
   };
   for (const Preset& preset : own)

@@ -4,7 +4,6 @@
 #include "scene/Preset.h"
 
 #include <QImage>
-#include <QMap>
 #include <QStandardItemModel>
 #include <QString>
 
@@ -18,10 +17,9 @@ enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText };
 }
 
 /// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
-/// order in which they are given. A preset without a thumbnail gets a picture of its curve in `dark` or light
-/// colours.
+/// order in which they are given, each with a picture of its curve in `dark` or light colours.
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, const QMap<QString, QImage>& thumbnails, bool dark);
+                     const std::vector<Preset>& own, bool dark);
 
 /// A small picture of a transfer function: its coloured curve over a strip of its colours.
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,

@@ -79,7 +79,7 @@ void CropSection::setScene(const Scene& scene) {
   if (scene.volume != m_volume) {
     m_volume = scene.volume;
     for (int axis = 0; axis < 3; ++axis)
-      range(axis)->setSpec(percentSpec(axisName(axis)));
+      m_rows[static_cast<std::size_t>(axis)].range->setSpec(percentSpec(axisName(axis)));
   } else if (scene.crop == m_crop) {
     return;
   }

@@ -25,10 +25,6 @@ public:
 
   void setScene(const Scene& scene);
 
-  /// The range along a grid axis, percent of the volume.
-  RangeSlider* range(int axis) const { return m_rows[static_cast<std::size_t>(axis)].range; }
-  QPushButton* resetButton() const { return m_reset; }
-
 signals:
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
 

@@ -22,12 +22,6 @@ public:
 
   void setScene(const Scene& scene);
 
-  ChoiceRow* modeRow() const { return m_mode; }
-  ValueSlider* densitySlider() const { return m_density; }
-  ValueSlider* startSlider() const { return m_start; }
-  ValueSlider* endSlider() const { return m_end; }
-  ColorButton* colorButton() const { return m_color; }
-
 signals:
   void fogEdited(const limn::Fog& fog, const limn::Gesture& gesture);
 

@@ -21,9 +21,6 @@ public:
 
   void setScene(const Scene& scene);
 
-  ChoiceRow* projectionRow() const { return m_projection; }
-  ValueSlider* isovalueSlider() const { return m_isovalue; }
-
 signals:
   void projectionEdited(limn::Projection projection, const limn::Gesture& gesture);
   void isovalueEdited(double isovalue, const limn::Gesture& gesture);

@@ -33,11 +33,7 @@ public:
   /// The models in the pictures on screen: one, or the two that are compared.
   void setModelsShown(const std::vector<ShadingModel>& models);
 
-  const std::vector<ShadingSection*>& sections() const { return m_sections; }
-  ProjectionSection* projectionSection() const { return m_projection; }
   CropSection* cropSection() const { return m_crop; }
-  FogSection* fogSection() const { return m_fog; }
-  QualitySection* qualitySection() const { return m_quality; }
 
   QSize sizeHint() const override { return {320, 600}; }
 

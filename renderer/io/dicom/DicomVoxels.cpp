@@ -66,10 +66,8 @@ float modalityValue(const DicomSlice& slice, double stored) {
   const auto& padding = slice.header->padding;
   if (padding && stored >= padding->first && stored <= padding->last)
     return std::numeric_limits<float>::quiet_NaN();
-  if (const auto& lut = slice.header->modalityLut) {
-    const double last = static_cast<double>(lut->values.size() - 1);
-    return lut->values[static_cast<std::size_t>(std::clamp(stored - lut->first, 0.0, last))];
-  }
+  if (const auto& lut = slice.header->modalityLut)
+    return static_cast<float>(lut->valueOf(stored));
   const Rescale rescale = rescaleOf(slice);
   return static_cast<float>(rescale.slope * stored + rescale.intercept);
 }

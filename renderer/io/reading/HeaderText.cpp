@@ -44,16 +44,22 @@ std::vector<double> numbers(const std::filesystem::path& file, std::string_view 
   return result;
 }
 
-double number(const std::filesystem::path& file, std::string_view text) {
-  std::string_view word = trimmed(text);
-  if (word.starts_with('+'))
-    word.remove_prefix(1);
+std::optional<double> numberIn(std::string_view text) {
+  if (text.starts_with('+'))
+    text.remove_prefix(1);
   double value = 0.0;
-  const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (problem != std::errc{} || end != word.data() + word.size() || word.empty())
-    failReading(file, "its header has \"" + std::string(word.substr(0, 40)) + "\" where a number is needed",
-                copyAgain);
-  return value;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool isNumber = problem == std::errc{} && end == text.data() + text.size();
+  return isNumber ? std::optional(value) : std::nullopt;
+}
+
+double number(const std::filesystem::path& file, std::string_view text) {
+  const auto value = numberIn(trimmed(text));
+  if (!value)
+    failReading(
+        file, "its header has \"" + std::string(trimmed(text).substr(0, 40)) + "\" where a number is needed",
+        copyAgain);
+  return *value;
 }
 
 } // namespace limn

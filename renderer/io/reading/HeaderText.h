@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,10 @@ std::string lowerCase(std::string_view text);
 
 /// The words between white space.
 std::vector<std::string> words(std::string_view text);
+
+/// The whole of a text as a number in the C locale, whatever the window system sets; "nan" and "inf" too.
+/// Nothing where it is none.
+std::optional<double> numberIn(std::string_view text);
 
 /// Every word as a number in the C locale, "nan" and "inf" too. Throws Error, naming `file`, where one is
 /// no number.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/FileBytes.h"
+#include "support/Places.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -74,13 +75,13 @@ std::set<std::string> networkFunctionsOf(const Needs& needs) {
 }
 
 TEST(Network, theProgramNamesNoFunctionOfIt) {
-  const Needs needs = needsOf(LIMN_PROGRAM);
+  const Needs needs = needsOf(test::programPath());
   ASSERT_TRUE(needs.functions.contains("fsync")) << "the symbols were not read";
   EXPECT_EQ(networkFunctionsOf(needs), std::set<std::string>());
 }
 
 TEST(Network, theProgramNamesNoLibraryForIt) {
-  const Needs needs = needsOf(LIMN_PROGRAM);
+  const Needs needs = needsOf(test::programPath());
   ASSERT_TRUE(needs.libraries.contains("libQt6Core.so.6")) << "the libraries were not read";
   for (const std::string& library : needs.libraries)
     for (const char* kind : {"Network", "curl", "WebSockets", "WebEngine", "soup", "neon", "ssl"})
@@ -125,7 +126,7 @@ TEST_F(Traced, aConnectionIsSeen) {
 }
 
 TEST_F(Traced, noCommandMakesOne) {
-  const std::string program = "'" LIMN_PROGRAM "' ";
+  const std::string program = "'" + test::programPath() + "' ";
   const std::string out = std::string("'").append(folder.path() / "a.png").append("'");
   EXPECT_EQ(internetSockets(program + "info phantom:8"), "");
   EXPECT_EQ(internetSockets(program + "info --system"), "");
@@ -135,7 +136,7 @@ TEST_F(Traced, noCommandMakesOne) {
 
 TEST_F(Traced, theWindowMakesNone) {
   const std::string out = std::string("'").append(folder.path() / "a.png").append("'");
-  EXPECT_EQ(internetSockets("'" LIMN_PROGRAM "' phantom:8 --screenshot " + out), "");
+  EXPECT_EQ(internetSockets("'" + test::programPath() + "' phantom:8 --screenshot " + out), "");
   EXPECT_TRUE(fs::exists(folder.path() / "a.png"));
 }
 

@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/privacy/Marks.h"
 #include "support/FileBytes.h"
+#include "support/Places.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
@@ -48,10 +49,10 @@ TEST_F(MarkedWindow, DISABLED_writesAllItCan) {
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue(QStringLiteral("Marked"));
   dialog->accept();
-  window->writeScene(out("scene.json"));
-  window->writeSession(out("session.json"));
+  saving().writeScene(out("scene.json"));
+  saving().writeSession(out("session.json"));
   for (const char* picture : {"window.png", "window.tif", "window.exr", "window.jpg"})
-    window->writePicture(out(picture));
+    saving().writePicture(out(picture));
   window->grab().save(out("grabbed.png"));
   dragAPoint();
   // The session that a dead window leaves, and one that is closed with changes.
@@ -91,7 +92,7 @@ protected:
     return WIFEXITED(raw) ? WEXITSTATUS(raw) : -1;
   }
 
-  int limn(const std::string& arguments) { return run(LIMN_PROGRAM, arguments); }
+  int limn(const std::string& arguments) { return run(test::programPath(), arguments); }
 
   std::string lastWords() const {
     return test::bytesOfFile(root() / "log" / (std::to_string(m_runs - 1) + ".err")) +

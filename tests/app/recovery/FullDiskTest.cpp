@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/presets/BuiltInPresets.h"
-#include "app/presets/PresetStore.h"
 #include "app/Settings.h"
 #include "app/UserFolders.h"
+#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "app/recovery/Autosave.h"
 #include "app/recovery/UnsavedSessions.h"
 #include "io/AtomicFile.h"

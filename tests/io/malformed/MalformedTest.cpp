@@ -3,6 +3,7 @@
 
 #include "support/FileBytes.h"
 #include "support/JudgedTime.h"
+#include "support/Places.h"
 #include "support/TemporaryFolder.h"
 #include "support/TestData.h"
 
@@ -59,7 +60,7 @@ TEST_P(Malformed, randomDamageDoesNoHarm) {
 // The exit status of `limn info` and what it wrote as its complaint; libpng adds a line of its own.
 std::pair<int, std::string> infoOf(const std::filesystem::path& path,
                                    const std::filesystem::path& complaint) {
-  const std::string command = std::string(LIMN_PROGRAM) + " info '" + path.string() +
+  const std::string command = test::programPath() + " info '" + path.string() +
                               "' --json --quiet >/dev/null 2>'" + complaint.string() + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytesOfFile(complaint)};

@@ -26,8 +26,6 @@ public:
   /// Whether the report is of an earlier picture: it pales, and its points cannot be used.
   void setStale(bool stale);
 
-  const AccuracyChart& chartShown() const { return *m_chart; }
-
   /// Where a point stands in the view; absent where it is not shown.
   std::optional<QPointF> positionOf(std::size_t point) const;
 

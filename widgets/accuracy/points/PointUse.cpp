@@ -3,6 +3,7 @@
 
 #include "accuracy/Tolerance.h"
 #include "scene/EffectPlan.h"
+#include "scene/ProjectionFacts.h"
 
 #include <algorithm>
 

@@ -67,6 +67,7 @@ DialSection::DialSection(QWidget* parent)
          "needs them to be within half a level of 255.</p><p>From 2 voxels to exact, default 1/2. "
          "The figures are the error of 999 in 1000 colour values, in levels of 255, and the time of a "
          "picture, both measured here.</p>"));
+  m_sentence->setObjectName(QStringLiteral("sentence"));
   m_sentence->setWordWrap(true);
   auto* text = new QVBoxLayout;
   text->setSpacing(4);
@@ -147,10 +148,6 @@ void DialSection::setMovingMs(double ms) {
 void DialSection::setProgress(std::optional<double> fraction, const QString& doing) {
   m_work->setVisible(fraction.has_value());
   m_work->showProgress(fraction.value_or(0.0), doing);
-}
-
-QString DialSection::sentence() const {
-  return m_sentence->text();
 }
 
 } // namespace limn

@@ -30,10 +30,6 @@ public:
   /// While steps are looked for their progress stands here; nothing ends it.
   void setProgress(std::optional<double> fraction, const QString& doing = {});
 
-  StopSlider* dial() const { return m_dial; }
-  ChoiceRow* movingChoice() const { return m_moving; }
-  QString sentence() const;
-
 signals:
   /// The user chose a position of the dial.
   void pointPicked(const limn::OperatingPoint& point);

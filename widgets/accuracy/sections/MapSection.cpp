@@ -37,6 +37,7 @@ MapSection::MapSection(QWidget* parent)
       m_work(new WorkRow(tr("Comparing with the exact picture"))), m_sentence(new QLabel) {
   contents()->addWidget(m_check);
   contents()->addWidget(m_work);
+  m_sentence->setObjectName(QStringLiteral("sentence"));
   m_sentence->setWordWrap(true);
   m_sentence->setForegroundRole(QPalette::PlaceholderText);
   contents()->addWidget(m_sentence);
@@ -65,10 +66,6 @@ void MapSection::setCompared(const ComparedPicture* compared) {
 void MapSection::setProgress(std::optional<double> fraction, const QString& doing) {
   m_work->setVisible(fraction.has_value());
   m_work->showProgress(fraction.value_or(0.0), doing);
-}
-
-QString MapSection::sentence() const {
-  return m_sentence->text();
 }
 
 } // namespace limn

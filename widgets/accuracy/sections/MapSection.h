@@ -28,9 +28,7 @@ public:
 
   void setProgress(std::optional<double> fraction, const QString& doing = {});
 
-  QCheckBox* check() const { return m_check; }
   WorkRow* work() const { return m_work; }
-  QString sentence() const;
 
 signals:
   /// The user wants the map, or no longer.

@@ -18,6 +18,7 @@ MeasuredSection::MeasuredSection(QWidget* parent)
       m_chart(new AccuracyChartView) {
   addButtons();
   contents()->addWidget(m_work);
+  m_summary->setObjectName(QStringLiteral("summary"));
   m_summary->setWordWrap(true);
   m_summary->setForegroundRole(QPalette::PlaceholderText);
   contents()->addWidget(m_summary);
@@ -109,10 +110,6 @@ void MeasuredSection::showSummary() {
     m_summary->setText(tr("Measured for an earlier picture; measure again to judge this one."));
     break;
   }
-}
-
-QString MeasuredSection::summary() const {
-  return m_summary->text();
 }
 
 } // namespace limn

@@ -34,11 +34,7 @@ public:
   /// While it runs its progress stands here; nothing ends it.
   void setProgress(std::optional<double> fraction, const QString& doing = {});
 
-  AccuracyChartView* chartView() const { return m_chart; }
-  QPushButton* measureButton() const { return m_measure; }
-  QPushButton* saveButton() const { return m_save; }
   WorkRow* work() const { return m_work; }
-  QString summary() const;
 
 signals:
   void measureRequested();

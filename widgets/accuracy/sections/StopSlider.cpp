@@ -57,10 +57,6 @@ void StopSlider::setPlace(double place) {
   update();
 }
 
-QPointF StopSlider::stopCentre(int stop) const {
-  return centreAt(stop);
-}
-
 QSize StopSlider::sizeHint() const {
   const auto rows = static_cast<double>(m_captions.size());
   return {240, static_cast<int>(std::ceil(trackHeight + rows * (textHeight() + rowGap)))};

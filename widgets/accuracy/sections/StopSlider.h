@@ -31,8 +31,8 @@ public:
   void setPlace(double place);
   double place() const { return m_place; }
 
-  /// Centre of a stop in widget coordinates.
-  QPointF stopCentre(int stop) const;
+  /// Where a stop or a place between two stands, in widget coordinates.
+  QPointF centreAt(double place) const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -49,7 +49,6 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  QPointF centreAt(double place) const;
   double captionWidth() const;
   double textHeight() const;
   void pickAt(double x);

@@ -74,6 +74,7 @@ WishSection::WishSection(QWidget* parent)
          "size at which it was measured.</p><p>Range 1 – 100000, default 33.</p>"));
   m_levels->setNumber(1.0);
   m_ms->setNumber(33.0);
+  m_answer->setObjectName(QStringLiteral("answer"));
   m_answer->setWordWrap(true);
   contents()->addWidget(m_answer);
   connect(m_useLevels, &QPushButton::clicked, this, [this] { emit levelsWished(m_levels->number()); });
@@ -111,10 +112,6 @@ void WishSection::setMeasured(const MeasuredAccuracy* measured) {
 void WishSection::showAnswer(const QString& sentence) {
   m_answer->setText(sentence);
   m_answer->setVisible(!sentence.isEmpty());
-}
-
-QString WishSection::answer() const {
-  return m_answer->text();
 }
 
 } // namespace limn

@@ -34,12 +34,6 @@ public:
 
   /// What the last wish got.
   void showAnswer(const QString& sentence);
-  QString answer() const;
-
-  NumberField* levelsField() const { return m_levels; }
-  NumberField* msField() const { return m_ms; }
-  QPushButton* levelsButton() const { return m_useLevels; }
-  QPushButton* msButton() const { return m_useMs; }
 
 signals:
   void levelsWished(double levels);

@@ -20,8 +20,6 @@ public:
   /// `fraction` 0..1.
   void showProgress(double fraction, const QString& doing);
 
-  QPushButton* cancelButton() const { return m_cancel; }
-
 signals:
   void cancelled();
 

@@ -28,11 +28,6 @@ public:
   /// Disables the control and says why in its tool tip; an empty reason enables it.
   void setUnavailable(const QString& reason);
 
-  ResetLabel* label() const { return m_label; }
-  TrackSlider* slider() const { return m_slider; }
-  NumberField* lowerField() const { return m_lower; }
-  NumberField* upperField() const { return m_upper; }
-
 signals:
   void rangeEdited(double lower, double upper, const limn::Gesture& gesture);
 

@@ -24,8 +24,6 @@ public:
   SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
                std::function<QString(double)> readOut, QWidget* parent = nullptr);
 
-  TrackSlider* slider() const { return m_slider; }
-
 signals:
   /// Pulled away from neutral by so much; `gestureId` is shared by one pull.
   void pulled(double number, std::uint64_t gestureId);

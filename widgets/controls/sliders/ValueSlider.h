@@ -27,10 +27,6 @@ public:
   /// Disables the control and says why in its tool tip; an empty reason enables it.
   void setUnavailable(const QString& reason);
 
-  ResetLabel* label() const { return m_label; }
-  TrackSlider* slider() const { return m_slider; }
-  NumberField* field() const { return m_field; }
-
 signals:
   void valueEdited(double value, const limn::Gesture& gesture);
 

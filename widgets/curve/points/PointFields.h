@@ -29,10 +29,6 @@ public:
 
   void focusValue();
 
-  NumberField* valueField() const { return m_value; }
-  NumberField* opacityField() const { return m_opacity; }
-  ColorButton* colorButton() const { return m_color; }
-
 signals:
   /// The whole function with the selected points changed.
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);

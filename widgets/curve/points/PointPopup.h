@@ -22,7 +22,6 @@ public:
              int decimals, QWidget* parent);
 
   PointFields* fields() const { return m_fields; }
-  ColorPicker* picker() const { return m_picker; }
 
 signals:
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomDataset.h"
 
+#include "io/reading/HeaderText.h"
+
 #include <bit>
-#include <charconv>
 #include <cmath>
 
 namespace limn {
@@ -24,15 +25,9 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, last - first);
 }
 
-// Independent of the locale, which the window system may set to one with decimal commas.
-std::optional<double> numberIn(const std::string& text) {
-  const char* first = text.data() + (!text.empty() && text.front() == '+' ? 1 : 0);
-  const char* last = text.data() + text.size();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (error != std::errc() || end != last || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+std::optional<double> finiteIn(const std::string& text) {
+  const auto value = numberIn(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::uint64_t binary(const std::string& bytes, std::size_t offset, std::size_t count, bool bigEndian) {
@@ -74,7 +69,7 @@ std::vector<std::string> textsOf(const DicomDataset& dataset, DicomTag tag) {
 std::vector<double> decimalsOf(const DicomDataset& dataset, DicomTag tag) {
   std::vector<double> numbers;
   for (const std::string& text : textsOf(dataset, tag)) {
-    const auto number = numberIn(text);
+    const auto number = finiteIn(text);
     if (!number)
       return {};
     numbers.push_back(*number);
@@ -84,7 +79,7 @@ std::vector<double> decimalsOf(const DicomDataset& dataset, DicomTag tag) {
 
 std::optional<double> decimalOf(const DicomDataset& dataset, DicomTag tag) {
   const std::vector<std::string> texts = textsOf(dataset, tag);
-  return texts.empty() ? std::nullopt : numberIn(texts.front());
+  return texts.empty() ? std::nullopt : finiteIn(texts.front());
 }
 
 std::optional<glm::dvec3> decimalVectorOf(const DicomDataset& dataset, DicomTag tag) {

@@ -4,6 +4,7 @@
 #include "io/dicom/header/DicomParser.h"
 #include "scene/Volume.h"
 
+#include <algorithm>
 #include <array>
 
 namespace limn {
@@ -39,6 +40,11 @@ struct DicomFrame {
 struct DicomLut {
   int first = 0;
   std::vector<std::uint16_t> values;
+
+  double valueOf(double stored) const {
+    const double last = static_cast<double>(values.size() - 1);
+    return values[static_cast<std::size_t>(std::clamp(stored - first, 0.0, last))];
+  }
 };
 
 /// How the pixels of a file are stored.

@@ -56,11 +56,6 @@ double luminance(double red, double green, double blue, bool isYbr) {
   return isYbr ? red : std::round(0.299 * red + 0.587 * green + 0.114 * blue);
 }
 
-double looked(const DicomLut& lut, double stored) {
-  const double last = static_cast<double>(lut.values.size() - 1);
-  return lut.values[static_cast<std::size_t>(std::clamp(stored - lut.first, 0.0, last))];
-}
-
 template <class Raw, class T>
 void unpackWords(const DicomHeader& header, const DicomRawFrame& raw, T* out, DicomUnpackNotes& notes) {
   const Word word(header);
@@ -72,7 +67,7 @@ void unpackWords(const DicomHeader& header, const DicomRawFrame& raw, T* out, Di
     if (header.format.samples == 3)
       out[i] = static_cast<T>(luminance(at(3 * i), at(3 * i + 1), at(3 * i + 2), isYbr));
     else if (isPalette)
-      out[i] = static_cast<T>(looked(*header.palette, at(i)));
+      out[i] = static_cast<T>(header.palette->valueOf(at(i)));
     else
       out[i] = static_cast<T>(at(i));
   }

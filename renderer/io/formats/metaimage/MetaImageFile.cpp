@@ -57,19 +57,12 @@ Header parseHeader(std::string_view text) {
 }
 
 VoxelType typeOf(const fs::path& file, const std::string& name) {
+  using enum VoxelType;
   static const std::map<std::string, VoxelType> types = {
-      {"MET_CHAR", VoxelType::int8},       {"MET_UCHAR", VoxelType::uint8},
-      {"MET_SHORT", VoxelType::int16},     {"MET_USHORT", VoxelType::uint16},
-      {"MET_INT", VoxelType::int32},       {"MET_UINT", VoxelType::uint32},
-      {"MET_LONG", VoxelType::int32},      {"MET_ULONG", VoxelType::uint32},
-      {"MET_LONG_LONG", VoxelType::int64}, {"MET_ULONG_LONG", VoxelType::uint64},
-      {"MET_FLOAT", VoxelType::float32},   {"MET_DOUBLE", VoxelType::float64},
-  };
-  const auto found = types.find(name);
-  if (found == types.end())
-    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
-                "convert it to integers or floats first");
-  return found->second;
+      {"MET_CHAR", int8},       {"MET_UCHAR", uint8},       {"MET_SHORT", int16},   {"MET_USHORT", uint16},
+      {"MET_INT", int32},       {"MET_UINT", uint32},       {"MET_LONG", int32},    {"MET_ULONG", uint32},
+      {"MET_LONG_LONG", int64}, {"MET_ULONG_LONG", uint64}, {"MET_FLOAT", float32}, {"MET_DOUBLE", float64}};
+  return typeNamed(file, name, types);
 }
 
 // The numbers of a field, at least `least` of them; empty where it is absent.
@@ -140,8 +133,6 @@ ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_
   const std::string name = header.field({"elementdatafile"});
   if (name.empty())
     failReading(path, "its header names no ElementDataFile", copyAgain);
-  if (name.starts_with("LIST") || name.find('%') != std::string::npos)
-    failReading(path, "its voxels are spread over several files", "save it as one .mha file");
   const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
   ByteLocation location;
   location.file = isLocal ? path : detachedFile(path, name);
@@ -152,11 +143,7 @@ ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_
   if (headerSize > 0.0 && headerSize < 1e12 && headerSize == std::floor(headerSize)) {
     location.offset += static_cast<std::uint64_t>(headerSize);
   } else if (headerSize == -1.0 && location.encoding == Encoding::raw) {
-    // The voxels are the last bytes of the file.
-    const std::uint64_t size = fs::file_size(location.file);
-    if (size < location.offset || size - location.offset < bytes)
-      failReading(path, "its voxels end early", copyAgain);
-    location.offset = size - bytes;
+    moveToLast(bytes, location);
   } else if (headerSize != 0.0) {
     failReading(path, "its header's HeaderSize is not supported", "save it as one .mha file");
   }
@@ -167,12 +154,7 @@ VoxelLayout layoutOf(const fs::path& path, const Header& header, const glm::ivec
   VoxelLayout layout;
   layout.type = typeOf(path, header.field({"elementtype"}));
   layout.bigEndian = header.isTrue({"binarydatabyteordermsb", "elementbyteordermsb"});
-  const std::string channels = header.field({"elementnumberofchannels"});
-  const double components = channels.empty() ? 1.0 : number(path, channels);
-  if (components != 1.0 && components != 3.0 && components != 4.0)
-    failReading(path, "it holds " + channels + " values per voxel, and a volume needs one",
-                "save one component as a volume of its own");
-  layout.components = static_cast<int>(components);
+  layout.components = componentCount(path, header.field({"elementnumberofchannels"}));
   layout.count = voxelCount(path, dims);
   return layout;
 }
@@ -196,11 +178,7 @@ VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
   parts.info.format = "MetaImage";
   place(path, header, shape, parts);
   parts.rescale = rescaleOf(path, header);
-  if (shape.volumes > 1.0)
-    parts.info.warnings.push_back("The file holds " + std::to_string(static_cast<int>(shape.volumes)) +
-                                  " volumes; the first is shown.");
-  if (layout.components > 1)
-    parts.info.warnings.emplace_back(colorWarning);
+  noteLayout(layout, parts.info.warnings);
 
   // At most 2⁴⁵ bytes, 2³¹ times: their product counts as too many where it overflows.
   const bool isCountable = layout.volumes <= (std::uint64_t{1} << 60) / bytesOf(layout);

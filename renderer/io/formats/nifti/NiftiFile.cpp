@@ -144,6 +144,10 @@ Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<std::st
 
 } // namespace
 
+bool isNifti(std::string_view bytes) {
+  return parseNiftiHeader(bytes) || isAnalyzeHeader(bytes);
+}
+
 VolumeParts readNifti(const fs::path& path, const Progress& progress) {
   const fs::path headerFile = isVoxelFile(path) ? partner(path, ".hdr") : path;
   const NiftiHeader header = headerOf(headerFile);
@@ -161,20 +165,15 @@ VolumeParts readNifti(const fs::path& path, const Progress& progress) {
   parts.info.spacingKnown = placement.spacingKnown;
   parts.info.warnings = placement.warnings;
   requireOneType(headerFile, header, sample);
-  const std::uint64_t volumes = volumesOf(headerFile, header);
-  if (volumes > 1)
-    parts.info.warnings.push_back("The file holds " + std::to_string(volumes) +
-                                  " volumes; the first is shown.");
-  if (sample.components > 1)
-    parts.info.warnings.emplace_back(colorWarning);
-  parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
 
   VoxelLayout layout;
   layout.type = sample.type;
   layout.bigEndian = header.bigEndian;
   layout.components = sample.components;
   layout.count = voxelCount(headerFile, dims);
-  layout.volumes = volumes;
+  layout.volumes = volumesOf(headerFile, header);
+  noteLayout(layout, parts.info.warnings);
+  parts.rescale = rescaleOf(header, sample.components, parts.info.warnings);
   parts.stored = readVoxels(locationOf(voxelFile, header), layout, progress, parts.info.warnings);
   return parts;
 }

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn {
@@ -23,6 +24,10 @@ struct NiftiPlacement {
 /// Decides the placement from the header alone: a valid sform (code > 0), else the qform (code > 0), else
 /// only the spacing. Units become millimetres.
 NiftiPlacement placementOf(const NiftiHeader& header);
+
+/// Whether the bytes start as a NIfTI header does, or as one of Analyze, its ancestor, whose refusal says
+/// more.
+bool isNifti(std::string_view bytes);
 
 /// Reads a NIfTI-1 or NIfTI-2 volume from its header file (.nii, .nii.gz, .hdr, .hdr.gz) or voxel file
 /// (.img, .img.gz). Of several volumes the first is read, with a warning.

@@ -21,26 +21,25 @@ constexpr std::uint64_t mostBytes = std::uint64_t{1} << 60;
 constexpr double farthestSkip = 1 << 30; // of bytes before the voxels: no header in use is longer
 
 VoxelType typeOf(const fs::path& file, const NrrdHeader& header) {
+  using enum VoxelType;
   // The format gives each type several names.
   static const std::pair<VoxelType, std::string> types[] = {
-      {VoxelType::int8, "|signed char|int8|int8_t|"},
-      {VoxelType::uint8, "|uchar|unsigned char|uint8|uint8_t|"},
-      {VoxelType::int16, "|short|short int|signed short|signed short int|int16|int16_t|"},
-      {VoxelType::uint16, "|ushort|unsigned short|unsigned short int|uint16|uint16_t|"},
-      {VoxelType::int32, "|int|signed int|int32|int32_t|"},
-      {VoxelType::uint32, "|uint|unsigned int|uint32|uint32_t|"},
-      {VoxelType::int64,
-       "|longlong|long long|long long int|signed long long|signed long long int|int64|int64_t|"},
-      {VoxelType::uint64, "|ulonglong|unsigned long long|unsigned long long int|uint64|uint64_t|"},
-      {VoxelType::float32, "|float|"},
-      {VoxelType::float64, "|double|"},
+      {int8, "|signed char|int8|int8_t|"},
+      {uint8, "|uchar|unsigned char|uint8|uint8_t|"},
+      {int16, "|short|short int|signed short|signed short int|int16|int16_t|"},
+      {uint16, "|ushort|unsigned short|unsigned short int|uint16|uint16_t|"},
+      {int32, "|int|signed int|int32|int32_t|"},
+      {uint32, "|uint|unsigned int|uint32|uint32_t|"},
+      {int64, "|longlong|long long|long long int|signed long long|signed long long int|int64|int64_t|"},
+      {uint64, "|ulonglong|unsigned long long|unsigned long long int|uint64|uint64_t|"},
+      {float32, "|float|"},
+      {float64, "|double|"},
   };
   const std::string name = lowerCase(header.field("type"));
   for (const auto& [type, names] : types)
     if (names.find("|" + name + "|") != std::string::npos)
       return type;
-  failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
-              "convert it to integers or floats first");
+  return typeNamed(file, name, {});
 }
 
 bool isBigEndian(const fs::path& file, const NrrdHeader& header, VoxelType type, bool isText) {
@@ -71,19 +70,13 @@ ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding
   ByteLocation location;
   location.encoding = encoding;
   const std::string name = header.field("data file");
-  if (name.starts_with("LIST") || name.find('%') != std::string::npos)
-    failReading(path, "its voxels are spread over several files", "save it as one .nrrd file");
   location.file = name.empty() ? path : detachedFile(path, name);
   location.offset = name.empty() ? header.end : 0;
   if (const double lines = fieldNumber(path, header, "line skip"); lines > 0.0)
     skipLines(location, lines);
   const double skip = fieldNumber(path, header, "byte skip");
   if (skip == -1.0 && encoding == Encoding::raw) {
-    // The voxels are the last bytes of the file.
-    const std::uint64_t size = fs::file_size(location.file);
-    if (size < location.offset || size - location.offset < bytes)
-      failReading(path, "its voxels end early", copyAgain);
-    location.offset = size - bytes;
+    moveToLast(bytes, location);
   } else if (skip >= 0.0 && skip < farthestSkip && skip == std::floor(skip)) {
     location.skip = static_cast<std::uint64_t>(skip);
   } else {
@@ -109,18 +102,13 @@ VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
   parts.info.format = "NRRD";
   parts.info.orientationKnown = axes.orientationKnown;
   parts.info.spacingKnown = axes.spacingKnown;
-  if (axes.volumes > 1)
-    parts.info.warnings.push_back("The file holds " + std::to_string(axes.volumes) +
-                                  " volumes; the first is shown.");
-  if (axes.components > 1)
-    parts.info.warnings.emplace_back(colorWarning);
-
   VoxelLayout layout;
   layout.type = typeOf(path, header);
   layout.bigEndian = isBigEndian(path, header, layout.type, isText);
   layout.components = axes.components;
   layout.count = voxelCount(path, axes.dims);
   layout.volumes = axes.volumes;
+  noteLayout(layout, parts.info.warnings);
   if (axes.volumes > mostBytes / bytesOf(layout))
     failReading(path, "its header gives more volumes than any file holds", copyAgain);
   const std::uint64_t allBytes = bytesOf(layout) * axes.volumes;

@@ -152,6 +152,13 @@ ByteReader openBytes(const ByteLocation& location, std::uint64_t needed) {
   return reader;
 }
 
+void moveToLast(std::uint64_t bytes, ByteLocation& location) {
+  const std::uint64_t size = sizeOf(location.file);
+  if (size < location.offset || size - location.offset < bytes)
+    failReading(location.file, "its voxels end early", copyAgain);
+  location.offset = size - bytes;
+}
+
 std::string firstBytes(const fs::path& file, std::size_t count) {
   const bool compressed = isGzip(file);
   std::ifstream stream = openFile(file);
@@ -170,6 +177,8 @@ bool isGzip(const fs::path& file) {
 }
 
 fs::path detachedFile(const fs::path& header, const std::string& name) {
+  if (name.starts_with("LIST") || name.find('%') != std::string::npos)
+    failReading(header, "its voxels are spread over several files", "save it as one file");
   const fs::path relative(name);
   const fs::path normal = relative.lexically_normal();
   if (name.empty() || relative.is_absolute() || normal.empty() || *normal.begin() == "..")

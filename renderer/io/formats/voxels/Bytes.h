@@ -29,6 +29,9 @@ struct ByteLocation {
 /// exactly by its length when raw, by the largest ratio deflate can reach otherwise.
 ByteReader openBytes(const ByteLocation& location, std::uint64_t needed);
 
+/// Moves a raw location to the last `bytes` of its file. Throws Error where there are fewer behind it.
+void moveToLast(std::uint64_t bytes, ByteLocation& location);
+
 /// At most `count` bytes from the start of a file, inflated where it is a gzip file. Throws Error where the
 /// file cannot be opened.
 std::string firstBytes(const std::filesystem::path& file, std::size_t count);
@@ -37,7 +40,7 @@ std::string firstBytes(const std::filesystem::path& file, std::size_t count);
 bool isGzip(const std::filesystem::path& file);
 
 /// The file beside `header` that the header names. Throws Error where the name is absolute, leaves the
-/// header's folder (also through a link), or names no file or the header itself.
+/// header's folder (also through a link), or names no file, several or the header itself.
 std::filesystem::path detachedFile(const std::filesystem::path& header, const std::string& name);
 
 } // namespace limn

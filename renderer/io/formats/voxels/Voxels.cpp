@@ -2,6 +2,7 @@
 #include "io/formats/voxels/Voxels.h"
 
 #include "io/formats/voxels/StoredType.h"
+#include "io/reading/HeaderText.h"
 #include "io/reading/MachineMemory.h"
 #include "io/reading/ReadError.h"
 
@@ -113,6 +114,30 @@ int dimension(const fs::path& file, double value) {
   if (!(value >= 1.0) || value > 2147483647.0 || value != std::floor(value))
     failReading(file, "its header gives a dimension that is not a positive whole number", copyAgain);
   return static_cast<int>(value);
+}
+
+VoxelType typeNamed(const fs::path& file, const std::string& name,
+                    const std::map<std::string, VoxelType>& types) {
+  const auto found = types.find(name);
+  if (found == types.end())
+    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
+                "convert it to integers or floats first");
+  return found->second;
+}
+
+int componentCount(const fs::path& file, const std::string& text) {
+  const double count = text.empty() ? 1.0 : number(file, text);
+  if (count != 1.0 && count != 3.0 && count != 4.0)
+    failReading(file, "it holds " + text + " values per voxel, and a volume needs one",
+                "save one component as a volume of its own");
+  return static_cast<int>(count);
+}
+
+void noteLayout(const VoxelLayout& layout, std::vector<std::string>& warnings) {
+  if (layout.volumes > 1)
+    warnings.push_back("The file holds " + std::to_string(layout.volumes) + " volumes; the first is shown.");
+  if (layout.components > 1)
+    warnings.emplace_back(colorWarning);
 }
 
 VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,

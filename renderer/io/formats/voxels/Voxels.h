@@ -5,6 +5,7 @@
 #include "io/reading/Progress.h"
 #include "scene/Volume.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,17 @@ std::uint64_t voxelCount(const std::filesystem::path& file, const glm::ivec3& di
 
 /// A header's number as a dimension. Throws Error where it is not within 1 .. 2³¹-1.
 int dimension(const std::filesystem::path& file, double value);
+
+/// The type that a format calls `name`. Throws Error where `types` does not have it.
+VoxelType typeNamed(const std::filesystem::path& file, const std::string& name,
+                    const std::map<std::string, VoxelType>& types);
+
+/// A header's number of values per voxel, 1 where the text is empty, 3 or 4 of a colour. Throws Error where
+/// it is another.
+int componentCount(const std::filesystem::path& file, const std::string& text);
+
+/// Says where only the first of several volumes is shown, and where colours become luminance.
+void noteLayout(const VoxelLayout& layout, std::vector<std::string>& warnings);
 
 /// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
 /// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end

@@ -80,18 +80,12 @@ Header parseHeader(const fs::path& file, std::string_view text) {
 }
 
 VoxelType typeOf(const fs::path& file, const std::string& name) {
+  using enum VoxelType;
   static const std::map<std::string, VoxelType> types = {
-      {"unsigned_char", VoxelType::uint8},   {"char", VoxelType::int8},
-      {"unsigned_short", VoxelType::uint16}, {"short", VoxelType::int16},
-      {"unsigned_int", VoxelType::uint32},   {"int", VoxelType::int32},
-      {"vtktypeuint64", VoxelType::uint64},  {"vtktypeint64", VoxelType::int64},
-      {"float", VoxelType::float32},         {"double", VoxelType::float64},
-  };
-  const auto found = types.find(lowerCase(name));
-  if (found == types.end())
-    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
-                "convert it to integers or floats first");
-  return found->second;
+      {"unsigned_char", uint8}, {"char", int8},     {"unsigned_short", uint16}, {"short", int16},
+      {"unsigned_int", uint32}, {"int", int32},     {"vtktypeuint64", uint64},  {"vtktypeint64", int64},
+      {"float", float32},       {"double", float64}};
+  return typeNamed(file, lowerCase(name), types);
 }
 
 VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec3& dims) {
@@ -102,11 +96,7 @@ VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec
   layout.type = typeOf(file, scalars[1]);
   layout.bigEndian = true;
   layout.endsFile = false; // further arrays may follow
-  const double components = scalars.size() > 2 ? number(file, scalars[2]) : 1.0;
-  if (components != 1.0 && components != 3.0 && components != 4.0)
-    failReading(file, "it holds " + scalars[2] + " values per voxel, and a volume needs one",
-                "save one component as a volume of its own");
-  layout.components = static_cast<int>(components);
+  layout.components = componentCount(file, scalars.size() > 2 ? scalars[2] : "");
   layout.count = voxelCount(file, dims);
   return layout;
 }
@@ -156,8 +146,7 @@ VolumeParts readVtkLegacy(const fs::path& path, const Progress& progress) {
 
   const VoxelLayout layout = layoutOf(path, header, dims);
   requireOneSize(path, header, layout.count);
-  if (layout.components > 1)
-    parts.info.warnings.emplace_back(colorWarning);
+  noteLayout(layout, parts.info.warnings);
   ByteLocation location;
   location.file = path;
   location.offset = header.end;

@@ -97,25 +97,14 @@ pugi::xml_node arrayIn(const pugi::xml_node& data) {
 
 VoxelLayout layoutOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
                      const glm::ivec3& dims) {
+  using enum VoxelType;
   static const std::map<std::string, VoxelType> types = {
-      {"UInt8", VoxelType::uint8},     {"Int8", VoxelType::int8},     {"UInt16", VoxelType::uint16},
-      {"Int16", VoxelType::int16},     {"UInt32", VoxelType::uint32}, {"Int32", VoxelType::int32},
-      {"UInt64", VoxelType::uint64},   {"Int64", VoxelType::int64},   {"Float32", VoxelType::float32},
-      {"Float64", VoxelType::float64},
-  };
-  const std::string name = array.attribute("type").as_string();
-  const auto type = types.find(name);
-  if (type == types.end())
-    failReading(file, "its values are of the type \"" + name + "\", which is not supported",
-                "convert it to integers or floats first");
+      {"UInt8", uint8}, {"Int8", int8},     {"UInt16", uint16}, {"Int16", int16},     {"UInt32", uint32},
+      {"Int32", int32}, {"UInt64", uint64}, {"Int64", int64},   {"Float32", float32}, {"Float64", float64}};
   VoxelLayout layout;
-  layout.type = type->second;
+  layout.type = typeNamed(file, array.attribute("type").as_string(), types);
   layout.bigEndian = std::string(document.root().attribute("byte_order").as_string()) == "BigEndian";
-  layout.components = array.attribute("NumberOfComponents").as_int(1);
-  if (layout.components != 1 && layout.components != 3 && layout.components != 4)
-    failReading(file,
-                "it holds " + std::to_string(layout.components) + " values per voxel, and a volume needs one",
-                "save one component as a volume of its own");
+  layout.components = componentCount(file, array.attribute("NumberOfComponents").as_string());
   layout.count = voxelCount(file, dims);
   return layout;
 }
@@ -191,8 +180,7 @@ VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
   const glm::dvec3 shift = ofPoints ? glm::dvec3(0.0) : glm::dvec3(0.5);
   parts.grid = gridFromAxes(path, dims, points.stepsMm, points.firstMm + points.stepsMm * shift);
   const VoxelLayout layout = layoutOf(path, document, array, dims);
-  if (layout.components > 1)
-    parts.info.warnings.emplace_back(colorWarning);
+  noteLayout(layout, parts.info.warnings);
   parts.stored = voxelsOf(path, document, array, layout, progress, parts.info.warnings);
   return parts;
 }

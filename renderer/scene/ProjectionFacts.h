@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+
+namespace limn {
+
+/// Whether samples along a ray are classified one by one and add up to its pixel.
+constexpr bool integrates(Projection projection) {
+  return projection == Projection::composite || projection == Projection::xray ||
+         projection == Projection::compositeIsosurface;
+}
+
+/// Whether near samples hide far ones, so that a ray can end early.
+constexpr bool composites(Projection projection) {
+  return integrates(projection) && projection != Projection::xray;
+}
+
+/// Whether a surface of the scene's isovalue is shown.
+constexpr bool showsSurface(Projection projection) {
+  return projection == Projection::isosurface || projection == Projection::compositeIsosurface;
+}
+
+/// Whether every sample is looked at, and one value of the ray is classified.
+constexpr bool classifiesOnce(Projection projection) {
+  return !integrates(projection) && !showsSurface(projection);
+}
+
+} // namespace limn

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/OpenDocument.h"
+
+#include "app/document/DocumentText.h"
+
+#include <gtest/gtest.h>
+
+// What is open, what counts as saved and what it is called, without a window.
+
+namespace limn {
+namespace {
+
+class OpenDocumentTest : public testing::Test {
+protected:
+  // Four by three by two voxels of a CT.
+  static LoadedScene loaded(const std::string& path, const PatientLabel& patient = {}) {
+    VolumeInfo info;
+    info.modality = "CT";
+    info.unit = "HU";
+    info.patient = patient;
+    LoadedScene made;
+    made.scene.volume = std::make_shared<const Volume>(
+        Grid{{4, 3, 2}}, VoxelArray(std::vector<std::int16_t>(24)), Rescale{}, std::nullopt, info);
+    made.scene.transferFunction = rampTo(10.0);
+    made.volumePath = path;
+    made.preset = "Bone";
+    return made;
+  }
+
+  static TransferFunction rampTo(double value) {
+    return {1.0, {{0.0, glm::dvec3(1), 0.0}, {value, glm::dvec3(1), 1.0}}};
+  }
+
+  void openAndSettle(const std::string& path, const PatientLabel& patient = {}) {
+    document.open(loaded(path, patient), {QString::fromStdString(path), {}}, {});
+    document.settle(document.described());
+  }
+
+  void edit(double value) { session.setTransferFunction(rampTo(value), {nextGestureId(), "edit"}); }
+
+  Session session;
+  OpenDocument document{session};
+};
+
+TEST_F(OpenDocumentTest, nothingIsLostWhereNothingIsOpen) {
+  EXPECT_FALSE(document.unsaved(document.described()));
+  EXPECT_EQ(titleOf(document, true), QStringLiteral("Limn · not for diagnosis[*]"));
+  EXPECT_EQ(suggestedName(document), QStringLiteral("limn"));
+}
+
+TEST_F(OpenDocumentTest, whatWasOpenedCountsAsSavedUntilItIsEditedAndOnceTheEditIsTakenBack) {
+  openAndSettle("/data/head.nii");
+  EXPECT_FALSE(document.unsaved(document.described()));
+  edit(20.0);
+  const auto unsaved = document.unsaved(document.described());
+  ASSERT_TRUE(unsaved);
+  EXPECT_TRUE(unsaved->isUnsaved);
+  EXPECT_EQ(unsaved->scene.volume, "/data/head.nii");
+  EXPECT_EQ(unsaved->label, "head.nii · CT 4×3×2");
+  session.undoStack().undo();
+  EXPECT_FALSE(document.unsaved(document.described()));
+}
+
+TEST_F(OpenDocumentTest, anotherArrangementIsKeptWithoutCountingAsAnEditAndAPanelAloneIsNoLoss) {
+  openAndSettle("/data/head.nii");
+  SessionDocument now = document.described();
+  now.panel = SessionDocument::Panel::accuracy;
+  EXPECT_FALSE(document.unsaved(now));
+  now.layout = CompareLayout::wipe;
+  const auto unsaved = document.unsaved(now);
+  ASSERT_TRUE(unsaved);
+  EXPECT_FALSE(unsaved->isUnsaved);
+}
+
+TEST_F(OpenDocumentTest, savingToAFileSettlesIt) {
+  openAndSettle("/data/head.nii");
+  edit(20.0);
+  document.settleIn(QStringLiteral("/data/mine.json"), document.described());
+  EXPECT_FALSE(document.isEdited());
+  EXPECT_FALSE(document.unsaved(document.described()));
+  EXPECT_EQ(document.sessionFile(), QStringLiteral("/data/mine.json"));
+  EXPECT_TRUE(titleOf(document, true).startsWith(QStringLiteral("mine.json · head.nii")));
+  edit(30.0);
+  EXPECT_EQ(document.unsaved(document.described())->savedAs, "/data/mine.json");
+  document.close();
+  EXPECT_TRUE(document.sessionFile().isEmpty());
+  EXPECT_FALSE(document.unsaved(document.described()));
+}
+
+TEST_F(OpenDocumentTest, anUnsavedSessionGoesOnAsWhatItWas) {
+  LoadedScene restored = loaded("/data/head.nii");
+  restored.session.emplace();
+  restored.session->savedAs = "/data/mine.json";
+  restored.session->isUnsaved = true;
+  restored.session->preset = "Skin";
+  document.open(restored, {QStringLiteral("/kept/1/session.json"), {}, true}, {});
+  EXPECT_TRUE(document.isEdited());
+  EXPECT_EQ(document.sessionFile(), QStringLiteral("/data/mine.json"));
+  EXPECT_EQ(document.request().source, QStringLiteral("/data/head.nii")) << "its own file goes";
+  EXPECT_EQ(document.presetShown(), "Skin");
+  EXPECT_TRUE(document.unsaved(document.described()));
+}
+
+TEST_F(OpenDocumentTest, aPresetIsInUseWhileItsCurvesAreShown) {
+  openAndSettle("/data/head.nii");
+  EXPECT_EQ(document.presetShown(), "Bone");
+  edit(20.0);
+  EXPECT_EQ(document.presetShown(), "");
+  EXPECT_EQ(document.described().preset, "");
+  session.undoStack().undo();
+  EXPECT_EQ(document.presetShown(), "Bone");
+  session.setGradientOpacity(GradientOpacity{{{5.0, 0.25}}}, {nextGestureId(), "edit"});
+  EXPECT_EQ(document.presetShown(), "");
+}
+
+TEST_F(OpenDocumentTest, thePatientIsNamedInTheTitleOnlyWhereThatIsWanted) {
+  openAndSettle("/data/quillon/zebedee.nii", {"ZEBEDEE^QUILLON", "PID7", "19870615"});
+  document.settleIn(QStringLiteral("/data/quillon.json"), document.described());
+  const QString program = QStringLiteral("[*] — Limn · not for diagnosis");
+  EXPECT_EQ(titleOf(document, true),
+            QStringLiteral("quillon.json · zebedee.nii · ZEBEDEE^QUILLON · PID7 · 19870615") + program);
+  EXPECT_EQ(titleOf(document, false), QStringLiteral("ct-4x3x2") + program);
+  EXPECT_EQ(labelOf(document), QStringLiteral("CT 4×3×2"));
+  EXPECT_EQ(suggestedName(document), QStringLiteral("ct-4x3x2"));
+}
+
+TEST_F(OpenDocumentTest, theSampleIsCalledSo) {
+  document.open(loaded("/usr/share/sample.inv3"), {QStringLiteral("sample"), {}}, {});
+  EXPECT_TRUE(titleOf(document, false).startsWith(QStringLiteral("Sample head[*]")));
+  EXPECT_EQ(labelOf(document), QStringLiteral("Sample head"));
+}
+
+} // namespace
+} // namespace limn
