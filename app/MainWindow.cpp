@@ -15,6 +15,7 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -3,6 +3,7 @@
 
 #include "app/MainWindow.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
 #include <QScreen>

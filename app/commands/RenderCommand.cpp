@@ -28,11 +28,11 @@ struct RenderArguments {
   double textureMb = anyMb; ///< the most that the volume may take on the graphics card
 };
 
-const std::map<std::string, Engine> engines{{"auto", Engine::automatic},
-                                            {"gl", Engine::gl},
-                                            {"slices", Engine::slices},
-                                            {"slices-back-to-front", Engine::slicesBackToFront},
-                                            {"reference", Engine::reference}};
+const std::map<std::string, PictureEngine> engines{{"auto", PictureEngine::automatic},
+                                                   {"gl", PictureEngine::gl},
+                                                   {"slices", PictureEngine::slices},
+                                                   {"slices-back-to-front", PictureEngine::slicesBackToFront},
+                                                   {"reference", PictureEngine::reference}};
 
 Scene withModel(Scene scene, ShadingModel model) {
   scene.shading.model = model;
@@ -40,7 +40,7 @@ Scene withModel(Scene scene, ShadingModel model) {
 }
 
 MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
-  const Engine engine = chosen(engines, arguments.engine, "--engine");
+  const PictureEngine engine = chosen(engines, arguments.engine, "--engine");
   const glm::ivec2 size(scene.image.width, scene.image.height);
   if (arguments.scene.model != "compare")
     return makePictures({scene}, size, engine, arguments.threads, arguments.textureMb).front();

@@ -43,11 +43,11 @@ std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& 
   return pictures;
 }
 
-std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
-                                    double textureMb) {
+std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                    PictureEngine engine, double textureMb) {
   const HeadlessContext context;
-  if (engine == Engine::slices || engine == Engine::slicesBackToFront) {
-    SliceRenderer slices(engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
+  if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront) {
+    SliceRenderer slices(engine == PictureEngine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
     return makeWith(slices, scenes, size, StepControl::equal);
   }
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, textureMb);
@@ -80,8 +80,8 @@ PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
 
 } // namespace
 
-PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
-  if (engine == Engine::reference)
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {
+  if (engine == PictureEngine::reference)
     return figuresBy(
         [&](const Scene& drawn, Limiting limiting) {
           return toImage(renderReference(drawn, size, threads, {}, limiting));
@@ -96,14 +96,14 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
       scene);
 }
 
-std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
-                                      int threads, double textureMb) {
-  if (engine == Engine::reference)
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                      PictureEngine engine, int threads, double textureMb) {
+  if (engine == PictureEngine::reference)
     return makeWithReference(scenes, size, threads);
   try {
     return makeWithGl(scenes, size, engine, textureMb);
   } catch (const Error& error) {
-    if (engine != Engine::automatic || error.kind() != Error::Kind::openGl)
+    if (engine != PictureEngine::automatic || error.kind() != Error::Kind::openGl)
       throw;
     std::vector<MadePicture> pictures = makeWithReference(scenes, size, threads);
     pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");
@@ -111,11 +111,11 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
   }
 }
 
-std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
-  if (engine == Engine::slices || engine == Engine::slicesBackToFront)
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {
+  if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront)
     throw Error(Error::Kind::usage,
                 "Slices take the same samples in every pixel; count those of --engine gl or reference.");
-  if (engine == Engine::reference)
+  if (engine == PictureEngine::reference)
     return renderReference(scene, size, threads).samples;
   const HeadlessContext context;
   return RayCaster().sampleCounts(scene, size);

@@ -14,7 +14,7 @@ namespace limn {
 
 /// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the reference where there is no
 /// OpenGL; slices are blended front to back unless named otherwise.
-enum class Engine { automatic, gl, slices, slicesBackToFront, reference };
+enum class PictureEngine { automatic, gl, slices, slicesBackToFront, reference };
 
 /// A picture and what was noteworthy about making it.
 struct MadePicture {
@@ -27,8 +27,8 @@ struct MadePicture {
 /// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core. A scene
 /// with a tolerance gets the steps that keep it, where it does not have them already (accuracy/Tolerance).
 /// The ray caster's volume takes at most `textureMb` on the graphics card. Throws Error.
-std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size, Engine engine,
-                                      int threads, double textureMb = anyMb);
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                      PictureEngine engine, int threads, double textureMb = anyMb);
 
 /// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
 /// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
@@ -39,11 +39,11 @@ struct PictureFigures {
 };
 
 /// Draws what the figures need (scene/PictureFigures.h). Throws Error.
-PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
 /// of equal ones. `automatic` is OpenGL. Throws Error, of kind usage for slices, which share their samples.
-std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);

@@ -60,7 +60,7 @@ public:
   virtual std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                                     const IsCancelled& isCancelled) = 0;
 
-  /// The whole picture whose light terms are not limited (RENDERING section 4), to see how far they overflow.
+  /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they overflow.
   virtual Image drawUnlimited(const Scene& scene, const glm::ivec2& size) = 0;
 
   /// Does one piece of what the scene and those near it may soon need; for when nobody waits. May draw into

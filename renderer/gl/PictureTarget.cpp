@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/PictureTarget.h"
 
+#include "gl/FloatTarget.h"
 #include "scene/Error.h"
 
 #include <epoxy/gl.h>
@@ -48,17 +49,8 @@ void PictureTarget::bind() const {
 }
 
 Image PictureTarget::read() const {
-  Image image(m_size);
-  glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
-  glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_FLOAT, image.pixels.data());
-  // OpenGL's rows go upwards.
-  for (int y = 0; y < m_size.y / 2; ++y) {
-    const auto upper = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * m_size.x;
-    const auto lower = image.pixels.begin() + static_cast<std::ptrdiff_t>(m_size.y - 1 - y) * m_size.x;
-    std::swap_ranges(upper, upper + m_size.x, lower);
-  }
-  return image;
+  bind();
+  return readBack(m_size);
 }
 
 void PictureTarget::write(const glm::ivec2& topLeft, const Image& pixels) {

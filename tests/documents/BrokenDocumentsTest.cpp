@@ -39,7 +39,8 @@ TEST(BrokenPaths, inSourcesAreNamed) {
 
 TEST(BrokenPaths, inDocumentsAreNamed) {
   const auto faults = [](const std::string& text) { return test::missingPaths({"tests/README.md", text}); };
-  EXPECT_EQ(faults("`documents/Tree` `tests/{documents,support}/` `Tree.cpp` `build/release/limn` `a/b`"),
+  EXPECT_EQ(faults("`documents/Tree` `tests/{documents,support}/` `Tree.cpp` `build/release/limn` `a/b` "
+                   "`tests/NAME/NameTest.cpp`"),
             Faults{});
   EXPECT_EQ(faults("```\n`tests/nowhere/`\n```\n"), Faults{});
   EXPECT_EQ(faults("`tests/{documents,nowhere}/`"), Faults{"names tests/nowhere/, which does not exist"});

@@ -32,7 +32,8 @@ std::vector<std::string> missingPathsOfASource(const std::string& text);
 std::vector<std::string> brokenLinks(const TextFile& document);
 
 /// Files and folders between backticks; from the root, from `renderer/` or from the document's folder. Names
-/// of sources may stand without their folder, or without their ending where they have one.
+/// of sources may stand without their folder, or without their ending where they have one; `NAME` and `Name`
+/// in a recipe stand for any.
 std::vector<std::string> missingPaths(const TextFile& document);
 
 /// Lines of more characters than `most`.

@@ -40,7 +40,7 @@ std::string contentOf(const fs::path& file) {
 
 // The libraries of this project that a folder's library links.
 LinkLine linkLineOf(const std::string& cmake) {
-  static const std::regex made(R"(add_library\((limn_\w+) STATIC)"), words(R"([\w:]+)"),
+  static const std::regex made(R"(add_library\((limn_\w+) (?:STATIC|INTERFACE))"), words(R"([\w:]+)"),
       linked(R"(target_link_libraries\(\s*(limn_\w+)([^)]*)\))");
   LinkLine line;
   std::smatch match;

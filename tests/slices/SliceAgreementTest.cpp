@@ -6,6 +6,7 @@
 // their planes, so the two agree in the limit only. SliceOrderTest holds smooth fields to the order alone.
 #include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
 #include "scene/Phantom.h"
 #include "slices/SliceRenderer.h"
 #include "support/GlTest.h"

@@ -3,6 +3,7 @@
 // against closed forms on single rays and, for whole pictures of a smooth field, against the reference at a
 // step eight times finer than the finest, whose own error is a 64th of the smallest measured.
 #include "accuracy/ImageError.h"
+#include "reference/ReferenceIntegrator.h"
 #include "slices/SliceRenderer.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"

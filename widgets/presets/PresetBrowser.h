@@ -3,8 +3,6 @@
 
 #include "scene/Preset.h"
 
-#include <QImage>
-#include <QMap>
 #include <QWidget>
 
 #include <vector>

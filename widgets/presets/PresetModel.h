@@ -3,11 +3,13 @@
 
 #include "scene/Preset.h"
 
-#include <QImage>
-#include <QStandardItemModel>
-#include <QString>
+#include <Qt>
 
 #include <vector>
+
+class QImage;
+class QSize;
+class QStandardItemModel;
 
 namespace limn {
 

@@ -2,6 +2,9 @@
 #include "widgets/shading/ModelSection.h"
 
 #include "scene/ModelName.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/shading/ModelName.h"
 
 #include <QLabel>

@@ -127,6 +127,18 @@ bool JsonFields::pair(const std::string& key, double& first, double& second, con
   return true;
 }
 
+std::optional<std::size_t> JsonFields::choice(const std::string& key, std::span<const char* const> words) {
+  std::string word, known;
+  if (!text(key, word))
+    return std::nullopt;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (word == words[i])
+      return i;
+    known += (known.empty() ? "" : ", ") + std::string(words[i]);
+  }
+  fail(key, "is \"" + word + "\"; choose one of " + known);
+}
+
 void JsonFields::finish() const {
   for (const auto& [key, value] : m_object.items())
     if (!m_known.contains(key))

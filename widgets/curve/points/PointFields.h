@@ -47,9 +47,4 @@ private:
   ColorButton* m_color;
 };
 
-/// Gives several points one opacity or one colour.
-TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices, double opacity);
-TransferFunction withColorAt(const TransferFunction& function, const PointIndices& indices,
-                             const glm::dvec3& color);
-
 } // namespace limn
