@@ -42,14 +42,15 @@ TEST(Layering, referenceAndGlKnowOnlyTheScene) {
                    "the reference checks the others");
   expectNoIncludes("renderer/gl", "^(io|raycaster|slices|reference|widgets|app)/",
                    "gl knows nothing of volumes");
+  expectNoIncludes("renderer/glsl", "^(io|reference|accuracy|raycaster|slices|stability|widgets|app)/",
+                   "what renderers in GLSL share knows none of them");
   expectNoIncludes("renderer/raycaster", "^(io|slices|reference|widgets|app)/",
                    "the ray caster draws from the scene alone");
 }
 
 TEST(Layering, slicesShareTheRayCastersTexturesAndBlocksAndKnowNothingElse) {
-  expectNoIncludes("renderer/slices", "^(io|reference|accuracy|widgets|app)/",
+  expectNoIncludes("renderer/slices", "^(io|reference|accuracy|raycaster|widgets|app)/",
                    "slices draw from the scene alone");
-  expectNoIncludes("renderer/slices", "^raycaster/RayCaster.h", "slices share blocks and textures, not rays");
 }
 
 TEST(Layering, accuracyTakesRenderersAsFunctions) {

@@ -3,9 +3,9 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/LocalSteps.h"
-#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+#include "scene/light/ModelName.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+#include "scene/light/ModelName.h"
 
 #include <nlohmann/json.hpp>
 

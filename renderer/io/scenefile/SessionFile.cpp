@@ -3,7 +3,7 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
 
 #include <nlohmann/json.hpp>
 

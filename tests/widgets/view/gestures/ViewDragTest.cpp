@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "widgets/view/gestures/WindowLevelGesture.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 

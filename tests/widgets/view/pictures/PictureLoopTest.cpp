@@ -3,7 +3,7 @@
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCaster.h"
 #include "raycaster/RayCasterEngine.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 
