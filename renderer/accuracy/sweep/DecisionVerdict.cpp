@@ -43,7 +43,7 @@ std::vector<std::string> verdictOn(const std::vector<DecisionCost>& costs) {
       sentences.push_back(sentenceOn(cost));
   }
   if (sentences.empty() && !costs.empty())
-    sentences.push_back("No other way of any decision was as accurate here and faster by a tenth.");
+    sentences.emplace_back("No other way of any decision was as accurate here and faster by a tenth.");
   return sentences;
 }
 
