@@ -11,7 +11,7 @@
 #include "app/commands/RenderCommand.h"
 #include "app/commands/StabilityCommand.h"
 #include "app/commands/Syntax.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>

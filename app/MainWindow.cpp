@@ -45,7 +45,7 @@ Centre::Centre(QMainWindow& window) {
 
 MainWindow::MainWindow(UserFolders folders, QWidget* parent)
     : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings), m_session(this),
-      m_document(m_session), m_centre(*this), m_panels(*this), m_docks(*this, m_panels),
+      m_document(m_session), m_centre(*this), m_docks(*this, m_panels),
       m_notes(*statusBar(), *m_centre.messages), m_pictures(*m_centre.view, *statusBar(), this),
       m_status(*statusBar()), m_actions(*this, m_session.undoStack()),
       m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),

@@ -4,9 +4,9 @@
 #include "app/presets/BuiltInPresets.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/FirstView.h"
-#include "scene/Phantom.h"
-#include "scene/PresetFit.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/view/FirstView.h"
+#include "scene/volume/Phantom.h"
 
 #include <algorithm>
 #include <cctype>

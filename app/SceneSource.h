@@ -3,8 +3,8 @@
 
 #include "io/VolumeReader.h"
 #include "io/scenefile/SessionFile.h"
-#include "scene/Error.h"
 #include "scene/Scene.h"
+#include "scene/basics/Error.h"
 
 #include <filesystem>
 #include <map>

@@ -4,7 +4,7 @@
 #include "io/AtomicFile.h"
 #include "io/FileLock.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 
 #include <QDateTime>

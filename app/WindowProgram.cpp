@@ -3,7 +3,7 @@
 
 #include "app/MainWindow.h"
 #include "app/Screenshot.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "widgets/Theme.h"
 #include "widgets/view/SurfaceFormat.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error-controlled steps (renderer/scene/LocalSteps.h): a ray goes from block to block of the map of steps, leaps
+// Error-controlled steps (renderer/scene/steps/LocalSteps.h): a ray goes from block to block of the map of steps, leaps
 // over those of which nothing shows, and takes pieces of its own length in each. Places are in mm behind the
 // begin of its span.
 

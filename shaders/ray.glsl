@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays, affine in the pixel, in centred index coordinates (renderer/scene/RayFrame.h). Lengths, t
+// Rays, affine in the pixel, in centred index coordinates (renderer/scene/steps/RayFrame.h). Lengths, t
 // among them, are in units of the smallest spacing: a picture's bits do not depend on the unit of its world.
 
 uniform vec2 u_pictureCentre;

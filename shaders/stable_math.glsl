@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Twins of renderer/scene/StableMath.h in float, under the same names.
+// Twins of renderer/scene/basics/StableMath.h in float, under the same names.
 
 const float largestOpacity = 1.0 - 1.0 / 16777216.0;
 const float shortestHalfVector = 1e-6;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/Actions.h"
 
-#include "scene/CompareLayout.h"
-#include "scene/FirstView.h"
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
+#include "scene/view/CompareLayout.h"
+#include "scene/view/FirstView.h"
 #include "widgets/shading/ModelName.h"
 
 #include <QUndoStack>

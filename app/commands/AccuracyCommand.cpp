@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/AccuracyCommand.h"
 
-#include "accuracy/FigureText.h"
+#include "accuracy/sweep/FigureText.h"
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "app/measure/accuracy/AccuracyTable.h"

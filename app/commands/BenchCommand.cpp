@@ -9,8 +9,8 @@
 #include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "io/reports/ReportJson.h"
-#include "scene/Error.h"
-#include "scene/PresetFit.h"
+#include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -4,8 +4,8 @@
 #include "app/commands/Arguments.h"
 #include "app/commands/SystemInfo.h"
 #include "io/reports/ReportJson.h"
-#include "scene/Error.h"
-#include "scene/Gradient.h"
+#include "scene/basics/Error.h"
+#include "scene/light/Gradient.h"
 
 #include <cstdio>
 #include <iostream>

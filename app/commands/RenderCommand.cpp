@@ -5,11 +5,11 @@
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "app/renderers/PictureMaker.h"
+#include "glsl/textures/GraphicsMemory.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
-#include "raycaster/GraphicsMemory.h"
-#include "scene/Error.h"
-#include "scene/PresetFit.h"
+#include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
 
 #include <chrono>
 #include <map>

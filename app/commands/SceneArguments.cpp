@@ -2,8 +2,8 @@
 #include "app/commands/SceneArguments.h"
 
 #include "app/presets/PresetStore.h"
-#include "scene/ModelName.h"
-#include "scene/PresetFit.h"
+#include "scene/light/ModelName.h"
+#include "scene/presets/PresetFit.h"
 
 namespace limn {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/Arguments.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <map>
 

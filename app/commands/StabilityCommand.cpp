@@ -9,7 +9,7 @@
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 

@@ -5,7 +5,7 @@
 #include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 
 #include <QString>
 #include <QSysInfo>

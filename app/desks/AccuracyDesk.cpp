@@ -10,7 +10,7 @@
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"

@@ -2,8 +2,8 @@
 #include "app/desks/AccuracyMeasurer.h"
 
 #include "app/renderers/RealRenderers.h"
-#include "scene/Error.h"
-#include "scene/Gradient.h"
+#include "scene/basics/Error.h"
+#include "scene/light/Gradient.h"
 
 #include <QMetaObject>
 

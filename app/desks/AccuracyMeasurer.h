@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/ConvergedPicture.h"
 #include "accuracy/Tolerance.h"
+#include "accuracy/sweep/ConvergedPicture.h"
 #include "widgets/accuracy/map/ComparedPicture.h"
 #include "widgets/accuracy/points/PointUse.h"
 

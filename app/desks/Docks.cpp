@@ -14,19 +14,19 @@
 
 namespace limn {
 
-Panels::Panels(QWidget& window)
-    : curves(new CurvePanel(&window)), properties(new PropertiesPanel(&window)),
-      presets(new PresetBrowser(&window)), effects(new EffectsPanel(&window)),
-      accuracy(new AccuracyPanel(&window)) {}
-
-Docks::Docks(QMainWindow& window, const Panels& panels) : m_window(window) {
+Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
+  panels.curves = new CurvePanel(&window);
+  panels.properties = new PropertiesPanel(&window);
+  panels.presets = new PresetBrowser(&window);
   window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
   m_right[0] = add(tr("Properties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
+  panels.effects = new EffectsPanel(&window);
   m_right[1] = add(tr("Effects"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[0], m_right[1]);
+  panels.accuracy = new AccuracyPanel(&window);
   m_right[2] = add(tr("Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[1], m_right[2]);
   m_right[0]->raise();

@@ -19,24 +19,23 @@ class EffectsPanel;
 class PresetBrowser;
 class PropertiesPanel;
 
-/// The panels of the window: presets left, properties, effects and accuracy in one place at the right, curves
-/// below.
+/// The panels of the window.
 struct Panels {
-  explicit Panels(QWidget& window);
-
-  CurvePanel* curves;
-  PropertiesPanel* properties;
-  PresetBrowser* presets;
-  EffectsPanel* effects;
-  AccuracyPanel* accuracy;
+  CurvePanel* curves = nullptr;
+  PropertiesPanel* properties = nullptr;
+  PresetBrowser* presets = nullptr;
+  EffectsPanel* effects = nullptr;
+  AccuracyPanel* accuracy = nullptr;
 };
 
-/// The docks around the picture, one for each panel.
+/// The docks around the picture, one for each panel: presets left, properties, effects and accuracy in one
+/// place at the right, curves below.
 class Docks : public QObject {
   Q_OBJECT
 
 public:
-  Docks(QMainWindow& window, const Panels& panels);
+  /// Makes the panels, too.
+  Docks(QMainWindow& window, Panels& panels);
 
   /// Show and hide each dock.
   QList<QAction*> toggleActions() const;

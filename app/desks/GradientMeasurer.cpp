@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/desks/GradientMeasurer.h"
 
-#include "scene/GradientHistogram.h"
+#include "scene/light/GradientHistogram.h"
 
 #include <QMetaObject>
 

@@ -10,6 +10,9 @@
 
 namespace limn {
 
+namespace {
+
+// "310 HU at cursor · 12.0, -3.5, 40.1 mm"
 QString probeText(const Probe& probe, const QString& unit) {
   return QObject::tr("%1 %2 at cursor · %3, %4, %5 mm")
       .arg(probe.value, 0, 'f', unit.isEmpty() ? 2 : 0)
@@ -18,6 +21,8 @@ QString probeText(const Probe& probe, const QString& unit) {
       .arg(probe.positionMm.y, 0, 'f', 1)
       .arg(probe.positionMm.z, 0, 'f', 1);
 }
+
+} // namespace
 
 StatusTexts::StatusTexts(QStatusBar& bar)
     : m_volume(new QLabel(&bar)), m_probe(new QLabel(&bar)), m_picture(new PictureStatus(&bar)) {

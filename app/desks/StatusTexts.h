@@ -3,8 +3,6 @@
 
 #include "scene/Scene.h"
 
-#include <QString>
-
 #include <optional>
 
 class QLabel;
@@ -15,9 +13,6 @@ namespace limn {
 class PictureStatus;
 struct PictureState;
 struct Probe;
-
-/// What lies under the pointer: "310 HU at cursor · 12.0, -3.5, 40.1 mm".
-QString probeText(const Probe& probe, const QString& unit);
 
 /// What the status bar says of volume, pointer and picture.
 class StatusTexts {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/document/Session.h"
-#include "scene/Histogram.h"
-#include "scene/Preset.h"
+#include "scene/presets/Preset.h"
+#include "scene/volume/Histogram.h"
 
 namespace limn {
 

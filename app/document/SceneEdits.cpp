@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/SceneEdits.h"
 
-#include "scene/PresetFit.h"
+#include "scene/presets/PresetFit.h"
 #include "widgets/scene/ProjectionSection.h"
 
 namespace limn {

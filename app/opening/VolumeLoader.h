@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/SceneSource.h"
-#include "scene/Histogram.h"
+#include "scene/volume/Histogram.h"
 
 #include <QObject>
 #include <QString>

@@ -5,8 +5,8 @@
 #include "app/document/OpenDocument.h"
 #include "app/presets/BuiltInPresets.h"
 #include "app/saving/SaveNotes.h"
-#include "scene/Error.h"
-#include "scene/PresetFit.h"
+#include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/scene/ProjectionSection.h"
 

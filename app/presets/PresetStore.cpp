@@ -5,7 +5,7 @@
 #include "app/presets/BuiltInPresets.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <QStandardPaths>
 

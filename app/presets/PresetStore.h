@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Preset.h"
+#include "scene/presets/Preset.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,7 @@
 #include "app/recovery/Autosave.h"
 
 #include "io/AtomicFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <mutex>
 

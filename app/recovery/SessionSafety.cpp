@@ -3,7 +3,7 @@
 
 #include "app/desks/MessageBar.h"
 #include "app/document/OpenDocument.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <QDateTime>
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 
 #include "app/UserFolders.h"
 #include "io/AtomicFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <QDateTime>
 #include <QRandomGenerator>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "raycaster/GraphicsMemory.h"
-#include "scene/Image.h"
+#include "glsl/textures/GraphicsMemory.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
+#include "scene/basics/Image.h"
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/Timing.h"
+#include "accuracy/times/Timing.h"
 
 #include <chrono>
 #include <string>

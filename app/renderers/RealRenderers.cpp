@@ -7,7 +7,7 @@
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 
 #include <epoxy/gl.h>

@@ -2,7 +2,7 @@
 #include "app/saving/SaveNotes.h"
 
 #include "app/desks/MessageBar.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <QFileInfo>
 #include <QStatusBar>

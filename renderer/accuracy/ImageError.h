@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Image.h"
+#include "scene/basics/Image.h"
 
 #include <vector>
 

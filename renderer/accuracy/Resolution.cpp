@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/Resolution.h"
 
-#include "scene/FunctionDetail.h"
 #include "scene/ProjectionFacts.h"
-#include "scene/RayFrame.h"
+#include "scene/function/FunctionDetail.h"
+#include "scene/steps/RayFrame.h"
 
 namespace limn {
 

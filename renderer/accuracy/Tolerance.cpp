@@ -2,9 +2,9 @@
 #include "accuracy/Tolerance.h"
 
 #include "accuracy/ErrorEstimate.h"
-#include "scene/BlockSteps.h"
-#include "scene/LocalSteps.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/steps/BlockSteps.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "engine/PixelRect.h"
-#include "scene/EffectRows.h"
-#include "scene/Gradient.h"
-#include "scene/Image.h"
+#include "scene/basics/Image.h"
+#include "scene/effects/EffectRows.h"
+#include "scene/light/Gradient.h"
 
 #include <functional>
 #include <memory>
@@ -18,8 +18,8 @@ struct Scene;
 
 /// What an engine can tell of a scene before it draws it.
 struct DrawingFacts {
-  EffectPlan plan;             ///< what the scene calls for, and why
-  double steepestPerMm = 0.0;  ///< what its field commonly changes by at most, value/mm (scene/Gradient)
+  EffectPlan plan;            ///< what the scene calls for, and why
+  double steepestPerMm = 0.0; ///< what its field commonly changes by at most, value/mm (scene/light/Gradient)
   bool takesAllSamples = true; ///< false: rays end at a limit, past which a smaller step changes nothing
   bool isReady = true;         ///< nothing need be compiled before it is drawn
 };
@@ -60,7 +60,8 @@ public:
   virtual std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                                     const IsCancelled& isCancelled) = 0;
 
-  /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they overflow.
+  /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they
+  /// overflow.
   virtual Image drawUnlimited(const Scene& scene, const glm::ivec2& size) = 0;
 
   /// Does one piece of what the scene and those near it may soon need; for when nobody waits. May draw into

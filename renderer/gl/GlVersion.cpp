@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/GlVersion.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <epoxy/gl.h>
 

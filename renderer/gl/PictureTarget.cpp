@@ -2,7 +2,7 @@
 #include "gl/PictureTarget.h"
 
 #include "gl/FloatTarget.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <epoxy/gl.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/GlObjects.h"
-#include "scene/Image.h"
+#include "scene/basics/Image.h"
 
 namespace limn {
 

@@ -2,7 +2,7 @@
 #include "io/AtomicFile.h"
 
 #include "io/Descriptor.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

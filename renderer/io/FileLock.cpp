@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/FileLock.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/PixelRect.h"
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 
 namespace limn {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/DecisionTextures.h"
 
-#include "raycaster/FunctionTable.h"
-#include "raycaster/SceneUniforms.h"
-#include "scene/RayFrame.h"
+#include "glsl/programs/SceneUniforms.h"
+#include "glsl/textures/FunctionTable.h"
+#include "scene/steps/RayFrame.h"
 
 #include <epoxy/gl.h>
 

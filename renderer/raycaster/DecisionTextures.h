@@ -2,11 +2,11 @@
 #pragma once
 
 #include "gl/ShaderProgram.h"
-#include "raycaster/Decisions.h"
+#include "glsl/decisions/Decisions.h"
+#include "glsl/textures/VolumeTexture.h"
 #include "raycaster/StoredFields.h"
-#include "raycaster/VolumeTexture.h"
-#include "scene/EffectSet.h"
 #include "scene/Scene.h"
+#include "scene/effects/EffectSet.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "gl/GpuTimer.h"
 #include "raycaster/RayCaster.h"
-#include "scene/EffectRows.h"
+#include "scene/effects/EffectRows.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/PicturePresenter.h"
 
-#include "raycaster/EmbeddedShaders.h"
+#include "glsl/programs/EmbeddedShaders.h"
 
 #include <epoxy/gl.h>
 

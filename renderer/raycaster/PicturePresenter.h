@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/ShaderProgram.h"
 #include "engine/PixelRect.h"
+#include "gl/ShaderProgram.h"
 
 namespace limn {
 

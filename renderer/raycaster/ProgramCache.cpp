@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/ProgramCache.h"
 
-#include "raycaster/ShaderVariant.h"
+#include "glsl/programs/ShaderVariant.h"
 
 namespace limn {
 

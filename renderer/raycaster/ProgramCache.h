@@ -3,8 +3,8 @@
 
 #include "gl/DriverHealth.h"
 #include "gl/ShaderProgram.h"
-#include "raycaster/Decisions.h"
-#include "scene/EffectSet.h"
+#include "glsl/decisions/Decisions.h"
+#include "scene/effects/EffectSet.h"
 
 #include <functional>
 #include <map>

@@ -6,15 +6,15 @@
 #include "gl/FloatTarget.h"
 #include "gl/GlVersion.h"
 #include "gl/SavedState.h"
+#include "glsl/programs/SceneUniforms.h"
+#include "glsl/programs/ShaderVariant.h"
+#include "glsl/textures/SceneTextures.h"
 #include "raycaster/CoveredPixels.h"
 #include "raycaster/DecisionTextures.h"
 #include "raycaster/ProgramCache.h"
-#include "raycaster/SceneTextures.h"
-#include "raycaster/SceneUniforms.h"
-#include "raycaster/ShaderVariant.h"
-#include "scene/LocalSteps.h"
-#include "scene/Neighbours.h"
-#include "scene/RayFrame.h"
+#include "scene/effects/Neighbours.h"
+#include "scene/steps/LocalSteps.h"
+#include "scene/steps/RayFrame.h"
 
 #include <epoxy/gl.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/DrawingEngine.h"
-#include "raycaster/Decisions.h"
-#include "raycaster/GraphicsMemory.h"
+#include "glsl/decisions/Decisions.h"
+#include "glsl/textures/GraphicsMemory.h"
 #include "scene/Scene.h"
 
 #include <memory>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "raycaster/Decisions.h"
-#include "raycaster/TextureVoxels.h"
-#include "raycaster/VoxelTexture.h"
-#include "scene/TransferFunction.h"
+#include "glsl/decisions/Decisions.h"
+#include "glsl/textures/TextureVoxels.h"
+#include "glsl/textures/VoxelTexture.h"
+#include "scene/function/TransferFunction.h"
 
 namespace limn {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/BlockSteps.h"
-#include "scene/LocalSteps.h"
-#include "scene/RayFrame.h"
+#include "scene/steps/BlockSteps.h"
+#include "scene/steps/LocalSteps.h"
+#include "scene/steps/RayFrame.h"
 
 namespace limn {
 

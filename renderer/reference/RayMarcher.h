@@ -4,9 +4,9 @@
 #include "reference/FieldSampler.h"
 #include "reference/LocalMarch.h"
 #include "reference/SampleLighting.h"
-#include "scene/EffectPlan.h"
-#include "scene/MeanMaterial.h"
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/function/MeanMaterial.h"
 
 namespace limn {
 

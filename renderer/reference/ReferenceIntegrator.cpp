@@ -2,7 +2,7 @@
 #include "reference/ReferenceIntegrator.h"
 
 #include "reference/RayMarcher.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <atomic>
 #include <cassert>

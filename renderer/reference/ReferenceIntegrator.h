@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/PixelRect.h"
-#include "scene/Image.h"
 #include "scene/Scene.h"
+#include "scene/basics/Image.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/SampleLighting.h"
 
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
 
 namespace limn {
 namespace {

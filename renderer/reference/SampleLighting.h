@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Gradient.h"
-#include "scene/LightingTerms.h"
-#include "scene/RayFrame.h"
+#include "scene/light/Gradient.h"
+#include "scene/light/LightingTerms.h"
+#include "scene/steps/RayFrame.h"
 
 namespace limn {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Camera.h"
-#include "scene/Shading.h"
-#include "scene/TransferFunction.h"
-#include "scene/Volume.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/light/Shading.h"
+#include "scene/view/Camera.h"
+#include "scene/volume/Volume.h"
 
 #include <memory>
 #include <optional>

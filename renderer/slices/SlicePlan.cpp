@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slices/SlicePlan.h"
 
-#include "scene/Error.h"
 #include "scene/ProjectionName.h"
+#include "scene/basics/Error.h"
 
 #include <array>
 

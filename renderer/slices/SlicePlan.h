@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/EffectPlan.h"
+#include "scene/effects/EffectPlan.h"
 
 namespace limn {
 

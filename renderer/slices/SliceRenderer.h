@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Image.h"
 #include "scene/Scene.h"
+#include "scene/basics/Image.h"
 
 #include <memory>
 #include <string>

@@ -3,10 +3,10 @@
 
 #include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
-#include "raycaster/EmbeddedShaders.h"
-#include "raycaster/SceneTextures.h"
-#include "raycaster/SceneUniforms.h"
-#include "raycaster/ShaderVariant.h"
+#include "glsl/programs/EmbeddedShaders.h"
+#include "glsl/programs/SceneUniforms.h"
+#include "glsl/programs/ShaderVariant.h"
+#include "glsl/textures/SceneTextures.h"
 
 #include <epoxy/gl.h>
 

@@ -3,7 +3,7 @@
 
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 #include "stability/PictureInvariants.h"
 #include "stability/scenes/RandomScene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/PictureInvariants.h"
 
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 
 #include <cmath>
 #include <cstring>

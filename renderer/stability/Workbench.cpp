@@ -2,7 +2,7 @@
 #include "stability/Workbench.h"
 
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <iterator>
 

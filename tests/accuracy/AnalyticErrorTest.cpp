@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the errors that a sweep reports are the true ones, where closed forms tell the truth, and whether
 // the orders it reports are those of the midpoint rule.
-#include "accuracy/AccuracySweep.h"
+#include "accuracy/sweep/AccuracySweep.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "support/AnalyticCases.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/OperatingPoint.h"
+#include "accuracy/sweep/OperatingPoint.h"
 
 #include <gtest/gtest.h>
 

@@ -2,14 +2,14 @@
 // A tolerance holds: against closed forms, and against the converged picture of every shared data set.
 #include "accuracy/Tolerance.h"
 
-#include "accuracy/ConvergedPicture.h"
 #include "accuracy/ImageError.h"
+#include "accuracy/sweep/ConvergedPicture.h"
 #include "io/VolumeReader.h"
 #include "io/scenefile/SceneFile.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/LocalSteps.h"
-#include "scene/PresetFit.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/steps/LocalSteps.h"
 #include "support/AnalyticCases.h"
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"

@@ -2,11 +2,11 @@
 // The table of what each decision about accuracy costs, on a small phantom.
 #include "app/measure/accuracy/MeasureDecisions.h"
 
-#include "raycaster/DecisionList.h"
+#include "glsl/decisions/DecisionList.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
-#include "scene/Phantom.h"
+#include "scene/basics/Error.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetStore.h"
 #include "app/presets/BuiltInPresets.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>

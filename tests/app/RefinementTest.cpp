@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
 #include "support/Heart.h"
 #include "support/Places.h"
 #include "support/TestData.h"

@@ -2,7 +2,7 @@
 #include "WindowHarness.h"
 #include "app/saving/SaveDialog.h"
 #include "io/ImageFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 
 #include <QFileDialog>

@@ -4,15 +4,15 @@
 // is asked for; errors in 8-bit levels against the converged picture of the reference. Not part of the test
 // command.
 //   limn_decision_costs VOLUME PRESET [classic]
-#include "accuracy/ConvergedPicture.h"
-#include "accuracy/DecisionVerdict.h"
+#include "accuracy/sweep/ConvergedPicture.h"
+#include "accuracy/sweep/DecisionVerdict.h"
 #include "app/measure/accuracy/MeasureDecisions.h"
 #include "app/presets/BuiltInPresets.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Histogram.h"
-#include "scene/PresetFit.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/volume/Histogram.h"
 
 #include <cstdio>
 

@@ -5,16 +5,16 @@
 // driver), the least of five pictures after one that is not counted; errors do not depend on the machine.
 //
 // limn_local_step_gain VOLUME PRESET.json classic|enhanced|robust|none [SIZE]
-#include "accuracy/ConvergedPicture.h"
+#include "accuracy/sweep/ConvergedPicture.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
 #include "io/scenefile/SceneFile.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
-#include "scene/Histogram.h"
-#include "scene/ModelName.h"
-#include "scene/PresetFit.h"
+#include "scene/basics/Error.h"
+#include "scene/light/ModelName.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/volume/Histogram.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,8 +5,8 @@
 // 1/64 voxel apart. Not part of the test command.
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Gradient.h"
 #include "scene/PictureFigures.h"
+#include "scene/light/Gradient.h"
 #include "support/Heads.h"
 
 #include <chrono>

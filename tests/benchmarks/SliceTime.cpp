@@ -6,7 +6,7 @@
 // least on a software driver; on a GPU read the wall time. Not part of the test command.
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "slices/SliceRenderer.h"
 #include "support/Heads.h"
 #include "support/TestData.h"

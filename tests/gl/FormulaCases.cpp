@@ -4,7 +4,7 @@
 
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
 #include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 

@@ -2,7 +2,7 @@
 #include "gl/GpuTimer.h"
 #include "gl/FloatTarget.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 
 #include <epoxy/gl.h>

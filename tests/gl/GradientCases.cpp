@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Differences through the real code on both sides: renderer/scene/Gradient on a volume, and the blocks
+// Differences through the real code on both sides: renderer/scene/light/Gradient on a volume, and the blocks
 // volume.glsl and gradient.glsl on the texture that the ray caster makes of it.
 #include "gl/HelperCases.h"
 
-#include "scene/Gradient.h"
+#include "scene/light/Gradient.h"
 #include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 #include "support/MarschnerLobb.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One pre-integrated segment: its mean extinction and the mean of its colour weighted by extinction, in
-// renderer/scene/MeanMaterial and in preintegration.glsl.
+// renderer/scene/function/MeanMaterial and in preintegration.glsl.
 #include "gl/HelperCases.h"
 
-#include "scene/MeanMaterial.h"
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
+#include "scene/function/MeanMaterial.h"
 #include "stability/GlslEvaluator.h"
 #include "support/AnalyticScenes.h"
 #include "support/Orders.h"

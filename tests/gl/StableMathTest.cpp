@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The helpers of shaders/stable_math.glsl against their twins in double, each over its whole range: a
 // fragment program draws one value per pixel into a target of floats.
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
 #include "stability/GlslEvaluator.h"
 #include "support/GlTest.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/ImageFile.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/VolumeReader.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/TestData.h"
 
 #include <gtest/gtest.h>

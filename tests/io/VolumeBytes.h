@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/VolumeReader.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

@@ -40,16 +40,16 @@ std::string contentOf(const fs::path& file) {
 
 // The libraries of this project that a folder's library links.
 LinkLine linkLineOf(const std::string& cmake) {
-  static const std::regex made(R"(add_library\((limn_\w+) (?:STATIC|INTERFACE))"), words(R"([\w:]+)"),
-      linked(R"(target_link_libraries\(\s*(limn_\w+)([^)]*)\))");
+  static const std::regex made(R"(add_library\((limn_\w+) (?:STATIC|INTERFACE))"), words(R"([\w:]+)");
   LinkLine line;
   std::smatch match;
   if (!std::regex_search(cmake, match, made))
     return line;
   line.library = match[1];
+  const std::regex linked(R"(target_link_libraries\(\s*)" + line.library + R"(\b([^)]*)\))");
   if (!std::regex_search(cmake, match, linked))
     return line;
-  const std::string arguments = match[2];
+  const std::string arguments = match[1];
   Names* to = &line.publicly;
   for (std::sregex_iterator word(arguments.begin(), arguments.end(), words), end; word != end; ++word)
     if (word->str() == "PUBLIC" || word->str() == "PRIVATE")

@@ -5,7 +5,7 @@
 // renderer's rounding.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/AnalyticCases.h"
 #include "support/ConvergingScenes.h"
 #include "support/GlTest.h"

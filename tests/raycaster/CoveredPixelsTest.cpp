@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/CoveredPixels.h"
-#include "scene/Camera.h"
+#include "scene/view/Camera.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // Decisions about accuracy in whole pictures: the defaults are the program's own, every other is valid
 // everywhere, and stored gradients are as good as the fetched ones where they are claimed to be.
 #include "accuracy/ImageError.h"
-#include "raycaster/DecisionList.h"
+#include "glsl/decisions/DecisionList.h"
+#include "glsl/programs/ShaderVariant.h"
 #include "raycaster/RayCaster.h"
-#include "raycaster/ShaderVariant.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/Places.h"

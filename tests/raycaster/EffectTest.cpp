@@ -2,9 +2,9 @@
 // One row per effect: a scene that calls for it, where the shader must agree with the reference, and where
 // leaving it out must show.
 #include "raycaster/RayCaster.h"
-#include "scene/EffectPlan.h"
-#include "scene/Phantom.h"
-#include "scene/RayFrame.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/steps/RayFrame.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/ImageCompare.h"

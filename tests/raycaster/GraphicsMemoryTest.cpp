@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drivers that have too little memory or refuse a program.
 #include "gl/DriverHealth.h"
+#include "glsl/programs/ShaderVariant.h"
 #include "raycaster/ProgramCache.h"
 #include "raycaster/RayCaster.h"
-#include "raycaster/ShaderVariant.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 

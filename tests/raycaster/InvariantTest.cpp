@@ -4,7 +4,7 @@
 // in other units.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 

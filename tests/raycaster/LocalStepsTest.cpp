@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error-controlled steps: the shader takes the steps of the reference, and leaps do not show.
-#include "scene/LocalSteps.h"
+#include "scene/steps/LocalSteps.h"
 #include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 

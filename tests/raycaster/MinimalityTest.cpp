@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program fetches no more texels than its effects need: counted in the assembled text, through every
 // function that is called.
-#include "raycaster/ShaderVariant.h"
+#include "glsl/programs/ShaderVariant.h"
 
 #include <gtest/gtest.h>
 

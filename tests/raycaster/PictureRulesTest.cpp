@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rules that every picture of the ray caster keeps, to the bit where the rule is an equality.
 #include "raycaster/RayCaster.h"
-#include "scene/LightingTerms.h"
+#include "scene/light/LightingTerms.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"

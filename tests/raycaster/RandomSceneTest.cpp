@@ -4,7 +4,7 @@
 // all numbers.
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 #include "support/GlTest.h"
 
 #include <iostream>

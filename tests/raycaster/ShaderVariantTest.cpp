@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every program that a scene can ask for links, and is valid GLSL 1.30 for the reference compiler.
-#include "raycaster/ShaderVariant.h"
+#include "glsl/programs/ShaderVariant.h"
 #include "gl/DriverHealth.h"
-#include "raycaster/EmbeddedShaders.h"
-#include "scene/EffectSet.h"
+#include "glsl/programs/EmbeddedShaders.h"
+#include "scene/effects/EffectSet.h"
 #include "support/GlTest.h"
 #include "support/Places.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawing in tiles into a framebuffer of the caller's, as a window does.
 #include "raycaster/RayCaster.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 

@@ -3,9 +3,9 @@
 // of the discretisation.
 #include "reference/FieldSampler.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
-#include "scene/Gradient.h"
-#include "scene/Phantom.h"
+#include "scene/basics/Error.h"
+#include "scene/light/Gradient.h"
+#include "scene/volume/Phantom.h"
 #include "support/AnalyticScenes.h"
 
 #include <gtest/gtest.h>

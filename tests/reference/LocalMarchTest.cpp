@@ -2,7 +2,7 @@
 #include "reference/LocalMarch.h"
 
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/AnalyticScenes.h"
 
 #include <gtest/gtest.h>

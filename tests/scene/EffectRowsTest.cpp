@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/EffectRows.h"
-#include "scene/Phantom.h"
+#include "scene/effects/EffectRows.h"
+#include "scene/volume/Phantom.h"
 #include "support/EffectNames.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/FirstView.h"
+#include "scene/view/FirstView.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/FunctionDetail.h"
+#include "scene/function/FunctionDetail.h"
 
-#include "scene/EffectPlan.h"
-#include "scene/Phantom.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/GradientHistogram.h"
-#include "scene/Gradient.h"
+#include "scene/light/GradientHistogram.h"
+#include "scene/light/Gradient.h"
 
 #include <gtest/gtest.h>
 

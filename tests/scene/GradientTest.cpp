@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Gradient.h"
+#include "scene/light/Gradient.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/LocalSteps.h"
+#include "scene/steps/LocalSteps.h"
 
-#include "scene/BlockSteps.h"
+#include "scene/steps/BlockSteps.h"
 
 #include <gtest/gtest.h>
 

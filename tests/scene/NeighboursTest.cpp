@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Neighbours.h"
-#include "scene/EffectPlan.h"
-#include "scene/Phantom.h"
+#include "scene/effects/Neighbours.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 

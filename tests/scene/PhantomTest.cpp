@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Phantom.h"
-#include "scene/Gradient.h"
-#include "scene/PhantomParts.h"
+#include "scene/volume/Phantom.h"
+#include "scene/light/Gradient.h"
+#include "scene/volume/PhantomParts.h"
 
 #include <gtest/gtest.h>
 

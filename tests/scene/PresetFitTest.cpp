@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/PresetFit.h"
-#include "scene/Phantom.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 

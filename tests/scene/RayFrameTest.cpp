@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 
 #include <gtest/gtest.h>
 

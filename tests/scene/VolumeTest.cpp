@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Volume.h"
-#include "scene/Error.h"
-#include "scene/Histogram.h"
+#include "scene/volume/Volume.h"
+#include "scene/basics/Error.h"
+#include "scene/volume/Histogram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <gtest/gtest.h>
 

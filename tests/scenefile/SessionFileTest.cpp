@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SessionFile.h"
 #include "io/scenefile/SettingsFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

@@ -2,7 +2,7 @@
 // The proxy geometry in double precision: what each slab's polygon must cover, and in what order slabs come.
 #include "slices/ProxySlabs.h"
 
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 #include "support/AnalyticScenes.h"
 
 #include <gtest/gtest.h>

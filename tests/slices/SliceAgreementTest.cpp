@@ -7,7 +7,7 @@
 #include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "slices/SliceRenderer.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"

@@ -2,7 +2,7 @@
 // Rules that every picture made of slices keeps.
 #include "accuracy/ImageError.h"
 #include "raycaster/RayCaster.h"
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 #include "slices/ProxySlabs.h"
 #include "slices/SlicePlan.h"
 #include "slices/SliceRenderer.h"

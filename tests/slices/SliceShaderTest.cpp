@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The programs of slices: each effect alone on a lit and on an unlit sample links and is valid GLSL 1.30 for
 // the reference compiler.
-#include "raycaster/ShaderVariant.h"
-#include "scene/EffectSet.h"
+#include "glsl/programs/ShaderVariant.h"
+#include "scene/effects/EffectSet.h"
 #include "support/GlTest.h"
 #include "support/Places.h"
 

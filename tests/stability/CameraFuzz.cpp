@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CameraFuzz.h"
 
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 #include "stability/scenes/RandomCamera.h"
 #include "stability/scenes/RandomVolume.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/scenes/RandomScene.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
-#include "scene/RayFrame.h"
+#include "scene/basics/Error.h"
+#include "scene/steps/RayFrame.h"
 #include "stability/scenes/Dice.h"
 
 #include "CameraFuzz.h"

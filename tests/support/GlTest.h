@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/HeadlessContext.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <gtest/gtest.h>
 

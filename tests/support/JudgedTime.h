@@ -23,8 +23,9 @@ inline double threadMs() {
 /// beside it, fails where the bound is exceeded: a busy machine must fail no test.
 inline void judgeMs(const std::string& what, double ms, double mostMs) {
   std::printf("time: %s: %.1f ms of at most %.0f\n", what.c_str(), ms, mostMs);
-  if (std::getenv("LIMN_BENCH"))
+  if (std::getenv("LIMN_BENCH")) {
     EXPECT_LE(ms, mostMs) << what;
+  }
 }
 
 } // namespace limn::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/RendererRules.h"
 
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "stability/scenes/HeadScene.h"
 #include "stability/scenes/SimpleScenes.h"
 

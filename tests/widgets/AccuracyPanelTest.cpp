@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "widgets/AccuracySamples.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/chart/AccuracyChartView.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "widgets/AccuracySamples.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"

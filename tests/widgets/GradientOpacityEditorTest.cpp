@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/GradientOpacityEditor.h"
-#include "scene/GradientHistogram.h"
+#include "scene/light/GradientHistogram.h"
 #include "widgets/FindWidget.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/controls/NumberField.h"

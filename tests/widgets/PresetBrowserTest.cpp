@@ -5,6 +5,7 @@
 #include "widgets/WidgetSamples.h"
 #include "widgets/presets/PresetModel.h"
 
+#include <QImage>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>

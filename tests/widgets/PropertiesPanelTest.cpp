@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/PropertiesPanel.h"
 #include "widgets/FindWidget.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/scene/QualitySection.h"
 #include "widgets/shading/LightAngles.h"
 #include "widgets/shading/ShadingSection.h"

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Theme, Look, testing::Values(true, false));
 TEST(Icons, areSharpAndFollowTheLook) {
   for (const char* name :
        {"open", "undo", "redo", "single", "side-by-side", "wipe", "difference", "compass", "snapshot",
-        "preset-save", "delete", "search", "reset", "fold", "orthographic", "perspective", "drop-volume"})
+        "preset-save", "delete", "search", "reset", "fold", "unfold", "crop-box"})
     EXPECT_TRUE(iconNames().contains(QLatin1String(name))) << name;
   for (const QString& name : iconNames())
     for (const bool dark : {true, false}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grabs the editing widgets in both looks: limn_widget_pictures FOLDER
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/WidgetSamples.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Histogram.h"
-#include "scene/Preset.h"
+#include "scene/presets/Preset.h"
+#include "scene/volume/Histogram.h"
 
 #include <QStringList>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/GradientOpacityEditor.h"
 
-#include "scene/GradientHistogram.h"
+#include "scene/light/GradientHistogram.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 

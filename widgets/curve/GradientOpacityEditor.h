@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Histogram.h"
-#include "scene/Shading.h"
-#include "scene/TransferFunction.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/light/Shading.h"
+#include "scene/volume/Histogram.h"
 #include "widgets/Gesture.h"
 
 #include <QWidget>

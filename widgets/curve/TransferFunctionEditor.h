@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Histogram.h"
-#include "scene/TransferFunction.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/volume/Histogram.h"
 #include "widgets/Gesture.h"
 #include "widgets/curve/edits/CurveSubject.h"
 

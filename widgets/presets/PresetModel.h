@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Preset.h"
+#include "scene/presets/Preset.h"
 
-#include <QImage>
-#include <QStandardItemModel>
-#include <QString>
+#include <Qt>
 
 #include <vector>
+
+class QImage;
+class QSize;
+class QStandardItemModel;
 
 namespace limn {
 

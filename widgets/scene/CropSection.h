@@ -4,7 +4,6 @@
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
-#include "widgets/scene/AxisNames.h"
 
 #include <array>
 
@@ -13,6 +12,7 @@ class QPushButton;
 
 namespace limn {
 
+struct AxisName;
 class RangeSlider;
 
 /// What is cut away: a range along each axis of the volume, named by the patient's directions where they are

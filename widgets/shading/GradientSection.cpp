@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/GradientSection.h"
 
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
+
+#include <QCheckBox>
 #include <QLabel>
 #include <QVBoxLayout>
 

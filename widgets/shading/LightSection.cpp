@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/LightSection.h"
 
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/shading/LightAngles.h"
 
+#include <QCheckBox>
 #include <QVBoxLayout>
 
 namespace limn {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ModelSection.h"
 
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/shading/ModelName.h"
 
 #include <QLabel>

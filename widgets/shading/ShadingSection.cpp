@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ShadingSection.h"
 
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/sliders/ValueSlider.h"
+
+#include <QCheckBox>
 #include <QVBoxLayout>
 
 #include <algorithm>

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Shading.h"
+#include "scene/light/Shading.h"
 #include "widgets/Gesture.h"
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/FoldingSection.h"
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
-
-#include <QCheckBox>
 
 #include <vector>
 
+class QCheckBox;
+
 namespace limn {
+
+class ChoiceRow;
+struct NumberSpec;
+class RangeSlider;
+class ValueSlider;
 
 /// What the sections of the shading panel share: they show one Shading, and every control changes one of its
 /// numbers. Which controls matter depends on the models in the pictures.

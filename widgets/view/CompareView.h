@@ -2,8 +2,8 @@
 #pragma once
 
 #include "engine/DrawingEngines.h"
-#include "scene/EffectRows.h"
-#include "scene/Image.h"
+#include "scene/basics/Image.h"
+#include "scene/effects/EffectRows.h"
 #include "widgets/Gesture.h"
 #include "widgets/view/Comparison.h"
 #include "widgets/view/ViewGeometry.h"

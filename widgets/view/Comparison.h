@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/CompareLayout.h"
 #include "scene/Scene.h"
+#include "scene/view/CompareLayout.h"
 
 #include <array>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/PixelRect.h"
-#include "scene/CompareLayout.h"
+#include "scene/view/CompareLayout.h"
 
 #include <QPointF>
 #include <QRectF>

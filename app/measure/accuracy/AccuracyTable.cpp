@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/accuracy/AccuracyTable.h"
 
-#include "accuracy/DecisionVerdict.h"
-#include "accuracy/FigureText.h"
+#include "accuracy/sweep/DecisionVerdict.h"
+#include "accuracy/sweep/FigureText.h"
 
 #include <algorithm>
 #include <cstdio>

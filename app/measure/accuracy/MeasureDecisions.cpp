@@ -5,7 +5,7 @@
 #include "app/renderers/ProcessCost.h"
 #include "gl/HeadlessContext.h"
 #include "gl/PictureTarget.h"
-#include "raycaster/DecisionList.h"
+#include "glsl/decisions/DecisionList.h"
 #include "raycaster/RayCaster.h"
 
 #include <epoxy/gl.h>

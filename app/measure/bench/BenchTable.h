@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/BenchRow.h"
+#include "accuracy/times/BenchRow.h"
 
 #include <string>
 #include <vector>

@@ -4,8 +4,8 @@
 #include "app/renderers/ProcessCost.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
-#include "scene/Image.h"
 #include "scene/Scene.h"
+#include "scene/basics/Image.h"
 
 #include <filesystem>
 #include <functional>

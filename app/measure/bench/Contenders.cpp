@@ -3,7 +3,7 @@
 
 #include "app/measure/bench/RivalContender.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 
 #include <cassert>

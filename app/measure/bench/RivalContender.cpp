@@ -2,7 +2,7 @@
 #include "app/measure/bench/RivalContender.h"
 
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <QProcess>
 

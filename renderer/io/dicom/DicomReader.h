@@ -4,7 +4,7 @@
 #include "io/reading/Progress.h"
 #include "io/reading/ReadOptions.h"
 #include "io/reading/SeriesSummary.h"
-#include "scene/Volume.h"
+#include "scene/volume/Volume.h"
 
 #include <filesystem>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "io/dicom/pixels/DicomPixelReader.h"
 #include "io/dicom/pixels/DicomUnpack.h"
 #include "io/dicom/series/DicomScan.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <cmath>

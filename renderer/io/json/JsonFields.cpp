@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/json/JsonFields.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <nlohmann/json.hpp>
 
@@ -125,6 +125,18 @@ bool JsonFields::pair(const std::string& key, double& first, double& second, con
   first = numberIn(value[0], key, limits);
   second = numberIn(value[1], key, limits);
   return true;
+}
+
+std::optional<std::size_t> JsonFields::choice(const std::string& key, std::span<const char* const> words) {
+  std::string word, known;
+  if (!text(key, word))
+    return std::nullopt;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (word == words[i])
+      return i;
+    known += (known.empty() ? "" : ", ") + std::string(words[i]);
+  }
+  fail(key, "is \"" + word + "\"; choose one of " + known);
 }
 
 void JsonFields::finish() const {

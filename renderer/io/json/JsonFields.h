@@ -4,13 +4,13 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <set>
+#include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace limn {
 
@@ -25,6 +25,14 @@ inline constexpr Limits anyNumber{};
 inline constexpr Limits notNegative{0.0, std::numeric_limits<double>::max()};
 inline constexpr Limits positive{0.0, std::numeric_limits<double>::max(), true};
 inline constexpr Limits fraction{0.0, 1.0};
+
+/// The words for the values of an enumeration, in their order.
+template <class Enum, std::size_t size>
+struct Words {
+  std::array<const char*, size> inOrder;
+
+  const char* of(Enum value) const { return inOrder[static_cast<std::size_t>(value)]; }
+};
 
 /// Reads one JSON object field by field and refuses what it was not asked for. Every method leaves its target
 /// alone where the field is absent and throws Error (input) naming document, field and rule where it is
@@ -45,29 +53,23 @@ public:
   bool vector(const std::string& key, glm::dvec3& target, const Limits& limits = anyNumber);
   bool pair(const std::string& key, double& first, double& second, const Limits& limits);
 
-  template <class Enum, class Choices = std::initializer_list<std::pair<const char*, Enum>>>
-  bool choice(const std::string& key, Enum& target, const Choices& choices) {
-    std::string word;
-    if (!text(key, word))
-      return false;
-    std::string known;
-    for (const auto& [name, value] : choices) {
-      if (word == name) {
-        target = value;
-        return true;
-      }
-      known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    fail(key, "is \"" + word + "\"; choose one of " + known);
+  template <class Enum, std::size_t size>
+  bool choice(const std::string& key, Enum& target, const Words<Enum, size>& words) {
+    const std::optional<std::size_t> place = choice(key, words.inOrder);
+    if (place)
+      target = static_cast<Enum>(*place);
+    return place.has_value();
   }
 
   /// The same for values that `nameOf` names.
   template <class Enum, std::size_t size>
-  bool choice(const std::string& key, Enum& target, const std::array<Enum, size>& choices) {
-    std::vector<std::pair<const char*, Enum>> named;
-    for (const Enum value : choices)
-      named.emplace_back(nameOf(value), value);
-    return choice(key, target, named);
+  bool choice(const std::string& key, Enum& target, const std::array<Enum, size>& values) {
+    std::array<const char*, size> words{};
+    std::transform(values.begin(), values.end(), words.begin(), [](Enum value) { return nameOf(value); });
+    const std::optional<std::size_t> place = choice(key, words);
+    if (place)
+      target = values[*place];
+    return place.has_value();
   }
 
   /// Refuses every field that no method asked for, by name.
@@ -77,6 +79,7 @@ public:
   const std::string& document() const { return m_document; }
 
 private:
+  std::optional<std::size_t> choice(const std::string& key, std::span<const char* const> words);
   std::string pathOf(const std::string& key) const;
   double numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/openimageio/PictureLibrary.h"
 
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <dlfcn.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/reports/ReportJson.h"
 
-#include "accuracy/AccuracySweep.h"
-#include "accuracy/FigureText.h"
+#include "accuracy/sweep/AccuracySweep.h"
+#include "accuracy/sweep/FigureText.h"
 #include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>

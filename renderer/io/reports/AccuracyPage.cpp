@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/reports/AccuracyPage.h"
 
-#include "accuracy/AccuracySweep.h"
-#include "accuracy/DecisionVerdict.h"
-#include "accuracy/FigureText.h"
+#include "accuracy/sweep/AccuracySweep.h"
+#include "accuracy/sweep/DecisionVerdict.h"
+#include "accuracy/sweep/FigureText.h"
 #include "io/reports/HtmlPage.h"
 
 namespace limn {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/reports/ReportJson.h"
 
-#include "accuracy/BenchRow.h"
+#include "accuracy/times/BenchRow.h"
 #include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include "io/reports/ReportJson.h"
 
 #include "io/json/JsonText.h"
-#include "scene/EffectRows.h"
+#include "scene/effects/EffectRows.h"
 
 #include <nlohmann/json.hpp>
 

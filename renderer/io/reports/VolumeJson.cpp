@@ -2,7 +2,7 @@
 #include "io/reports/ReportJson.h"
 
 #include "io/json/JsonText.h"
-#include "scene/Volume.h"
+#include "scene/volume/Volume.h"
 
 #include <nlohmann/json.hpp>
 

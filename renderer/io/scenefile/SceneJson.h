@@ -8,6 +8,13 @@
 
 namespace limn {
 
+inline constexpr Words<Camera::Projection, 2> cameraWords{{"perspective", "orthographic"}};
+inline constexpr Words<GradientCurve::Type, 3> gradientCurveWords{{"linear", "gamma", "log"}};
+inline constexpr Words<SpecularColor, 2> specularColorWords{{"material", "light"}};
+inline constexpr Words<Reflection, 2> reflectionWords{{"blinn", "phong"}};
+inline constexpr Words<Fog::Mode, 4> fogWords{{"none", "linear", "exp", "exp2"}};
+inline constexpr Words<Preintegration, 3> preintegrationWords{{"auto", "always", "never"}};
+
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);
 

@@ -3,9 +3,9 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/LocalSteps.h"
-#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+#include "scene/light/ModelName.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,9 +22,7 @@ void readRange(JsonFields& fields, const std::string& key, CoefficientRange& ran
 
 Camera readCamera(JsonFields fields) {
   Camera camera;
-  fields.choice(
-      "projection", camera.projection,
-      {{"perspective", Camera::Projection::perspective}, {"orthographic", Camera::Projection::orthographic}});
+  fields.choice("projection", camera.projection, cameraWords);
   fields.vector("position", camera.position);
   fields.vector("target", camera.target);
   fields.vector("up", camera.up);
@@ -85,10 +83,7 @@ GradientReference readGradientReference(JsonFields& shading) {
 
 GradientCurve readGradientCurve(JsonFields fields) {
   GradientCurve curve;
-  fields.choice("type", curve.type,
-                {{"linear", GradientCurve::Type::linear},
-                 {"gamma", GradientCurve::Type::gamma},
-                 {"log", GradientCurve::Type::log}});
+  fields.choice("type", curve.type, gradientCurveWords);
   if (curve.type == GradientCurve::Type::gamma)
     fields.number("gamma", curve.parameter, positive);
   if (curve.type == GradientCurve::Type::log)
@@ -150,10 +145,8 @@ Shading readShading(JsonFields fields) {
   if (fields.has("gradient_curve"))
     shading.gradientCurve = readGradientCurve(fields.object("gradient_curve"));
   readRobustFields(fields, shading);
-  fields.choice("specular_color", shading.specularColor,
-                {{"material", SpecularColor::material}, {"light", SpecularColor::light}});
-  fields.choice("reflection", shading.reflection,
-                {{"blinn", Reflection::blinn}, {"phong", Reflection::phong}});
+  fields.choice("specular_color", shading.specularColor, specularColorWords);
+  fields.choice("reflection", shading.reflection, reflectionWords);
   fields.boolean("two_sided", shading.twoSided);
   readLightDirection(fields, shading);
   fields.finish();
@@ -184,11 +177,7 @@ std::optional<GradientOpacity> readGradientOpacity(JsonFields& parent) {
 
 Fog readFog(JsonFields fields) {
   Fog fog;
-  fields.choice("mode", fog.mode,
-                {{"none", Fog::Mode::none},
-                 {"linear", Fog::Mode::linear},
-                 {"exp", Fog::Mode::exp},
-                 {"exp2", Fog::Mode::exp2}});
+  fields.choice("mode", fog.mode, fogWords);
   fields.vector("color", fog.color, fraction);
   fields.number("density_per_mm", fog.densityPerMm, notNegative);
   fields.number("start_mm", fog.startMm);
@@ -226,10 +215,7 @@ void readTolerance(JsonFields& fields, Quality& quality) {
 Quality readQuality(JsonFields fields) {
   Quality quality;
   fields.number("step_voxels", quality.stepVoxels, {0.0, 1e6, true});
-  fields.choice("preintegrated", quality.preintegrated,
-                {{"auto", Preintegration::automatic},
-                 {"always", Preintegration::always},
-                 {"never", Preintegration::never}});
+  fields.choice("preintegrated", quality.preintegrated, preintegrationWords);
   fields.number("early_termination", quality.earlyTermination, {0.0, 1.0, true});
   fields.boolean("jitter", quality.jitter);
   readTolerance(fields, quality);

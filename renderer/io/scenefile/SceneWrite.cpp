@@ -3,8 +3,8 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
+#include "scene/light/ModelName.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,8 +18,7 @@ Json toJson(const glm::dvec3& v) {
 }
 
 Json toJson(const Camera& camera) {
-  const bool perspective = camera.projection == Camera::Projection::perspective;
-  return {{"projection", perspective ? "perspective" : "orthographic"},
+  return {{"projection", cameraWords.of(camera.projection)},
           {"position", toJson(camera.position)},
           {"target", toJson(camera.target)},
           {"up", toJson(camera.up)},
@@ -43,11 +42,12 @@ Json toJson(const GradientReference& reference) {
 }
 
 Json toJson(const GradientCurve& curve) {
+  Json json = {{"type", gradientCurveWords.of(curve.type)}};
   if (curve.type == GradientCurve::Type::gamma)
-    return {{"type", "gamma"}, {"gamma", curve.parameter}};
+    json["gamma"] = curve.parameter;
   if (curve.type == GradientCurve::Type::log)
-    return {{"type", "log"}, {"b", curve.parameter}};
-  return {{"type", "linear"}};
+    json["b"] = curve.parameter;
+  return json;
 }
 
 Json toJson(const CoefficientRange& range) {
@@ -70,8 +70,8 @@ Json toJson(const Shading& shading) {
   json["significance"] =
       shading.significance ? Json::array({shading.significance->low, shading.significance->high}) : Json();
   json["knee"] = shading.knee ? Json(*shading.knee) : Json();
-  json["specular_color"] = shading.specularColor == SpecularColor::material ? "material" : "light";
-  json["reflection"] = shading.reflection == Reflection::blinn ? "blinn" : "phong";
+  json["specular_color"] = specularColorWords.of(shading.specularColor);
+  json["reflection"] = reflectionWords.of(shading.reflection);
   json["two_sided"] = shading.twoSided;
   json["light_direction"] = shading.lightDirection ? toJson(*shading.lightDirection) : Json("headlight");
   return json;
@@ -87,8 +87,7 @@ Json toJson(const std::optional<GradientOpacity>& curve) {
 }
 
 Json toJson(const Fog& fog) {
-  static constexpr const char* modes[] = {"none", "linear", "exp", "exp2"};
-  return {{"mode", modes[static_cast<int>(fog.mode)]},
+  return {{"mode", fogWords.of(fog.mode)},
           {"color", toJson(fog.color)},
           {"density_per_mm", fog.densityPerMm},
           {"start_mm", fog.startMm},
@@ -96,9 +95,8 @@ Json toJson(const Fog& fog) {
 }
 
 Json toJson(const Quality& quality) {
-  static constexpr const char* preintegration[] = {"auto", "always", "never"};
   Json json = {{"step_voxels", quality.stepVoxels},
-               {"preintegrated", preintegration[static_cast<int>(quality.preintegrated)]},
+               {"preintegrated", preintegrationWords.of(quality.preintegrated)},
                {"early_termination", quality.earlyTermination},
                {"jitter", quality.jitter}};
   if (quality.toleranceLevels)

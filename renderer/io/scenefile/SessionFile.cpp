@@ -3,7 +3,7 @@
 
 #include "io/json/JsonText.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,10 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Panel = SessionDocument::Panel;
 
-const char* nameOf(Panel panel) {
-  static constexpr const char* names[] = {"none", "properties", "effects", "accuracy"};
-  return names[static_cast<int>(panel)];
-}
+constexpr Words<Panel, 4> panelWords{{"none", "properties", "effects", "accuracy"}};
 
 void readComparison(JsonFields fields, SessionDocument& session) {
   fields.choice("layout", session.layout, compareLayouts);
@@ -27,11 +24,7 @@ void readComparison(JsonFields fields, SessionDocument& session) {
 }
 
 void readWindow(JsonFields fields, SessionDocument& session) {
-  fields.choice("panel", session.panel,
-                {{"none", Panel::none},
-                 {"properties", Panel::properties},
-                 {"effects", Panel::effects},
-                 {"accuracy", Panel::accuracy}});
+  fields.choice("panel", session.panel, panelWords);
   fields.text("preset", session.preset);
   fields.boolean("crop_box", session.cropBoxIsShown);
   fields.boolean("gradient_curve", session.gradientCurveIsShown);
@@ -89,7 +82,7 @@ std::string sessionToJson(const SessionDocument& session) {
                      {"left", nameOf(session.leftModel)},
                      {"right", nameOf(session.rightModel)},
                      {"wipe", session.wipe}};
-  json["window"] = {{"panel", nameOf(session.panel)},
+  json["window"] = {{"panel", panelWords.of(session.panel)},
                     {"preset", session.preset},
                     {"crop_box", session.cropBoxIsShown},
                     {"gradient_curve", session.gradientCurveIsShown}};

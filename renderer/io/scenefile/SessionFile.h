@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/scenefile/SceneFile.h"
-#include "scene/CompareLayout.h"
+#include "scene/view/CompareLayout.h"
 
 #include <optional>
 

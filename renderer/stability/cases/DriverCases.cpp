@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/FloatTarget.h"
 #include "gl/GpuTimer.h"
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/MeanMaterial.h"
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
+#include "scene/function/MeanMaterial.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/FloatTarget.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
 #include "stability/scenes/HeadScene.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/scenes/RandomScene.h"
 
-#include "scene/ModelName.h"
 #include "scene/ProjectionName.h"
-#include "scene/RayFrame.h"
+#include "scene/light/ModelName.h"
+#include "scene/steps/RayFrame.h"
 #include "stability/scenes/RandomCamera.h"
 #include "stability/scenes/RandomShading.h"
 #include "stability/scenes/RandomVolume.h"

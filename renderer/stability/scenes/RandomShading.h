@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Grid.h"
-#include "scene/Shading.h"
-#include "scene/Volume.h"
+#include "scene/light/Shading.h"
+#include "scene/volume/Grid.h"
+#include "scene/volume/Volume.h"
 #include "stability/scenes/Dice.h"
 
 namespace limn {

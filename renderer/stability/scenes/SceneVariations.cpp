@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/scenes/SceneVariations.h"
 
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 
 namespace limn {
 namespace {

@@ -2,7 +2,7 @@
 #include "app/actions/Actions.h"
 
 #include "app/actions/Menus.h"
-#include "scene/CompareLayout.h"
+#include "scene/view/CompareLayout.h"
 
 #include <QMainWindow>
 #include <QMenu>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/SceneEdits.h"
 
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "app/recovery/Autosave.h"
 #include "app/recovery/UnsavedSessions.h"
 #include "io/AtomicFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

@@ -2,7 +2,7 @@
 #include "app/recovery/SessionKeeper.h"
 
 #include "io/AtomicFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

@@ -5,7 +5,7 @@
 #include "app/commands/Arguments.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <vtkAutoInit.h>
 

@@ -2,9 +2,9 @@
 #include "VtkStage.h"
 
 #include "VtkImage.h"
-#include "scene/Error.h"
-#include "scene/LightingTerms.h"
-#include "scene/RayFrame.h"
+#include "scene/basics/Error.h"
+#include "scene/light/LightingTerms.h"
+#include "scene/steps/RayFrame.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/renderers/ProcessCost.h"
-#include "scene/Image.h"
 #include "scene/Scene.h"
+#include "scene/basics/Image.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

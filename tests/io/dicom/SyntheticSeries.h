@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/dicom/DicomReader.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/DicomBuilder.h"
 #include "support/TemporaryFolder.h"
 

@@ -2,7 +2,7 @@
 #include "Attempt.h"
 
 #include "io/VolumeReader.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <chrono>
 #include <cstring>

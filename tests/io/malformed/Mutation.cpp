@@ -3,7 +3,7 @@
 #include "Attempt.h"
 
 #include "io/VolumeReader.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 

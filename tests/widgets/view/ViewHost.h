@@ -3,7 +3,7 @@
 
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCasterEngine.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "support/Waiting.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/pictures/PictureLoop.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "accuracy/ErrorMap.h"
-#include "accuracy/OperatingPoint.h"
+#include "accuracy/sweep/OperatingPoint.h"
 
 namespace limn {
 

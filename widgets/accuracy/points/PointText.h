@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/AccuracySweep.h"
+#include "accuracy/sweep/AccuracySweep.h"
 
 #include <QString>
 

@@ -2,8 +2,8 @@
 #include "widgets/accuracy/points/PointUse.h"
 
 #include "accuracy/Tolerance.h"
-#include "scene/EffectPlan.h"
 #include "scene/ProjectionFacts.h"
+#include "scene/effects/EffectPlan.h"
 
 #include <algorithm>
 

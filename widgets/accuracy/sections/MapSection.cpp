@@ -2,6 +2,7 @@
 #include "widgets/accuracy/sections/MapSection.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/accuracy/map/ComparedPicture.h"
 #include "widgets/accuracy/points/PointText.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 

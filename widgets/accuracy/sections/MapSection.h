@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/accuracy/map/ComparedPicture.h"
 #include "widgets/controls/FoldingSection.h"
 
 #include <optional>
@@ -11,6 +10,7 @@ class QLabel;
 
 namespace limn {
 
+struct ComparedPicture;
 class WorkRow;
 
 /// Switches the map of errors over the picture on and off, and says what it shows.

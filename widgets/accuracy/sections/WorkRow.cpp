@@ -10,7 +10,7 @@
 namespace limn {
 
 WorkRow::WorkRow(const QString& name, QWidget* parent)
-    : QWidget(parent), m_bar(new QProgressBar), m_doing(new QLabel), m_cancel(new QPushButton(tr("Cancel"))) {
+    : QWidget(parent), m_bar(new QProgressBar), m_doing(new QLabel) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
@@ -24,10 +24,11 @@ WorkRow::WorkRow(const QString& name, QWidget* parent)
   m_doing->setWordWrap(true);
   m_doing->setForegroundRole(QPalette::PlaceholderText);
   row->addWidget(m_doing, 1);
-  row->addWidget(m_cancel, 0, Qt::AlignTop);
+  auto* cancel = new QPushButton(tr("Cancel"));
+  row->addWidget(cancel, 0, Qt::AlignTop);
   column->addLayout(row);
-  m_cancel->setAccessibleName(tr("Cancel: %1").arg(name));
-  connect(m_cancel, &QPushButton::clicked, this, &WorkRow::cancelled);
+  cancel->setAccessibleName(tr("Cancel: %1").arg(name));
+  connect(cancel, &QPushButton::clicked, this, &WorkRow::cancelled);
   setVisible(false);
 }
 

@@ -5,7 +5,6 @@
 
 class QLabel;
 class QProgressBar;
-class QPushButton;
 
 namespace limn {
 
@@ -26,7 +25,6 @@ signals:
 private:
   QProgressBar* m_bar;
   QLabel* m_doing;
-  QPushButton* m_cancel;
 };
 
 } // namespace limn

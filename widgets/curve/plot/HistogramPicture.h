@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Histogram.h"
+#include "scene/volume/Histogram.h"
 #include "widgets/curve/plot/PlotTransform.h"
 
 #include <QColor>

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 namespace limn {
+namespace {
 
 TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices,
                                double opacity) {
@@ -27,6 +28,8 @@ TransferFunction withColorAt(const TransferFunction& function, const PointIndice
     edited = withPointColored(edited, i, color);
   return edited;
 }
+
+} // namespace
 
 PointFields::PointFields(CurveSubject subject, QWidget* parent)
     : QWidget(parent), m_subject(subject), m_which(new QLabel),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/TransferFunction.h"
+#include "scene/function/TransferFunction.h"
 #include "widgets/Gesture.h"
 #include "widgets/curve/edits/CurveEdits.h"
 #include "widgets/curve/edits/CurveSubject.h"
@@ -46,10 +46,5 @@ private:
   NumberField* m_opacity;
   ColorButton* m_color;
 };
-
-/// Gives several points one opacity or one colour.
-TransferFunction withOpacityAt(const TransferFunction& function, const PointIndices& indices, double opacity);
-TransferFunction withColorAt(const TransferFunction& function, const PointIndices& indices,
-                             const glm::dvec3& color);
 
 } // namespace limn

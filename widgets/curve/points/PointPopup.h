@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/TransferFunction.h"
+#include "scene/function/TransferFunction.h"
 #include "widgets/Gesture.h"
 
 #include <QFrame>

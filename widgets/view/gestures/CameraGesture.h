@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Camera.h"
+#include "scene/view/Camera.h"
 
 #include <QPointF>
 #include <QRectF>

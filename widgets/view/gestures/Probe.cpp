@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/Probe.h"
 
-#include "scene/LightingTerms.h"
-#include "scene/StableMath.h"
+#include "scene/basics/StableMath.h"
+#include "scene/light/LightingTerms.h"
 
 #include <algorithm>
 #include <cmath>

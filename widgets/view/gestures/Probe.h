@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Gradient.h"
 #include "scene/Scene.h"
+#include "scene/light/Gradient.h"
 #include "widgets/view/ViewGeometry.h"
 
 #include <optional>

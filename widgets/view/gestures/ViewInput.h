@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Gradient.h"
+#include "scene/light/Gradient.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/gestures/ViewKeys.h"

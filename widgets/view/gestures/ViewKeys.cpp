@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewKeys.h"
 
-#include "scene/FirstView.h"
+#include "scene/view/FirstView.h"
 
 #include <QKeyEvent>
 

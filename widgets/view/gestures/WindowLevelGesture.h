@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/TransferFunction.h"
-#include "scene/Volume.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/volume/Volume.h"
 
 #include <QPointF>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ModelMenu.h"
 
-#include "scene/ModelName.h"
+#include "scene/light/ModelName.h"
 #include "widgets/shading/ModelName.h"
 
 #include <QMenu>

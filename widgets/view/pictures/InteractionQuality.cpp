@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/InteractionQuality.h"
 
-#include "scene/LocalSteps.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
 #include <array>

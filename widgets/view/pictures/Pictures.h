@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/CompareLayout.h"
+#include "scene/view/CompareLayout.h"
 #include "widgets/view/pictures/ErrorProbe.h"
 #include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/pictures/Refinement.h"

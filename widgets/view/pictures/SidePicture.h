@@ -3,7 +3,7 @@
 
 #include "gl/PictureTarget.h"
 #include "raycaster/PicturePresenter.h"
-#include "scene/Gradient.h"
+#include "scene/light/Gradient.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/TileSchedule.h"

@@ -2,7 +2,7 @@
 #include "widgets/view/recovery/ProcessorDrawing.h"
 
 #include "engine/DrawingEngine.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 #include "widgets/view/pictures/PictureBytes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/status/PictureStatusText.h"
 
-#include "scene/RayFrame.h"
+#include "scene/steps/RayFrame.h"
 
 #include <QCoreApplication>
 #include <QLocale>

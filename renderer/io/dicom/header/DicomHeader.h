@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/dicom/header/DicomParser.h"
-#include "scene/Volume.h"
+#include "scene/volume/Volume.h"
 
 #include <algorithm>
 #include <array>

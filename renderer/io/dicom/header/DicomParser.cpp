@@ -3,7 +3,7 @@
 
 #include "io/dicom/header/DicomInflate.h"
 #include "io/dicom/header/DicomTags.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomObjectKind.h"
 #include "io/reading/ReadError.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <array>

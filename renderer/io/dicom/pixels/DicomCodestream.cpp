@@ -2,7 +2,7 @@
 #include "io/dicom/pixels/DicomCodestream.h"
 
 #include "io/dicom/pixels/DicomJpeg.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/pixels/DicomCodestream.h"
-#include "scene/Error.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <array>

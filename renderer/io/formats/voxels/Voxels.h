@@ -3,7 +3,7 @@
 
 #include "io/formats/voxels/Bytes.h"
 #include "io/reading/Progress.h"
-#include "scene/Volume.h"
+#include "scene/volume/Volume.h"
 
 #include <map>
 #include <string>

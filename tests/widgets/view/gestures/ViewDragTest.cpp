@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "widgets/view/gestures/WindowLevelGesture.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 
@@ -50,7 +50,7 @@ TEST(ViewDrag, turnsTheCameraFromMoveToMoveAndPutsItBack) {
 
 TEST(ViewDrag, thatChangesNothingAsksForNothing) {
   const Comparison comparison = shown();
-  ViewDrag drag = dragOf(comparison, {Qt::LeftButton, Qt::NoModifier, {200, 120}});
+  ViewDrag drag = dragOf(comparison, {Qt::LeftButton, Qt::AltModifier | Qt::ControlModifier, {200, 120}});
   EXPECT_EQ(editAt(drag, comparison.scene, {200, 120}), ViewEdit());
   EXPECT_EQ(undone(drag, comparison.scene), ViewEdit());
 }

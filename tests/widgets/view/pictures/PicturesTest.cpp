@@ -6,7 +6,7 @@
 #include "raycaster/RayCasterEngine.h"
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 

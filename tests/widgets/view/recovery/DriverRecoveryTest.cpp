@@ -4,7 +4,7 @@
 #include "gl/DriverHealth.h"
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 #include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
 #include "widgets/view/pictures/PictureBytes.h"

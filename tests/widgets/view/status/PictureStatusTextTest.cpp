@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/status/PictureStatusText.h"
-#include "scene/Phantom.h"
+#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/sweep/OperatingPoint.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace limn {
+
+/// Draws, in double precision, those pixels of a picture of `size` that are wanted (not 0) and leaves the
+/// others as they are.
+using DrawPrecisely = std::function<void(const Scene& scene, const glm::ivec2& size,
+                                         const std::vector<std::uint8_t>& wanted, PrecisePixels& pixels)>;
+
+/// Told how far long work is, 0..1, and what it does; throws Cancelled to end it.
+using ReportProgress = std::function<void(double fraction, const std::string& doing)>;
+
+/// A picture that finer steps no longer change, and how far it is certain.
+struct ConvergedPicture {
+  PrecisePixels pixels;
+  ReferenceFacts facts;
+};
+
+/// The picture against which errors are measured (DEFINITION section 9): no early termination, the step
+/// halved for the pixels that still change until the last halving changes the 99.9th percentile by at most
+/// 0.15 level and the mean by at most 0.005. Begins at 1/4 voxel or at the scene's step, whichever is
+/// smaller; `facts.converged` is false where that was not reached at a step of 1/1024 voxel or, from a finer
+/// one, by four halvings.
+ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, const DrawPrecisely& draw,
+                                  const ReportProgress& report = {});
+
+/// The smallest errors that can be told from none against a picture: three times its own last change. Smaller
+/// ones are to be printed as "< x".
+double leastP99_9(const ReferenceFacts& facts);
+double leastMean(const ReferenceFacts& facts);
+
+} // namespace limn

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "accuracy/sweep/AccuracySweep.h"
+
+namespace limn {
+
+/// An error for people: three digits, "< x" where it cannot be told from `least`, "not converged" without a
+/// converged picture.
+std::string errorText(double levels, double least, const ReferenceFacts& reference);
+
+/// The 99.9th percentile and the mean of a point that way.
+std::string p99_9Text(const ImageError& error, const ReferenceFacts& reference);
+std::string meanText(const ImageError& error, const ReferenceFacts& reference);
+
+/// A number with three digits and no exponent from 0.001 on.
+std::string threeDigits(double value);
+
+/// What the exact picture is and how certain, one sentence.
+std::string referenceSentence(const ReferenceFacts& reference);
+
+/// What a wish got, one sentence: the point that keeps it, or that none does and what came closest.
+std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double levels);
+std::string wishWithinMs(const std::vector<MeasuredPoint>& points, double ms);
+
+} // namespace limn

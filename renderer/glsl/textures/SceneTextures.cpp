@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glsl/textures/SceneTextures.h"
+
+#include "glsl/textures/FunctionTable.h"
+#include "scene/ProjectionFacts.h"
+#include "scene/steps/RayFrame.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+void uploadTable(unsigned texture, const glm::ivec2& size, bool isPair, const void* texels) {
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, isPair ? GL_RG32F : GL_RGBA32F, size.x, size.y, 0, isPair ? GL_RG : GL_RGBA,
+               GL_FLOAT, texels);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+}
+
+} // namespace
+
+void FunctionTexture::upload(const PiecewiseTable& table) {
+  const glm::ivec2 row(static_cast<int>(table.bins.size()), 1);
+  uploadTable(m_bins.name(), row, false, table.bins.data());
+  uploadTable(m_segments.name(), table.segmentsSize, false, table.segments.data());
+  uploadTable(m_occupancy.name(), row, true, table.occupancy.data());
+  m_domain = table.domain;
+  m_loopSteps = table.loopSteps;
+}
+
+void EmptySpaceTexture::upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
+  glBindTexture(GL_TEXTURE_3D, m_texture.name());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
+               distances.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_3D, filter, GL_NEAREST);
+}
+
+double SceneTextures::gradientUnit() const {
+  const ValueRange& range = m_volume->range();
+  return (range.highest - range.lowest) / smallestSpacingMm(m_volume->grid());
+}
+
+void SceneTextures::updateVolume(const Scene& scene) {
+  if (m_volume == scene.volume)
+    return;
+  // The old texture goes first: two large volumes need not fit together.
+  m_volumeTexture.reset();
+  m_volume.reset();
+  m_functionShown.reset();
+  m_emptySpaceShown.reset();
+  m_gradientOpacityShown.reset();
+  m_steepness.reset();
+  m_largestGradient.reset();
+  m_percentiles.clear();
+  m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_mostVolumeMb);
+  m_volume = scene.volume;
+}
+
+void SceneTextures::measure(const Scene& scene, EffectSet effects) {
+  if (!effects.has(Effect::gradient))
+    return;
+  if (!m_largestGradient)
+    m_largestGradient = largestGradient(*m_volume);
+  m_gradientScale = {*m_largestGradient, *m_largestGradient};
+  const GradientReference reference = resolvedReference(scene.shading);
+  if (const auto* fixed = std::get_if<FixedReference>(&reference))
+    m_gradientScale.reference = fixed->valuePerMm;
+  if (const auto* percentile = std::get_if<PercentileReference>(&reference)) {
+    if (!usesRatio(effects))
+      return;
+    auto known = m_percentiles.find(percentile->percent);
+    if (known == m_percentiles.end())
+      known = m_percentiles.emplace(percentile->percent, gradientPercentile(*m_volume, percentile->percent))
+                  .first;
+    m_gradientScale.reference = known->second;
+  }
+}
+
+void SceneTextures::updateEmptySpace(const Scene& scene) {
+  if (classifiesOnce(scene.projection))
+    return;
+  const bool hasSurface = showsSurface(scene.projection);
+  EmptySpaceKey key{scene.transferFunction, scene.projection != Projection::isosurface, std::nullopt};
+  if (hasSurface)
+    key.isovalue = scene.isovalue;
+  if (!key.showsFunction)
+    key.function = {};
+  if (m_emptySpaceShown == key)
+    return;
+  Visibility visibility;
+  if (key.showsFunction)
+    visibility.function = &m_functionTable;
+  if (hasSurface)
+    visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
+  const BlockRanges& ranges = m_volumeTexture->ranges();
+  const std::vector<std::uint8_t> distances = emptyDistances(ranges, visibility);
+  m_emptySpace.upload(ranges.blocks, distances);
+  const auto occupied = std::count(distances.begin(), distances.end(), std::uint8_t{0});
+  m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(distances.size());
+  m_visibleBlocks = visibleBlocks(ranges.blocks, distances);
+  m_emptySpaceShown = key;
+}
+
+IndexBox SceneTextures::visibleBox() const {
+  if (glm::any(glm::lessThanEqual(m_visibleBlocks.upper, m_visibleBlocks.lower)))
+    return {};
+  const Grid& grid = m_volume->grid();
+  const glm::dvec3 voxelsPerTexel(m_volumeTexture->reduction());
+  const auto faceAt = [&](const glm::ivec3& block, double margin) {
+    // Block 0 begins at the first texel's centre, half a texel behind the volume's face.
+    return (glm::dvec3(block * blockSize) + 0.5 + margin) * voxelsPerTexel;
+  };
+  glm::dvec3 lower = faceAt(m_visibleBlocks.lower, -blockMargin);
+  glm::dvec3 upper = glm::min(faceAt(m_visibleBlocks.upper, blockMargin), glm::dvec3(grid.dims));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (m_visibleBlocks.lower[axis] == 0)
+      lower[axis] = 0.0;
+    if (m_visibleBlocks.upper[axis] == m_volumeTexture->ranges().blocks[axis])
+      upper[axis] = grid.dims[axis];
+  }
+  // A voxel begins half an index before its centre.
+  const glm::dvec3 shift = centreIndex(grid) + 0.5;
+  return {lower - shift, upper - shift};
+}
+
+void SceneTextures::update(const Scene& scene) {
+  updateVolume(scene);
+  if (m_functionShown != scene.transferFunction) {
+    const ValueRange& range = m_volume->range();
+    m_functionTable = tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);
+    m_function.upload(m_functionTable);
+    m_functionShown = scene.transferFunction;
+  }
+  updateEmptySpace(scene);
+  if (scene.quality.toleranceLevels)
+    m_blockSteps.update(scene);
+  const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
+  if (m_gradientOpacityShown != curve) {
+    m_gradientCurve.upload(tableOf(curve, gradientUnit()));
+    m_gradientOpacityShown = curve;
+  }
+}
+
+SceneFacts SceneTextures::facts(const Scene& scene) {
+  SceneFacts facts;
+  facts.emptyShare = m_emptyShare;
+  facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
+  if (readsSteepness(scene))
+    facts.steepestPerMm = steepestPerMm();
+  return facts;
+}
+
+double SceneTextures::steepestPerMm() {
+  if (!m_steepness)
+    m_steepness = steepness(*m_volume);
+  return *m_steepness;
+}
+
+} // namespace limn

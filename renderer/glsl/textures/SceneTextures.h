@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "glsl/textures/BlockStepTexture.h"
+#include "glsl/textures/EmptySpace.h"
+#include "glsl/textures/PiecewiseTable.h"
+#include "glsl/textures/VolumeTexture.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/light/Gradient.h"
+#include "scene/steps/RayFrame.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace limn {
+
+/// A piecewise function on the graphics card.
+class FunctionTexture {
+public:
+  void upload(const PiecewiseTable& table);
+
+  unsigned bins() const { return m_bins.name(); }
+  unsigned segments() const { return m_segments.name(); }
+  unsigned occupancy() const { return m_occupancy.name(); }
+  const glm::vec3& domain() const { return m_domain; }
+  int loopSteps() const { return m_loopSteps; }
+
+private:
+  GlTexture m_bins;
+  GlTexture m_segments;
+  GlTexture m_occupancy;
+  glm::vec3 m_domain{0.0f};
+  int m_loopSteps = 0;
+};
+
+/// The distances of emptyDistances on the graphics card.
+class EmptySpaceTexture {
+public:
+  void upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances);
+
+  unsigned name() const { return m_texture.name(); }
+
+private:
+  GlTexture m_texture;
+};
+
+/// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
+/// what differs from the scene before and nothing else.
+class SceneTextures {
+public:
+  /// Of the decisions those count that concern the volume's format and where the function shows.
+  /// `mostVolumeMb` is the most that the volume may take (VolumeTexture).
+  explicit SceneTextures(const Decisions& decisions = {}, double mostVolumeMb = anyMb)
+      : m_decisions(decisions), m_mostVolumeMb(mostVolumeMb) {}
+
+  /// Uploads volume and functions; changes texture bindings.
+  void update(const Scene& scene);
+
+  /// Measures the gradients of the volume of the last update, where an effect reads them.
+  void measure(const Scene& scene, EffectSet effects);
+
+  /// Facts on which the effects of the scene of the last update depend. Measures what they need.
+  SceneFacts facts(const Scene& scene);
+
+  /// The steepness of the volume of the last update; measures it once.
+  double steepestPerMm();
+
+  const VolumeTexture& volume() const { return *m_volumeTexture; }
+  const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
+
+  /// Valid where the scene of the last update asks for error-controlled steps.
+  const BlockStepTexture& blockSteps() const { return m_blockSteps; }
+
+  /// The part of the volume outside which nothing may show, in centred index coordinates.
+  IndexBox visibleBox() const;
+  const FunctionTexture& function() const { return m_function; }
+  const FunctionTexture& gradientCurve() const { return m_gradientCurve; }
+
+  /// Valid where an effect reads the gradient, after `measure`.
+  const GradientScale& gradientScale() const { return m_gradientScale; }
+
+  /// One sentence where the volume is shown down-sampled, otherwise empty.
+  std::string limitation() const { return m_volumeTexture ? m_volumeTexture->limitation() : std::string(); }
+
+  /// The unit of gradients in the shaders, value/mm: the volume's range per smallest spacing.
+  double gradientUnit() const;
+
+private:
+  // What decides where nothing can be seen.
+  struct EmptySpaceKey {
+    TransferFunction function;
+    bool showsFunction = true;
+    std::optional<double> isovalue;
+    bool operator==(const EmptySpaceKey&) const = default;
+  };
+
+  void updateVolume(const Scene& scene);
+  void updateEmptySpace(const Scene& scene);
+
+  Decisions m_decisions;
+  double m_mostVolumeMb;
+  std::shared_ptr<const Volume> m_volume;
+  std::optional<VolumeTexture> m_volumeTexture;
+  std::optional<TransferFunction> m_functionShown;
+  PiecewiseTable m_functionTable;
+  FunctionTexture m_function;
+  std::optional<EmptySpaceKey> m_emptySpaceShown;
+  EmptySpaceTexture m_emptySpace;
+  BlockStepTexture m_blockSteps;
+  double m_emptyShare = 0.0;
+  BlockBox m_visibleBlocks;
+  std::optional<GradientOpacity> m_gradientOpacityShown;
+  FunctionTexture m_gradientCurve;
+  GradientScale m_gradientScale;
+  std::optional<double> m_steepness;
+  std::optional<double> m_largestGradient;
+  std::map<double, double> m_percentiles;
+};
+
+} // namespace limn

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glsl/textures/VolumeTexture.h"
+
+#include "gl/DriverHealth.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+GLint internalFormat(VolumeFormat format) {
+  return format == VolumeFormat::r32f ? GL_R32F : format == VolumeFormat::r16 ? GL_R16 : GL_R8;
+}
+
+std::size_t bytesOf(const glm::ivec3& size, VolumeFormat format) {
+  const std::size_t each = format == VolumeFormat::r32f ? 4 : format == VolumeFormat::r16 ? 2 : 1;
+  return each * static_cast<std::size_t>(size.x) * size.y * size.z;
+}
+
+bool fits(const glm::ivec3& size, GLint format) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
+  if (std::max({size.x, size.y, size.z}) > largest)
+    return false;
+  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, nullptr);
+  GLint width = 0;
+  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+  return width == size.x;
+}
+
+// What 16 bits hold (shaders/decisions/volume_wide.glsl): an extrapolated texel 2a - b lies within it.
+constexpr ValueRange wideRange{-1.0, 2.0};
+
+// Uploads into the texture bound; false where the driver has no memory for it.
+bool upload(const glm::ivec3& size, const std::vector<float>& texels, GLint format) {
+  forgetDriverErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, texels.data());
+  return glGetError() == GL_NO_ERROR;
+}
+
+bool uploadWide(const TextureVoxels& voxels, GLint format) {
+  std::vector<float> texels;
+  texels.reserve(voxels.texels.size());
+  for (const float texel : voxels.texels)
+    texels.push_back(static_cast<float>((texel - wideRange.lowest) / (wideRange.highest - wideRange.lowest)));
+  return upload(voxels.size, texels, format);
+}
+
+// Halves the resolution along the axis that has most texels.
+void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
+  const glm::ivec3 reduced = reducedDims(dims, reduction);
+  const int axis = reduced.x >= reduced.y && reduced.x >= reduced.z ? 0 : reduced.y >= reduced.z ? 1 : 2;
+  if (reduced[axis] < 2)
+    throw Error(Error::Kind::openGl, "The graphics driver refused even a tiny 3D texture; update the driver "
+                                     "or draw with --engine reference.");
+  ++reduction[axis];
+}
+
+} // namespace
+
+VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, double mostMb)
+    : m_format(format), m_mostMb(mostMb), m_dims(volume.grid().dims) {
+  const GLint stored = internalFormat(format);
+  const auto isTooLarge = [&] {
+    const glm::ivec3 size = reducedDims(m_dims, m_reduction) + 2;
+    return static_cast<double>(bytesOf(size, format)) > 1e6 * mostMb || !fits(size, stored);
+  };
+  glBindTexture(GL_TEXTURE_3D, m_texture.name());
+  for (;;) {
+    while (isTooLarge())
+      reduceLongest(m_dims, m_reduction);
+    TextureVoxels voxels = textureVoxels(volume, m_reduction);
+    if (format == VolumeFormat::r16)
+      quantise(voxels, wideRange, 65535);
+    if (format == VolumeFormat::r8)
+      quantise(voxels, {0.0, 1.0}, 255);
+    m_size = voxels.size;
+    const bool isWide = format == VolumeFormat::r16;
+    if (isWide ? uploadWide(voxels, stored) : upload(voxels.size, voxels.texels, stored)) {
+      m_ranges = blockRanges(voxels);
+      break;
+    }
+    reduceLongest(m_dims, m_reduction);
+  }
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+  // The centre of the box lies at dims/(2·reduction) texels from the apron, the texture's at its half.
+  const glm::dvec3 covered = glm::dvec3(m_dims) / glm::dvec3(m_reduction);
+  m_shift = (covered - glm::dvec3(m_size - 2)) / 2.0 / glm::dvec3(m_size);
+}
+
+glm::dvec3 VolumeTexture::scale() const {
+  return 1.0 / (glm::dvec3(m_reduction) * glm::dvec3(m_size));
+}
+
+std::size_t VolumeTexture::bytes() const {
+  return bytesOf(m_size, m_format);
+}
+
+std::string VolumeTexture::limitation() const {
+  if (m_reduction == glm::ivec3(1))
+    return {};
+  const auto times = [](const glm::ivec3& v) {
+    return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
+  };
+  const bool isOwnLimit = static_cast<double>(bytesOf(m_dims + 2, m_format)) > 1e6 * m_mostMb;
+  return "The volume of " + times(m_dims) + " voxels is too large for the graphics " +
+         (isOwnLimit ? "memory that it may take" : "driver") + " and is shown with " + times(m_size - 2) +
+         ".";
+}
+
+} // namespace limn

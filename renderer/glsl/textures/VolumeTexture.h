@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gl/GlObjects.h"
+#include "glsl/decisions/Decisions.h"
+#include "glsl/textures/EmptySpace.h"
+#include "glsl/textures/GraphicsMemory.h"
+
+#include <string>
+
+namespace limn {
+
+/// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it or it would
+/// take more than it may.
+class VolumeTexture {
+public:
+  /// `mostMb` (10⁶ bytes, > 0) is the most that it may take. Throws Error (openGl) where even a small texture
+  /// is refused.
+  explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f,
+                         double mostMb = anyMb);
+
+  unsigned name() const { return m_texture.name(); }
+
+  /// Texture coordinates = centred index · scale + offset.
+  glm::dvec3 scale() const;
+  glm::dvec3 offset() const { return glm::dvec3(0.5) + m_shift; }
+
+  /// Texture coordinates of the outermost voxel centres, and the size of a texel.
+  glm::dvec3 lower() const { return 1.5 / glm::dvec3(m_size); }
+  glm::dvec3 upper() const { return 1.0 - lower(); }
+  glm::dvec3 texel() const { return 1.0 / glm::dvec3(m_size); }
+
+  /// Texels along each axis, with the apron.
+  const glm::ivec3& size() const { return m_size; }
+
+  const glm::ivec3& reduction() const { return m_reduction; }
+
+  const BlockRanges& ranges() const { return m_ranges; }
+
+  /// Block coordinates = texture coordinates · blocksPerTexture + blockOffset: 0 at the first voxel's centre.
+  glm::dvec3 blocksPerTexture() const { return glm::dvec3(m_size) / double(blockSize); }
+  glm::dvec3 blockOffset() const { return glm::dvec3(-1.5 / blockSize); }
+
+  /// What its texels take on the graphics card.
+  std::size_t bytes() const;
+
+  /// One sentence where the volume was down-sampled, otherwise empty.
+  std::string limitation() const;
+
+private:
+  GlTexture m_texture;
+  VolumeFormat m_format;
+  double m_mostMb;
+  glm::ivec3 m_dims;
+  glm::ivec3 m_size{0};
+  glm::ivec3 m_reduction{1};
+  BlockRanges m_ranges;
+  glm::dvec3 m_shift{0.0}; ///< of the box's centre, where the last texel is only partly covered
+};
+
+} // namespace limn

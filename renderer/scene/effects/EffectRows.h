@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/effects/EffectPlan.h"
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// One line of what a picture simulates, as people and scripts are told: a group of effects that belong
+/// together for a reader.
+struct EffectRow {
+  std::string name;   ///< for scripts, e.g. "exponent_map"; the names of the scene format
+  std::string title;  ///< for people
+  bool isOn = false;  ///< whether the picture simulates it
+  std::string reason; ///< why or why not, a phrase in plain words
+  EffectSet effects;  ///< what the row stands for: without these the picture does not simulate it
+  bool operator==(const EffectRow&) const = default;
+};
+
+/// The plan of a scene as rows, always the same ones in the same order.
+std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan);
+
+/// What a row's effect costs: the time of a picture with it less the time without it. Below 0 where it saves
+/// time.
+struct EffectCost {
+  double ms = 0.0;       ///< of medians
+  double spreadMs = 0.0; ///< half the range in which the middle half of the differences lies
+  bool operator==(const EffectCost&) const = default;
+};
+
+/// A cost in words: "12 ms", "saves 210 ms", or "no measurable cost" where it is lost in its spread.
+std::string costText(const EffectCost& cost);
+
+} // namespace limn

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/light/LightingTerms.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// What no term of the sum uses goes back to its neutral value, so that equal pictures have equal terms.
+LightingTerms withoutUnused(LightingTerms terms) {
+  if (terms.specular == 0.0) {
+    terms.exponent = {1.0, 1.0};
+    terms.significance.reset();
+    terms.reflection = Reflection::blinn;
+    terms.specularColor = SpecularColor::material;
+  }
+  if (!terms.usesNormal()) {
+    terms.twoSided = false;
+    terms.lightDirection.reset();
+  }
+  if (terms.exponent.atFlat == terms.exponent.atBoundary)
+    terms.energyFactor = false;
+  const bool isGammaOne = terms.curve.type == GradientCurve::Type::gamma && terms.curve.parameter == 1.0;
+  if (isGammaOne || terms.curve.type == GradientCurve::Type::linear || !terms.usesRatio())
+    terms.curve = {};
+  // The sum cannot pass the knee: each colour channel is at most 1.
+  if (terms.knee && terms.ambient + terms.diffuse + terms.specular <= *terms.knee)
+    terms.knee.reset();
+  return terms;
+}
+
+// The weight of a term. One so large drives every channel that is not 0 to full brightness; an infinite one
+// would make no number of a 0.
+double limitedProduct(double coefficient, double intensity) {
+  return std::min(coefficient * intensity, 1e30);
+}
+
+} // namespace
+
+LightingTerms lightingTerms(const Shading& shading) {
+  LightingTerms terms;
+  if (shading.model == ShadingModel::none)
+    return terms;
+  terms.isLit = true;
+  terms.ambient = limitedProduct(shading.ambient, shading.ambientIntensity);
+  terms.diffuse = limitedProduct(shading.diffuse, shading.lightIntensity);
+  terms.specular = limitedProduct(shading.specular, shading.lightIntensity);
+  terms.exponent = {shading.exponent, shading.exponent};
+  terms.specularColor = shading.specularColor;
+  terms.reflection = shading.reflection;
+  terms.twoSided = shading.twoSided;
+  terms.lightDirection = shading.lightDirection;
+  if (shading.model != ShadingModel::classic) {
+    terms.exponent = shading.exponentRange;
+    terms.opacity = shading.opacityRange;
+    terms.curve = shading.gradientCurve;
+  }
+  if (shading.model == ShadingModel::robust) {
+    terms.energyFactor = shading.energyFactor;
+    terms.significance = shading.significance;
+    terms.knee = shading.knee;
+  }
+  return withoutUnused(terms);
+}
+
+} // namespace limn

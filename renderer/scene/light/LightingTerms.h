@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/light/Shading.h"
+
+namespace limn {
+
+/// The numbers of the lighting model with the differences between the four models resolved: what a model does
+/// not use has its neutral value. Two shadings with equal terms give the same picture.
+struct LightingTerms {
+  bool isLit = false;
+  double ambient = 1.0;                ///< ka·Ia
+  double diffuse = 0.0;                ///< kd·Id
+  double specular = 0.0;               ///< ks·Id
+  CoefficientRange exponent{1.0, 1.0}; ///< SPmin, SPmax
+  CoefficientRange opacity{1.0, 1.0};  ///< Omin, Omax
+  GradientCurve curve;                 ///< linear where nothing uses r
+  bool energyFactor = false;           ///< false where SPmin = SPmax: the factor is 1
+  std::optional<Significance> significance;
+  std::optional<double> knee; ///< absent: clamp to [0,1] only
+  bool isUnlimited = false;   ///< the sum is not limited: to measure how far it overflows
+  SpecularColor specularColor = SpecularColor::material;
+  Reflection reflection = Reflection::blinn;
+  bool twoSided = false;
+  std::optional<glm::dvec3> lightDirection;
+
+  bool operator==(const LightingTerms&) const = default;
+
+  bool mapsExponent() const { return specular != 0.0 && exponent.atFlat != exponent.atBoundary; }
+  bool mapsOpacity() const { return opacity.atFlat != opacity.atBoundary; }
+
+  /// Whether any term asks for the normal, for r, or for either.
+  bool usesNormal() const { return diffuse != 0.0 || specular != 0.0; }
+  bool usesRatio() const { return mapsExponent() || mapsOpacity() || significance.has_value(); }
+};
+
+LightingTerms lightingTerms(const Shading& shading);
+
+} // namespace limn

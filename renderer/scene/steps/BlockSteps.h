@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/function/FunctionDetail.h"
+#include "scene/steps/BlockFacts.h"
+
+#include <cstdint>
+
+namespace limn {
+
+/// With which steps to sample one block, as rungs (LocalSteps).
+struct StepRungs {
+  bool isEmpty = true;        ///< the transfer function shows nothing of it
+  std::int8_t plain = 0;      ///< where the fineness is 0; the fineness adds to it
+  std::uint8_t resolving = 0; ///< at least this, whatever the fineness: or a band of the function is missed
+  bool operator==(const StepRungs&) const = default;
+};
+
+/// The rungs of every block under one transfer function.
+struct BlockSteps {
+  glm::ivec3 blocks{0};
+  std::vector<StepRungs> rungs; ///< x fastest
+  bool resolvesFunction = true; ///< false: a band of the function is narrower than the finest step can tell
+};
+
+/// The peaks and valleys of a transfer function that steps must resolve: those that show, measured by what
+/// the smallest spacing absorbs.
+std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, double smallestSpacingMm);
+
+/// From the facts of each block: its step is D^(-1/3) smallest spacings, which shares out the samples best
+/// where a step h errs by D h³, and D is the largest extinction that the function has over the block's
+/// values, times the largest bend of the field, in units of the smallest spacing and of what the field
+/// commonly changes over it. And a peak or valley of the function that the block's values reach gets two
+/// samples at least where the field is steepest: an estimate from finer pictures cannot see what no sample
+/// has met.
+BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm);
+
+/// The rung with which a block is entered.
+int rungIn(const StepRungs& block, int fineness, double transmittance);
+
+} // namespace limn

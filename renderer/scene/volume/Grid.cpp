@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/volume/Grid.h"
+
+#include <algorithm>
+
+namespace limn {
+
+glm::dvec3 indexToWorld(const Grid& grid, const glm::dvec3& index) {
+  return grid.originMm + grid.direction * (grid.spacingMm * index);
+}
+
+glm::dvec3 worldToIndex(const Grid& grid, const glm::dvec3& worldMm) {
+  return worldVectorToIndex(grid, worldMm - grid.originMm);
+}
+
+glm::dvec3 worldVectorToIndex(const Grid& grid, const glm::dvec3& vectorMm) {
+  // The direction is orthonormal, so its inverse is its transpose.
+  return glm::transpose(grid.direction) * vectorMm / grid.spacingMm;
+}
+
+glm::dvec3 boxSizeMm(const Grid& grid) {
+  return glm::dvec3(grid.dims) * grid.spacingMm;
+}
+
+glm::dvec3 boxCentreMm(const Grid& grid) {
+  return indexToWorld(grid, (glm::dvec3(grid.dims) - 1.0) / 2.0);
+}
+
+double boxDiagonalMm(const Grid& grid) {
+  return glm::length(boxSizeMm(grid));
+}
+
+double smallestSpacingMm(const Grid& grid) {
+  return std::min({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
+}
+
+} // namespace limn

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/volume/Histogram.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <type_traits>
+
+namespace limn {
+
+namespace {
+
+// The scalar distance between neighbouring stored values, 0 for floating-point data.
+double quantumOf(const Volume& volume) {
+  return visitVoxels(volume, [&]<class T>(const std::vector<T>&) {
+    return std::is_integral_v<T> ? std::abs(volume.rescale().slope) : 0.0;
+  });
+}
+
+Histogram emptyHistogram(const Volume& volume, int mostBins) {
+  const ValueRange range = volume.range();
+  const double width = range.highest - range.lowest;
+  const double quantum = quantumOf(volume);
+  if (!(width > 0.0))
+    return {range, std::vector<std::uint64_t>(1, 0)};
+  if (!(quantum > 0.0))
+    return {range, std::vector<std::uint64_t>(static_cast<std::size_t>(mostBins), 0)};
+  const double values = std::round(width / quantum) + 1.0;
+  const double valuesPerBin = std::ceil(values / mostBins);
+  const double bins = std::ceil(values / valuesPerBin);
+  const double first = range.lowest - quantum / 2.0;
+  return {{first, first + bins * valuesPerBin * quantum},
+          std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
+}
+
+} // namespace
+
+Histogram histogramOf(const Volume& volume, int mostBins) {
+  assert(mostBins > 0);
+  Histogram histogram = emptyHistogram(volume, mostBins);
+  const int bins = static_cast<int>(histogram.counts.size());
+  const double width = histogram.range.highest - histogram.range.lowest;
+  const double binsPerValue = width > 0.0 ? bins / width : 0.0;
+  const Rescale rescale = volume.rescale();
+  const std::vector<bool>& invalid = volume.invalidMask();
+  visitVoxels(volume, [&](const auto& stored) {
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      if (!invalid.empty() && invalid[i])
+        continue;
+      const double value = rescale.slope * static_cast<double>(stored[i]) + rescale.intercept;
+      const int bin = static_cast<int>((value - histogram.range.lowest) * binsPerValue);
+      ++histogram.counts[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))];
+    }
+  });
+  return histogram;
+}
+
+double binWidth(const Histogram& histogram) {
+  return (histogram.range.highest - histogram.range.lowest) / static_cast<double>(histogram.counts.size());
+}
+
+double valueOfBin(const Histogram& histogram, std::size_t bin) {
+  return histogram.range.lowest + (static_cast<double>(bin) + 0.5) * binWidth(histogram);
+}
+
+double quantile(const Histogram& histogram, double fraction) {
+  const auto total = static_cast<double>(
+      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0}));
+  double counted = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    counted += static_cast<double>(histogram.counts[bin]);
+    if (counted >= fraction * total)
+      return valueOfBin(histogram, bin);
+  }
+  return histogram.range.highest;
+}
+
+} // namespace limn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/volume/Volume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// Counts of the valid voxels over equal bins that fill `range`.
+struct Histogram {
+  ValueRange range;
+  std::vector<std::uint64_t> counts;
+  bool operator==(const Histogram&) const = default;
+};
+
+/// Counts every valid voxel of `volume` once, in at most `mostBins` > 0 bins from the lowest to the highest
+/// scalar. Bins of integer data are centred on values and hold equally many of them each, so that no comb
+/// appears; a constant volume has one bin.
+Histogram histogramOf(const Volume& volume, int mostBins = 1024);
+
+double binWidth(const Histogram& histogram);
+
+/// The value in the middle of a bin.
+double valueOfBin(const Histogram& histogram, std::size_t bin);
+
+/// The value below which `fraction` (0..1) of the counted voxels lie, to within one bin.
+double quantile(const Histogram& histogram, double fraction);
+
+} // namespace limn

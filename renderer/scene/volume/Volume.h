@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/volume/Grid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace limn {
+
+/// Stored voxels, x fastest, then y, then z. 64-bit integers become double on reading.
+using VoxelArray =
+    std::variant<std::vector<std::uint8_t>, std::vector<std::int8_t>, std::vector<std::uint16_t>,
+                 std::vector<std::int16_t>, std::vector<std::uint32_t>, std::vector<std::int32_t>,
+                 std::vector<float>, std::vector<double>>;
+
+/// Scalar = slope · stored + intercept (HU for CT).
+struct Rescale {
+  double slope = 1.0;
+  double intercept = 0.0;
+  bool operator==(const Rescale&) const = default;
+};
+
+/// Stored values (before rescaling) that the file declares to be no data, both ends included.
+struct PaddingRange {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+/// A closed interval of scalar values.
+struct ValueRange {
+  double lowest = 0.0;
+  double highest = 0.0;
+  bool operator==(const ValueRange&) const = default;
+};
+
+/// Who the volume shows. Lives in memory only: no file, log or picture may contain it.
+struct PatientLabel {
+  std::string name;
+  std::string id;
+  std::string studyDate;
+};
+
+/// What a file says about its volume beside the voxels.
+struct VolumeInfo {
+  std::string format;   ///< e.g. "DICOM", "NIfTI-1"
+  std::string modality; ///< DICOM code ("CT", "MR", "PT"), empty where unknown
+  std::string unit;     ///< "HU" for CT, empty where unknown
+  bool orientationKnown = true;
+  bool spacingKnown = true;
+  std::vector<std::string> warnings; ///< one sentence each, without patient data
+  PatientLabel patient;
+};
+
+/// A grid of scalars, immutable once made. Every voxel is finite: invalid ones were replaced by the smallest
+/// valid value (DEFINITION section 1).
+class Volume {
+public:
+  /// Takes the stored voxels and sanitises them: NaN, ±Inf and declared padding are replaced by the voxel
+  /// of the smallest valid scalar, counted, and remembered.
+  /// Throws Error (input) where the array does not match `grid.dims`, where a dimension or spacing is not
+  /// positive and finite, where no voxel is valid, or where a scalar lies beyond ±1e300.
+  Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info);
+
+  const Grid& grid() const { return m_grid; }
+  const VoxelArray& stored() const { return m_stored; }
+  const Rescale& rescale() const { return m_rescale; }
+  const VolumeInfo& info() const { return m_info; }
+
+  /// Smallest and largest scalar of the valid voxels.
+  const ValueRange& range() const { return m_range; }
+
+  std::size_t voxelCount() const;
+  std::size_t invalidVoxels() const { return m_invalidVoxels; }
+
+  /// One flag per voxel, true where the file's value was invalid; empty where all are valid.
+  const std::vector<bool>& invalidMask() const { return m_invalid; }
+
+  /// The scalar of voxel (i, j, k). Slow (a type dispatch per call): for bulk work use visitVoxels.
+  double value(const glm::ivec3& index) const;
+
+private:
+  Grid m_grid;
+  VoxelArray m_stored;
+  Rescale m_rescale;
+  VolumeInfo m_info;
+  ValueRange m_range;
+  std::size_t m_invalidVoxels = 0;
+  std::vector<bool> m_invalid;
+};
+
+/// Position of voxel (i, j, k) in the stored array.
+inline std::size_t voxelOffset(const glm::ivec3& dims, int i, int j, int k) {
+  return (static_cast<std::size_t>(k) * dims.y + j) * dims.x + i;
+}
+
+/// The name of the stored type as `limn info` prints it: "uint8", "int16", "float32", …
+std::string voxelTypeName(const VoxelArray& stored);
+
+/// Calls `function(const std::vector<T>& stored)` with the array in its own type.
+template <class Function>
+decltype(auto) visitVoxels(const Volume& volume, Function&& function) {
+  return std::visit(std::forward<Function>(function), volume.stored());
+}
+
+/// The scalar at a continuous voxel index: trilinear between voxel centres, clamped to the edge beyond the
+/// outermost centres. Slow; for probes and tests.
+double valueAt(const Volume& volume, const glm::dvec3& index);
+
+} // namespace limn
