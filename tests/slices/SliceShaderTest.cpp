@@ -74,7 +74,7 @@ TEST(SliceShaderText, slicesAreLitByTheBlocksOfTheRayCaster) {
   std::set<std::string> slices = blocksOf(sliceSource(effects));
   std::set<std::string> rays = blocksOf(fragmentSource(effects));
   EXPECT_EQ(slices.erase("slice.glsl"), 1u);
-  EXPECT_EQ(rays.erase("composite.glsl") + rays.erase("gather.glsl"), 2u);
+  EXPECT_EQ(rays.erase("composite.glsl") + rays.erase("fetched.glsl") + rays.erase("gather.glsl"), 3u);
   EXPECT_EQ(slices, rays);
 }
 
