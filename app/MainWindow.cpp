@@ -2,10 +2,10 @@
 #include "app/MainWindow.h"
 
 #include "app/actions/HelpBoxes.h"
-#include "app/desks/MessageBar.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
-#include "app/renderers/ViewEngines.h"
+#include "app/engines/ViewEngines.h"
+#include "app/window/MessageBar.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -13,7 +13,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/pictures/PictureState.h"
 

@@ -5,12 +5,6 @@
 #include "app/UserFolders.h"
 #include "app/actions/Actions.h"
 #include "app/actions/Menus.h"
-#include "app/desks/AccuracyDesk.h"
-#include "app/desks/ComparisonDesk.h"
-#include "app/desks/CropBoxDesk.h"
-#include "app/desks/CurveDesk.h"
-#include "app/desks/Docks.h"
-#include "app/desks/StatusTexts.h"
 #include "app/document/OpenDocument.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
@@ -18,6 +12,12 @@
 #include "app/saving/PictureSaving.h"
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
+#include "app/window/AccuracyDesk.h"
+#include "app/window/ComparisonDesk.h"
+#include "app/window/CropBoxDesk.h"
+#include "app/window/CurveDesk.h"
+#include "app/window/Docks.h"
+#include "app/window/StatusTexts.h"
 
 #include <QMainWindow>
 

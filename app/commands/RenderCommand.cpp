@@ -4,7 +4,7 @@
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
-#include "app/renderers/PictureMaker.h"
+#include "app/engines/PictureMaker.h"
 #include "glsl/textures/GraphicsMemory.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"

@@ -2,8 +2,8 @@
 #include "app/commands/StabilityCommand.h"
 
 #include "app/commands/Arguments.h"
+#include "app/engines/ProcessCost.h"
 #include "app/measure/stability/StabilityText.h"
-#include "app/renderers/ProcessCost.h"
 #include "gl/DriverFacts.h"
 #include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"

@@ -2,7 +2,7 @@
 #include "app/document/SceneEdits.h"
 
 #include "scene/presets/PresetFit.h"
-#include "widgets/scene/ProjectionSection.h"
+#include "widgets/properties/ProjectionSection.h"
 
 namespace limn {
 

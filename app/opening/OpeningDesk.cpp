@@ -2,8 +2,8 @@
 #include "app/opening/OpeningDesk.h"
 
 #include "app/Settings.h"
-#include "app/desks/MessageBar.h"
 #include "app/opening/SeriesDialog.h"
+#include "app/window/MessageBar.h"
 
 #include <QAction>
 #include <QDateTime>

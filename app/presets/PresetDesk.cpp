@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetDesk.h"
 
-#include "app/desks/MessageBar.h"
 #include "app/document/OpenDocument.h"
 #include "app/presets/BuiltInPresets.h"
 #include "app/saving/SaveNotes.h"
+#include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/scene/ProjectionSection.h"
+#include "widgets/properties/ProjectionSection.h"
 
 #include <QInputDialog>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recovery/SessionSafety.h"
 
-#include "app/desks/MessageBar.h"
 #include "app/document/OpenDocument.h"
+#include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 
 #include <QDateTime>

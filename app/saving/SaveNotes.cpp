@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/SaveNotes.h"
 
-#include "app/desks/MessageBar.h"
+#include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 
 #include <QFileInfo>

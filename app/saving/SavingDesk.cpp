@@ -5,7 +5,7 @@
 #include "app/Settings.h"
 #include "app/document/DocumentText.h"
 #include "app/document/OpenDocument.h"
-#include "app/renderers/PictureMaker.h"
+#include "app/engines/PictureMaker.h"
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "io/AtomicFile.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "app/renderers/RealRenderers.h"
+#include "app/engines/RealRenderers.h"
 #include "support/Heart.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"

@@ -8,8 +8,8 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/scene/CropSection.h"
-#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/properties/CropSection.h"
+#include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
 #include <QInputDialog>

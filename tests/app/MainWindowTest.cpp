@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
-#include "app/renderers/PictureMaker.h"
+#include "app/engines/PictureMaker.h"
 #include "support/Heart.h"
 #include "widgets/presets/PresetBrowser.h"
 

@@ -6,8 +6,8 @@
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
 #include "widgets/controls/sliders/ValueSlider.h"
-#include "widgets/scene/FogSection.h"
-#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/properties/FogSection.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QElapsedTimer>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/MainWindow.h"
-#include "app/desks/MessageBar.h"
+#include "app/window/MessageBar.h"
 #include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"

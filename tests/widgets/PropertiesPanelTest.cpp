@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/NumberField.h"
@@ -7,7 +7,7 @@
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/TrackSlider.h"
 #include "widgets/controls/sliders/ValueSlider.h"
-#include "widgets/scene/QualitySection.h"
+#include "widgets/properties/QualitySection.h"
 #include "widgets/shading/LightAngles.h"
 #include "widgets/shading/ShadingSection.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/scene/AxisNames.h"
-#include "widgets/scene/CropFaces.h"
-#include "widgets/scene/FogFit.h"
+#include "widgets/properties/AxisNames.h"
+#include "widgets/properties/CropFaces.h"
+#include "widgets/properties/FogFit.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/curve/points/PointPopup.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/scene/FogFit.h"
-#include "widgets/scene/PropertiesPanel.h"
+#include "widgets/properties/FogFit.h"
+#include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/GradientSection.h"
 
 #include <QApplication>

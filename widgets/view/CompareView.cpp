@@ -3,13 +3,13 @@
 
 #include "widgets/view/PictureOrders.h"
 #include "widgets/view/SurfaceFormat.h"
+#include "widgets/view/failure/DriverRecovery.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/overlay/OverlayPainting.h"
 #include "widgets/view/panels/ModelMenu.h"
 #include "widgets/view/panels/PanelStack.h"
-#include "widgets/view/recovery/DriverRecovery.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/renderers/RealRenderers.h"
+#include "app/engines/RealRenderers.h"
 
 namespace limn {
 

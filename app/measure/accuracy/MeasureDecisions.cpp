@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/accuracy/MeasureDecisions.h"
 
+#include "app/engines/ProcessCost.h"
 #include "app/measure/bench/Bench.h"
-#include "app/renderers/ProcessCost.h"
 #include "gl/HeadlessContext.h"
 #include "gl/PictureTarget.h"
 #include "glsl/decisions/DecisionList.h"

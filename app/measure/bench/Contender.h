@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/renderers/ProcessCost.h"
+#include "app/engines/ProcessCost.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "scene/Scene.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/renderers/ProcessCost.h"
+#include "app/engines/ProcessCost.h"
 #include "scene/Scene.h"
 #include "scene/basics/Image.h"
 

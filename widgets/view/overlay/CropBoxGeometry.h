@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/scene/CropFaces.h"
+#include "widgets/properties/CropFaces.h"
 #include "widgets/view/ViewProjection.h"
 
 #include <QLineF>

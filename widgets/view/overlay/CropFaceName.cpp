@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/CropFaceName.h"
 
-#include "widgets/scene/AxisNames.h"
+#include "widgets/properties/AxisNames.h"
 
 namespace limn {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/volume/Volume.h"
-#include "widgets/scene/CropFaces.h"
+#include "widgets/properties/CropFaces.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/SideText.h"
 
-#include "widgets/scene/ProjectionSection.h"
+#include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelName.h"
 #include "widgets/view/status/PictureStatusText.h"
 

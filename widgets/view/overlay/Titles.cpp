@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/Titles.h"
 
-#include "widgets/scene/ProjectionSection.h"
+#include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/overlay/OverlayRows.h"
 #include "widgets/view/overlay/SideText.h"
 

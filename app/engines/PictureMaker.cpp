@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engines/PictureMaker.h"
+
+#include "accuracy/Tolerance.h"
+#include "gl/HeadlessContext.h"
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/basics/Error.h"
+#include "slices/SliceRenderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace limn {
+namespace {
+
+// Draws a scene with the steps that keep its tolerance.
+MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
+                       const std::string& engine) {
+  if (!needsSteps(scene))
+    return {draw(scene, size), scene, engine, {}};
+  const WithinTolerance found = withinTolerance(scene, size, draw, control);
+  MadePicture picture{draw(found.scene, size), found.scene, engine, {}};
+  picture.notes.push_back("The picture is " + describe(found) + ".");
+  if (!found.holds)
+    picture.notes.push_back(found.sentence);
+  return picture;
+}
+
+template <class Renderer>
+std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
+                                  const glm::ivec2& size, StepControl control) {
+  std::vector<MadePicture> pictures;
+  const DrawScene draw = [&](const Scene& scene, const glm::ivec2& pixels) {
+    return renderer.render(scene, pixels);
+  };
+  for (const Scene& scene : scenes) {
+    MadePicture picture = makeWithin(scene, size, draw, control, rendererName());
+    if (!renderer.limitation().empty())
+      picture.notes.push_back(renderer.limitation());
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                    PictureEngine engine, double textureMb) {
+  const HeadlessContext context;
+  if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront) {
+    SliceRenderer slices(engine == PictureEngine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
+    return makeWith(slices, scenes, size, StepControl::equal);
+  }
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, textureMb);
+  return makeWith(caster, scenes, size, StepControl::local);
+}
+
+std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                           int threads) {
+  std::vector<MadePicture> pictures;
+  const DrawScene draw = [threads](const Scene& scene, const glm::ivec2& pixels) {
+    return toImage(renderReference(scene, pixels, threads));
+  };
+  for (const Scene& scene : scenes)
+    pictures.push_back(makeWithin(scene, size, draw, StepControl::local, "reference (double precision)"));
+  return pictures;
+}
+
+// Draws a scene whole, or without limits to its light.
+using Draw = std::function<Image(const Scene& scene, Limiting limiting)>;
+
+PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
+  const TissueScenes tissue = tissueScenes(scene);
+  PictureFigures figures;
+  figures.contrast = contrastOf(draw(scene, Limiting::clampOrKnee));
+  figures.overflow = overflowOf(draw(scene, Limiting::none));
+  figures.visibleShare =
+      visibleShare(draw(tissue.weights, Limiting::clampOrKnee), draw(tissue.surface, Limiting::clampOrKnee));
+  return figures;
+}
+
+} // namespace
+
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {
+  if (engine == PictureEngine::reference)
+    return figuresBy(
+        [&](const Scene& drawn, Limiting limiting) {
+          return toImage(renderReference(drawn, size, threads, {}, limiting));
+        },
+        scene);
+  const HeadlessContext context;
+  RayCaster caster;
+  return figuresBy(
+      [&](const Scene& drawn, Limiting limiting) {
+        return limiting == Limiting::none ? caster.renderUnlimited(drawn, size) : caster.render(drawn, size);
+      },
+      scene);
+}
+
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                      PictureEngine engine, int threads, double textureMb) {
+  if (engine == PictureEngine::reference)
+    return makeWithReference(scenes, size, threads);
+  try {
+    return makeWithGl(scenes, size, engine, textureMb);
+  } catch (const Error& error) {
+    if (engine != PictureEngine::automatic || error.kind() != Error::Kind::openGl)
+      throw;
+    std::vector<MadePicture> pictures = makeWithReference(scenes, size, threads);
+    pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");
+    return pictures;
+  }
+}
+
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {
+  if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront)
+    throw Error(Error::Kind::usage,
+                "Slices take the same samples in every pixel; count those of --engine gl or reference.");
+  if (engine == PictureEngine::reference)
+    return renderReference(scene, size, threads).samples;
+  const HeadlessContext context;
+  return RayCaster().sampleCounts(scene, size);
+}
+
+Image sideBySide(const Image& left, const Image& right) {
+  assert(left.size.y == right.size.y);
+  Image joined({left.size.x + right.size.x, left.size.y});
+  for (int y = 0; y < left.size.y; ++y) {
+    std::copy_n(&left.at(0, y), left.size.x, &joined.at(0, y));
+    std::copy_n(&right.at(0, y), right.size.x, &joined.at(left.size.x, y));
+  }
+  return joined;
+}
+
+} // namespace limn

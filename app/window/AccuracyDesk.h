@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/AccuracyMeasurer.h"
+#include "scene/Scene.h"
+#include "widgets/Gesture.h"
+
+namespace limn {
+
+class AccuracyPanel;
+class CompareView;
+class ErrorMapOverlay;
+class MessageBar;
+class OpenDocument;
+class SaveNotes;
+class Session;
+class Settings;
+enum class AccuracyWork;
+
+/// Measures on request how close the picture is to the exact one and what that costs, finds steps for a
+/// tolerance, shows a map of errors, and saves what was measured. Of two pictures it is about the right one.
+class AccuracyDesk : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all outlive it.
+  struct Partners {
+    Session& session;
+    const OpenDocument& document; ///< names what is measured
+    CompareView& view;
+    AccuracyPanel& panel;
+    Settings& settings;
+    MessageBar& messages;
+    SaveNotes& notes;
+  };
+
+  AccuracyDesk(const Partners& partners, QObject* parent);
+
+  /// Shows the accuracy of the scene on screen; takes back the map of another one.
+  void showScene();
+
+  void setRefinesAtRest(bool refines);
+
+  /// Writes what was measured: a chart (.png), a table (.csv) or a page with both (.html), by the name.
+  void write(const QString& path);
+
+private:
+  void connectPanel();
+  void connectMeasurer();
+  void measure();
+  void findSteps(const Quality& quality, const Gesture& gesture);
+  void useSteps(const WithinTolerance& found);
+  void showMap(bool shown);
+  void takeMapBack();
+  void showCompared(const ComparedPicture& picture);
+  void setWork(AccuracyWork work);
+  void save();
+  int measuredSide() const;
+  glm::ivec2 shownSize() const;
+  glm::ivec2 measuredSize() const;
+
+  Partners m_with;
+  AccuracyMeasurer m_measurer;
+  ErrorMapOverlay* m_map;
+  Gesture m_toleranceGesture; ///< for which steps are looked for
+  Scene m_compared;           ///< of which the map is shown or under way
+};
+
+} // namespace limn

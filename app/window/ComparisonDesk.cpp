@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/ComparisonDesk.h"
+
+#include "app/actions/Actions.h"
+#include "app/document/Session.h"
+#include "widgets/view/CompareView.h"
+
+namespace limn {
+
+ComparisonDesk::ComparisonDesk(Session& session, CompareView& view, const Actions& actions, QObject* parent)
+    : QObject(parent), m_session(session), m_view(view), m_actions(actions) {
+  connect(actions.layouts, &QActionGroup::triggered, this,
+          [this](QAction* chosen) { setLayout(static_cast<CompareLayout>(chosen->data().toInt())); });
+  connect(actions.models, &QActionGroup::triggered, this,
+          [this](QAction* chosen) { setModel(static_cast<ShadingModel>(chosen->data().toInt())); });
+  connect(&view, &CompareView::modelChosen, this, &ComparisonDesk::setSideModel);
+}
+
+void ComparisonDesk::setLayout(CompareLayout layout) {
+  m_view.setCompareLayout(layout);
+  checkOnly(*m_actions.layouts, static_cast<int>(layout));
+  show();
+}
+
+void ComparisonDesk::setModel(ShadingModel model) {
+  Shading shading = m_session.scene().shading;
+  shading.model = model;
+  m_session.setShading(shading, {nextGestureId(), tr("change model")});
+  setLayout(CompareLayout::single);
+}
+
+void ComparisonDesk::setSideModel(int side, ShadingModel model) {
+  if (m_view.compareLayout() == CompareLayout::single) {
+    setModel(model);
+    return;
+  }
+  (side == 0 ? m_left : m_right) = model;
+  show();
+}
+
+void ComparisonDesk::show() {
+  const ShadingModel single = m_session.scene().shading.model;
+  const bool isSingle = m_view.compareLayout() == CompareLayout::single;
+  m_view.setModels(m_left, m_right);
+  emit modelsShown(isSingle ? std::vector{single} : std::vector{m_left, m_right});
+  // A comparison names its models on the pictures; the buttons then only offer to leave it.
+  checkOnly(*m_actions.models, isSingle ? QVariant(static_cast<int>(single)) : QVariant());
+  emit shown();
+}
+
+void ComparisonDesk::describe(SessionDocument& session) const {
+  session.layout = m_view.compareLayout();
+  session.leftModel = m_left;
+  session.rightModel = m_right;
+  session.wipe = m_view.wipePosition();
+}
+
+void ComparisonDesk::restore(const SessionDocument& session) {
+  m_left = session.leftModel;
+  m_right = session.rightModel;
+  m_view.setWipePosition(session.wipe);
+  setLayout(session.layout);
+}
+
+} // namespace limn

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/window/GradientMeasurer.h"
+#include "scene/Scene.h"
+
+namespace limn {
+
+class CurvePanel;
+
+/// Shows in the curve panel what is open: the curves of the scene over the histograms of its volume.
+class CurveDesk : public QObject {
+  Q_OBJECT
+
+public:
+  explicit CurveDesk(CurvePanel& panel);
+
+  /// Shows the curves of a scene.
+  void showScene(const Scene& scene);
+
+  /// Shows a volume that was opened; `histogram` is of its values. Null: none is open any more.
+  void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram);
+
+signals:
+  void failed(const QString& sentence);
+
+private:
+  void measureGradients();
+
+  CurvePanel& m_panel;
+  GradientMeasurer m_gradients;
+  std::shared_ptr<const Volume> m_volume;
+};
+
+} // namespace limn

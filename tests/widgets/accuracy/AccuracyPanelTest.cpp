@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "scene/volume/Phantom.h"
+#include "widgets/FindWidget.h"
+#include "widgets/accuracy/AccuracySamples.h"
+#include "widgets/accuracy/chart/AccuracyChartView.h"
+#include "widgets/accuracy/sections/DialSection.h"
+#include "widgets/accuracy/sections/MapSection.h"
+#include "widgets/accuracy/sections/MeasuredSection.h"
+#include "widgets/accuracy/sections/StopSlider.h"
+#include "widgets/accuracy/sections/WishSection.h"
+#include "widgets/accuracy/sections/WorkRow.h"
+#include "widgets/controls/NumberField.h"
+
+#include <QAccessible>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// By the law of the sample rays err by 10.4 step² levels and take 12 + 9 / step ms: at the steps 2, 1, 1/2,
+// 1/4, 1/8 and 1/16 by 41.6, 10.4, 2.6, 0.65, 0.1625 and 0.0406 levels in 16.5, 21, 30, 48, 84 and 156 ms.
+class AccuracyPanelTest : public testing::Test {
+protected:
+  AccuracyPanelTest() {
+    QLocale::setDefault(QLocale::c());
+    scene.volume = phantomVolume({.spacingMm = 16.0});
+    scene.transferFunction.points.resize(2);
+    scene.transferFunction.points[0].value = -1000.0;
+    scene.transferFunction.points[1].value = 500.0;
+    scene.transferFunction.points[1].opacity = 0.8;
+    scene.quality.preintegrated = Preintegration::never;
+    panel.resize(320, 1300);
+    panel.show();
+    panel.setScene(scene);
+    QObject::connect(&panel, &AccuracyPanel::qualityEdited,
+                     [this](const Quality& quality, const Gesture& gesture) {
+                       ++edits;
+                       undoText = gesture.text;
+                       scene.quality = quality;
+                       panel.setScene(scene);
+                     });
+  }
+
+  void measure() {
+    panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0});
+    for (int round = 0; round < 5; ++round) // layouts within layouts
+      QCoreApplication::processEvents();
+  }
+
+  StopSlider& dial() { return *panel.findChild<StopSlider*>(); }
+  template <class Section>
+  QString textOf(const char* label) {
+    return panel.findChild<Section*>()->template findChild<QLabel*>(QString::fromLatin1(label))->text();
+  }
+  QString answer() { return textOf<WishSection>("answer"); }
+  QPushButton* useLevels() { return widgetNamed<QPushButton>(panel, "Use: Error at most, levels"); }
+  QPushButton* useMs() { return widgetNamed<QPushButton>(panel, "Use: Time at most, ms"); }
+  QCheckBox* mapCheck() { return panel.findChild<MapSection*>()->findChild<QCheckBox*>(); }
+  WorkRow& work() { return *panel.findChild<MeasuredSection*>()->work(); }
+  QString sentence() { return textOf<DialSection>("sentence"); }
+  AccuracyChartView& chart() { return *panel.findChild<AccuracyChartView*>(); }
+
+  void clickPoint(const OperatingPoint& point) {
+    const std::optional<std::size_t> index = indexOf(point, panel.measured()->report.points);
+    ASSERT_TRUE(index);
+    QTest::mouseClick(chart().viewport(), Qt::LeftButton, {}, chart().positionOf(*index)->toPoint());
+  }
+
+  Scene scene;
+  AccuracyPanel panel;
+  int edits = 0;
+  QString undoText;
+};
+
+OperatingPoint raysAt(double step, bool preintegrated = false) {
+  OperatingPoint point;
+  point.stepVoxels = step;
+  point.preintegrated = preintegrated;
+  return point;
+}
+
+TEST_F(AccuracyPanelTest, theDialTellsErrorAndTimeOfItsPositionOnceMeasured) {
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: not measured for this picture."));
+  measure();
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms."));
+  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().centreAt(3).toPoint());
+  EXPECT_EQ(edits, 1);
+  EXPECT_EQ(scene.quality.stepVoxels, 0.25);
+  EXPECT_EQ(undoText, QStringLiteral("use step 1/4 voxel"));
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/4 voxel: within 0.65 levels, 48 ms."));
+}
+
+TEST_F(AccuracyPanelTest, theDialObeysKeysAndStandsBetweenPositionsWhereTheStepIsNone) {
+  dial().setFocus();
+  QTest::keyClick(&dial(), Qt::Key_Left);
+  EXPECT_EQ(scene.quality.stepVoxels, 1.0);
+  for (int stop = 0; stop < 3; ++stop)
+    QTest::keyClick(&dial(), Qt::Key_Right);
+  EXPECT_EQ(scene.quality.stepVoxels, 0.125);
+  scene.quality.stepVoxels = 0.4;
+  panel.setScene(scene);
+  EXPECT_NEAR(dial().place(), std::log2(2.0 / 0.4), 1e-12);
+  edits = 0;
+  QTest::mouseClick(&dial(), Qt::LeftButton, {}, dial().centreAt(2).toPoint());
+  EXPECT_EQ(edits, 1) << "the nearest position is another step";
+  EXPECT_EQ(scene.quality.stepVoxels, 0.5);
+}
+
+TEST_F(AccuracyPanelTest, theExactEndAsksForStepsWithinHalfALevelAndComesBackFromThere) {
+  std::optional<Quality> wished;
+  QObject::connect(&panel, &AccuracyPanel::toleranceWished,
+                   [&](const Quality& quality, const Gesture&) { wished = quality; });
+  measure();
+  dial().setFocus();
+  QTest::keyClick(&dial(), Qt::Key_End);
+  EXPECT_EQ(edits, 0) << "the steps are still to be found";
+  ASSERT_TRUE(wished);
+  EXPECT_EQ(wished->toleranceLevels, 0.5);
+  scene.quality = *wished;
+  scene.quality.fineness = 7;
+  scene.quality.earlyTermination = 0.9999; // as the tolerance needs it
+  panel.setScene(scene);
+  EXPECT_EQ(sentence(), QStringLiteral("Exact to half a level: within 0.4 levels, 70 ms."));
+  EXPECT_EQ(dial().place(), 5.0);
+  QTest::keyClick(&dial(), Qt::Key_Left);
+  EXPECT_EQ(edits, 1);
+  EXPECT_FALSE(scene.quality.toleranceLevels);
+  EXPECT_FALSE(scene.quality.fineness);
+  EXPECT_EQ(scene.quality.earlyTermination, Quality{}.earlyTermination);
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/8 voxel: within 0.17 levels, 84 ms."));
+}
+
+TEST_F(AccuracyPanelTest, aClickOnAPointUsesItAsOneEdit) {
+  measure();
+  clickPoint(raysAt(0.125));
+  EXPECT_EQ(edits, 1);
+  EXPECT_EQ(scene.quality.stepVoxels, 0.125);
+  EXPECT_EQ(scene.quality.preintegrated, Preintegration::never);
+  clickPoint(raysAt(0.5, true));
+  EXPECT_EQ(edits, 2);
+  EXPECT_EQ(scene.quality.preintegrated, Preintegration::always);
+  EXPECT_EQ(undoText, QStringLiteral("use step 1/2 voxel, curve averaged"));
+}
+
+TEST_F(AccuracyPanelTest, keysWalkThePointsInOrderOfTimeAndEnterUsesOne) {
+  measure();
+  chart().setFocus();
+  QTest::keyClick(&chart(), Qt::Key_Right);
+  QTest::keyClick(&chart(), Qt::Key_Return);
+  EXPECT_EQ(scene.quality.stepVoxels, 2.0) << "the fastest";
+  QTest::keyClick(&chart(), Qt::Key_Left); // from there on: no point is faster
+  QTest::keyClick(&chart(), Qt::Key_Right);
+  QTest::keyClick(&chart(), Qt::Key_Right);
+  QTest::keyClick(&chart(), Qt::Key_Return);
+  EXPECT_EQ(edits, 2);
+}
+
+TEST_F(AccuracyPanelTest, aWishTakesTheBestPointThatKeepsIt) {
+  measure();
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
+  EXPECT_EQ(scene.quality.stepVoxels, 0.25) << "the fastest within 1 level: 48 ms";
+  EXPECT_TRUE(answer().contains(QStringLiteral("within 0.65 levels, 48 ms"))) << answer().toStdString();
+  QTest::mouseClick(useMs(), Qt::LeftButton);
+  EXPECT_EQ(scene.quality.stepVoxels, 0.5) << "the most exact within 33 ms: 30 ms";
+  EXPECT_EQ(edits, 2);
+}
+
+TEST_F(AccuracyPanelTest, aWishThatNoneKeepsSaysWhatComesClosest) {
+  measure();
+  widgetNamed<NumberField>(panel, "Error at most, levels")->setNumber(0.03);
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
+  EXPECT_EQ(edits, 0);
+  EXPECT_EQ(answer(), QStringLiteral(
+                          "No measured picture is that close. Closest: Step 1/16 voxel: within 0.041 levels, "
+                          "156 ms."));
+  widgetNamed<NumberField>(panel, "Time at most, ms")->setNumber(5.0);
+  QTest::mouseClick(useMs(), Qt::LeftButton);
+  EXPECT_EQ(edits, 0);
+  EXPECT_TRUE(answer().startsWith(QStringLiteral("No measured picture is that fast.")));
+}
+
+TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
+  measure();
+  scene.camera.position.x += 5.0;
+  panel.setScene(scene);
+  EXPECT_TRUE(
+      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured from another direction.")));
+  scene.transferFunction.points[1].opacity = 0.4;
+  panel.setScene(scene);
+  EXPECT_TRUE(
+      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured for an earlier picture")));
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: not measured for this picture."));
+  EXPECT_FALSE(useLevels()->isEnabled());
+  clickPoint(raysAt(0.125));
+  EXPECT_EQ(edits, 0);
+  scene.transferFunction.points[1].opacity = 0.8;
+  panel.setScene(scene);
+  clickPoint(raysAt(0.125));
+  EXPECT_EQ(edits, 1) << "undo brought the measured picture back";
+}
+
+TEST_F(AccuracyPanelTest, withoutAConvergedPictureNoErrorIsTold) {
+  AccuracyReport report = sampleReport(pointsToMeasure(scene, 0.0));
+  report.reference.converged = false;
+  panel.setMeasured({report, scene, 0.0});
+  EXPECT_TRUE(sentence().contains(QStringLiteral("not converged")));
+  QTest::mouseClick(useLevels(), Qt::LeftButton);
+  EXPECT_EQ(edits, 0);
+  EXPECT_TRUE(answer().contains(QStringLiteral("not converged")));
+  QTest::mouseClick(useMs(), Qt::LeftButton);
+  EXPECT_EQ(edits, 1) << "a time can be kept without knowing the error";
+}
+
+TEST_F(AccuracyPanelTest, progressStandsInThePanelAndCanBeCancelled) {
+  QSignalSpy asked(&panel, &AccuracyPanel::measureRequested);
+  QSignalSpy cancelled(&panel, &AccuracyPanel::cancelRequested);
+  QPushButton* button = widgetNamed<QPushButton>(panel, "Measure error and time");
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(asked.count(), 1);
+  panel.setWork(AccuracyWork::measuring);
+  panel.showProgress(0.5, QStringLiteral("Drawing the exact picture"));
+  EXPECT_FALSE(button->isEnabled());
+  EXPECT_TRUE(work().isVisible());
+  EXPECT_FALSE(mapCheck()->isEnabled()) << "one piece of work at a time";
+  QCoreApplication::processEvents();
+  QTest::mouseClick(work().findChild<QPushButton*>(), Qt::LeftButton);
+  EXPECT_EQ(cancelled.count(), 1);
+  panel.setWork(AccuracyWork::none);
+  EXPECT_FALSE(work().isVisible());
+  EXPECT_TRUE(button->isEnabled());
+}
+
+TEST_F(AccuracyPanelTest, theMapSaysWhatItShowsAndLeavesWithThePicture) {
+  ComparedPicture compared;
+  compared.point.stepVoxels = 0.5;
+  compared.reference = {true, 1.0 / 128.0, 0.01, 0.0001};
+  compared.error.p99_9 = 1.23;
+  compared.error.shareOverOne = 0.034;
+  compared.map = {{2, 1}, {0.0f, 1.5f}};
+  panel.setCompared(compared);
+  EXPECT_TRUE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("within 1.3 levels")));
+  EXPECT_TRUE(textOf<MapSection>("sentence").contains(QStringLiteral("3.4 % of the pixels")));
+  scene.isovalue += 1.0;
+  panel.setScene(scene);
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").isEmpty());
+  compared.reference.converged = false;
+  panel.setCompared(compared);
+  EXPECT_FALSE(mapCheck()->isChecked());
+  EXPECT_TRUE(textOf<MapSection>("sentence").startsWith(QStringLiteral("Not converged")));
+}
+
+TEST_F(AccuracyPanelTest, theTimeWhileMovingIsChosenFromAFew) {
+  QSignalSpy picked(&panel, &AccuracyPanel::movingMsPicked);
+  QComboBox* box = widgetNamed<QComboBox>(panel, "While moving");
+  EXPECT_EQ(box->currentText(), QStringLiteral("at most 40 ms"));
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Up);
+  ASSERT_EQ(picked.count(), 1);
+  EXPECT_EQ(picked[0][0].toDouble(), 33.0);
+}
+
+TEST_F(AccuracyPanelTest, theDialIsASliderForThoseWhoCannotSeeIt) {
+  measure();
+  QAccessibleInterface* slider = QAccessible::queryAccessibleInterface(&dial());
+  EXPECT_EQ(slider->role(), QAccessible::Slider);
+  EXPECT_EQ(slider->text(QAccessible::Name), QStringLiteral("Faster or closer to exact"));
+  QAccessibleValueInterface* value = slider->valueInterface();
+  ASSERT_NE(value, nullptr);
+  EXPECT_EQ(value->minimumValue().toInt(), 0);
+  EXPECT_EQ(value->maximumValue().toInt(), dial().maximum());
+  EXPECT_EQ(value->currentValue().toInt(), dial().value());
+  value->setCurrentValue(dial().value() + 1);
+  EXPECT_EQ(edits, 1);
+}
+
+TEST_F(AccuracyPanelTest, everyControlHasANameForThoseWhoCannotSeeIt) {
+  measure();
+  for (const QWidget* control : panel.findChildren<QWidget*>()) {
+    const bool isOurs = !control->objectName().startsWith(QStringLiteral("qt_"));
+    if (isOurs && control->focusPolicy() != Qt::NoFocus && control->isVisibleTo(&panel)) {
+      EXPECT_FALSE(control->accessibleName().isEmpty()) << control->metaObject()->className() << " in "
+                                                        << control->parentWidget()->metaObject()->className();
+    }
+  }
+}
+
+} // namespace
+} // namespace limn

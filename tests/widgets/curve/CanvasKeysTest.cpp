@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/CanvasFixture.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+
+namespace limn {
+namespace {
+
+TEST_F(CanvasFixture, tabWalksThePointsForwardsAndBackwards) {
+  QTest::keyClick(&m_canvas, Qt::Key_Tab);
+  EXPECT_EQ(m_canvas.selected(), PointIndices{0});
+  QTest::keyClick(&m_canvas, Qt::Key_Tab);
+  EXPECT_EQ(m_canvas.selected(), PointIndices{1});
+  QTest::keyClick(&m_canvas, Qt::Key_Backtab, Qt::ShiftModifier);
+  EXPECT_EQ(m_canvas.selected(), PointIndices{0});
+  EXPECT_TRUE(m_edits.empty());
+}
+
+TEST_F(CanvasFixture, arrowsMoveByOneUnitOrAHundredthShiftTimesTenAltATenth) {
+  struct Case {
+    Qt::KeyboardModifiers modifiers;
+    double factor;
+  };
+  for (const auto& [modifiers, factor] : {Case{{}, 1.0}, {Qt::ShiftModifier, 10.0}, {Qt::AltModifier, 0.1}}) {
+    m_canvas.setTransferFunction(sampleFunction());
+    m_canvas.selectPoints({2});
+    QTest::keyClick(&m_canvas, Qt::Key_Right, modifiers);
+    EXPECT_NEAR(points()[2].value, 60.0 + factor, 1e-9);
+    QTest::keyClick(&m_canvas, Qt::Key_Up, modifiers);
+    EXPECT_NEAR(points()[2].opacity, 0.2 + 0.01 * factor, 1e-12);
+    QTest::keyClick(&m_canvas, Qt::Key_Left, modifiers);
+    QTest::keyClick(&m_canvas, Qt::Key_Down, modifiers);
+    EXPECT_NEAR(points()[2].value, 60.0, 1e-9);
+    EXPECT_NEAR(points()[2].opacity, 0.2, 1e-12);
+  }
+}
+
+TEST_F(CanvasFixture, eachKeyPressIsAGestureAndAKeyHeldDownIsOne) {
+  m_canvas.selectPoints({2});
+  QTest::keyClick(&m_canvas, Qt::Key_Right);
+  QTest::keyClick(&m_canvas, Qt::Key_Right);
+  ASSERT_EQ(m_edits.size(), 2u);
+  EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
+  QKeyEvent repeat(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, QString(), true);
+  QApplication::sendEvent(&m_canvas, &repeat);
+  ASSERT_EQ(m_edits.size(), 3u);
+  EXPECT_EQ(m_edits[2].second.id, m_edits[1].second.id);
+}
+
+TEST_F(CanvasFixture, deleteRemovesTheSelectionAndOnePointAlwaysStays) {
+  m_canvas.selectPoints({1, 2});
+  QTest::keyClick(&m_canvas, Qt::Key_Delete);
+  ASSERT_EQ(points().size(), 3u);
+  EXPECT_EQ(m_edits.back().second.text, QStringLiteral("delete 2 points"));
+  QTest::keyClick(&m_canvas, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&m_canvas, Qt::Key_Delete);
+  ASSERT_EQ(points().size(), 1u);
+  const std::size_t edits = m_edits.size();
+  QTest::keyClick(&m_canvas, Qt::Key_Delete);
+  EXPECT_EQ(points().size(), 1u);
+  EXPECT_EQ(m_edits.size(), edits);
+}
+
+TEST_F(CanvasFixture, controlASelectsAllAndControlDNone) {
+  QTest::keyClick(&m_canvas, Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(m_canvas.selected().size(), 5u);
+  QTest::keyClick(&m_canvas, Qt::Key_D, Qt::ControlModifier);
+  EXPECT_TRUE(m_canvas.selected().empty());
+}
+
+TEST_F(CanvasFixture, enterAsksForNumbers) {
+  QSignalSpy numbers(&m_canvas, &TransferFunctionCanvas::numbersRequested);
+  m_canvas.selectPoints({2});
+  QTest::keyClick(&m_canvas, Qt::Key_Return);
+  EXPECT_EQ(numbers.count(), 1);
+}
+
+TEST_F(CanvasFixture, itsKeysComeBeforeTheWindowsShortcuts) {
+  m_canvas.selectPoints({2});
+  m_canvas.setAttribute(Qt::WA_UnderMouse);
+  for (const int key : {Qt::Key_Space, Qt::Key_Delete, Qt::Key_Left, Qt::Key_Return}) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    event.ignore();
+    QApplication::sendEvent(&m_canvas, &event);
+    EXPECT_TRUE(event.isAccepted()) << key;
+  }
+  m_canvas.setAttribute(Qt::WA_UnderMouse, false);
+  m_canvas.selectPoints({});
+  for (const int key : {Qt::Key_Space, Qt::Key_Left}) { // nothing to pan or move: the picture's keys
+    QKeyEvent event(QEvent::ShortcutOverride, key, Qt::NoModifier);
+    event.ignore();
+    QApplication::sendEvent(&m_canvas, &event);
+    EXPECT_FALSE(event.isAccepted()) << key;
+  }
+  QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+  undo.ignore();
+  QApplication::sendEvent(&m_canvas, &undo);
+  EXPECT_FALSE(undo.isAccepted());
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/properties/AxisNames.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+AxisName between(const QString& lowEnd, const QString& highEnd) {
+  return {lowEnd + QChar(0x2013) + highEnd, lowEnd, highEnd};
+}
+
+AxisName alongPatient(int direction, bool isForward) {
+  // LPS: +x is the patient's left, +y the back, +z the head.
+  const std::array<std::array<QString, 2>, 3> ends{
+      {{QCoreApplication::translate("AxisNames", "Right"), QCoreApplication::translate("AxisNames", "Left")},
+       {QCoreApplication::translate("AxisNames", "Front"), QCoreApplication::translate("AxisNames", "Back")},
+       {QCoreApplication::translate("AxisNames", "Feet"), QCoreApplication::translate("AxisNames", "Head")}}};
+  const auto& [low, high] = ends[static_cast<std::size_t>(direction)];
+  return isForward ? between(low, high) : between(high, low);
+}
+
+// The direction of the patient that each grid axis follows, of all ways to hand them out the best.
+std::array<int, 3> patientDirections(const glm::dmat3& direction) {
+  std::array<int, 3> order{0, 1, 2};
+  std::array<int, 3> best = order;
+  double largest = -1.0;
+  do {
+    double agreement = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+      agreement += std::abs(direction[axis][order[static_cast<std::size_t>(axis)]]);
+    if (agreement <= largest)
+      continue;
+    largest = agreement;
+    best = order;
+  } while (std::next_permutation(order.begin(), order.end()));
+  return best;
+}
+
+} // namespace
+
+std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
+  std::array<AxisName, 3> names;
+  if (!orientationKnown) {
+    const QString first = QCoreApplication::translate("AxisNames", "first");
+    const QString last = QCoreApplication::translate("AxisNames", "last");
+    names[0] = {QCoreApplication::translate("AxisNames", "Columns"), first, last};
+    names[1] = {QCoreApplication::translate("AxisNames", "Rows"), first, last};
+    names[2] = {QCoreApplication::translate("AxisNames", "Slices"), first, last};
+    return names;
+  }
+  const std::array<int, 3> directions = patientDirections(grid.direction);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int direction = directions[static_cast<std::size_t>(axis)];
+    names[static_cast<std::size_t>(axis)] = alongPatient(direction, grid.direction[axis][direction] > 0.0);
+  }
+  return names;
+}
+
+} // namespace limn

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/properties/CropSection.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/properties/AxisNames.h"
+#include "widgets/properties/CropFaces.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+NumberSpec percentSpec(const AxisName& name) {
+  return {.label = name.axis,
+          .help = CropSection::tr("What lies outside these percents of the volume is cut away; the first "
+                                  "number is the end named first."),
+          .unit = QStringLiteral("%"),
+          .scale = {0.0, 100.0, false},
+          .lowest = 0.0,
+          .highest = 100.0,
+          .defaultValue = 0.0,
+          .defaultUpper = 100.0,
+          .decimals = 1,
+          .lowerName = name.lowEnd,
+          .upperName = name.highEnd};
+}
+
+QString extentText(const CropBox& crop, const Volume& volume, int axis) {
+  const Grid& grid = volume.grid();
+  const VoxelSpan span = voxelsInside(crop, grid, axis);
+  const QString stacked = axis == 0   ? CropSection::tr("Columns %1–%2 of %3")
+                          : axis == 1 ? CropSection::tr("Rows %1–%2 of %3")
+                                      : CropSection::tr("Slices %1–%2 of %3");
+  QString text = stacked.arg(span.first).arg(span.last).arg(grid.dims[axis]);
+  if (volume.info().spacingKnown) {
+    const double length = (crop.upper[axis] - crop.lower[axis]) * grid.dims[axis] * grid.spacingMm[axis];
+    text += CropSection::tr(" · %1 mm").arg(plainNumber(length, 1));
+  }
+  return text;
+}
+
+} // namespace
+
+CropSection::CropSection(QWidget* parent)
+    : FoldingSection(tr("Crop"), parent), m_reset(new QPushButton(tr("Reset crop"))) {
+  const std::array<AxisName, 3> names = axisNames({}, false);
+  for (int axis = 0; axis < 3; ++axis) {
+    Row& row = m_rows[static_cast<std::size_t>(axis)];
+    row.range = new RangeSlider(percentSpec(names[static_cast<std::size_t>(axis)]));
+    row.extent = new QLabel;
+    row.extent->setForegroundRole(QPalette::PlaceholderText);
+    auto* both = new QVBoxLayout;
+    both->setSpacing(0);
+    both->addWidget(row.range);
+    both->addWidget(row.extent);
+    contents()->addLayout(both);
+    connect(row.range, &RangeSlider::rangeEdited, this,
+            [this, axis](double lower, double upper, const Gesture& gesture) {
+              edit(axis, lower, upper, gesture);
+            });
+  }
+  m_reset->setAccessibleName(m_reset->text());
+  m_reset->setToolTip(tr("Shows the whole volume again."));
+  contents()->addWidget(m_reset, 0, Qt::AlignLeft);
+  connect(m_reset, &QAbstractButton::clicked, this, [this] {
+    m_crop = {};
+    showCrop();
+    emit cropEdited(m_crop, {nextGestureId(), tr("reset crop")});
+  });
+  showCrop();
+}
+
+void CropSection::setScene(const Scene& scene) {
+  if (scene.volume != m_volume) {
+    m_volume = scene.volume;
+    for (int axis = 0; axis < 3; ++axis)
+      m_rows[static_cast<std::size_t>(axis)].range->setSpec(percentSpec(axisName(axis)));
+  } else if (scene.crop == m_crop) {
+    return;
+  }
+  m_crop = scene.crop;
+  showCrop();
+}
+
+AxisName CropSection::axisName(int axis) const {
+  const auto names =
+      m_volume ? axisNames(m_volume->grid(), m_volume->info().orientationKnown) : axisNames({}, false);
+  return names[static_cast<std::size_t>(axis)];
+}
+
+void CropSection::edit(int axis, double lowerPercent, double upperPercent, const Gesture& gesture) {
+  if (!m_volume)
+    return showCrop();
+  const Grid& grid = m_volume->grid();
+  // Only the number that the user changed moves; the other keeps its digits beyond those shown.
+  const CropFace lower{axis, false};
+  const CropFace upper{axis, true};
+  CropBox edited = m_crop;
+  if (lowerPercent != 100.0 * placeOf(m_crop, lower))
+    edited = withFaceAt(edited, grid, lower, lowerPercent / 100.0);
+  if (upperPercent != 100.0 * placeOf(m_crop, upper))
+    edited = withFaceAt(edited, grid, upper, upperPercent / 100.0);
+  m_crop = edited;
+  showCrop();
+  const QString name = axisName(axis).axis;
+  emit cropEdited(edited, {gesture.id, tr("crop %1").arg(name.toLower())});
+}
+
+void CropSection::showCrop() {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Row& row = m_rows[static_cast<std::size_t>(axis)];
+    row.range->setRange(100.0 * m_crop.lower[axis], 100.0 * m_crop.upper[axis]);
+    row.extent->setText(m_volume ? extentText(m_crop, *m_volume, axis) : QString());
+  }
+  const bool cuts = m_crop != CropBox{};
+  m_reset->setEnabled(cuts);
+  setSummary(cuts ? tr("%1 % kept").arg(plainNumber(100.0 * shareLeft(m_crop), 1)) : tr("off"));
+}
+
+} // namespace limn

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/properties/PropertiesPanel.h"
+
+#include "widgets/properties/CropSection.h"
+#include "widgets/properties/FogSection.h"
+#include "widgets/properties/ProjectionSection.h"
+#include "widgets/properties/QualitySection.h"
+#include "widgets/shading/GradientSection.h"
+#include "widgets/shading/LightSection.h"
+#include "widgets/shading/ModelSection.h"
+
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+namespace limn {
+
+PropertiesPanel::PropertiesPanel(QWidget* parent)
+    : QScrollArea(parent), m_projection(new ProjectionSection),
+      m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
+      m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
+  layOut();
+  connectSections();
+}
+
+void PropertiesPanel::layOut() {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_projection);
+  for (ShadingSection* section : m_sections)
+    layout->addWidget(section);
+  for (QWidget* section : std::initializer_list<QWidget*>{m_crop, m_fog, m_quality})
+    layout->addWidget(section);
+  layout->addStretch(1);
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Nothing may hide under the scroll bar.
+  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  // What is needed most stands open; the rest waits folded.
+  m_sections[1]->setFolded(true);
+  foldUnused();
+}
+
+void PropertiesPanel::connectSections() {
+  for (ShadingSection* section : m_sections)
+    connect(section, &ShadingSection::shadingEdited, this,
+            [this](const Shading& shading, const Gesture& gesture) {
+              setShading(shading);
+              emit shadingEdited(shading, gesture);
+            });
+  connect(m_quality, &QualitySection::qualityEdited, this, &PropertiesPanel::qualityEdited);
+  connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
+  connect(m_projection, &ProjectionSection::isovalueEdited, this, &PropertiesPanel::isovalueEdited);
+  connect(m_crop, &CropSection::cropEdited, this, &PropertiesPanel::cropEdited);
+  connect(m_fog, &FogSection::fogEdited, this, &PropertiesPanel::fogEdited);
+}
+
+void PropertiesPanel::setScene(const Scene& scene) {
+  const bool otherProjection = scene.projection != m_scene.projection;
+  m_scene = scene;
+  setShading(scene.shading);
+  setQuality(scene.quality);
+  m_projection->setScene(scene);
+  m_crop->setScene(scene);
+  m_fog->setScene(scene);
+  if (otherProjection)
+    showModels();
+}
+
+void PropertiesPanel::setShading(const Shading& shading) {
+  for (ShadingSection* section : m_sections)
+    section->setShading(shading);
+}
+
+void PropertiesPanel::setQuality(const Quality& quality) {
+  m_quality->setQuality(quality);
+}
+
+void PropertiesPanel::setModelsShown(const std::vector<ShadingModel>& models) {
+  m_models = models;
+  showModels();
+}
+
+void PropertiesPanel::showModels() {
+  const bool lit = usesLight(m_scene.projection);
+  for (std::size_t i = 0; i < m_sections.size(); ++i) {
+    ShadingSection* section = m_sections[i];
+    section->setModelsShown(lit ? m_models : std::vector(m_models.size(), ShadingModel::none));
+    setUnused(i, lit ? section->unusedBecause() : tr("unused: this projection is unlit"));
+  }
+}
+
+// What comes to be unused folds, once; what folded so comes back when it is used again.
+void PropertiesPanel::setUnused(std::size_t section, const QString& reason) {
+  FoldingSection* folding = m_sections[section];
+  Use& use = m_use[section];
+  folding->setSummary(reason);
+  if (use.isUnused == !reason.isEmpty())
+    return;
+  use.isUnused = !reason.isEmpty();
+  if (use.isUnused) {
+    use.foldedForNow = !folding->isFolded();
+    folding->setFolded(true);
+  } else if (use.foldedForNow) {
+    folding->setFolded(false);
+  }
+}
+
+void PropertiesPanel::foldUnused() {
+  m_crop->setFolded(m_scene.crop == CropBox{});
+  m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
+}
+
+} // namespace limn
