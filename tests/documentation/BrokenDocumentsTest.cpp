@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of documents fail where something is broken.
-#include "documents/Citations.h"
-#include "documents/Commands.h"
+#include "documentation/Citations.h"
+#include "documentation/Commands.h"
 
 #include <gtest/gtest.h>
 

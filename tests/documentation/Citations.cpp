@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "documents/Citations.h"
+#include "documentation/Citations.h"
 
 #include <algorithm>
 #include <cctype>

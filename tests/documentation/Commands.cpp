@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "documents/Commands.h"
+#include "documentation/Commands.h"
 
 #include <algorithm>
 #include <regex>

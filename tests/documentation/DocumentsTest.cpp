@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What documents and comments say leads somewhere: sections, hard cases, links, paths, commands, tests.
-#include "documents/Citations.h"
-#include "documents/Commands.h"
+#include "documentation/Citations.h"
+#include "documentation/Commands.h"
 
 #include <gtest/gtest.h>
 

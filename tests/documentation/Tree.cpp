@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "documents/Tree.h"
+#include "documentation/Tree.h"
 #include "support/Places.h"
 
 #include <algorithm>
