@@ -3,7 +3,7 @@
 
 #include "gl/GlObjects.h"
 #include "gl/SavedState.h"
-#include "raycaster/PicturePresenter.h"
+#include "glsl/PicturePresenter.h"
 
 #include <epoxy/gl.h>
 

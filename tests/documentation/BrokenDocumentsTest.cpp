@@ -40,11 +40,12 @@ TEST(BrokenPaths, inSourcesAreNamed) {
 
 TEST(BrokenPaths, inDocumentsAreNamed) {
   const auto faults = [](const std::string& text) { return test::missingPaths({"tests/README.md", text}); };
-  EXPECT_EQ(faults("`documents/Tree` `tests/{documents,support}/` `Tree.cpp` `build/release/limn` `a/b` "
-                   "`tests/NAME/NameTest.cpp`"),
-            Faults{});
+  EXPECT_EQ(
+      faults("`documentation/Tree` `tests/{documentation,support}/` `Tree.cpp` `build/release/limn` `a/b` "
+             "`tests/NAME/NameTest.cpp`"),
+      Faults{});
   EXPECT_EQ(faults("```\n`tests/nowhere/`\n```\n"), Faults{});
-  EXPECT_EQ(faults("`tests/{documents,nowhere}/`"), Faults{"names tests/nowhere/, which does not exist"});
+  EXPECT_EQ(faults("`tests/{documentation,nowhere}/`"), Faults{"names tests/nowhere/, which does not exist"});
   EXPECT_EQ(faults("`Forest.cpp`"), Faults{"names Forest.cpp, which does not exist"});
 }
 

@@ -107,7 +107,7 @@ TEST(Layering, anEngineIsAnInterfaceOverScenes) {
 }
 
 TEST(Layering, theViewAsksEnginesAndKnowsNone) {
-  expectNoIncludes("widgets", "^(slices|reference|stability)/|^raycaster/(?!PicturePresenter.h)",
+  expectNoIncludes("widgets", "^(raycaster|slices|reference|stability)/|^glsl/(?!PicturePresenter.h)",
                    "the program chooses what draws");
   expectNoIncludes("widgets/view/pictures", "^Q(Widget|OpenGLWidget|Application)|^widgets/view/(?!pictures/)",
                    "pictures are drawn without a window");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/PictureTarget.h"
-#include "raycaster/PicturePresenter.h"
+#include "glsl/PicturePresenter.h"
 #include "scene/light/Gradient.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 #include "widgets/view/pictures/InteractionQuality.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "raycaster/PicturePresenter.h"
+#include "glsl/PicturePresenter.h"
 
 #include "glsl/programs/EmbeddedShaders.h"
 
