@@ -80,6 +80,12 @@ TEST(Network, theProgramNamesNoFunctionOfIt) {
   EXPECT_EQ(networkFunctionsOf(needs), std::set<std::string>());
 }
 
+TEST(Network, whatTheProgramLoadsLateNamesNoFunctionOfIt) {
+  const Needs needs = needsOf((test::buildFolder() / "lib/liblimn_picture_files.so").string());
+  ASSERT_FALSE(needs.libraries.empty()) << "the libraries were not read";
+  EXPECT_EQ(networkFunctionsOf(needs), std::set<std::string>());
+}
+
 TEST(Network, theProgramNamesNoLibraryForIt) {
   const Needs needs = needsOf(test::programPath());
   ASSERT_TRUE(needs.libraries.contains("libQt6Core.so.6")) << "the libraries were not read";
