@@ -13,7 +13,6 @@
 #include "app/commands/Syntax.h"
 #include "scene/basics/Error.h"
 
-#include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
 #include <exception>
@@ -40,19 +39,12 @@ struct RootArguments {
   SourceArguments source;
 };
 
-int parseAndRun(CLI::App& program, int argc, char** argv, RootArguments& arguments) {
+int parseAndRun(ProgramSyntax& program, int argc, char** argv, RootArguments& arguments) {
   try {
-    program.parse(argc, argv);
-    if (program.get_subcommands().empty()) {
-      arguments.window.options = sourceOptions(arguments.source);
-      return runWindow(argc, argv, arguments.window);
-    }
-    return 0;
-  } catch (const CLI::Success& asked) {
-    return program.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    note(std::string(error.what()) + " (see limn --help)");
-    return 2;
+    if (const std::optional<int> status = program.run(argc, argv))
+      return *status;
+    arguments.window.options = sourceOptions(arguments.source);
+    return runWindow(argc, argv, arguments.window);
   } catch (const Error& error) {
     note(error.what());
     return statusOf(error.kind());
@@ -72,14 +64,14 @@ int runCommandLine(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("limn"));
   QCoreApplication::setOrganizationName(QStringLiteral("limn"));
   QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
-  CLI::App program(
+  ProgramSyntax program(
+      "limn",
       "Limn shows CT and MR volumes: shape a transfer function, compare classic and gradient-enhanced "
       "Blinn-Phong. Not for diagnosis.",
-      "limn");
-  program.set_version_flag("--version", LIMN_VERSION);
+      LIMN_VERSION);
   RootArguments arguments;
   WindowArguments& window = arguments.window;
-  CommandSyntax syntax(program);
+  CommandSyntax syntax = program.words();
   syntax.option("PATH", window.path,
                 "open the window on this volume, DICOM folder, session, scene or Limn picture");
   syntax.option("--screenshot", window.screenshot,

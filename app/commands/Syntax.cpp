@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Syntax.h"
 
+#include "app/commands/Arguments.h"
+
 #include <CLI/CLI.hpp>
 
 namespace limn {
@@ -83,6 +85,29 @@ void CommandSyntax::footer(const std::string& text) {
 
 void CommandSyntax::runs(std::function<void()> work) {
   m_app->callback(std::move(work));
+}
+
+ProgramSyntax::ProgramSyntax(const std::string& name, const std::string& what, const std::string& version)
+    : m_app(std::make_unique<CLI::App>(what, name)) {
+  m_app->set_version_flag("--version", version);
+}
+
+ProgramSyntax::~ProgramSyntax() = default;
+
+CommandSyntax ProgramSyntax::words() {
+  return CommandSyntax(*m_app);
+}
+
+std::optional<int> ProgramSyntax::run(int argc, char** argv) {
+  try {
+    m_app->parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return m_app->exit(asked);
+  } catch (const CLI::ParseError& error) {
+    note(std::string(error.what()) + " (see limn --help)");
+    return 2;
+  }
+  return m_app->get_subcommands().empty() ? std::nullopt : std::optional(0);
 }
 
 } // namespace limn

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +57,23 @@ public:
 
 private:
   CLI::App* m_app;
+};
+
+/// The program's own words, and what its arguments mean.
+class ProgramSyntax {
+public:
+  ProgramSyntax(const std::string& name, const std::string& what, const std::string& version);
+  ~ProgramSyntax();
+
+  /// To which options and commands are added.
+  CommandSyntax words();
+
+  /// Reads the arguments and runs the command that they name; what it throws is passed on. The exit status
+  /// where nothing is left to do: a command ran, help was asked for, or the words are wrong, which is said.
+  std::optional<int> run(int argc, char** argv);
+
+private:
+  std::unique_ptr<CLI::App> m_app;
 };
 
 } // namespace limn
