@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-QString timeOf(const std::filesystem::path& file) {
+QString timeText(const std::filesystem::path& file) {
   const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
   return QLocale().toString(time, QLocale::ShortFormat);
 }
@@ -28,7 +28,7 @@ QString described(const std::filesystem::path& file) {
   } catch (const Error&) {
     // Opening it says why.
   }
-  return label.isEmpty() ? timeOf(file) : label + QStringLiteral(", ") + timeOf(file);
+  return label.isEmpty() ? timeText(file) : label + QStringLiteral(", ") + timeText(file);
 }
 
 } // namespace

@@ -11,8 +11,9 @@ namespace limn {
 inline std::string stepLimitation(const Scene& scene, int most) {
   if (longestRaySamples(scene) <= most)
     return {};
-  return "The step is so small that long rays would need more than " + std::to_string(most) +
-         " samples; they are drawn with that number.";
+  return std::string("The step is so small that long rays would need more than ")
+      .append(std::to_string(most))
+      .append(" samples; they are drawn with that number.");
 }
 
 } // namespace limn

@@ -10,16 +10,17 @@
 #include <sstream>
 
 namespace limn {
-namespace {
 
 // A shader object lives until its program is linked.
-struct Shader {
-  explicit Shader(GLenum stage) : name(glCreateShader(stage)) {}
-  ~Shader() { glDeleteShader(name); }
-  Shader(const Shader&) = delete;
-  Shader& operator=(const Shader&) = delete;
+struct ShaderObject {
+  explicit ShaderObject(GLenum stage) : name(glCreateShader(stage)) {}
+  ~ShaderObject() { glDeleteShader(name); }
+  ShaderObject(const ShaderObject&) = delete;
+  ShaderObject& operator=(const ShaderObject&) = delete;
   GLuint name;
 };
+
+namespace {
 
 std::string shaderLog(GLuint shader) {
   GLint length = 0;
@@ -37,13 +38,13 @@ std::string programLog(GLuint program) {
   return log.c_str();
 }
 
-void startCompiling(const Shader& shader, const ShaderSource& source) {
+void startCompiling(const ShaderObject& shader, const ShaderSource& source) {
   const char* text = source.text.c_str();
   glShaderSource(shader.name, 1, &text, nullptr);
   glCompileShader(shader.name);
 }
 
-void requireCompiled(const Shader& shader, const ShaderSource& source) {
+void requireCompiled(const ShaderObject& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
@@ -86,8 +87,8 @@ std::string withFileLines(const std::string& log, const ShaderSource& source) {
 struct ShaderProgram::Pending {
   ShaderSource vertexSource;
   ShaderSource fragmentSource;
-  Shader vertex{GL_VERTEX_SHADER};
-  Shader fragment{GL_FRAGMENT_SHADER};
+  ShaderObject vertex{GL_VERTEX_SHADER};
+  ShaderObject fragment{GL_FRAGMENT_SHADER};
 };
 
 ShaderProgram::ShaderProgram(const ShaderSource& vertex, const ShaderSource& fragment, Linking linking)

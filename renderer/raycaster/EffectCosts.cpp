@@ -9,9 +9,6 @@
 namespace limn {
 namespace {
 
-// Pictures go to the driver in pieces that no watchdog takes for a hang.
-constexpr int tileSize = 256;
-
 // Draws whole pictures again, whatever happens.
 struct LeftOut {
   LeftOut(RayCaster& ofCaster, EffectSet effects) : caster(ofCaster) { caster.leaveOut(effects); }
@@ -62,10 +59,11 @@ EffectCosts::EffectCosts(const Scene& scene, const glm::ivec2& size, const std::
 }
 
 void EffectCosts::draw(RayCaster& caster, const Variant& variant) const {
-  for (int y = 0; y < m_size.y; y += tileSize)
-    for (int x = 0; x < m_size.x; x += tileSize) {
+  for (int y = 0; y < m_size.y; y += RayCaster::tileSize)
+    for (int x = 0; x < m_size.x; x += RayCaster::tileSize) {
       const glm::ivec2 corner(x, y);
-      caster.draw(variant.scene, m_size, {corner, glm::min(glm::ivec2(tileSize), m_size - corner)});
+      caster.draw(variant.scene, m_size,
+                  {corner, glm::min(glm::ivec2(RayCaster::tileSize), m_size - corner)});
     }
 }
 

@@ -21,9 +21,6 @@
 namespace limn {
 namespace {
 
-// Pictures drawn off screen go to the driver in pieces that no watchdog takes for a hang.
-constexpr int tileSize = 256;
-
 // OpenGL's rows go upwards.
 void scissor(const PixelRect& rect, const glm::ivec2& size) {
   glScissor(rect.topLeft.x, size.y - rect.topLeft.y - rect.size.y, rect.size.x, rect.size.y);

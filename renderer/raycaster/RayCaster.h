@@ -19,6 +19,10 @@ namespace limn {
 /// All calls, construction and destruction included, need the same context to be current.
 class RayCaster {
 public:
+  /// Pictures drawn off screen go to the driver in squares of this many pixels, which no watchdog takes for a
+  /// hang.
+  static constexpr int tileSize = 256;
+
   /// Stepping over empty space changes no bit of a picture; tests and benchmarks switch it off to show that.
   enum class EmptySpace { skipped, sampled };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/BrokenShaders.h" // before any OpenGL header of Qt
-
 #include "WindowHarness.h"
+#include "support/BrokenDriver.h"
 #include "widgets/view/panels/ReferencePanel.h"
 
 #include <QPushButton>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "documentation/Citations.h"
 
+#include "documentation/Matches.h"
+
 #include <algorithm>
 #include <cctype>
-#include <regex>
 #include <sstream>
 
 namespace limn::test {
@@ -11,15 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class F>
-void forEach(const std::string& text, const std::regex& pattern, F&& found) {
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
-    found(*match);
-}
-
 std::set<int> numbersOf(const std::string& text, const std::regex& pattern) {
   std::set<int> numbers;
-  forEach(text, pattern, [&](const std::smatch& match) { numbers.insert(std::stoi(match[1])); });
+  forEachMatch(text, pattern, [&](const std::smatch& match) { numbers.insert(std::stoi(match[1])); });
   return numbers;
 }
 
@@ -57,7 +52,8 @@ std::string anchorOf(const std::string& heading) {
 bool hasHeading(const TextFile& document, const std::string& anchor) {
   static const std::regex heading(R"((^|\n)#+ ([^\n]+))");
   bool isThere = false;
-  forEach(document.text, heading, [&](const std::smatch& match) { isThere |= anchorOf(match[2]) == anchor; });
+  forEachMatch(document.text, heading,
+               [&](const std::smatch& match) { isThere |= anchorOf(match[2]) == anchor; });
   return isThere;
 }
 
@@ -100,18 +96,18 @@ std::vector<std::string> unresolvedCitations(const std::string& text, const Cita
   static const std::regex document(R"(\b([A-Z][A-Z_]+\.md)\b)");
   const std::string line = flowing(text);
   std::vector<std::string> faults;
-  forEach(line, section, [&](const std::smatch& match) {
+  forEachMatch(line, section, [&](const std::smatch& match) {
     const auto cited = citable.sections.find(match[1]);
     for (const std::size_t i : {2u, 3u})
       if (match[i].matched &&
           (cited == citable.sections.end() || !cited->second.contains(std::stoi(match[i]))))
         faults.push_back("cites " + match.str(1) + " section " + match.str(i) + ", which does not exist");
   });
-  forEach(line, hardCase, [&](const std::smatch& match) {
+  forEachMatch(line, hardCase, [&](const std::smatch& match) {
     if (!citable.hardCases.contains(std::stoi(match[1])))
       faults.push_back("cites the hard case " + match.str() + ", which HARD_CASES.md does not have");
   });
-  forEach(line, document, [&](const std::smatch& match) {
+  forEachMatch(line, document, [&](const std::smatch& match) {
     if (!isNameOfAFile(match[1]))
       faults.push_back("names the document " + match.str(1) + ", which does not exist");
   });
@@ -123,7 +119,7 @@ std::vector<std::string> missingPathsOfASource(const std::string& text) {
       R"((^|[^A-Za-z0-9_/.-])((?:app|renderer|shaders|tests|widgets)/[A-Za-z0-9_/.-]+\.(?:h|cpp|glsl|md|json)))");
   static const std::regex include(R"(#include [^\n]*)"); // the compiler's business
   std::vector<std::string> faults;
-  forEach(std::regex_replace(text, include, ""), path, [&](const std::smatch& match) {
+  forEachMatch(std::regex_replace(text, include, ""), path, [&](const std::smatch& match) {
     if (!fs::exists(projectRoot() / match.str(2)))
       faults.push_back("names " + match.str(2) + ", which does not exist");
   });
@@ -133,7 +129,7 @@ std::vector<std::string> missingPathsOfASource(const std::string& text) {
 std::vector<std::string> brokenLinks(const TextFile& document) {
   static const std::regex link(R"(\]\(([^)#\s]*)(?:#([^)\s]+))?\))");
   std::vector<std::string> faults;
-  forEach(withoutCode(document.text), link, [&](const std::smatch& match) {
+  forEachMatch(withoutCode(document.text), link, [&](const std::smatch& match) {
     const std::string to = match.str(1);
     if (to.find("://") != std::string::npos)
       return;
@@ -152,7 +148,7 @@ std::vector<std::string> missingPaths(const TextFile& document) {
   static const std::regex source(R"([A-Za-z0-9_.]+\.(?:h|cpp|glsl|inl|qss|cmake|md))");
   const fs::path here = projectRoot() / document.path.parent_path();
   std::vector<std::string> faults;
-  forEach(withoutCode(document.text), quoted, [&](const std::smatch& match) {
+  forEachMatch(withoutCode(document.text), quoted, [&](const std::smatch& match) {
     for (const std::string& path : expanded(match.str(1))) {
       const std::size_t slash = path.find('/');
       if (isPattern(path))

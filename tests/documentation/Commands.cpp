@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "documentation/Commands.h"
 
+#include "documentation/Matches.h"
+
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 namespace limn::test {
 namespace {
-
-template <class F>
-void forEach(const std::string& text, const std::regex& pattern, F&& found) {
-  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match)
-    found(*match);
-}
 
 std::set<std::string> wordsOf(const std::vector<TextFile>& files, const std::string& below,
                               const std::regex& pattern) {
   std::set<std::string> words;
   for (const TextFile& file : files)
     if (file.path.string().starts_with(below))
-      forEach(file.text, pattern, [&](const std::smatch& match) { words.insert(match[1]); });
+      forEachMatch(file.text, pattern, [&](const std::smatch& match) { words.insert(match[1]); });
   return words;
 }
 
@@ -41,7 +36,7 @@ std::vector<std::string> typed(const std::string& document) {
     else
       lines.push_back(line);
   }
-  forEach(prose, quoted, [&](const std::smatch& match) { lines.push_back(match[1]); });
+  forEachMatch(prose, quoted, [&](const std::smatch& match) { lines.push_back(match[1]); });
   return lines;
 }
 
@@ -58,13 +53,13 @@ void checkProgram(const std::string& line, const Typeable& known, std::vector<st
   static const std::regex program(R"((?:^|[ /])limn((?: [^|;&#]*)?))");
   static const std::regex command(R"(^ ([a-z]+)(?= |$))");
   static const std::regex option(R"( (--[a-z][a-z-]*))");
-  forEach(line, program, [&](const std::smatch& match) {
+  forEachMatch(line, program, [&](const std::smatch& match) {
     const std::string words = match.str(1);
     std::smatch first;
     if (std::regex_search(words, first, command) && first[1] != "sample" &&
         !known.commands.contains(first[1]))
       faults.push_back("tells to type limn " + first.str(1) + ", which the program does not know");
-    forEach(words, option, [&](const std::smatch& named) {
+    forEachMatch(words, option, [&](const std::smatch& named) {
       if (!known.options.contains(named[1]))
         faults.push_back("names the option " + named.str(1) + ", which the program does not know");
     });
@@ -82,10 +77,11 @@ Typeable typeable() {
   static const std::regex plain(R"(\bTEST(?:_F)?\(\s*(\w+),\s*(\w+)\s*\))");
   static const std::regex withParameter(R"(\bTEST_P\(\s*(\w+),\s*(\w+)\s*\))");
   for (const TextFile& file : sources) {
-    forEach(file.text, plain,
-            [&](const std::smatch& m) { known.tests.push_back(m.str(1) + "." + m.str(2)); });
-    forEach(file.text, withParameter,
-            [&](const std::smatch& m) { known.tests.push_back("Any/" + m.str(1) + "." + m.str(2) + "/0"); });
+    forEachMatch(file.text, plain,
+                 [&](const std::smatch& m) { known.tests.push_back(m.str(1) + "." + m.str(2)); });
+    forEachMatch(file.text, withParameter, [&](const std::smatch& m) {
+      known.tests.push_back("Any/" + m.str(1) + "." + m.str(2) + "/0");
+    });
   }
   return known;
 }
@@ -96,11 +92,11 @@ std::vector<std::string> brokenCommands(const std::string& document, const Typea
   std::vector<std::string> faults;
   for (const std::string& line : typed(document)) {
     checkProgram(line, known, faults);
-    forEach(line, target, [&](const std::smatch& match) {
+    forEachMatch(line, target, [&](const std::smatch& match) {
       if (!known.targets.contains(match.str()))
         faults.push_back("names " + match.str() + ", which is not built");
     });
-    forEach(line, filter, [&](const std::smatch& match) {
+    forEachMatch(line, filter, [&](const std::smatch& match) {
       std::istringstream patterns(match.str(1));
       for (std::string pattern; std::getline(patterns, pattern, ':');)
         if (!isMatched(pattern, known.tests))

@@ -15,7 +15,7 @@ using test::TextFile;
 constexpr std::size_t longestLine = 120;
 constexpr std::size_t largestFrontPage = 9 * 1024; // bytes, for documents that are read as a whole
 
-const test::Citable& citable() {
+const test::Citable& citableHere() {
   static const test::Citable all = test::citableOf(test::fileAt("renderer/DEFINITION.md").text,
                                                    test::fileAt("renderer/stability/HARD_CASES.md").text);
   return all;
@@ -33,7 +33,7 @@ bool isOfThisTest(const TextFile& file) {
 TEST(Citations, everyOneResolves) {
   for (const TextFile& file : test::filesEnding({".h", ".cpp", ".inl", ".glsl", ".txt", ".md", ".json"}))
     if (!isOfThisTest(file))
-      expectNone(file, test::unresolvedCitations(file.text, citable()));
+      expectNone(file, test::unresolvedCitations(file.text, citableHere()));
 }
 
 TEST(Citations, everyPathInASourceExists) {
@@ -50,7 +50,7 @@ TEST(Citations, everyHardCaseThatIsDrawnIsDescribedAndTheOtherWayRound) {
       for (std::sregex_iterator match(file.text.begin(), file.text.end(), row), end; match != end; ++match)
         drawn.insert(std::stoi((*match)[1]));
   EXPECT_FALSE(drawn.empty());
-  EXPECT_EQ(drawn, citable().hardCases);
+  EXPECT_EQ(drawn, citableHere().hardCases);
 }
 
 TEST(Documents, linksAndPathsLeadSomewhere) {

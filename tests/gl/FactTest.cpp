@@ -32,7 +32,6 @@ void expectAlpha(const json& one, const Scene& scene, const char* key, test::Cas
 void checkCorrection(const json& one, test::CaseLedger& ledger) {
   const double length = one["parameters"]["f"];
   Scene scene = test::rayThrough(test::boxOf(glm::dvec3(length), one["parameters"]["s"]));
-  const glm::dvec3 white(1.0);
   scene.transferFunction = {
       1.0, {{0.0, white, one["parameters"]["a_left"]}, {1.0, white, one["parameters"]["a_right"]}}};
   expectAlpha(one, scene, "alpha_step_right", ledger);

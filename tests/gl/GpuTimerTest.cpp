@@ -15,7 +15,7 @@ namespace {
 
 using GpuTimerOnADriver = test::GlTest;
 
-constexpr glm::ivec2 size{192, 192};
+constexpr glm::ivec2 pictureSize{192, 192};
 
 Scene phantomScene() {
   Scene scene;
@@ -37,8 +37,8 @@ TEST(GpuTimer, believesAQueryOnlyWhereTheClockAllowsIt) {
 TEST_F(GpuTimerOnADriver, countsAllOfTheWork) {
   const Scene scene = phantomScene();
   RayCaster caster;
-  const FloatTarget target(size);
-  const auto draw = [&] { caster.draw(scene, size, {{0, 0}, size}); };
+  const FloatTarget target(pictureSize);
+  const auto draw = [&] { caster.draw(scene, pictureSize, {{0, 0}, pictureSize}); };
   draw();
   GpuTimer timer;
   const bool hasQuery = timer.method() == GpuTimer::Method::timerQuery;
@@ -56,8 +56,8 @@ TEST_F(GpuTimerOnADriver, countsAllOfTheWork) {
 TEST_F(GpuTimerOnADriver, waitsForTheWorkAndForWhatWasDrawnBefore) {
   const Scene scene = phantomScene();
   RayCaster caster;
-  const FloatTarget target(size);
-  const auto draw = [&] { caster.draw(scene, size, {{0, 0}, size}); };
+  const FloatTarget target(pictureSize);
+  const auto draw = [&] { caster.draw(scene, pictureSize, {{0, 0}, pictureSize}); };
   draw();
   GpuTimer timer;
   timer.calibrate(draw);

@@ -8,12 +8,12 @@
 namespace limn {
 namespace {
 
-struct Row {
+struct HelperRow {
   const char* prefix; ///< of the id
   test::HelperCheck check;
 };
 
-const Row rows[] = {
+const HelperRow helperRows[] = {
     {"D2_", test::checkEqualLayers},
     {"F1_", test::checkMaps},
     {"F3_", test::checkBlinnTerm},
@@ -35,7 +35,7 @@ TEST_F(HelperCases, everyHelperCaseHoldsOnBothSides) {
   const nlohmann::json cases = test::analyticCases();
   test::CaseLedger ledger;
   for (const nlohmann::json& one : cases)
-    for (const Row& row : rows)
+    for (const HelperRow& row : helperRows)
       if (test::isOfKind(one, "helper") && one["id"].get<std::string>().rfind(row.prefix, 0) == 0)
         row.check(one, ledger);
   ledger.expectEvery(cases, [](const nlohmann::json& one) { return test::isOfKind(one, "helper"); });

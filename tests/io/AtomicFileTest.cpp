@@ -74,7 +74,7 @@ TEST(AtomicFile, whatIsPrivateIsReadByNobodyElse) {
   EXPECT_EQ(fs::status(file).permissions(), owners);
 }
 
-std::string refusalOf(const fs::path& file, FilePlace place) {
+std::string writeRefusal(const fs::path& file, FilePlace place) {
   try {
     writeFileAtomically(file, "text", place);
   } catch (const Error& error) {
@@ -85,10 +85,10 @@ std::string refusalOf(const fs::path& file, FilePlace place) {
 
 TEST(AtomicFile, adviceIsSuchThatItCanBeTaken) {
   const TemporaryFolder folder;
-  const std::string users = refusalOf(folder.path() / "none" / "a.json", FilePlace::chosen);
+  const std::string users = writeRefusal(folder.path() / "none" / "a.json", FilePlace::chosen);
   EXPECT_NE(users.find("choose another folder"), std::string::npos) << users;
   EXPECT_EQ(users.find("old file"), std::string::npos) << users; // there is none
-  const std::string programs = refusalOf(folder.path() / "none" / "a.json", FilePlace::fixed);
+  const std::string programs = writeRefusal(folder.path() / "none" / "a.json", FilePlace::fixed);
   EXPECT_NE(programs.find("allow Limn to write there"), std::string::npos) << programs;
   EXPECT_EQ(programs.find("choose"), std::string::npos) << programs;
 }

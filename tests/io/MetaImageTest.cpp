@@ -6,28 +6,22 @@ namespace {
 
 using namespace test;
 
-const std::string basics = "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 3 4\nElementType = "
-                           "MET_SHORT\nElementSpacing = 2 3 4\n";
+const std::string metaBasics =
+    "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 2 3 4\nElementType = "
+    "MET_SHORT\nElementSpacing = 2 3 4\n";
 
-std::string voxels() {
-  return bytesOf(rising<std::int16_t>(24));
+std::shared_ptr<const Volume> openedMeta(const std::string& header, const std::string& bytes) {
+  return openedAs("a.mha", header + "ElementDataFile = LOCAL\n" + bytes);
 }
 
-std::shared_ptr<const Volume> opened(const std::string& header, const std::string& bytes) {
-  const TemporaryFolder folder;
-  writeBytes(folder.path() / "a.mha", header + "ElementDataFile = LOCAL\n" + bytes);
-  return readVolume(folder.path() / "a.mha");
-}
-
-std::string refused(const std::string& header, const std::string& bytes) {
-  const TemporaryFolder folder;
-  writeBytes(folder.path() / "a.mha", header + "ElementDataFile = LOCAL\n" + bytes);
-  return refusalOf(folder.path() / "a.mha");
+std::string refusedMeta(const std::string& header, const std::string& bytes) {
+  return refusalAs("a.mha", header + "ElementDataFile = LOCAL\n" + bytes);
 }
 
 TEST(MetaImage, theTransformPlacesTheVoxelsInLps) {
   // Axis i along +y, j along -x, k along +z.
-  const auto volume = opened(basics + "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 10 20 30\n", voxels());
+  const auto volume =
+      openedMeta(metaBasics + "TransformMatrix = 0 1 0 -1 0 0 0 0 1\nOffset = 10 20 30\n", voxels());
   // Voxel (1, 2, 3): (10 - 2·3, 20 + 2, 30 + 3·4).
   expectNear(indexToWorld(volume->grid(), {1, 2, 3}), {4, 22, 42});
   EXPECT_EQ(volume->value({1, 2, 3}), 23.0);
@@ -36,41 +30,44 @@ TEST(MetaImage, theTransformPlacesTheVoxelsInLps) {
 }
 
 TEST(MetaImage, withoutTransformTheOrientationIsUnknown) {
-  EXPECT_FALSE(opened(basics, voxels())->info().orientationKnown);
-  EXPECT_FALSE(opened(basics + "TransformMatrix = 1 0 0 0 1 0 0 0 1\nAnatomicalOrientation = ???\n", voxels())
-                   ->info()
-                   .orientationKnown);
+  EXPECT_FALSE(openedMeta(metaBasics, voxels())->info().orientationKnown);
+  EXPECT_FALSE(
+      openedMeta(metaBasics + "TransformMatrix = 1 0 0 0 1 0 0 0 1\nAnatomicalOrientation = ???\n", voxels())
+          ->info()
+          .orientationKnown);
 }
 
 TEST(MetaImage, everyEncodingHoldsTheSameVoxels) {
-  const auto expected = opened(basics, voxels())->stored();
-  EXPECT_EQ(opened(basics + "CompressedData = True\n", deflated(voxels(), false))->stored(), expected);
+  const auto expected = openedMeta(metaBasics, voxels())->stored();
+  EXPECT_EQ(openedMeta(metaBasics + "CompressedData = True\n", deflated(voxels(), false))->stored(),
+            expected);
   EXPECT_EQ(
-      opened(basics + "BinaryDataByteOrderMSB = True\n", bytesOf(rising<std::int16_t>(24), true))->stored(),
+      openedMeta(metaBasics + "BinaryDataByteOrderMSB = True\n", bytesOf(rising<std::int16_t>(24), true))
+          ->stored(),
       expected);
-  EXPECT_EQ(opened(basics + "HeaderSize = 5\n", "12345" + voxels())->stored(), expected);
-  EXPECT_EQ(opened(basics + "HeaderSize = -1\n", "1234567" + voxels())->stored(), expected);
+  EXPECT_EQ(openedMeta(metaBasics + "HeaderSize = 5\n", "12345" + voxels())->stored(), expected);
+  EXPECT_EQ(openedMeta(metaBasics + "HeaderSize = -1\n", "1234567" + voxels())->stored(), expected);
 }
 
 TEST(MetaImage, coloursBecomeLuminanceAndOtherChannelsAreRefused) {
-  std::string header = basics;
+  std::string header = metaBasics;
   header.replace(header.find("2 3 4"), 5, "2 1 1");
   header.replace(header.find("MET_SHORT"), 9, "MET_UCHAR");
   const std::string colors = bytesOf<std::uint8_t>({255, 0, 0, 10, 20, 30});
-  const auto volume = opened(header + "ElementNumberOfChannels = 3\n", colors);
+  const auto volume = openedMeta(header + "ElementNumberOfChannels = 3\n", colors);
   EXPECT_EQ(volume->value({1, 0, 0}), 19.0); // 18.6 by BT.709
   EXPECT_TRUE(warns(*volume, "luminance"));
-  refused(header + "ElementNumberOfChannels = 2\n", colors);
+  refusedMeta(header + "ElementNumberOfChannels = 2\n", colors);
 }
 
 TEST(MetaImage, aShortFileAndImpossibleDimensionsAreRefused) {
-  EXPECT_NE(refused(basics, voxels().substr(1)).find("holds only"), std::string::npos);
-  std::string header = basics;
+  EXPECT_NE(refusedMeta(metaBasics, voxels().substr(1)).find("holds only"), std::string::npos);
+  std::string header = metaBasics;
   header.replace(header.find("2 3 4"), 5, "2000000000 2000000000 2");
-  refused(header, voxels());
-  header = basics;
+  refusedMeta(header, voxels());
+  header = metaBasics;
   header.replace(header.find("2 3 4"), 5, "2 3 0");
-  refused(header, voxels());
+  refusedMeta(header, voxels());
 }
 
 TEST(MetaImage, aMissingShortOrOutsideVoxelFileIsRefused) {
@@ -79,7 +76,7 @@ TEST(MetaImage, aMissingShortOrOutsideVoxelFileIsRefused) {
   const auto file = folder.path() / "sub" / "a.mhd";
   writeBytes(folder.path() / "b.raw", voxels());
   const auto refusedFor = [&](const std::string& name) {
-    writeBytes(file, basics + "ElementDataFile = " + name + "\n");
+    writeBytes(file, metaBasics + "ElementDataFile = " + name + "\n");
     try {
       readVolume(file);
     } catch (const Error& error) {

@@ -55,6 +55,11 @@ std::vector<T> rising(std::size_t count) {
   return values;
 }
 
+/// The voxels of most of these files, 2 × 3 × 4 of them: 0 to 23.
+inline std::string voxels() {
+  return bytesOf(rising<std::int16_t>(24));
+}
+
 /// Expects two points of the world to agree; float32 headers carry seven figures.
 inline void expectNear(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance = 1e-5) {
   for (int axis = 0; axis < 3; ++axis)
@@ -72,6 +77,20 @@ inline std::string refusalOf(const std::filesystem::path& file, const ReadOption
   }
   ADD_FAILURE() << file << " was not refused";
   return {};
+}
+
+/// What a file of that name and content is read as.
+inline std::shared_ptr<const Volume> openedAs(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / name, bytes);
+  return readVolume(folder.path() / name);
+}
+
+/// The sentence with which a file of that name and content is refused.
+inline std::string refusalAs(const std::string& name, const std::string& bytes) {
+  const TemporaryFolder folder;
+  writeBytes(folder.path() / name, bytes);
+  return refusalOf(folder.path() / name);
 }
 
 /// Whether some warning of the volume contains the text.

@@ -75,7 +75,6 @@ TEST_F(DecisionPixels, aTableOfBytesLosesWhatIsFaintAndDeep) {
 // A spike half an entry wide lies between two of 256 entries and between two of 1024 as well.
 TEST_F(DecisionPixels, aTableSeesNothingBetweenItsEntries) {
   const double middle = 127.5 / 255.0, half = 0.2 / 1023.0;
-  const glm::dvec3 white(1.0);
   const Scene scene = betweenTwoVoxels(
       {1.0, {{middle - half, white, 0.0}, {middle, white, 0.6}, {middle + half, white, 0.0}}});
   EXPECT_NEAR(pixelOf(scene, {}).a, 0.6, rounding);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/EffectRows.h"
-#include "scene/volume/Phantom.h"
+#include "scene/PhantomScene.h"
 #include "support/EffectNames.h"
 
 #include <gtest/gtest.h>
@@ -10,14 +10,6 @@
 
 namespace limn {
 namespace {
-
-Scene phantomScene() {
-  Scene scene;
-  scene.volume = phantomVolume({12.0, 0.0, 1});
-  scene.camera = defaultCamera(scene.volume->grid());
-  scene.transferFunction.points = {{-300, {0.9, 0.6, 0.5}, 0.0}, {1500, {1.0, 1.0, 1.0}, 0.9}};
-  return scene;
-}
 
 std::vector<EffectRow> rowsOf(const Scene& scene) {
   return effectRows(scene, requiredEffects(scene, {.canSkipEmptySpace = true}));
@@ -50,13 +42,13 @@ EffectRow row(const Scene& scene, const std::string& name) {
 
 TEST(EffectRows, areTheDocumentedOnesInTheirOrder) {
   std::vector<std::string> names;
-  for (const EffectRow& one : rowsOf(phantomScene()))
+  for (const EffectRow& one : rowsOf(test::roughPhantomScene()))
     names.push_back(one.name);
   EXPECT_EQ(names, test::documentedEffects);
 }
 
 TEST(EffectRows, holdEveryEffectButTheTechnicalOnesWhichSayWhy) {
-  const std::vector<EffectRow> rows = rowsOf(phantomScene());
+  const std::vector<EffectRow> rows = rowsOf(test::roughPhantomScene());
   for (int i = 0; i < effectCount; ++i) {
     const auto effect = static_cast<Effect>(i);
     const auto holds = [effect](const EffectRow& one) { return one.effects.has(effect); };
@@ -70,7 +62,7 @@ TEST(EffectRows, holdEveryEffectButTheTechnicalOnesWhichSayWhy) {
 
 TEST(EffectRows, shareNoEffect) {
   EffectSet seen;
-  for (const EffectRow& one : rowsOf(phantomScene())) {
+  for (const EffectRow& one : rowsOf(test::roughPhantomScene())) {
     EXPECT_FALSE(seen.hasAny(one.effects)) << one.name;
     seen = seen.with(one.effects);
   }
@@ -85,7 +77,7 @@ TEST(EffectRows, giveAReasonInPlainWordsWhateverTheSceneCallsFor) {
          {Projection::composite, Projection::mip, Projection::minip, Projection::average, Projection::xray,
           Projection::isosurface, Projection::compositeIsosurface})
       for (const double opacity : {0.0, 0.02, 0.9}) {
-        scenes.push_back(phantomScene());
+        scenes.push_back(test::roughPhantomScene());
         scenes.back().shading.model = model;
         scenes.back().projection = projection;
         scenes.back().transferFunction.points.back().opacity = opacity;
@@ -106,7 +98,7 @@ TEST(EffectRows, giveAReasonInPlainWordsWhateverTheSceneCallsFor) {
 }
 
 TEST(EffectRows, areOnWhereAnyOfTheirEffectsIs) {
-  Scene scene = phantomScene();
+  Scene scene = test::roughPhantomScene();
   EXPECT_FALSE(row(scene, "fog").isOn);
   EXPECT_EQ(row(scene, "fog").reason, "fog is off");
   for (const Fog::Mode mode : {Fog::Mode::linear, Fog::Mode::exp, Fog::Mode::exp2}) {
@@ -121,7 +113,7 @@ TEST(EffectRows, areOnWhereAnyOfTheirEffectsIs) {
 }
 
 TEST(EffectRows, tellWhatTheProjectionHasNoUseFor) {
-  Scene scene = phantomScene();
+  Scene scene = test::roughPhantomScene();
   scene.fog = {Fog::Mode::linear, glm::dvec3(0.0), 0.0, 0.0, 900.0};
   scene.projection = Projection::mip;
   EXPECT_FALSE(row(scene, "fog").isOn);
@@ -129,7 +121,7 @@ TEST(EffectRows, tellWhatTheProjectionHasNoUseFor) {
 }
 
 TEST(EffectRows, countACropBoxWhereItCuts) {
-  Scene scene = phantomScene();
+  Scene scene = test::roughPhantomScene();
   EXPECT_FALSE(row(scene, "crop").isOn);
   scene.crop.lower.z = 0.25;
   EXPECT_TRUE(row(scene, "crop").isOn);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/Neighbours.h"
+#include "scene/PhantomScene.h"
 #include "scene/effects/EffectPlan.h"
-#include "scene/volume/Phantom.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,6 @@
 
 namespace limn {
 namespace {
-
-Scene phantomScene() {
-  Scene scene;
-  scene.volume = phantomVolume({12.0, 0.0, 1});
-  scene.camera = defaultCamera(scene.volume->grid());
-  scene.transferFunction.points = {{-300, {0.9, 0.6, 0.5}, 0.0}, {1500, {1.0, 1.0, 1.0}, 0.9}};
-  return scene;
-}
 
 struct Move {
   const char* what;
@@ -113,7 +105,7 @@ TEST(Neighbours, haveAProgramForEverySliderOffItsNeutralValue) {
   const SceneFacts facts{.canSkipEmptySpace = true, .steepestPerMm = 500.0};
   for (const Move& move : moves) {
     SCOPED_TRACE(move.what);
-    Scene scene = phantomScene();
+    Scene scene = test::roughPhantomScene();
     move.choose(scene);
     std::vector<EffectSet> programs{requiredEffects(scene, facts).effects};
     for (const Scene& neighbour : neighbours(scene))
@@ -131,7 +123,7 @@ TEST(Neighbours, haveAProgramForEverySliderOffItsNeutralValue) {
 }
 
 TEST(Neighbours, areFew) {
-  Scene scene = phantomScene();
+  Scene scene = test::roughPhantomScene();
   EXPECT_EQ(neighbours(scene).size(), 2u);
   scene.quality.preintegrated = Preintegration::never;
   EXPECT_EQ(neighbours(scene).size(), 1u);

@@ -6,32 +6,33 @@
 namespace limn {
 namespace {
 
-Image row(std::vector<glm::vec4> pixels) {
+Image pictureOf(std::vector<glm::vec4> pixels) {
   Image image({static_cast<int>(pixels.size()), 1});
   image.pixels = std::move(pixels);
   return image;
 }
 
 TEST(PictureFigures, overflowCountsCoveredPixelsWithAChannelOverOne) {
-  const Overflow overflow = overflowOf(
-      row({{1.5f, 0.2f, 0.0f, 1.0f}, {0.9f, 1.0f, 0.3f, 1.0f}, {0.1f, 0.1f, 1.25f, 0.5f}, {0, 0, 0, 0}}));
+  const Overflow overflow = overflowOf(pictureOf(
+      {{1.5f, 0.2f, 0.0f, 1.0f}, {0.9f, 1.0f, 0.3f, 1.0f}, {0.1f, 0.1f, 1.25f, 0.5f}, {0, 0, 0, 0}}));
   EXPECT_DOUBLE_EQ(overflow.share, 2.0 / 3.0);
   EXPECT_DOUBLE_EQ(overflow.meanOvershoot, (0.5 + 0.25) / 2.0);
-  EXPECT_EQ(overflowOf(row({{0.9f, 0.9f, 0.9f, 1.0f}})), Overflow{});
-  EXPECT_EQ(overflowOf(row({})), Overflow{});
+  EXPECT_EQ(overflowOf(pictureOf({{0.9f, 0.9f, 0.9f, 1.0f}})), Overflow{});
+  EXPECT_EQ(overflowOf(pictureOf({})), Overflow{});
 }
 
 TEST(PictureFigures, contrastIsTheDeviationOfTheLuminanceOfCoveredPixels) {
   // Luminances 0 and 1 deviate by a half; uncovered pixels change nothing.
-  EXPECT_NEAR(contrastOf(row({{0, 0, 0, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}})), 0.5, 1e-7);
-  EXPECT_EQ(contrastOf(row({{0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}})), 0.0);
-  EXPECT_EQ(contrastOf(row({{0, 0, 0, 0}})), 0.0);
+  EXPECT_NEAR(contrastOf(pictureOf({{0, 0, 0, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}})), 0.5, 1e-7);
+  EXPECT_EQ(contrastOf(pictureOf({{0.5f, 0.5f, 0.5f, 1}, {0.5f, 0.5f, 0.5f, 1}})), 0.0);
+  EXPECT_EQ(contrastOf(pictureOf({{0, 0, 0, 0}})), 0.0);
 }
 
 TEST(PictureFigures, theVisibleShareIsTheMeanWeightWhereTheTissueIsMet) {
-  const Image weights = row({{0.5f, 0.5f, 0.5f, 0.9f}, {0.1f, 0.1f, 0.1f, 1.0f}, {0.7f, 0.7f, 0.7f, 1.0f}});
-  EXPECT_NEAR(visibleShare(weights, row({{1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}})), 0.3, 1e-7);
-  EXPECT_EQ(visibleShare(weights, row({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}})), 0.0);
+  const Image weights =
+      pictureOf({{0.5f, 0.5f, 0.5f, 0.9f}, {0.1f, 0.1f, 0.1f, 1.0f}, {0.7f, 0.7f, 0.7f, 1.0f}});
+  EXPECT_NEAR(visibleShare(weights, pictureOf({{1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}})), 0.3, 1e-7);
+  EXPECT_EQ(visibleShare(weights, pictureOf({{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}})), 0.0);
 }
 
 TEST(PictureFigures, theTissueIsWhiteFromTheIsovalueOnAndOpacityStays) {

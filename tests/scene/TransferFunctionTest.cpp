@@ -10,13 +10,13 @@
 namespace limn {
 namespace {
 
-const TransferFunction ramp{1.0, {{0.0, {0, 0, 0}, 0.0}, {100.0, {1, 0.5, 0}, 1.0}}};
+const TransferFunction blackToOrange{1.0, {{0.0, {0, 0, 0}, 0.0}, {100.0, {1, 0.5, 0}, 1.0}}};
 
 TEST(TransferFunction, isLinearBetweenPointsAndConstantOutside) {
-  EXPECT_DOUBLE_EQ(classify(ramp, 25.0).opacity, 0.25);
-  EXPECT_DOUBLE_EQ(classify(ramp, 50.0).color.g, 0.25);
-  EXPECT_DOUBLE_EQ(classify(ramp, -5.0).opacity, 0.0);
-  EXPECT_DOUBLE_EQ(classify(ramp, 500.0).opacity, 1.0);
+  EXPECT_DOUBLE_EQ(classify(blackToOrange, 25.0).opacity, 0.25);
+  EXPECT_DOUBLE_EQ(classify(blackToOrange, 50.0).color.g, 0.25);
+  EXPECT_DOUBLE_EQ(classify(blackToOrange, -5.0).opacity, 0.0);
+  EXPECT_DOUBLE_EQ(classify(blackToOrange, 500.0).opacity, 1.0);
 }
 
 TEST(TransferFunction, takesTheLastPointAtTheValueOfAStep) {
@@ -31,7 +31,7 @@ TEST(TransferFunction, isTransparentWithoutPoints) {
 }
 
 TEST(TransferFunction, movingAPointStopsAtItsNeighbours) {
-  const TransferFunction three = withPointAdded(ramp, 50.0, 0.5);
+  const TransferFunction three = withPointAdded(blackToOrange, 50.0, 0.5);
   EXPECT_EQ(withPointMoved(three, 1, 400.0, 2.0).points[1].value, 100.0);
   EXPECT_EQ(withPointMoved(three, 1, 400.0, 2.0).points[1].opacity, 1.0);
   EXPECT_EQ(withPointMoved(three, 1, -400.0, 0.5).points[1].value, 0.0);
@@ -39,11 +39,11 @@ TEST(TransferFunction, movingAPointStopsAtItsNeighbours) {
 
 TEST(TransferFunction, addingAPointOnTheCurveChangesNoValue) {
   std::size_t index = 99;
-  const TransferFunction edited = withPointAdded(ramp, 30.0, 0.3, &index);
+  const TransferFunction edited = withPointAdded(blackToOrange, 30.0, 0.3, &index);
   EXPECT_EQ(index, 1u);
   for (double value = -10.0; value <= 110.0; value += 7.0) {
-    EXPECT_NEAR(classify(edited, value).opacity, classify(ramp, value).opacity, 1e-15);
-    EXPECT_NEAR(classify(edited, value).color.g, classify(ramp, value).color.g, 1e-15);
+    EXPECT_NEAR(classify(edited, value).opacity, classify(blackToOrange, value).opacity, 1e-15);
+    EXPECT_NEAR(classify(edited, value).color.g, classify(blackToOrange, value).color.g, 1e-15);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(TransferFunction, normalisingSortsStablyAndRefusesNan) {
 }
 
 TEST(TransferFunction, scalingOpacityKeepsZeroAtZero) {
-  const TransferFunction scaled = withOpacityScaled(ramp, 3.0);
+  const TransferFunction scaled = withOpacityScaled(blackToOrange, 3.0);
   EXPECT_EQ(scaled.points[0].opacity, 0.0);
   EXPECT_EQ(scaled.points[1].opacity, 1.0);
 }

@@ -45,7 +45,7 @@ SessionDocument unusual() {
   return session;
 }
 
-std::string refusalOf(const std::string& text) {
+std::string sessionRefusal(const std::string& text) {
   try {
     parseSession(text, "my.json");
     return {};
@@ -75,20 +75,20 @@ TEST(SessionFile, unknownKeysAreRefusedByNameOnEveryLevel) {
   const auto with = [](const std::string& scene, const std::string& rest) {
     return R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii")" + scene + "}" + rest + "}";
   };
-  EXPECT_EQ(refusalOf(with("", "")), "");
-  EXPECT_NE(refusalOf(with("", R"(, "sceen": 1)")).find("\"sceen\""), std::string::npos);
-  EXPECT_NE(refusalOf(with(R"(, "fogg": 1)", "")).find("\"scene.fogg\""), std::string::npos);
-  EXPECT_NE(refusalOf(with("", R"(, "compare": {"middle": "none"})")).find("\"compare.middle\""),
+  EXPECT_EQ(sessionRefusal(with("", "")), "");
+  EXPECT_NE(sessionRefusal(with("", R"(, "sceen": 1)")).find("\"sceen\""), std::string::npos);
+  EXPECT_NE(sessionRefusal(with(R"(, "fogg": 1)", "")).find("\"scene.fogg\""), std::string::npos);
+  EXPECT_NE(sessionRefusal(with("", R"(, "compare": {"middle": "none"})")).find("\"compare.middle\""),
             std::string::npos);
-  EXPECT_NE(refusalOf(with("", R"(, "window": {"size": 3})")).find("\"window.size\""), std::string::npos);
+  EXPECT_NE(sessionRefusal(with("", R"(, "window": {"size": 3})")).find("\"window.size\""), std::string::npos);
 }
 
 TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
   const std::string head = R"({"limn_session": 1, "scene": {"limn_scene": 1, "volume": "a.nii"}, )";
-  EXPECT_NE(refusalOf(head + R"("compare": {"wipe": 1.5}})").find("from 0 to 1"), std::string::npos);
-  EXPECT_NE(refusalOf(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
-  EXPECT_NE(refusalOf(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
-  EXPECT_NE(refusalOf(head + R"("compare": {"layout": "four"}})").find("side_by_side"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("compare": {"wipe": 1.5}})").find("from 0 to 1"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("compare": {"layout": "four"}})").find("side_by_side"), std::string::npos);
 }
 
 TEST(SessionFile, isToldFromASceneByItsKey) {

@@ -10,11 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-const glm::dvec3 red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0), blue(0.0, 0.0, 1.0), white(1.0);
-
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
+const glm::dvec3 red(1.0, 0.0, 0.0), green(0.0, 1.0, 0.0), blue(0.0, 0.0, 1.0);
 
 // Layer i holds the scalar i, point i its colour and opacity over the voxel's 1 mm.
 Scene layers(const std::vector<double>& scalars, const std::vector<ControlPoint>& points, bool isReversed) {
@@ -147,21 +143,21 @@ AnalyticRay halfWhite(const json& one) {
 
 std::vector<AnalyticRay> layerRays(const json& one) {
   const std::string id = one["id"];
-  if (startsWith(id, "D1_"))
+  if (id.starts_with("D1_"))
     return threeLayers(one);
-  if (startsWith(id, "D3_"))
+  if (id.starts_with("D3_"))
     return opaqueLayers(one);
-  if (startsWith(id, "E1_"))
+  if (id.starts_with("E1_"))
     return fogFactors(one);
-  if (startsWith(id, "E2_"))
+  if (id.starts_with("E2_"))
     return {fogAsMedium(one)};
-  if (startsWith(id, "E3_"))
+  if (id.starts_with("E3_"))
     return {fogOnLayers(one)};
-  if (startsWith(id, "I1_"))
+  if (id.starts_with("I1_"))
     return {endedInMedium(one)};
-  if (startsWith(id, "I2_"))
+  if (id.starts_with("I2_"))
     return endedBeforeLayer(one);
-  if (startsWith(id, "K7_"))
+  if (id.starts_with("K7_"))
     return {halfWhite(one)};
   return {};
 }

@@ -10,12 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-const glm::dvec3 white(1.0), black(0.0);
-
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
 // The scalar runs from 0 to 1 over 1 mm between two voxel centres, to which the box is cropped.
 Scene ramp(Projection projection, double samples) {
   Scene scene = rayThrough(columnOf({0.0, 1.0}, 1.0));
@@ -128,20 +122,20 @@ Scene parabolaUnderMip(double top, int samples) {
 
 std::vector<AnalyticRay> projectionRays(const json& one) {
   const std::string id = one["id"];
-  if (startsWith(id, "J1_"))
+  if (id.starts_with("J1_"))
     return largestOnRamp(one);
-  if (startsWith(id, "J2_"))
+  if (id.starts_with("J2_"))
     return largestOnParabola(one);
-  if (startsWith(id, "J3_"))
+  if (id.starts_with("J3_"))
     return meanOfRamp(one);
-  if (startsWith(id, "J4_"))
+  if (id.starts_with("J4_"))
     return hitOnRamp(one);
   return {};
 }
 
 // J5: the place of the hit, and the cosine that a diffuse headlight shows there.
 std::vector<RefinedRay> refinedSurfaces(const json& one) {
-  if (!startsWith(one["id"], "J5_"))
+  if (!one["id"].get<std::string>().starts_with("J5_"))
     return {};
   const auto place = [](Scene& scene) {
     scene.transferFunction = constantFunction(0.0, black);

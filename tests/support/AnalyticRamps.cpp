@@ -14,10 +14,6 @@ using nlohmann::json;
 constexpr double smallUnit = smallUnitMm;
 constexpr double manySamples = 49152.0; // 2¹⁴·3: kinks at thirds and at powers of two fall between samples
 
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
 ControlPoint pointAt(double scalar, double extinction, double unit, const glm::dvec3& color) {
   return {scalar, color, -std::expm1(-extinction * unit)};
 }
@@ -125,7 +121,6 @@ std::vector<AnalyticRay> spike(const json& one) {
     if (isOnEdges && std::exp2(std::round(std::log2(samples))) != samples)
       continue;
     Scene scene = ramp(samples);
-    const glm::dvec3 white(1.0);
     scene.transferFunction = {smallUnit,
                               {pointAt(low, 0.0, smallUnit, white), pointAt(low, kappa, smallUnit, white),
                                pointAt(high, kappa, smallUnit, white), pointAt(high, 0.0, smallUnit, white)}};
@@ -180,7 +175,6 @@ AnalyticRay diagonal(const json& one) {
 AnalyticRay stepFunction(const json& one) {
   const double kappa = one["parameters"]["kappaD"];
   Scene scene = ramp(1000.0);
-  const glm::dvec3 white(1.0);
   scene.transferFunction = {smallUnit,
                             {pointAt(0.0, 0.0, smallUnit, white), pointAt(0.5, 0.0, smallUnit, white),
                              pointAt(0.5, kappa, smallUnit, white), pointAt(1.0, kappa, smallUnit, white)}};
@@ -193,19 +187,19 @@ AnalyticRay stepFunction(const json& one) {
 
 std::vector<AnalyticRay> rampRays(const json& one) {
   const std::string id = one["id"];
-  if (startsWith(id, "B1_"))
+  if (id.starts_with("B1_"))
     return linearExtinction(one);
-  if (startsWith(id, "B2_"))
+  if (id.starts_with("B2_"))
     return linearOpacity(one);
-  if (startsWith(id, "B3_"))
+  if (id.starts_with("B3_"))
     return gaussian(one);
-  if (startsWith(id, "B4_"))
+  if (id.starts_with("B4_"))
     return spike(one);
-  if (startsWith(id, "B5_"))
+  if (id.starts_with("B5_"))
     return {plateaus(one)};
-  if (startsWith(id, "B6_"))
+  if (id.starts_with("B6_"))
     return {diagonal(one)};
-  if (startsWith(id, "K3_"))
+  if (id.starts_with("K3_"))
     return {stepFunction(one)};
   return {};
 }

@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
 // A1: any number of steps gives the same alpha, because the product of transmittances telescopes.
 std::vector<AnalyticRay> slabs(const json& one) {
   const json& p = one["parameters"];
@@ -150,26 +146,26 @@ double expectedOf(const json& one, const char* key) {
 std::vector<AnalyticRay> homogeneousRays(const json& one) {
   const std::string id = one["id"];
   const json& p = one["parameters"];
-  if (startsWith(id, "A1_"))
+  if (id.starts_with("A1_"))
     return slabs(one);
-  if (startsWith(id, "A2_"))
+  if (id.starts_with("A2_"))
     return {obliqueSlab(one, p["tau"], p["D"], p["theta_deg"], "alpha")};
-  if (startsWith(id, "A3_"))
+  if (id.starts_with("A3_"))
     return {anisotropicBox(one)};
-  if (startsWith(id, "A4_"))
+  if (id.starts_with("A4_"))
     return corrected(one, p["a0"], p["n_ref_lengths"], {2.0, 1.0, 0.25, 0.1}, "alpha_total");
-  if (startsWith(id, "A6_"))
+  if (id.starts_with("A6_"))
     return corrected(one, 1e-4, p["n_ref"], {0.1}, "alpha");
-  if (startsWith(id, "A7_")) {
+  if (id.starts_with("A7_")) {
     const double tau = -std::log1p(-p["a0"].get<double>());
     std::vector<AnalyticRay> rays = perspectiveSlab(one);
     rays.push_back(obliqueSlab(one, tau, p["D_over_dref"], 0.0, "alpha_axis"));
     rays.push_back(obliqueSlab(one, tau, p["D_over_dref"], p["theta_deg"], "alpha_35deg"));
     return rays;
   }
-  if (startsWith(id, "A8_"))
+  if (id.starts_with("A8_"))
     return {missedBox(one)};
-  if (startsWith(id, "A9_"))
+  if (id.starts_with("A9_"))
     return opaquePaths(one);
   return {};
 }

@@ -10,10 +10,6 @@ namespace {
 
 using nlohmann::json;
 
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
 AnalyticRay flatVolume(const json& one) {
   const json& p = one["parameters"];
   Scene scene = rayThrough(boxOf(glm::dvec3(p["D_over_dref"].get<double>())));
@@ -74,7 +70,6 @@ std::vector<AnalyticRay> whereOMultiplies(const json& one) {
 }
 
 std::vector<AnalyticRay> degenerateFunctions(const json& one) {
-  const glm::dvec3 white(1.0);
   const double opacity = expectedOf(one, "one_point_value");
   struct Row {
     const char* what;
@@ -106,13 +101,13 @@ std::vector<AnalyticRay> degenerateFunctions(const json& one) {
 
 std::vector<AnalyticRay> shadingRays(const json& one) {
   const std::string id = one["id"];
-  if (startsWith(id, "F2_"))
+  if (id.starts_with("F2_"))
     return {flatVolume(one)};
-  if (startsWith(id, "F4_"))
+  if (id.starts_with("F4_"))
     return {paperIntensity(one)};
-  if (startsWith(id, "F5_"))
+  if (id.starts_with("F5_"))
     return whereOMultiplies(one);
-  if (startsWith(id, "K4_"))
+  if (id.starts_with("K4_"))
     return degenerateFunctions(one);
   return {};
 }

@@ -13,10 +13,6 @@ namespace {
 using nlohmann::json;
 using RadialField = std::function<double(double r)>;
 
-bool startsWith(const std::string& text, const char* prefix) {
-  return text.rfind(prefix, 0) == 0;
-}
-
 // The ray at distance b through a field around the origin, whose part before `halfLength` matters.
 Scene radialScene(const RadialField& field, double b, double halfLength, const TransferFunction& function,
                   double voxelMm, const glm::dvec3& shift) {
@@ -40,8 +36,7 @@ Scene radialScene(const RadialField& field, double b, double halfLength, const T
   return scene;
 }
 
-TransferFunction linearExtinction(double atOne) {
-  const glm::dvec3 white(1.0);
+TransferFunction extinctionRamp(double atOne) {
   return {smallUnitMm, {extinctionPoint(0.0, 0.0, white), extinctionPoint(1.0, atOne, white)}};
 }
 
@@ -80,7 +75,7 @@ RefinedRay ballOfOnes(const json& one) {
   const double halfLength = isNearTangent ? 0.0455 : isTangent ? 0.2 : radius + 0.1;
   RefinedRay ray = refinedRay(
       one, "voxels of 0 and 1", [radius](double r) { return r < radius ? 1.0 : 0.0; }, b, halfLength,
-      linearExtinction(tau));
+      extinctionRamp(tau));
   if (isNearTangent) {
     ray.coarsestMm = 1.0 / 32768.0;
     ray.lattices = 512;
@@ -103,7 +98,6 @@ RefinedRay ballOfRadii(const json& one) {
   const json& p = one["parameters"];
   const double tau = p["tau"], radius = p["R"], b = p["b"];
   const bool isNearTangent = b > 0.99 * radius;
-  const glm::dvec3 white(1.0);
   const TransferFunction step{1.0, {{radius, white, -std::expm1(-tau)}, {radius, white, 0.0}}};
   RefinedRay ray = refinedRay(
       one, "voxels of the radius, a step at R", [](double r) { return r; }, b,
@@ -119,7 +113,7 @@ RefinedRay shell(const json& one) {
   const double inner = p["r1"], outer = p["r2"];
   return refinedRay(
       one, "voxels of 0 and 1", [=](double r) { return r > inner && r < outer ? 1.0 : 0.0; }, p["b"],
-      outer + 0.1, linearExtinction(p["tau"]));
+      outer + 0.1, extinctionRamp(p["tau"]));
 }
 
 // C3: the kink at R is crossed in O(h), where the field is off by O(h): order 2. So it is at the tip r = 0,
@@ -131,7 +125,7 @@ RefinedRay cone(const json& one) {
   const double radius = p["R"];
   return refinedRay(
       one, "voxels of 1 - r/R", [=](double r) { return std::max(0.0, 1.0 - r / radius); }, p["b"],
-      radius + 0.1, linearExtinction(p["kappa"]));
+      radius + 0.1, extinctionRamp(p["kappa"]));
 }
 
 // C4: smooth, order 2 across the ray; along it the sum over voxels of a Gaussian is exact. At 8σ it is 1e-14.
@@ -140,20 +134,20 @@ RefinedRay blob(const json& one) {
   const double sigma = p["sigma"];
   return refinedRay(
       one, "voxels of a Gaussian", [=](double r) { return std::exp(-0.5 * r * r / (sigma * sigma)); }, p["b"],
-      8.0 * sigma, linearExtinction(p["kappa"]));
+      8.0 * sigma, extinctionRamp(p["kappa"]));
 }
 
 } // namespace
 
 std::vector<RefinedRay> refinedRays(const json& one) {
   const std::string id = one["id"];
-  if (startsWith(id, "C1_"))
+  if (id.starts_with("C1_"))
     return {ballOfOnes(one), ballOfRadii(one)};
-  if (startsWith(id, "C2_"))
+  if (id.starts_with("C2_"))
     return {shell(one)};
-  if (startsWith(id, "C3_"))
+  if (id.starts_with("C3_"))
     return {cone(one)};
-  if (startsWith(id, "C4_"))
+  if (id.starts_with("C4_"))
     return {blob(one)};
   return {};
 }

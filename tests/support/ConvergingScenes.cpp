@@ -29,7 +29,7 @@ ConvergingRay convergingRay(const AnalyticRay& ray, std::vector<int> samples) {
 }
 
 // The order of an extinction k s shows once a step is thinner than a depth of 1.
-std::vector<ConvergingRay> linearExtinction(const json& one) {
+std::vector<ConvergingRay> convergingExtinction(const json& one) {
   const double k = one["parameters"]["k"];
   const int first = k < 10.0 ? 4 : 32;
   std::vector<ConvergingRay> rays;
@@ -40,7 +40,7 @@ std::vector<ConvergingRay> linearExtinction(const json& one) {
 
 // The order shows once a step is short against 1-a, in which the extinction bends. With a = 1 it is singular
 // at the end, where the midpoint rule errs by m h/2 ln 2: order 1.
-ConvergingRay linearOpacity(const json& one) {
+ConvergingRay convergingOpacity(const json& one) {
   const double a = one["parameters"]["a"];
   const int first = a < 0.9 ? 2 : a < 0.99 ? 8 : 64;
   ConvergingRay ray = convergingRay(rampRays(one).front(), doubled(first, 8 * first));
@@ -52,7 +52,7 @@ ConvergingRay linearOpacity(const json& one) {
 }
 
 // Odd numbers of steps have a sample on the step of the function, off by half a step: order 1.
-ConvergingRay stepFunction(const json& one) {
+ConvergingRay convergingStep(const json& one) {
   ConvergingRay ray = convergingRay(rampRays(one).front(), {31, 63, 127, 255});
   ray.order = 1.0;
   return ray;
@@ -92,11 +92,11 @@ ConvergingRay convergingWave() {
 std::vector<ConvergingRay> convergingRays(const json& one) {
   const std::string id = one["id"];
   if (id.rfind("B1_", 0) == 0)
-    return linearExtinction(one);
+    return convergingExtinction(one);
   if (id.rfind("B2_", 0) == 0)
-    return {linearOpacity(one)};
+    return {convergingOpacity(one)};
   if (id.rfind("K3_", 0) == 0)
-    return {stepFunction(one)};
+    return {convergingStep(one)};
   if (id.rfind("B6_", 0) != 0)
     return {};
   ConvergingRay diagonal = convergingRay(rampRays(one).front(), doubled(8, 512));

@@ -76,7 +76,8 @@ public:
     std::string pixels;
     if (!m_fragments.empty())
       pixels = tagBytes(0x7FE00010) + "OB" + number(0, 2) + number(0xFFFFFFFF, 4) + m_fragments;
-    return std::string(128, '\0') + "DICM" + meta.elements() + elements() + pixels;
+    std::string preamble(128, '\0');
+    return preamble.append("DICM") + meta.elements() + elements() + pixels;
   }
 
   void write(const std::filesystem::path& path) const {

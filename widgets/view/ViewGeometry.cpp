@@ -7,8 +7,8 @@
 namespace limn {
 namespace {
 
-constexpr double gap = 2.0;       // between pictures side by side, logical pixels
-constexpr double wipeGrip = 12.0; // to each side of the border
+constexpr double pictureGap = 2.0; // between pictures side by side, logical pixels
+constexpr double wipeGrip = 12.0;  // to each side of the border
 
 } // namespace
 
@@ -22,7 +22,7 @@ std::vector<PixelRect> pictureRects(const ViewGeometry& geometry) {
   if (size.y < 1)
     return {};
   if (geometry.layout == CompareLayout::sideBySide) {
-    const int width = (size.x - static_cast<int>(std::lround(gap * geometry.pixelRatio))) / 2;
+    const int width = (size.x - static_cast<int>(std::lround(pictureGap * geometry.pixelRatio))) / 2;
     if (width < 1)
       return {};
     return {{{0, 0}, {width, size.y}}, {{size.x - width, 0}, {width, size.y}}};

@@ -12,7 +12,7 @@ namespace {
 constexpr int binCount = 1024;
 constexpr int segmentsPerRow = 256;
 constexpr int texelsPerSegment = 4;
-constexpr float beyondAll = 3e38f;
+constexpr float beyondAllValues = 3e38f;
 
 // A sample's bin is computed in float; a knot this near to an edge, in bins, belongs to both sides.
 constexpr double edgeMargin = 1e-3;
@@ -46,7 +46,7 @@ std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
   segments.push_back(constantSegment(knots.front(), knots.front().x));
   for (std::size_t k = 1; k < knots.size(); ++k)
     segments.push_back(segmentBetween(knots[k - 1], knots[k]));
-  segments.push_back(constantSegment(knots.back(), beyondAll));
+  segments.push_back(constantSegment(knots.back(), beyondAllValues));
   // Sum in double from knot to knot.
   glm::dvec4 integral(0.0);
   for (std::size_t k = 1; k < knots.size(); ++k) {
@@ -120,7 +120,7 @@ void storeBins(const std::vector<Segment>& segments, const std::vector<FloatKnot
     const auto after =
         std::upper_bound(places.begin(), places.end(), low + 1.0 + edgeMargin) - places.begin();
     const auto knotAt = [&](std::ptrdiff_t k) {
-      return k < after ? knots[static_cast<std::size_t>(k)].x : beyondAll;
+      return k < after ? knots[static_cast<std::size_t>(k)].x : beyondAllValues;
     };
     table.bins[bin] = {segments[static_cast<std::size_t>(before)].start, knotAt(before), knotAt(before + 1),
                        static_cast<float>(before)};

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-std::string timesOf(const Timing& ms) {
+std::string rangeOf(const Timing& ms) {
   return threeDigits(ms.least) + " – " + threeDigits(ms.most);
 }
 
@@ -26,7 +26,7 @@ std::string pointTable(const AccuracyReport& report) {
     table += htmlRow(
         {stepOf(point.point),
          point.point.toleranceLevels ? "–" : threeDigits(point.point.stepVoxels * report.smallestSpacingMm),
-         threeDigits(point.ms.median), timesOf(point.ms), p99_9Text(point.error, report.reference),
+         threeDigits(point.ms.median), rangeOf(point.ms), p99_9Text(point.error, report.reference),
          meanText(point.error, report.reference), isKnown ? threeDigits(point.error.largest) : "–",
          isKnown ? threeDigits(100.0 * point.error.shareOverOne) : "–",
          isKnown && point.order ? threeDigits(*point.order) : "–", threeDigits(point.peakMb)},

@@ -9,8 +9,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0), black(0.0);
-
 double distanceOf(const glm::dvec4& pixel, const glm::dvec4& expected) {
   double largest = 0.0;
   for (int channel = 0; channel < 4; ++channel)

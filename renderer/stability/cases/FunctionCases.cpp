@@ -11,8 +11,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0);
-
 // A slice of 1 mm with a voxel for each value, row by row from the bottom, its functions over 1 mm: the alpha
 // of a pixel is the opacity of its value.
 template <class T>

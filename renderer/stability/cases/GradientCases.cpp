@@ -13,7 +13,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0);
 const std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
 const char* const axisNames[] = {"x", "y", "z"};
 

@@ -11,8 +11,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0);
-
 // The value runs from 0 to 1 over 1 mm, in `samples` exact steps.
 Scene ramp(double samples) {
   Scene scene = rayThrough(columnOf({0.0, 1.0}, 1.0));

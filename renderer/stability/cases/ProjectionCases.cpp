@@ -7,8 +7,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0), black(0.0);
-
 // The value runs from 0 to 1 over 1 mm between two voxel centres.
 Scene ramp(Projection projection, double samples) {
   Scene scene = rayThrough(columnOf({0.0, 1.0}, 1.0));

@@ -8,8 +8,6 @@
 namespace limn {
 namespace {
 
-const glm::dvec3 white(1.0);
-
 // The value runs from 0 to 1 over 1 mm in 16 steps, alike in all 8 x 8 pixels; extinction k s per mm. Samples
 // at the part u of their steps have the depth k/2 + k h (u - 1/2).
 constexpr double slope = 8.0;

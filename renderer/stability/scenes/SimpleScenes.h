@@ -8,6 +8,9 @@
 /// Scenes so simple that their pictures have closed forms.
 namespace limn {
 
+/// Linear colours.
+inline const glm::dvec3 white(1.0), black(0.0);
+
 /// A grid whose box is centred on the world's origin.
 Grid centredGrid(const glm::ivec3& dims, const glm::dvec3& spacingMm);
 

@@ -112,7 +112,7 @@ TEST(DicomLostSlice, objectsWithoutPicturesByTheirKindAreLeftAlone) {
 }
 
 TEST(DicomLostSlice, aCutFileByItselfSaysThatItIsCutOff) {
-  const std::string refusal = refusalOf(slice(1, 0.0).without(0x7FE00010));
+  const std::string refusal = dicomRefusal(slice(1, 0.0).without(0x7FE00010));
   EXPECT_NE(refusal.find("is cut off before its picture"), std::string::npos) << refusal;
   const TemporaryFolder folder;
   for (const std::size_t length : {0u, 50u, 131u}) {
@@ -136,7 +136,7 @@ TEST(DicomLostSlice, theSliceThatRefusesASeriesIsNamedByItsWholePath) {
   const fs::path cut = folder.path() / nameOf(3, "");
   const std::string whole = bytesOfFile(cut);
   writeBytes(cut, whole.substr(0, whole.size() - 2));
-  EXPECT_NE(refusalOf(folder.path()).find(cut.string()), std::string::npos) << refusalOf(folder.path());
+  EXPECT_NE(dicomRefusal(folder.path()).find(cut.string()), std::string::npos) << dicomRefusal(folder.path());
 }
 
 TEST(DicomLostSlice, missingSlicesAreCountedAndPlaced) {

@@ -74,14 +74,14 @@ TEST(DicomPixels, theSignOfTwelveBitsIsExtended) {
   EXPECT_EQ(volume->value({1, 0, 0}), -2048.0);
   EXPECT_EQ(volume->value({2, 0, 0}), -2.0);
   EXPECT_EQ(volume->value({0, 1, 0}), 2047.0);
-  EXPECT_FALSE(warnsOf(*volume, "bits"));
+  EXPECT_FALSE(warns(*volume, "bits"));
 }
 
 TEST(DicomPixels, bitsAboveTheStoredOnesAreIgnoredWithAWarning) {
   auto file = slice(1, 0.0).us(0x00280101, {12}).us(0x00280102, {11}).us(0x00280103, {0});
   const auto volume = readOne(file.pixels(std::vector<std::uint16_t>{0x1005, 1, 2, 3, 4, 5}));
   EXPECT_EQ(volume->value({0, 0, 0}), 5.0 - 1024.0);
-  EXPECT_TRUE(warnsOf(*volume, "bits were ignored"));
+  EXPECT_TRUE(warns(*volume, "bits were ignored"));
 }
 
 TEST(DicomPixels, theModalityLookUpTableIsAppliedAndClampedAtItsEnds) {
@@ -98,7 +98,7 @@ TEST(DicomPixels, theModalityLookUpTableIsAppliedAndClampedAtItsEnds) {
 TEST(DicomPixels, invertedDisplayLeavesTheValuesAloneWithAWarning) {
   const auto volume = readOne(slice(1, 0.0).text(0x00280004, "CS", "MONOCHROME1"));
   EXPECT_EQ(volume->value({1, 1, 0}), storedAt(1, 1, 1) - 1024);
-  EXPECT_TRUE(warnsOf(*volume, "MONOCHROME1"));
+  EXPECT_TRUE(warns(*volume, "MONOCHROME1"));
 }
 
 TEST(DicomPixels, slicesOfMixedSignShareAWiderType) {
@@ -129,7 +129,7 @@ TEST(DicomPixels, colourBecomesLuminanceWithAWarning) {
       readOne(colour("RGB", false).pixels(std::vector<std::uint8_t>{200, 100, 50, 255, 255, 255}));
   EXPECT_EQ(together->value({0, 0, 0}), 124.0);
   EXPECT_EQ(together->value({1, 0, 0}), 255.0);
-  EXPECT_TRUE(warnsOf(*together, "luminance"));
+  EXPECT_TRUE(warns(*together, "luminance"));
   const auto planes =
       readOne(colour("RGB", true).pixels(std::vector<std::uint8_t>{200, 255, 100, 255, 50, 255}));
   EXPECT_EQ(planes->value({0, 0, 0}), 124.0);
@@ -150,13 +150,13 @@ TEST(DicomPixels, aPaletteBecomesItsLuminanceWithAWarning) {
   const auto volume = readOne(file);
   EXPECT_EQ(volume->value({0, 0, 0}), 0.0);
   EXPECT_EQ(volume->value({1, 0, 0}), 60000.0);
-  EXPECT_TRUE(warnsOf(*volume, "luminance"));
+  EXPECT_TRUE(warns(*volume, "luminance"));
 }
 
 TEST(DicomPixels, morePixelsThanAnnouncedAreStated) {
   const auto volume = readOne(slice(1, 0.0).pixels(std::vector<std::int16_t>(12, 1)));
   EXPECT_EQ(volume->grid().dims.z, 1);
-  EXPECT_TRUE(warnsOf(*volume, "more pixels than its header announces"));
+  EXPECT_TRUE(warns(*volume, "more pixels than its header announces"));
 }
 
 TEST(DicomPixels, ctWithoutARescaleClaimsNoHounsfieldUnits) {

@@ -82,7 +82,7 @@ TEST(RealDicom, everyTransferSyntaxGivesTheSameVoxelsOrStatesItsLoss) {
     EXPECT_EQ(volume->grid().originMm, series->grid().originMm) << folder;
     EXPECT_LE(largestDifference(*volume, *series), allSlices) << folder;
     EXPECT_LE(largestDifference(*read(path + "/IM0001.dcm"), *series), firstSlice) << folder;
-    EXPECT_EQ(warnsOf(*volume, "compressed with loss"), allSlices > 0.0) << folder;
+    EXPECT_EQ(warns(*volume, "compressed with loss"), allSlices > 0.0) << folder;
   }
 }
 
@@ -98,7 +98,7 @@ TEST(RealDicom, theTiltedPhantomStandsUprightAndEveryVoxelStaysInItsPlace) {
   LIMN_NEEDS_SHARED("data/ct_head_phantom_tilt_dicom");
   const auto volume = read("ct_head_phantom_tilt_dicom");
   const Grid& grid = volume->grid();
-  EXPECT_TRUE(warnsOf(*volume, "slant of 18.5°"));
+  EXPECT_TRUE(warns(*volume, "slant of 18.5°"));
   EXPECT_EQ(grid.dims.x, 512);
   EXPECT_EQ(grid.dims.z, 54);
   EXPECT_NEAR(grid.spacingMm.z, 2.371, 1e-3);
@@ -131,7 +131,7 @@ TEST(RealDicom, theMrHeadAveragesItsDistancesAndLeavesPaddingOut) {
   EXPECT_EQ(volume->grid().dims, glm::ivec3(256, 256, 20));
   EXPECT_EQ(volume->range(), (ValueRange{1.0, 1059.0}));
   EXPECT_NEAR(static_cast<double>(volume->invalidVoxels()) / volume->voxelCount(), 0.26, 0.005);
-  EXPECT_TRUE(warnsOf(*volume, "6.958 to 7.071 mm apart"));
+  EXPECT_TRUE(warns(*volume, "6.958 to 7.071 mm apart"));
   EXPECT_EQ(volume->info().modality, "MR");
   EXPECT_EQ(volume->info().unit, "");
 }
@@ -158,7 +158,7 @@ TEST(RealDicom, oneCtImageTellsWhatItIs) {
   EXPECT_EQ(volume->grid().spacingMm.z, 5.0);              // (0018,0050)
   EXPECT_EQ(volume->info().unit, "HU");
   EXPECT_TRUE(volume->info().orientationKnown);
-  EXPECT_TRUE(warnsOf(*volume, "single image"));
+  EXPECT_TRUE(warns(*volume, "single image"));
   EXPECT_EQ(read("odd_dicom/no_meta.dcm")->stored(), volume->stored());
 }
 
@@ -181,11 +181,11 @@ TEST(RealDicom, theOddFilesOpenOrSayWhyNot) {
   EXPECT_EQ(read("odd_dicom/image_dfl.dcm")->grid().dims, glm::ivec3(512, 512, 1));
   const auto twelveBits = read("odd_dicom/JPGExtended.dcm");
   EXPECT_EQ(twelveBits->grid().dims, glm::ivec3(256, 1024, 1));
-  EXPECT_TRUE(warnsOf(*twelveBits, "compressed with loss (76 : 1)"));
-  EXPECT_NE(refusalOf(odd / "MR_truncated.dcm").find("need 8192 bytes, and it holds 8130"),
+  EXPECT_TRUE(warns(*twelveBits, "compressed with loss (76 : 1)"));
+  EXPECT_NE(dicomRefusal(odd / "MR_truncated.dcm").find("need 8192 bytes, and it holds 8130"),
             std::string::npos);
-  EXPECT_NE(refusalOf(odd / "rtplan.dcm").find("holds no image"), std::string::npos);
-  EXPECT_NE(refusalOf(odd / "badVR.dcm").find("'1A' as its number of frames"), std::string::npos);
+  EXPECT_NE(dicomRefusal(odd / "rtplan.dcm").find("holds no image"), std::string::npos);
+  EXPECT_NE(dicomRefusal(odd / "badVR.dcm").find("'1A' as its number of frames"), std::string::npos);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ DicomBuilder report() {
 }
 
 TEST(DicomRefusal, pixelsThatEndEarly) {
-  const std::string refusal = refusalOf(slice(1, 0.0).pixels(std::vector<std::int16_t>{1, 2, 3, 4}));
+  const std::string refusal = dicomRefusal(slice(1, 0.0).pixels(std::vector<std::int16_t>{1, 2, 3, 4}));
   EXPECT_TRUE(says(refusal, "need 12 bytes, and it holds 8")) << refusal;
 }
 
@@ -40,57 +40,59 @@ TEST(DicomRefusal, aFileCutOffAtAnyByteIsNeverReadAsWhole) {
   const std::string whole = slice(1, 0.0).bytes();
   for (std::size_t length = 0; length < whole.size(); ++length) {
     writeBytesTo(folder.path() / "image", whole.substr(0, length));
-    EXPECT_FALSE(refusalOf(folder.path() / "image").empty()) << "at byte " << length;
+    EXPECT_FALSE(dicomRefusal(folder.path() / "image").empty()) << "at byte " << length;
   }
 }
 
 TEST(DicomRefusal, sizesThatTheLengthOfTheFileContradicts) {
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).us(0x00280010, {65535}).us(0x00280011, {65535})), "cut off"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).text(0x00280008, "IS", "1000000")), "cut off"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).us(0x00280010, {0})), "its header is damaged"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).text(0x00280008, "IS", "-3")), "'-3' as its number of frames"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).us(0x00280010, {65535}).us(0x00280011, {65535})), "cut off"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).text(0x00280008, "IS", "1000000")), "cut off"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).us(0x00280010, {0})), "its header is damaged"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).text(0x00280008, "IS", "-3")), "'-3' as its number of frames"));
   const DicomBuilder huge = slice(1, 0.0).without(0x7FE00010).us(0x00280010, {65535}).us(0x00280011, {65535});
-  EXPECT_TRUE(says(refusalOf(DicomBuilder(huge).fragments("1.2.840.10008.1.2.5", {std::string(70, 'x')})),
+  EXPECT_TRUE(says(dicomRefusal(DicomBuilder(huge).fragments("1.2.840.10008.1.2.5", {std::string(70, 'x')})),
                    "damaged"));
 }
 
 TEST(DicomRefusal, bitsThatContradictThemselves) {
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).us(0x00280101, {17})), "contradicts itself"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).us(0x00280100, {12})), "12 bits per pixel"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).text(0x00281053, "DS", "0")), "slope of 0"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).us(0x00280101, {17})), "contradicts itself"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).us(0x00280100, {12})), "12 bits per pixel"));
+  EXPECT_TRUE(says(dicomRefusal(slice(1, 0.0).text(0x00281053, "DS", "0")), "slope of 0"));
 }
 
 TEST(DicomRefusal, whatIsNoVolume) {
-  EXPECT_TRUE(says(refusalOf(report()), "holds no image"));
-  EXPECT_TRUE(says(refusalOf(slice(1, 0.0).text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\MOSAIC")), "mosaic"));
+  EXPECT_TRUE(says(dicomRefusal(report()), "holds no image"));
+  EXPECT_TRUE(
+      says(dicomRefusal(slice(1, 0.0).text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\MOSAIC")), "mosaic"));
   DicomBuilder film = slice(1, 0.0).text(0x00280008, "IS", "2").us(0x00280009, {0x0018, 0x1063});
   film.without(0x00200032).pixels(std::vector<std::int16_t>(12, 1));
-  EXPECT_TRUE(says(refusalOf(film), "is a film"));
+  EXPECT_TRUE(says(dicomRefusal(film), "is a film"));
   DicomBuilder video = slice(1, 0.0).without(0x7FE00010);
   EXPECT_TRUE(
-      says(refusalOf(video.fragments("1.2.840.10008.1.2.4.102", {std::string(100, 'x')})), "is a video"));
+      says(dicomRefusal(video.fragments("1.2.840.10008.1.2.4.102", {std::string(100, 'x')})), "is a video"));
 }
 
 TEST(DicomRefusal, compressedPixelsThatDisagreeWithTheHeader) {
   // A baseline JPEG header of 8 × 8 pixels, one component of 8 bits; the file says 3 × 2 of 16 bits.
   std::string stream("\xFF\xD8\xFF\xC0\x00\x0B\x08\x00\x08\x00\x08\x01\x01\x11\x00\xFF\xD9\x00", 18);
   DicomBuilder file = slice(1, 0.0).without(0x7FE00010);
-  EXPECT_TRUE(says(refusalOf(file.fragments("1.2.840.10008.1.2.4.50", {stream})), "8 × 8 pixels"));
-  EXPECT_TRUE(says(refusalOf(file.fragments("1.2.840.10008.1.2.4.90", {std::string(100, 'x')})), "damaged"));
-  EXPECT_TRUE(says(refusalOf(file.fragments("1.2.3.4", {stream})), "does not read"));
+  EXPECT_TRUE(says(dicomRefusal(file.fragments("1.2.840.10008.1.2.4.50", {stream})), "8 × 8 pixels"));
+  EXPECT_TRUE(
+      says(dicomRefusal(file.fragments("1.2.840.10008.1.2.4.90", {std::string(100, 'x')})), "damaged"));
+  EXPECT_TRUE(says(dicomRefusal(file.fragments("1.2.3.4", {stream})), "does not read"));
 }
 
 TEST(DicomRefusal, aFolderWithoutImagesSaysWhatItHolds) {
   TemporaryFolder folder;
   writeBytesTo(folder.path() / "note.txt", "no image");
-  EXPECT_NE(refusalOf(folder.path()).find("no DICOM files"), std::string::npos);
+  EXPECT_NE(dicomRefusal(folder.path()).find("no DICOM files"), std::string::npos);
   EXPECT_FALSE(isDicom(folder.path()));
   EXPECT_FALSE(isDicom(folder.path() / "note.txt"));
   EXPECT_FALSE(isDicom(folder.path() / "missing"));
   EXPECT_TRUE(listDicomSeries(folder.path()).empty());
   report().write(folder.path() / "report");
   EXPECT_TRUE(isDicom(folder.path()));
-  EXPECT_NE(refusalOf(folder.path()).find("without images"), std::string::npos);
+  EXPECT_NE(dicomRefusal(folder.path()).find("without images"), std::string::npos);
 }
 
 TEST(DicomRefusal, damagedHeadersInAFolderAreCountedInAWarning) {
@@ -100,7 +102,7 @@ TEST(DicomRefusal, damagedHeadersInAFolderAreCountedInAWarning) {
   writeBytesTo(folder.path() / "torn", slice(4, 3.0).bytes().substr(0, 300));
   const auto volume = readDicom(folder.path(), {}, {});
   EXPECT_EQ(volume->grid().dims.z, 3);
-  EXPECT_TRUE(warnsOf(*volume, "1 DICOM file is damaged or cut off and was left out (torn)"));
+  EXPECT_TRUE(warns(*volume, "1 DICOM file is damaged or cut off and was left out (torn)"));
 }
 
 TEST(DicomRefusal, randomlyDamagedFilesEndInAVolumeOrASentence) {
@@ -122,7 +124,7 @@ TEST(DicomRefusal, randomlyDamagedFilesEndInAVolumeOrASentence) {
       if (trial % 3 == 0)
         damaged.resize(random() % damaged.size());
       writeBytesTo(folder.path() / "image", damaged);
-      const std::string refusal = refusalOf(folder.path() / "image");
+      const std::string refusal = dicomRefusal(folder.path() / "image");
       EXPECT_TRUE(refusal.empty() || refusal.back() == '.') << refusal;
     }
 }

@@ -74,7 +74,7 @@ TEST(DicomSeries, smallIrregularitiesAreAveragedWithAWarning) {
   const auto volume = readDicom(folder.path(), {}, {});
   expectSliceOrder(*volume, {1, 2, 3, 4});
   EXPECT_NEAR(volume->grid().spacingMm.z, 6.02 / 3.0, rounding);
-  EXPECT_TRUE(warnsOf(*volume, "1.940 to 2.080 mm apart"));
+  EXPECT_TRUE(warns(*volume, "1.940 to 2.080 mm apart"));
 }
 
 TEST(DicomSeries, aMissingSliceIsInterpolatedWithAWarning) {
@@ -90,7 +90,7 @@ TEST(DicomSeries, aMissingSliceIsInterpolatedWithAWarning) {
   EXPECT_EQ(volume->value({1, 1, 3}), (storedAt(3, 1, 1) + storedAt(4, 1, 1)) / 2 - 1024);
   EXPECT_EQ(volume->value({1, 1, 4}), storedAt(4, 1, 1) - 1024);
   EXPECT_EQ(volume->invalidVoxels(), 0u);
-  EXPECT_TRUE(warnsOf(*volume, "interpolated"));
+  EXPECT_TRUE(warns(*volume, "interpolated"));
 }
 
 TEST(DicomSeries, interpolationNeverMixesPaddingIntoAValue) {
@@ -111,7 +111,7 @@ TEST(DicomSeries, aWideGapIsRefusedWithItsPlaceAndWidth) {
   const double heights[] = {0.0, 1.0, 2.0, 20.0, 21.0};
   for (int k = 0; k < 5; ++k)
     slice(k + 1, heights[k]).write(folder.path() / name(k));
-  const std::string refusal = refusalOf(folder.path());
+  const std::string refusal = dicomRefusal(folder.path());
   EXPECT_NE(refusal.find("gap of 18.000 mm after slice 3"), std::string::npos) << refusal;
 }
 
@@ -134,7 +134,7 @@ TEST(DicomSeries, aTiltedGantryIsResampledOntoAnUprightGrid) {
   EXPECT_EQ(volume->invalidVoxels(), 18u);
   EXPECT_EQ(volume->range(), (ValueRange{storedAt(1, 0, 0) - 1024.0, storedAt(3, 2, 1) - 1024.0}));
   // atan(0.75 / 2) = 20.6°.
-  EXPECT_TRUE(warnsOf(*volume, "slant of 20.6°"));
+  EXPECT_TRUE(warns(*volume, "slant of 20.6°"));
 }
 
 TEST(DicomSeries, copiesOfAnImageAreLeftOutWithAWarning) {
@@ -144,7 +144,7 @@ TEST(DicomSeries, copiesOfAnImageAreLeftOutWithAWarning) {
   slice(2, 1.0).write(folder.path() / "c");
   const auto volume = readDicom(folder.path(), {}, {});
   expectSliceOrder(*volume, {1, 2});
-  EXPECT_TRUE(warnsOf(*volume, "1 image is a copy"));
+  EXPECT_TRUE(warns(*volume, "1 image is a copy"));
 }
 
 TEST(DicomSeries, anotherImageAtTheSamePositionIsLeftOutWithAWarning) {
@@ -154,7 +154,7 @@ TEST(DicomSeries, anotherImageAtTheSamePositionIsLeftOutWithAWarning) {
   slice(9, 2.0).write(folder.path() / "again");
   const auto volume = readDicom(folder.path(), {}, {});
   expectSliceOrder(*volume, {1, 2, 3, 4});
-  EXPECT_TRUE(warnsOf(*volume, "repeats some positions (5 images at 4 positions)"));
+  EXPECT_TRUE(warns(*volume, "repeats some positions (5 images at 4 positions)"));
 }
 
 TEST(DicomSeries, theFirstPhaseOfATimeSeriesIsShownWithAWarning) {
@@ -167,8 +167,8 @@ TEST(DicomSeries, theFirstPhaseOfATimeSeriesIsShownWithAWarning) {
           .write(folder.path() / name(10 * phase + k));
   const auto volume = readDicom(folder.path(), {}, {});
   expectSliceOrder(*volume, {1, 2, 3});
-  EXPECT_TRUE(warnsOf(*volume, "several phases (9 images at 3 positions)"));
-  EXPECT_TRUE(warnsOf(*volume, "temporal position 1 of 3"));
+  EXPECT_TRUE(warns(*volume, "several phases (9 images at 3 positions)"));
+  EXPECT_TRUE(warns(*volume, "temporal position 1 of 3"));
 }
 
 TEST(DicomSeries, triggerTimesThatDifferFromSliceToSliceAreRankedAtEachPosition) {
@@ -180,7 +180,7 @@ TEST(DicomSeries, triggerTimesThatDifferFromSliceToSliceAreRankedAtEachPosition)
           .write(folder.path() / name(2 * k + phase));
   const auto volume = readDicom(folder.path(), {}, {});
   expectSliceOrder(*volume, {2, 4, 6});
-  EXPECT_TRUE(warnsOf(*volume, "the first trigger time at each position"));
+  EXPECT_TRUE(warns(*volume, "the first trigger time at each position"));
 }
 
 TEST(DicomSeries, theLargestOfTwoSeriesIsShownAndTheOtherNamedAndChosenByItsNumber) {
@@ -199,7 +199,7 @@ TEST(DicomSeries, theLargestOfTwoSeriesIsShownAndTheOtherNamedAndChosenByItsNumb
   EXPECT_EQ(list[1].number, 2);
   const auto largest = readDicom(folder.path(), {}, {});
   expectSliceOrder(*largest, {5, 6, 7});
-  EXPECT_TRUE(warnsOf(*largest, "the others are 2 (CT 'Scout'"));
+  EXPECT_TRUE(warns(*largest, "the others are 2 (CT 'Scout'"));
   ReadOptions second;
   second.series = 2;
   expectSliceOrder(*readDicom(folder.path(), second, {}), {1, 2});
@@ -235,7 +235,7 @@ TEST(DicomSeries, withoutPositionsTheOrderIsThatOfTheNumbersAndTheOrientationUnk
   expectSliceOrder(*volume, {1, 2});
   EXPECT_FALSE(volume->info().orientationKnown);
   EXPECT_EQ(volume->grid().spacingMm.z, 3.0);
-  EXPECT_TRUE(warnsOf(*volume, "orientation is unknown"));
+  EXPECT_TRUE(warns(*volume, "orientation is unknown"));
 }
 
 TEST(DicomSeries, aSpacingGivenByHandReplacesAMissingOne) {
@@ -243,13 +243,13 @@ TEST(DicomSeries, aSpacingGivenByHandReplacesAMissingOne) {
   slice(1, 0.0).without(0x00280030).write(folder.path() / "a");
   const auto assumed = readDicom(folder.path() / "a", {}, {});
   EXPECT_FALSE(assumed->info().spacingKnown);
-  EXPECT_TRUE(warnsOf(*assumed, "how large its pixels are"));
-  EXPECT_TRUE(warnsOf(*assumed, "how thick its slices are"));
+  EXPECT_TRUE(warns(*assumed, "how large its pixels are"));
+  EXPECT_TRUE(warns(*assumed, "how thick its slices are"));
   ReadOptions options;
   options.spacingMm = glm::dvec3(0.4, 0.4, 5.0);
   const auto given = readDicom(folder.path() / "a", options, {});
   EXPECT_TRUE(given->info().spacingKnown);
-  EXPECT_FALSE(warnsOf(*given, "assumed"));
+  EXPECT_FALSE(warns(*given, "assumed"));
   EXPECT_EQ(given->grid().spacingMm, *options.spacingMm);
 }
 
@@ -296,7 +296,7 @@ TEST(DicomSeries, whoThePatientIsStandsInTheLabelOnlyAndInUtf8) {
   EXPECT_EQ(volume->info().patient.name, "Müller, Anna Maria");
   EXPECT_EQ(volume->info().patient.id, "4711");
   EXPECT_EQ(volume->info().patient.studyDate, "2024-01-31");
-  EXPECT_FALSE(warnsOf(*volume, "Anna"));
+  EXPECT_FALSE(warns(*volume, "Anna"));
 }
 
 TEST(DicomSeries, readingReportsItsProgressAndStopsWhenAsked) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/VolumeBytes.h"
 #include "io/dicom/DicomReader.h"
 #include "scene/basics/Error.h"
 #include "support/DicomBuilder.h"
@@ -42,15 +43,8 @@ inline DicomBuilder slice(int number, double z) {
   return file.pixels(pixels);
 }
 
-/// Whether one of the warnings of a volume contains a text.
-inline bool warnsOf(const Volume& volume, const std::string& text) {
-  const auto& warnings = volume.info().warnings;
-  return std::any_of(warnings.begin(), warnings.end(),
-                     [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
-}
-
 /// The reason for which a path is refused; empty where it is read.
-inline std::string refusalOf(const std::filesystem::path& path) {
+inline std::string dicomRefusal(const std::filesystem::path& path) {
   try {
     readDicom(path, {}, {});
     return {};
@@ -61,10 +55,10 @@ inline std::string refusalOf(const std::filesystem::path& path) {
 }
 
 /// The reason for which a file named "image" is refused; empty where it is read.
-inline std::string refusalOf(const DicomBuilder& file) {
+inline std::string dicomRefusal(const DicomBuilder& file) {
   TemporaryFolder folder;
   file.write(folder.path() / "image");
-  return refusalOf(folder.path() / "image");
+  return dicomRefusal(folder.path() / "image");
 }
 
 } // namespace limn::test

@@ -87,7 +87,7 @@ void addVast(Corpus& corpus) {
   const std::string wavelets = std::string("\xFF\x4F\xFF\x51\0\x29\0\0", 8) + bigEndian(65535, 4) +
                                bigEndian(65535, 4) + bigEndian(0, 8) + bigEndian(65535, 4) +
                                bigEndian(65535, 4) + bigEndian(0, 8) + std::string("\0\1\x0F\1\1", 5);
-  const std::string end = std::string(300000, '\0') + "\xFF\xD9";
+  const std::string end = std::string(300000, '\0').append("\xFF\xD9");
   for (const auto& [syntax, start, bits] : {std::tuple(jpeg, jpegFrame, 8), std::tuple(jpeg, progressive, 8),
                                             std::tuple(jpegLossless, lossless, 16),
                                             std::tuple(jpegLs, ls, 16), std::tuple(jpeg2000, wavelets, 16)}) {

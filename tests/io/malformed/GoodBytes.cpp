@@ -14,8 +14,7 @@ std::string piece(z_stream& stream, const std::string& bytes, int flush) {
   stream.next_out = reinterpret_cast<Bytef*>(result.data());
   stream.avail_out = static_cast<uInt>(result.size());
   deflate(&stream, flush);
-  result.resize(result.size() - stream.avail_out);
-  return result;
+  return result.substr(0, result.size() - stream.avail_out);
 }
 
 } // namespace

@@ -89,7 +89,7 @@ TEST(MalformedJudge, knowsOneSentence) {
   EXPECT_FALSE(isOneSentence("Cannot read a.nii. Copy it again."));
   EXPECT_FALSE(isOneSentence("Cannot read a.nii"));
   EXPECT_FALSE(isOneSentence("Cannot read\na.nii."));
-  EXPECT_FALSE(isOneSentence(std::string(1000, 'a') + "."));
+  EXPECT_FALSE(isOneSentence(std::string(1000, 'a').append(".")));
   EXPECT_FALSE(isOneSentence(""));
 }
 

@@ -37,7 +37,7 @@ void addTexts(Corpus& corpus) {
   corpus.addFile("not an image", "zeros", std::string(1 << 20, '\0'), {refused});
   corpus.addFile("decompression bomb", "a.gz", bomb("", 512, 31), {refused});
   corpus.addFile("wrong magic", "a\nb.nii", "no volume", {refused});
-  corpus.addFile("wrong magic", std::string(200, 'n') + ".nii", "no volume", {refused});
+  corpus.addFile("wrong magic", std::string(200, 'n').append(".nii"), "no volume", {refused});
 }
 
 } // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/BrokenShaders.h" // before any OpenGL header of Qt
-
 #include "ViewHost.h"
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
+#include "support/BrokenDriver.h"
 #include "widgets/view/panels/ReferencePanel.h"
 #include "widgets/view/pictures/PictureBytes.h"
 
@@ -34,18 +33,6 @@ struct RestingHost : ViewHost {
   const ReferencePanel& panel() { return *view.findChild<ReferencePanel*>(); }
 };
 
-// While it lives, the driver says that it was reset, as it does until a new context is made.
-class ResetDriver {
-public:
-  ResetDriver() : m_status(epoxy_glGetGraphicsResetStatus) {
-    epoxy_glGetGraphicsResetStatus = []() -> GLenum { return GL_UNKNOWN_CONTEXT_RESET; };
-  }
-  ~ResetDriver() { epoxy_glGetGraphicsResetStatus = m_status; }
-
-private:
-  PFNGLGETGRAPHICSRESETSTATUSPROC m_status;
-};
-
 TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   RestingHost host;
   ASSERT_TRUE(host.show());
@@ -53,7 +40,7 @@ TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   const std::optional<Image> before = host.view.restingImage(0);
   QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
   // The new context knows nothing of the reset.
-  auto reset = std::make_unique<ResetDriver>();
+  auto reset = std::make_unique<test::ResetDriver>();
   bool isMadeAnew = false;
   QObject::connect(host.view.context(), &QOpenGLContext::aboutToBeDestroyed, &host.view, [&] {
     isMadeAnew = true;
@@ -78,9 +65,7 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   const std::optional<Image> before = host.view.restingImage(0);
   QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
   host.view.makeCurrent();
-  for (GLuint name = 1; name < 1000; ++name)
-    if (glIsProgram(name) == GL_TRUE && glGetUniformLocation(name, "u_anchor") >= 0)
-      glDeleteProgram(name);
+  test::forgetRayCasterPrograms();
   host.view.doneCurrent();
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);

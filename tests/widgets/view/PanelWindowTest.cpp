@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "ViewHost.h"
+#include "support/BrokenDriver.h"
 #include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/panels/ViewPanels.h"
 
@@ -47,25 +46,10 @@ TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
   EXPECT_EQ(host.cameraEdits, 0);
 }
 
-// While it lives every 3D texture is refused, as by a driver out of memory.
-class DriverWithoutTextures {
-public:
-  DriverWithoutTextures() : m_texImage3D(epoxy_glTexImage3D) {
-    epoxy_glTexImage3D = [](GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum,
-                            const void*) {
-      glEnable(GL_NONE); // leaves an error
-    };
-  }
-  ~DriverWithoutTextures() { epoxy_glTexImage3D = m_texImage3D; }
-
-private:
-  PFNGLTEXIMAGE3DPROC m_texImage3D;
-};
-
 TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
   ViewHost host;
   host.showPhantom();
-  auto refused = std::make_unique<DriverWithoutTextures>();
+  auto refused = std::make_unique<test::DriverWithoutTextures>();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
   refused.reset();

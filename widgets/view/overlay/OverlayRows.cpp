@@ -6,10 +6,10 @@
 namespace limn {
 namespace {
 
-constexpr double gap = 4.0; // between a text and a plate
+constexpr double plateGap = 4.0; // between a text and a plate
 
 bool inTheWay(const QRectF& plate, double top, const QSizeF& size, const std::vector<double>& columns) {
-  const QRectF kept = plate.adjusted(-gap, -gap, gap, gap);
+  const QRectF kept = plate.adjusted(-plateGap, -plateGap, plateGap, plateGap);
   return std::any_of(columns.begin(), columns.end(), [&](double column) {
     return kept.intersects(QRectF(QPointF(column - size.width() / 2.0, top), size));
   });
@@ -25,7 +25,7 @@ double clearRowBelow(double top, const QSizeF& size, const std::vector<double>& 
             [](const QRectF& a, const QRectF& b) { return a.bottom() < b.bottom(); });
   for (const QRectF& plate : sorted)
     if (inTheWay(plate, top, size, columns))
-      top = plate.bottom() + gap;
+      top = plate.bottom() + plateGap;
   return top;
 }
 
@@ -35,7 +35,7 @@ double clearRowAbove(double bottom, const QSizeF& size, const std::vector<double
   std::sort(sorted.begin(), sorted.end(), [](const QRectF& a, const QRectF& b) { return a.top() > b.top(); });
   for (const QRectF& plate : sorted)
     if (inTheWay(plate, bottom - size.height(), size, columns))
-      bottom = plate.top() - gap;
+      bottom = plate.top() - plateGap;
   return bottom;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ReferencePanel.h"
 
+#include "widgets/view/panels/PanelButton.h"
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -21,14 +22,6 @@ QPushButton:hover { background: #323844; }
 QPushButton:focus { border-color: #4da3ff; }
 )");
 
-QPushButton* button(const QString& text, const QString& name, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  made->setAccessibleName(text);
-  made->setCursor(Qt::PointingHandCursor);
-  return made;
-}
-
 // The whole of a picture in a rectangle, as large as it goes.
 QRect fitted(const QSize& picture, const QRect& place) {
   const QSize size = picture.scaled(place.size(), Qt::KeepAspectRatio);
@@ -48,10 +41,10 @@ ReferencePanel::ReferencePanel(QWidget* parent)
   m_text->setObjectName(QStringLiteral("failureReason"));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* copy = button(tr("Copy details"), QStringLiteral("copyFailure"), m_bar);
+  auto* copy = panelButton(tr("Copy details"), QStringLiteral("copyFailure"), m_bar);
   copy->setToolTip(tr("What the driver wrote, for a report; it names nobody and no file"));
   connect(copy, &QPushButton::clicked, this, &ReferencePanel::copyDetails);
-  auto* retry = button(tr("Try again"), QStringLiteral("retryGraphics"), m_bar);
+  auto* retry = panelButton(tr("Try again"), QStringLiteral("retryGraphics"), m_bar);
   connect(retry, &QPushButton::clicked, this, &ReferencePanel::retryRequested);
   auto* row = new QHBoxLayout(m_bar);
   row->setContentsMargins(12, 8, 12, 8);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ViewPanels.h"
 
+#include "widgets/view/panels/PanelButton.h"
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -40,14 +41,6 @@ QLabel* heading(const QString& text, QWidget* parent) {
   return label;
 }
 
-QPushButton* button(const QString& text, const QString& name, QWidget* parent) {
-  auto* made = new QPushButton(text, parent);
-  made->setObjectName(name);
-  made->setAccessibleName(text);
-  made->setCursor(Qt::PointingHandCursor);
-  return made;
-}
-
 } // namespace
 
 EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(this)) {
@@ -58,10 +51,10 @@ EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(t
       new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
   formats->setAlignment(Qt::AlignCenter);
   formats->setWordWrap(true);
-  auto* folder = button(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
+  auto* folder = panelButton(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
   folder->setDefault(true);
-  auto* file = button(tr("Open file…"), QStringLiteral("openFile"), m_target);
-  auto* sample = button(tr("Try the sample head"), QStringLiteral("sample"), m_target);
+  auto* file = panelButton(tr("Open file…"), QStringLiteral("openFile"), m_target);
+  auto* sample = panelButton(tr("Try the sample head"), QStringLiteral("sample"), m_target);
   connect(folder, &QPushButton::clicked, this, &EmptyPanel::openFolderRequested);
   connect(file, &QPushButton::clicked, this, &EmptyPanel::openFileRequested);
   connect(sample, &QPushButton::clicked, this, &EmptyPanel::sampleRequested);
@@ -116,7 +109,7 @@ MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_text->setMaximumWidth(560);
   m_text->setMinimumWidth(200);
-  auto* retry = button(tr("Try again"), QStringLiteral("retry"), this);
+  auto* retry = panelButton(tr("Try again"), QStringLiteral("retry"), this);
   connect(retry, &QPushButton::clicked, this, &MessagePanel::retryRequested);
 
   auto* column = new QVBoxLayout(this);
@@ -145,7 +138,7 @@ LoadingPanel::LoadingPanel(QWidget* parent)
   m_bar->setTextVisible(false);
   m_bar->setFixedHeight(4);
   m_bar->setAccessibleName(tr("Loading progress"));
-  auto* cancel = button(tr("Cancel"), QStringLiteral("cancel"), this);
+  auto* cancel = panelButton(tr("Cancel"), QStringLiteral("cancel"), this);
   connect(cancel, &QPushButton::clicked, this, &LoadingPanel::cancelled);
 
   auto* row = new QHBoxLayout;

@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-constexpr int gap = 12; // between parts
+constexpr int partGap = 12; // between parts
 
 // In the order in which they give way when there is little room: engine, step; estimate and time stay.
 constexpr std::array<std::size_t, 2> givesWay{3, 1};
@@ -53,7 +53,7 @@ std::array<int, 4> PictureStatus::widths() const {
     int widest = metrics.horizontalAdvance(m_parts[i]->text());
     for (const PictureStatusText& common : commonStatusTexts())
       widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
-    widths[i] = widest + m_padding + gap;
+    widths[i] = widest + m_padding + partGap;
   }
   return widths;
 }

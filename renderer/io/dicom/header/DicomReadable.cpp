@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t shortestFragment = 8 + 16;
 
 // No volume has more slices; each takes half a kilobyte of memory before its pixels are read.
-constexpr std::uint64_t mostFrames = 1u << 15;
+constexpr std::uint64_t mostFramesOfVolume = 1u << 15;
 
 // The most by which a compression shrinks a picture; a header that says more is damaged. Run lengths take two
 // bytes for 128. JPEG takes a bit for a block of 64 samples, of which those of 12 bits have two bytes; its
@@ -115,7 +115,7 @@ std::uint64_t roomForFrames(const DicomHeader& header) {
   if (!header.pixels)
     return 0;
   const std::uint64_t bytes = header.pixels->isEncapsulated ? shortestFragment : frameBytes(header);
-  return bytes == 0 ? 0 : std::min(presentBytes(*header.pixels) / bytes, mostFrames);
+  return bytes == 0 ? 0 : std::min(presentBytes(*header.pixels) / bytes, mostFramesOfVolume);
 }
 
 void requireWhole(const DicomHeader& header) {
@@ -130,7 +130,7 @@ void requireWhole(const DicomHeader& header) {
                          " pixels it announces; it is damaged or cut off, so copy it again from its source.");
     return;
   }
-  if (present >= needed && header.announcedFrames > mostFrames)
+  if (present >= needed && header.announcedFrames > mostFramesOfVolume)
     refuse(header, "announces " + std::to_string(header.announcedFrames) +
                        " pictures, more than any volume has; export it again.");
   if (present < needed)

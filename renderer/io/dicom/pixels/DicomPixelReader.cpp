@@ -13,8 +13,8 @@ std::uint32_t number(const std::vector<unsigned char>& bytes, std::size_t at) {
   return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | std::uint32_t{bytes[at + 3]} << 24;
 }
 
-constexpr std::uint32_t itemStart = 0xE000FFFE; // as read little-endian, group first
-constexpr std::uint32_t sequenceEnd = 0xE0DDFFFE;
+constexpr std::uint32_t fragmentStart = 0xE000FFFE; // as read little-endian, group first
+constexpr std::uint32_t fragmentsEnd = 0xE0DDFFFE;
 
 void swapBytes(std::vector<unsigned char>& bytes, std::size_t width) {
   for (std::size_t i = 0; i + width <= bytes.size(); i += width)
@@ -67,9 +67,9 @@ void DicomPixelReader::findFragments() {
   bool isTable = true;
   while (true) {
     const std::vector<unsigned char> item = bytesAt(at, 8);
-    if (number(item, 0) == sequenceEnd)
+    if (number(item, 0) == fragmentsEnd)
       break;
-    if (number(item, 0) != itemStart)
+    if (number(item, 0) != fragmentStart)
       fail("have a broken fragment");
     const Fragment fragment{at + 8, number(item, 4)};
     if (isTable) {

@@ -15,7 +15,7 @@ constexpr std::size_t headerBytes = 64;
                                       " are damaged or cut off; copy the file again from its source.");
 }
 
-std::uint32_t number(const DicomCodestream& stream, std::size_t at) {
+std::uint32_t lengthAt(const DicomCodestream& stream, std::size_t at) {
   return stream[at] | stream[at + 1] << 8 | stream[at + 2] << 16 | std::uint32_t{stream[at + 3]} << 24;
 }
 
@@ -45,12 +45,12 @@ std::vector<unsigned char> decodedRunLengths(const DicomHeader& header, const Di
   const auto samples = static_cast<std::size_t>(header.format.samples);
   const auto bytesPerSample = static_cast<std::size_t>(header.format.bitsAllocated / 8);
   const std::size_t planes = samples * bytesPerSample;
-  if (stream.size() < headerBytes || number(stream, 0) != planes)
+  if (stream.size() < headerBytes || lengthAt(stream, 0) != planes)
     fail(header);
   std::vector<unsigned char> out(frameBytes(header));
   for (std::size_t plane = 0; plane < planes; ++plane) {
-    const std::size_t from = number(stream, 4 + 4 * plane);
-    const std::size_t to = plane + 1 < planes ? number(stream, 8 + 4 * plane) : stream.size();
+    const std::size_t from = lengthAt(stream, 4 + 4 * plane);
+    const std::size_t to = plane + 1 < planes ? lengthAt(stream, 8 + 4 * plane) : stream.size();
     if (from < headerBytes || from >= to || to > stream.size())
       fail(header);
     // Segments run sample by sample, the most significant byte first.

@@ -21,7 +21,7 @@ constexpr int mostEntries = 10000;
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
-[[noreturn]] void failDamaged(const std::filesystem::path& file) {
+[[noreturn]] void failDamagedArchive(const std::filesystem::path& file) {
   failReading(file, "its archive is damaged or cut off", copyAgain);
 }
 
@@ -30,7 +30,7 @@ Archive openArchive(const std::filesystem::path& file) {
   archive_read_support_filter_gzip(opened.get());
   archive_read_support_format_tar(opened.get());
   if (archive_read_open_filename(opened.get(), file.c_str(), blockBytes) != ARCHIVE_OK)
-    failDamaged(file);
+    failDamagedArchive(file);
   return opened;
 }
 
@@ -48,7 +48,7 @@ void passOver(const std::filesystem::path& file, archive* opened, std::uint64_t&
                   "open it in InVesalius and save it again");
   }
   if (status != ARCHIVE_EOF)
-    failDamaged(file);
+    failDamagedArchive(file);
 }
 
 } // namespace
@@ -63,25 +63,25 @@ bool withTarEntry(const std::filesystem::path& file, const std::string& name,
   while ((status = archive_read_next_header(opened.get(), &entry)) == ARCHIVE_OK) {
     const char* entryName = archive_entry_pathname(entry);
     if (++entries > mostEntries)
-      failDamaged(file);
+      failDamagedArchive(file);
     if (!entryName || std::filesystem::path(entryName).filename() != name) {
       passOver(file, opened.get(), passed);
       continue;
     }
     // A sparse entry says how many zeros it has without holding them.
     if (archive_entry_sparse_count(entry) > 0)
-      failDamaged(file);
+      failDamagedArchive(file);
     const ByteReader bytes = [&](unsigned char* to, std::size_t count) {
       const la_ssize_t got = archive_read_data(opened.get(), to, count);
       if (got < 0)
-        failDamaged(file);
+        failDamagedArchive(file);
       return static_cast<std::size_t>(got);
     };
     use(static_cast<std::uint64_t>(archive_entry_size(entry)), bytes);
     return true;
   }
   if (status != ARCHIVE_EOF)
-    failDamaged(file);
+    failDamagedArchive(file);
   return false;
 }
 

@@ -56,7 +56,7 @@ Header parseHeader(std::string_view text) {
   return header;
 }
 
-VoxelType typeOf(const fs::path& file, const std::string& name) {
+VoxelType typeOfElement(const fs::path& file, const std::string& name) {
   using enum VoxelType;
   static const std::map<std::string, VoxelType> types = {
       {"MET_CHAR", int8},       {"MET_UCHAR", uint8},       {"MET_SHORT", int16},   {"MET_USHORT", uint16},
@@ -152,7 +152,7 @@ ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_
 
 VoxelLayout layoutOf(const fs::path& path, const Header& header, const glm::ivec3& dims) {
   VoxelLayout layout;
-  layout.type = typeOf(path, header.field({"elementtype"}));
+  layout.type = typeOfElement(path, header.field({"elementtype"}));
   layout.bigEndian = header.isTrue({"binarydatabyteordermsb", "elementbyteordermsb"});
   layout.components = componentCount(path, header.field({"elementnumberofchannels"}));
   layout.count = voxelCount(path, dims);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostVolumes = 1e9;
+constexpr double mostNiftiVolumes = 1e9;
 constexpr double farthestOffset = 1 << 30; // of the voxels: behind it no header ends
 
 struct Sample {
@@ -101,7 +101,7 @@ std::uint64_t volumesOf(const fs::path& file, const NiftiHeader& header) {
   double volumes = 1.0;
   for (std::size_t i = 4; i <= 7 && static_cast<double>(i) <= header.dim[0]; ++i)
     volumes *= std::max(header.dim[i], 1.0);
-  if (volumes > mostVolumes)
+  if (volumes > mostNiftiVolumes)
     failReading(file, "its header gives more volumes than any file holds", copyAgain);
   return static_cast<std::uint64_t>(volumes);
 }

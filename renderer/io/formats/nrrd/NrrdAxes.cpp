@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t mostVolumes = std::uint64_t{1} << 40;
+constexpr std::uint64_t mostNrrdVolumes = std::uint64_t{1} << 40;
 
 // One axis as the header gives it.
 struct Axis {
@@ -182,7 +182,7 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
       result.components = axes[i].size;
     } else if (volumeIsFull) {
       const auto size = static_cast<std::uint64_t>(axes[i].size);
-      if (result.volumes > mostVolumes / size)
+      if (result.volumes > mostNrrdVolumes / size)
         failReading(file, "its header gives more volumes than any file holds", copyAgain);
       result.volumes *= size;
     } else {

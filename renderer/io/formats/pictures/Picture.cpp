@@ -18,11 +18,11 @@ constexpr int mostSegments = 4096;
 // Pixels come in chunks of 8 KiB and more.
 constexpr int mostChunks = 1 << 20;
 
-[[noreturn]] void failDamaged(const fs::path& file) {
+[[noreturn]] void failDamagedPicture(const fs::path& file) {
   failReading(file, "the picture is damaged or cut off", copyAgain);
 }
 
-VoxelType typeOf(const fs::path& file, StoredPicture::Sample stored) {
+VoxelType typeOfSample(const fs::path& file, StoredPicture::Sample stored) {
   switch (stored) {
   case StoredPicture::Sample::uint8:
     return VoxelType::uint8;
@@ -47,12 +47,12 @@ void requireSoundJpeg(const fs::path& file) {
     const int high = stream.get();
     const int low = stream.get();
     if (!stream || segments > mostSegments)
-      failDamaged(file);
+      failDamagedPicture(file);
     if (mark == 0xda)
       break;
     stream.seekg((high << 8 | low) - 2, std::ios::cur);
     if (stream.get() != 0xff)
-      failDamaged(file);
+      failDamagedPicture(file);
   }
   constexpr std::streamoff tailBytes = 4096;
   stream.clear();
@@ -103,13 +103,13 @@ Picture openPicture(const fs::path& file) {
     requireWholePng(file);
   const std::optional<StoredPicture> stored = pictureLibrary().open(file.string());
   if (!stored)
-    failDamaged(file);
+    failDamagedPicture(file);
   Picture picture;
-  picture.shape = {stored->width, stored->height, stored->channels, typeOf(file, stored->sample)};
+  picture.shape = {stored->width, stored->height, stored->channels, typeOfSample(file, stored->sample)};
   requireRoom(file, picture.shape);
   picture.readRows = [read = stored->readRows, file](unsigned char* to, int first, int count) {
     if (!read(to, first, count))
-      failDamaged(file);
+      failDamagedPicture(file);
   };
   return picture;
 }

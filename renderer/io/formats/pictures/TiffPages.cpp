@@ -34,9 +34,9 @@ struct Entry {
 };
 
 // Walks through a TIFF file in its own byte order.
-class Tiff {
+class TiffDirectories {
 public:
-  explicit Tiff(const fs::path& file)
+  explicit TiffDirectories(const fs::path& file)
       : m_file(file), m_size(fs::file_size(file)), m_stream(file, std::ios::binary) {
     m_isBigEndian = m_stream.get() == 'M';
     m_isBig = number(2, 2) == 43;
@@ -143,7 +143,7 @@ private:
 } // namespace
 
 int tiffPages(const fs::path& file) {
-  Tiff tiff(file);
+  TiffDirectories tiff(file);
   int pages = 0;
   for (std::uint64_t at = tiff.firstDirectory(); at != 0; at = tiff.passDirectory(at))
     if (++pages > mostPages)

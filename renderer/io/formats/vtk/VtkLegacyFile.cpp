@@ -79,7 +79,7 @@ Header parseHeader(const fs::path& file, std::string_view text) {
               "export it as structured points with scalars");
 }
 
-VoxelType typeOf(const fs::path& file, const std::string& name) {
+VoxelType typeOfScalars(const fs::path& file, const std::string& name) {
   using enum VoxelType;
   static const std::map<std::string, VoxelType> types = {
       {"unsigned_char", uint8}, {"char", int8},     {"unsigned_short", uint16}, {"short", int16},
@@ -93,7 +93,7 @@ VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec
   if (scalars.size() < 2)
     failReading(file, "its header's line SCALARS is cut off", copyAgain);
   VoxelLayout layout;
-  layout.type = typeOf(file, scalars[1]);
+  layout.type = typeOfScalars(file, scalars[1]);
   layout.bigEndian = true;
   layout.endsFile = false; // further arrays may follow
   layout.components = componentCount(file, scalars.size() > 2 ? scalars[2] : "");

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void failDamaged(const fs::path& file) {
+[[noreturn]] void failDamagedArray(const fs::path& file) {
   failReading(file, "its array of values is damaged or cut off", copyAgain);
 }
 
@@ -52,14 +52,14 @@ private:
         return false;
       const auto value = letter ? bitsOf(*letter) : std::nullopt;
       if (!letter || (!value && *letter != '='))
-        failDamaged(m_file);
+        failDamagedArray(m_file);
       bits = bits << 6 | value.value_or(0);
       letters += value ? 1 : 0;
     }
     m_taken = 0;
     m_held = letters * 6 / 8;
     if (m_held == 0)
-      failDamaged(m_file);
+      failDamagedArray(m_file);
     for (std::size_t i = 0; i < 3; ++i)
       m_group[i] = static_cast<unsigned char>(bits >> (16 - 8 * i) & 0xff);
     return true;
@@ -101,7 +101,7 @@ std::uint64_t takeLength(const fs::path& file, const ByteReader& bytes, const Vt
   const auto width = static_cast<std::size_t>(encoding.bytesPerLength);
   std::array<unsigned char, 8> raw{};
   if (bytes(raw.data(), width) < width)
-    failDamaged(file);
+    failDamagedArray(file);
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < width; ++i)
     value = value << 8 | raw[encoding.bigEndian ? i : width - 1 - i];
@@ -128,11 +128,11 @@ Blocks blocksOf(const fs::path& file, const ByteReader& bytes, const VtkXmlEncod
   // All blocks but the last are as long as one, so their number follows from the sizes.
   if (blocks.size == 0 || blocks.size > expected || blocks.lastSize > blocks.size ||
       count != expected / blocks.size + (expected % blocks.size > 0 ? 1 : 0))
-    failDamaged(file);
+    failDamagedArray(file);
   for (std::uint64_t i = 0; i < count; ++i)
     blocks.packed.push_back(takeLength(file, bytes, encoding));
   if (blocks.sizeOf(count - 1) != expected - (count - 1) * blocks.size)
-    failDamaged(file);
+    failDamagedArray(file);
   return blocks;
 }
 
@@ -172,7 +172,7 @@ private:
       return;
     const auto step = static_cast<std::size_t>(std::min<std::uint64_t>(m_input.size(), m_packedLeft));
     if (m_packed(m_input.data(), step) < step)
-      failDamaged(m_file);
+      failDamagedArray(m_file);
     m_packedLeft -= step;
     m_zlib.next_in = m_input.data();
     m_zlib.avail_in = static_cast<uInt>(step);
@@ -190,7 +190,7 @@ private:
     if ((status != Z_OK && status != Z_STREAM_END) ||
         (got == 0 && m_zlib.avail_in == 0 && m_packedLeft == 0) ||
         (status == Z_STREAM_END && m_plainLeft > 0))
-      failDamaged(m_file);
+      failDamagedArray(m_file);
     if (m_plainLeft == 0)
       endBlock(status);
     return got;
@@ -205,10 +205,10 @@ private:
       m_zlib.avail_out = 1;
       status = inflate(&m_zlib, Z_NO_FLUSH);
       if (m_zlib.avail_out == 0)
-        failDamaged(m_file);
+        failDamagedArray(m_file);
     }
     if (status != Z_STREAM_END || m_packedLeft > 0)
-      failDamaged(m_file);
+      failDamagedArray(m_file);
   }
 
   fs::path m_file;
@@ -228,7 +228,7 @@ ByteReader arrayBytes(const fs::path& file, const ByteReader& coded, const VtkXm
   const ByteReader bytes = decoded(file, coded, encoding);
   if (!encoding.isCompressed) {
     if (takeLength(file, bytes, encoding) != expected)
-      failDamaged(file);
+      failDamagedArray(file);
     return bytes;
   }
   Blocks blocks = blocksOf(file, bytes, encoding, expected);

@@ -10,7 +10,7 @@ namespace limn {
 namespace {
 
 const Camera front{.position = {0, -100, 0}, .target = {0, 0, 0}, .up = {0, 0, 1}};
-const QRectF side(0, 0, 400, 200);
+const QRectF dragPlace(0, 0, 400, 200);
 
 void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
   EXPECT_NEAR(a.x, b.x, tolerance);
@@ -39,24 +39,24 @@ TEST(DragKind, followsTheTableOfMouseActions) {
 TEST(CameraGesture, draggingRightByHalfTheHeightTurnsTheFrontToTheRight) {
   // Half the height is a quarter turn: the camera goes to the patient's right, -x, so that the front
   // surface moves to the right of the picture.
-  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {200, 100}, side);
+  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {200, 100}, dragPlace);
   expectNear(camera.position, {-100, 0, 0}, 1e-9);
 }
 
 TEST(CameraGesture, draggingUpShowsMoreOfTheLowerSide) {
-  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {100, 90}, side);
+  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {100, 90}, dragPlace);
   EXPECT_LT(camera.position.z, 0.0);
   EXPECT_NEAR(camera.position.x, 0.0, 1e-12);
 }
 
 TEST(CameraGesture, draggingAroundAndBackReturns) {
-  Camera camera = dragged(front, DragKind::rotate, {0, 0}, {30, 0}, side);
-  camera = dragged(camera, DragKind::rotate, {30, 0}, {0, 0}, side);
+  Camera camera = dragged(front, DragKind::rotate, {0, 0}, {30, 0}, dragPlace);
+  camera = dragged(camera, DragKind::rotate, {30, 0}, {0, 0}, dragPlace);
   expectNear(camera.position, front.position, 1e-9);
 }
 
 TEST(CameraGesture, panningKeepsThePointOfTheTargetPlaneUnderThePointer) {
-  const Camera camera = dragged(front, DragKind::pan, {200, 100}, {250, 80}, side);
+  const Camera camera = dragged(front, DragKind::pan, {200, 100}, {250, 80}, dragPlace);
   // The picture is 2 · 100 mm · tan 15° high for 200 pixels; the target moves against the pointer.
   const double mmPerPixel = 200.0 * std::tan(15.0 * 3.14159265358979323846 / 180.0) / 200.0;
   expectNear(camera.target, {-50 * mmPerPixel, 0, -20 * mmPerPixel}, 1e-9);
@@ -64,21 +64,21 @@ TEST(CameraGesture, panningKeepsThePointOfTheTargetPlaneUnderThePointer) {
 }
 
 TEST(CameraGesture, zoomingUpComesNearerAndBackReturns) {
-  const Camera near = dragged(front, DragKind::zoom, {0, 100}, {0, 50}, side);
+  const Camera near = dragged(front, DragKind::zoom, {0, 100}, {0, 50}, dragPlace);
   // A quarter of the height is e^0.5.
   EXPECT_NEAR(near.position.y, -100.0 / std::exp(0.5), 1e-9);
-  expectNear(dragged(near, DragKind::zoom, {0, 50}, {0, 100}, side).position, front.position, 1e-9);
+  expectNear(dragged(near, DragKind::zoom, {0, 50}, {0, 100}, dragPlace).position, front.position, 1e-9);
 }
 
 TEST(CameraGesture, rollFollowsThePointerAroundTheCentre) {
   // From the right of the centre to below it: a quarter turn clockwise, so that up comes to point right.
-  const Camera camera = dragged(front, DragKind::roll, {300, 100}, {200, 180}, side);
+  const Camera camera = dragged(front, DragKind::roll, {300, 100}, {200, 180}, dragPlace);
   const CameraBasis basis = basisOf(camera);
   expectNear(basis.right, {0, 0, 1}, 1e-9);
 }
 
 TEST(CameraGesture, rollAcrossTheNegativeAxisTakesTheShortWay) {
-  const Camera camera = dragged(front, DragKind::roll, {100, 99}, {100, 101}, side);
+  const Camera camera = dragged(front, DragKind::roll, {100, 99}, {100, 101}, dragPlace);
   // Two pixels at a hundred pixels from the centre are about 0.02 radians.
   EXPECT_GT(glm::dot(basisOf(camera).up, basisOf(front).up), 0.999);
 }

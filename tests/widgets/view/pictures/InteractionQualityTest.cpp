@@ -8,7 +8,7 @@
 namespace limn {
 namespace {
 
-constexpr double pixels = 500.0 * 1000.0;
+constexpr double pixelCount = 500.0 * 1000.0;
 
 // A renderer whose full picture of 500 000 pixels takes `fullMs`.
 double msOf(int level, double fullMs) {
@@ -19,10 +19,10 @@ double msOf(int level, double fullMs) {
 int settledLevel(double fullMs) {
   InteractionQuality quality;
   for (int frame = 0; frame < 10; ++frame) {
-    const int level = quality.levelFor(pixels);
-    quality.measured(level, pixels, msOf(level, fullMs));
+    const int level = quality.levelFor(pixelCount);
+    quality.measured(level, pixelCount, msOf(level, fullMs));
   }
-  return quality.levelFor(pixels);
+  return quality.levelFor(pixelCount);
 }
 
 TEST(InteractionQuality, levelsRunFromFullToCoarse) {
@@ -32,7 +32,7 @@ TEST(InteractionQuality, levelsRunFromFullToCoarse) {
 }
 
 TEST(InteractionQuality, startsCoarselyAndMeasures) {
-  EXPECT_EQ(InteractionQuality().levelFor(pixels), InteractionQuality::levelCount - 1);
+  EXPECT_EQ(InteractionQuality().levelFor(pixelCount), InteractionQuality::levelCount - 1);
 }
 
 TEST(InteractionQuality, aFastRendererMovesAtFullQuality) {
@@ -51,25 +51,25 @@ TEST(InteractionQuality, aSlowRendererKeepsToTheTarget) {
 
 TEST(InteractionQuality, doesNotAlternateBetweenTwoLevels) {
   InteractionQuality quality;
-  quality.measured(3, pixels, msOf(3, 85.0));
-  const int first = quality.levelFor(pixels);
-  quality.measured(first, pixels, msOf(first, 88.0));
-  quality.measured(first, pixels, msOf(first, 85.0));
-  EXPECT_EQ(quality.levelFor(pixels), first);
+  quality.measured(3, pixelCount, msOf(3, 85.0));
+  const int first = quality.levelFor(pixelCount);
+  quality.measured(first, pixelCount, msOf(first, 88.0));
+  quality.measured(first, pixelCount, msOf(first, 85.0));
+  EXPECT_EQ(quality.levelFor(pixelCount), first);
 }
 
 TEST(InteractionQuality, twiceThePixelsAreExpectedToTakeTwiceTheTime) {
   InteractionQuality quality;
-  quality.measured(0, pixels, 30.0);
-  EXPECT_EQ(quality.levelFor(pixels), 0);
-  EXPECT_GT(quality.levelFor(2.0 * pixels), 0);
+  quality.measured(0, pixelCount, 30.0);
+  EXPECT_EQ(quality.levelFor(pixelCount), 0);
+  EXPECT_GT(quality.levelFor(2.0 * pixelCount), 0);
 }
 
 TEST(InteractionQuality, forgettingStartsCoarselyAgain) {
   InteractionQuality quality;
-  quality.measured(0, pixels, 1.0);
+  quality.measured(0, pixelCount, 1.0);
   quality.forget();
-  EXPECT_EQ(quality.levelFor(pixels), InteractionQuality::levelCount - 1);
+  EXPECT_EQ(quality.levelFor(pixelCount), InteractionQuality::levelCount - 1);
 }
 
 TEST(InteractionQuality, onlyTheStepOfTheSceneChanges) {

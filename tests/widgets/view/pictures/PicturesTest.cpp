@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 size{60, 40};
+constexpr glm::ivec2 pictureSize{60, 40};
 
 Scene phantomWith(ShadingModel model) {
   static const std::shared_ptr<const Volume> volume = phantomVolume({8.0, 0.0, 1});
@@ -27,7 +27,7 @@ std::vector<Scene> bothModels() {
 }
 
 void finish(Pictures& pictures, const std::vector<Scene>& scenes) {
-  pictures.want(scenes, size);
+  pictures.want(scenes, pictureSize);
   pictures.drawCoarsely(InteractionQuality::levelCount - 1, {});
   while (!pictures.refine(5.0))
     EXPECT_FALSE(pictures.state().resting);
@@ -43,7 +43,7 @@ TEST_F(PicturesWithoutWindow, stripsOfTheRayCasterEndInThePictureThatItDrawsWhol
   RayCaster whole;
   for (int side = 0; side < 2; ++side)
     EXPECT_EQ(*pictures.side(side).picture().image,
-              whole.render(scenes[static_cast<std::size_t>(side)], size));
+              whole.render(scenes[static_cast<std::size_t>(side)], pictureSize));
 }
 
 TEST_F(PicturesWithoutWindow, stripsOfTheReferenceEndInThePictureThatItDrawsWhole) {
@@ -54,7 +54,7 @@ TEST_F(PicturesWithoutWindow, stripsOfTheReferenceEndInThePictureThatItDrawsWhol
   EXPECT_EQ(pictures.state().renderer, QStringLiteral("reference (double precision)"));
   for (int side = 0; side < 2; ++side)
     EXPECT_EQ(*pictures.side(side).picture().image,
-              toImage(renderReference(scenes[static_cast<std::size_t>(side)], size)));
+              toImage(renderReference(scenes[static_cast<std::size_t>(side)], pictureSize)));
 }
 
 TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
@@ -62,10 +62,10 @@ TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
   std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
   finish(pictures, scenes);
   scenes[0].camera = orbited(scenes[0].camera, 0.3, 0.0);
-  pictures.want(scenes, size);
+  pictures.want(scenes, pictureSize);
   EXPECT_FALSE(pictures.state().resting);
   finish(pictures, scenes);
-  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scenes[0], size));
+  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(scenes[0], pictureSize));
 }
 
 // Every engine answers what is done at rest, in pieces; one that cannot tell what effects cost says nothing.
@@ -95,7 +95,7 @@ TEST_F(PicturesWithoutWindow, refinementHalvesTheStepToThePictureOfThatStep) {
   ASSERT_EQ(turn, RestTurn::finished);
   const double step = pictures.side(0).finishedStepVoxels();
   EXPECT_EQ(step, scenes[0].quality.stepVoxels / 2.0);
-  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(withStep(scenes[0], step), size));
+  EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(withStep(scenes[0], step), pictureSize));
 }
 
 } // namespace
