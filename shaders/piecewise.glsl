@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Piecewise linear functions, exact: a row of bins leads to the segment between two knots, which takes two
-// fetches more. Layout: renderer/glsl/textures/PiecewiseTable.h. No loop but for functions that crowd more than two
+// fetches more. Layout: renderer/scene/function/PiecewiseTable.h. No loop but for functions that crowd more than two
 // knots into a bin: drivers limit the iterations of all loops together.
 
 const int segmentsPerRow = 256;

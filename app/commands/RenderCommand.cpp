@@ -28,11 +28,10 @@ struct RenderArguments {
   double textureMb = anyMb; ///< the most that the volume may take on the graphics card
 };
 
-const std::map<std::string, PictureEngine> engines{{"auto", PictureEngine::automatic},
-                                                   {"gl", PictureEngine::gl},
-                                                   {"slices", PictureEngine::slices},
-                                                   {"slices-back-to-front", PictureEngine::slicesBackToFront},
-                                                   {"reference", PictureEngine::reference}};
+const std::map<std::string, PictureEngine> engines{
+    {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl},
+    {"slices", PictureEngine::slices},  {"slices-back-to-front", PictureEngine::slicesBackToFront},
+    {"cpu", PictureEngine::cpu},        {"reference", PictureEngine::reference}};
 
 Scene withModel(Scene scene, ShadingModel model) {
   scene.shading.model = model;
@@ -132,7 +131,7 @@ void addRenderCommand(CommandSyntax& root) {
   command.option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr").required();
   command.option("--engine", arguments->engine,
                  "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
-                 "slices-back-to-front, or reference (double precision, slow)");
+                 "slices-back-to-front, cpu, or reference (double precision, slow)");
   command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
       .within(1, 4096);
   command.flag(

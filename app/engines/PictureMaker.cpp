@@ -2,6 +2,7 @@
 #include "app/engines/PictureMaker.h"
 
 #include "accuracy/Tolerance.h"
+#include "cpu/CpuRenderer.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
@@ -29,13 +30,13 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
 
 template <class Renderer>
 std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
-                                  const glm::ivec2& size, StepControl control) {
+                                  const glm::ivec2& size, StepControl control, const std::string& engine) {
   std::vector<MadePicture> pictures;
   const DrawScene draw = [&](const Scene& scene, const glm::ivec2& pixels) {
     return renderer.render(scene, pixels);
   };
   for (const Scene& scene : scenes) {
-    MadePicture picture = makeWithin(scene, size, draw, control, rendererName());
+    MadePicture picture = makeWithin(scene, size, draw, control, engine);
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     pictures.push_back(std::move(picture));
@@ -48,10 +49,10 @@ std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm:
   const HeadlessContext context;
   if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront) {
     SliceRenderer slices(engine == PictureEngine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
-    return makeWith(slices, scenes, size, StepControl::equal);
+    return makeWith(slices, scenes, size, StepControl::equal, rendererName());
   }
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, textureMb);
-  return makeWith(caster, scenes, size, StepControl::local);
+  return makeWith(caster, scenes, size, StepControl::local, rendererName());
 }
 
 std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
@@ -100,6 +101,10 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
                                       PictureEngine engine, int threads, double textureMb) {
   if (engine == PictureEngine::reference)
     return makeWithReference(scenes, size, threads);
+  if (engine == PictureEngine::cpu) {
+    CpuRenderer renderer(threads);
+    return makeWith(renderer, scenes, size, StepControl::local, renderer.name());
+  }
   try {
     return makeWithGl(scenes, size, engine, textureMb);
   } catch (const Error& error) {

@@ -14,7 +14,7 @@ namespace limn {
 
 /// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the reference where there is no
 /// OpenGL; slices are blended front to back unless named otherwise.
-enum class PictureEngine { automatic, gl, slices, slicesBackToFront, reference };
+enum class PictureEngine { automatic, gl, slices, slicesBackToFront, cpu, reference };
 
 /// A picture and what was noteworthy about making it.
 struct MadePicture {

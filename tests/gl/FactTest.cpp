@@ -2,7 +2,7 @@
 // Cases of kind `fact` that the code must agree with: background arithmetic, so the file states no tolerance.
 // In C++ they hold to rounding, in GLSL to 2e-6 as the other cases do.
 #include "gl/HelperCases.h"
-#include "glsl/textures/PiecewiseTable.h"
+#include "scene/function/PiecewiseTable.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "reference/SampleLighting.h"

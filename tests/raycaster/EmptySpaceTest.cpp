@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glsl/textures/EmptySpace.h"
+#include "glsl/textures/TextureBlocks.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glsl/textures/BlockStepTexture.h"
 
-#include "glsl/textures/EmptySpace.h"
+#include "scene/steps/EmptySpace.h"
 
 #include <epoxy/gl.h>
 

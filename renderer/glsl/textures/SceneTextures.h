@@ -2,8 +2,8 @@
 #pragma once
 
 #include "glsl/textures/BlockStepTexture.h"
-#include "glsl/textures/EmptySpace.h"
-#include "glsl/textures/PiecewiseTable.h"
+#include "scene/steps/EmptySpace.h"
+#include "scene/function/PiecewiseTable.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/Gradient.h"

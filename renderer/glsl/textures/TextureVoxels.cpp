@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glsl/textures/TextureVoxels.h"
 
-#include "glsl/textures/PiecewiseTable.h"
+#include "scene/function/PiecewiseTable.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "glsl/textures/VolumeTexture.h"
 
 #include "gl/DriverHealth.h"
+#include "glsl/textures/TextureBlocks.h"
 
 #include <epoxy/gl.h>
 

@@ -3,7 +3,7 @@
 
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
-#include "glsl/textures/EmptySpace.h"
+#include "scene/steps/EmptySpace.h"
 #include "glsl/textures/GraphicsMemory.h"
 
 #include <string>

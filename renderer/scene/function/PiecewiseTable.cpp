@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "glsl/textures/PiecewiseTable.h"
+#include "scene/function/PiecewiseTable.h"
 
 #include "scene/function/MeanMaterial.h"
 

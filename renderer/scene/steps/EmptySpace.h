@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glsl/textures/PiecewiseTable.h"
-#include "glsl/textures/TextureVoxels.h"
+#include "scene/function/PiecewiseTable.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,8 +23,6 @@ struct BlockRanges {
   glm::ivec3 blocks{0};
   std::vector<glm::vec2> ranges; ///< lowest and highest, x fastest
 };
-
-BlockRanges blockRanges(const TextureVoxels& voxels);
 
 /// What may show in a picture: scalars that the transfer function makes opaque, and the surface of one scalar
 /// (normalised as the texels are), in front of all at or above it. Either may be absent.

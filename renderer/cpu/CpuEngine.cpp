@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/CpuEngine.h"
+
+#include "cpu/CpuRenderer.h"
+
+namespace limn {
+namespace {
+
+class CpuEngine final : public DrawingEngine {
+public:
+  explicit CpuEngine(int threads) : m_renderer(threads) {}
+
+  std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                            const IsCancelled& isCancelled) override {
+    return m_renderer.draw(scene, size, tile, isCancelled);
+  }
+  Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
+    return m_renderer.renderUnlimited(scene, size);
+  }
+  bool prepare(const Scene&, const glm::ivec2&) override { return false; }
+  std::unique_ptr<EffectMeasurement> measureEffects(const Scene&, const glm::ivec2&) override { return {}; }
+
+  DrawingFacts facts(const Scene& scene) override {
+    DrawingFacts facts;
+    facts.plan = m_renderer.plan(scene);
+    facts.steepestPerMm = m_renderer.steepestPerMm();
+    facts.takesAllSamples = m_renderer.limitation().empty();
+    return facts;
+  }
+  GradientScale gradientScale() const override { return m_renderer.gradientScale(); }
+  int compiledPrograms() const override { return 0; }
+  double memoryMb() const override { return m_renderer.memoryMb(); }
+  std::string name() const override { return m_renderer.name(); }
+  std::string limitation() const override { return m_renderer.limitation(); }
+
+private:
+  CpuRenderer m_renderer;
+};
+
+} // namespace
+
+std::unique_ptr<DrawingEngine> makeCpuEngine(int threads) {
+  return std::make_unique<CpuEngine>(threads);
+}
+
+} // namespace limn

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/CpuRenderer.h"
+
+#include "cpu/DrawRow.h"
+#include "cpu/InstructionSet.h"
+#include "cpu/Threads.h"
+#include "engine/StepLimit.h"
+#include "scene/basics/Error.h"
+
+#include <thread>
+
+namespace limn {
+namespace {
+
+// Threads take strips of so many pixels of a row.
+constexpr int stripWidth = 64;
+
+} // namespace
+
+CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace)
+    : m_threads(threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))),
+      m_data(m_threads, emptySpace == EmptySpace::skipped) {
+  cpu::requireInstructionSet();
+}
+
+EffectPlan CpuRenderer::plan(const Scene& scene) {
+  m_data.update(scene);
+  m_limitation = stepLimitation(scene, mostSamples);
+  return requiredEffects(scene, m_data.facts(scene));
+}
+
+Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, EffectSet more,
+                            const std::function<bool()>& isCancelled) {
+  const EffectPlan needed = plan(scene);
+  Image image(tile.size);
+  if (!needed.isVisible)
+    return image;
+  const EffectSet effects = canonical(needed.effects.with(more));
+  if (effects.hasAny({Effect::localSteps, Effect::preintegration}))
+    throw Error(Error::Kind::usage,
+                "The CPU engine cannot take error-controlled or pre-integrated steps yet; use --engine gl.");
+  const cpu::PictureTerms terms = m_data.terms(scene, size, effects);
+  const int strips = (tile.size.x + stripWidth - 1) / stripWidth;
+  cpu::forEach(
+      strips * tile.size.y, m_threads,
+      [&](int strip) {
+        const int y = strip / strips;
+        const int from = strip % strips * stripWidth;
+        const int to = std::min(from + stripWidth, tile.size.x);
+        cpu::drawRow(terms, tile.topLeft.y + y, tile.topLeft.x + from, tile.topLeft.x + to,
+                     &image.at(from, y));
+      },
+      isCancelled);
+  return image;
+}
+
+Image CpuRenderer::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                        const std::function<bool()>& isCancelled) {
+  return drawWith(scene, size, tile, {}, isCancelled);
+}
+
+Image CpuRenderer::render(const Scene& scene, const glm::ivec2& size) {
+  return drawWith(scene, size, {{0, 0}, size}, {}, {});
+}
+
+Image CpuRenderer::renderUnlimited(const Scene& scene, const glm::ivec2& size) {
+  return drawWith(scene, size, {{0, 0}, size}, {Effect::unlimited}, {});
+}
+
+std::string CpuRenderer::name() const {
+  return "CPU engine (" + cpu::instructionSetName() + ", " + std::to_string(m_threads) +
+         (m_threads == 1 ? " thread)" : " threads)");
+}
+
+} // namespace limn

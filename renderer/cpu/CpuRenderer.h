@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/SceneData.h"
+#include "engine/DrawingEngine.h"
+
+namespace limn {
+
+/// Draws scenes on the processor in single precision, on several threads. Keeps what it made of one scene for
+/// the next. Needs no OpenGL.
+class CpuRenderer {
+public:
+  /// Stepping over empty space changes no bit of a picture; tests switch it off to show that.
+  enum class EmptySpace { skipped, sampled };
+
+  /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the
+  /// processor does not have (cpu/InstructionSet.h).
+  explicit CpuRenderer(int threads = 0, EmptySpace emptySpace = EmptySpace::skipped);
+
+  /// The pixels of `tile` of a picture of `size` pixels: premultiplied RGBA without background. Any tiling
+  /// and any number of threads give the same picture bit for bit. Asks `isCancelled`, which may be empty, at
+  /// least every 10 ms; true ends it with Cancelled. Throws Error.
+  Image draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+             const std::function<bool()>& isCancelled = {});
+
+  Image render(const Scene& scene, const glm::ivec2& size);
+
+  /// The picture whose light terms are not limited (DEFINITION section 4).
+  Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
+
+  /// What the scene calls for and why.
+  EffectPlan plan(const Scene& scene);
+  double steepestPerMm() { return m_data.steepestPerMm(); }
+  const GradientScale& gradientScale() const { return m_data.gradientScale(); }
+  double memoryMb() const { return m_data.memoryMb(); }
+
+  /// One sentence where rays get fewer samples than asked for, otherwise empty.
+  const std::string& limitation() const { return m_limitation; }
+
+  /// Who draws: "CPU engine (AVX2, 2 threads)".
+  std::string name() const;
+
+private:
+  Image drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, EffectSet more,
+                 const std::function<bool()>& isCancelled);
+
+  int m_threads;
+  cpu::SceneData m_data;
+  std::string m_limitation;
+};
+
+} // namespace limn

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/DrawRow.h"
+
+// Highway compiles what follows once for each instruction set, this file included by itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cpu/DrawRow.cpp"
+#include <hwy/foreach_target.h>
+// The order matters.
+#include "cpu/simd/Projections-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+template <VoxelSource::Kind kind>
+void drawRowOf(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4* out) {
+  for (int x = fromX; x < toX; ++x) {
+    const std::optional<Ray> ray = rayOf(terms, x, y);
+    *out++ = ray ? Marcher<kind>(terms, *ray).pixel(x, y) : glm::vec4(0.0f);
+  }
+}
+
+void drawRowHere(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4* out) {
+  switch (terms.voxels.kind) {
+  case VoxelSource::Kind::byte:
+    return drawRowOf<VoxelSource::Kind::byte>(terms, y, fromX, toX, out);
+  case VoxelSource::Kind::half:
+    return drawRowOf<VoxelSource::Kind::half>(terms, y, fromX, toX, out);
+  case VoxelSource::Kind::single:
+    return drawRowOf<VoxelSource::Kind::single>(terms, y, fromX, toX, out);
+  }
+}
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include "cpu/InstructionSet.h"
+
+namespace limn::cpu {
+
+HWY_EXPORT(drawRowHere);
+
+void drawRow(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4* out) {
+  requireInstructionSet();
+  HWY_DYNAMIC_DISPATCH(drawRowHere)(terms, y, fromX, toX, out);
+}
+
+} // namespace limn::cpu
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/InstructionSet.h"
+
+#include "scene/basics/Error.h"
+
+#include <hwy/targets.h>
+
+#include <cstdlib>
+
+namespace limn::cpu {
+namespace {
+
+struct Level {
+  const char* word;
+  const char* name;
+  std::int64_t target; ///< Highway's bit: better sets have lower ones
+};
+
+constexpr Level levels[] = {
+    {"avx512", "AVX-512", HWY_AVX3}, {"avx2", "AVX2", HWY_AVX2}, {"sse4", "SSE4", HWY_SSE4}};
+
+// The best level that the processor has; null below SSE4.
+const Level* bestLevel() {
+  for (const Level& level : levels)
+    if ((hwy::SupportedTargets() & level.target) != 0)
+      return &level;
+  return nullptr;
+}
+
+std::string chosenLevel() {
+  const Level* best = bestLevel();
+  const char* wanted = std::getenv("LIMN_CPU_TARGET");
+  if (!wanted || *wanted == '\0')
+    return best ? best->name : "SSE2";
+  for (const Level& level : levels)
+    if (std::string(wanted) == level.word) {
+      if ((hwy::SupportedTargets() & level.target) == 0)
+        throw Error(Error::Kind::usage, std::string("LIMN_CPU_TARGET is \"") + wanted +
+                                            "\", which this processor does not have; unset it.");
+      // Better sets have lower bits.
+      hwy::DisableTargets(level.target - 1);
+      return level.name;
+    }
+  throw Error(Error::Kind::usage,
+              std::string("LIMN_CPU_TARGET is \"") + wanted + "\"; use sse4, avx2 or avx512, or unset it.");
+}
+
+} // namespace
+
+std::string instructionSetName() {
+  static const std::string name = chosenLevel();
+  return name;
+}
+
+void requireInstructionSet() {
+  instructionSetName();
+}
+
+} // namespace limn::cpu

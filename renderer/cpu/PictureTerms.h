@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/effects/EffectSet.h"
+#include "scene/function/PiecewiseTable.h"
+#include "scene/light/LightingTerms.h"
+#include "scene/steps/RayFrame.h"
+
+#include <cstdint>
+
+namespace limn::cpu {
+
+/// Voxels as the rays read them: 8 and 16 bits as stored, everything else as floats normalised over the
+/// volume's range (scene/function/PiecewiseTable: normalisedValue).
+struct VoxelSource {
+  enum class Kind { byte, half, single };
+  Kind kind = Kind::byte;
+  const unsigned char* begin = nullptr;
+  std::int64_t bytes = 0;
+  std::uint32_t flip = 0; ///< exclusive or that makes signed voxels unsigned, for two or four at once
+  float scale = 1.0f;     ///< normalised scalar = scale · unsigned voxel + shift
+  float shift = 0.0f;
+  glm::ivec3 dims{1};
+  std::int32_t strideY = 0; ///< bytes to the next row, 0 where there is one row; wraps beyond 2³¹
+  std::int32_t strideZ = 0; ///< bytes to the next slice, likewise
+};
+
+/// Where nothing shows: for each block of 4³ cells the distance in blocks to the nearest in which something
+/// may (scene/steps/EmptySpace).
+struct EmptySpace {
+  const std::uint8_t* distances = nullptr; ///< null: nothing is stepped over
+  glm::ivec3 blocks{0};
+};
+
+/// Everything that the rays of a picture share, in the units of the rays: lengths in smallest spacings,
+/// scalars normalised over the volume's range, gradients in ranges per smallest spacing. Points to what its
+/// owner (SceneData) keeps.
+struct PictureTerms {
+  EffectSet effects;
+  VoxelSource voxels;
+  EmptySpace empty;
+  const PiecewiseTable* function = nullptr;
+  const PiecewiseTable* gradientCurve = nullptr;
+  float lowestVisible = 0.0f, highestVisible = 1.0f; ///< normalised scalars beyond which nothing shows
+  LightingTerms light;
+
+  RayFrame frame;
+  glm::ivec2 size{0};
+  IndexBox box;        ///< of the crop, centred index
+  IndexBox visibleBox; ///< outside which nothing shows
+  glm::dvec3 centre{0.0};
+  double lengthMm = 1.0; ///< the unit of lengths
+  double stepLengths = 1.0;
+  glm::dvec3 spacing{1.0}; ///< in unit lengths
+  float perUnitDistance = 1.0f;
+  float lastTransmittance = 0.0f;
+
+  glm::vec3 gradientScale{0.0f}; ///< from a difference of unsigned voxels over two voxels to the unit
+  float flatModulus = 0.0f;
+  float perReference = 0.0f; ///< 1/gref, 0 where gref is 0
+  float curve = 0.0f;        ///< gamma or b
+  glm::dvec3 towardsLight{0.0};
+  CutPlanes cut;
+
+  glm::vec3 fogColor{0.0f};
+  float fogStart = 0.0f, fogEnd = 0.0f; ///< from the anchor plane
+  float fogDensity = 0.0f;
+
+  float isovalue = 0.0f;
+  glm::vec3 isoColor{0.0f};
+};
+
+} // namespace limn::cpu

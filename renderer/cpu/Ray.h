@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/PictureTerms.h"
+
+#include <optional>
+
+namespace limn::cpu {
+
+/// One ray in equal steps, as its samples read it. Sample i lies `offset + i` steps behind the entry; the
+/// samples of [from, to) are those that may show.
+struct Ray {
+  int count = 0; ///< N of DEFINITION section 7
+  int from = 0, to = 0;
+  float offset = 0.5f;
+  glm::vec3 first{0.0f}, stride{0.0f};           ///< voxel index of sample 0, per step
+  glm::vec3 firstIndex{0.0f}, strideIndex{0.0f}; ///< centred index likewise
+  float firstDepth = 0.0f, strideDepth = 0.0f;   ///< distance from the eye less that of the anchor plane
+  float units = 0.0f;                            ///< a step in unit distances
+  glm::vec3 toViewer{0.0f}, toLight{0.0f}, halfway{0.0f};
+};
+
+/// The ray of a pixel; absent where it misses the box.
+std::optional<Ray> rayOf(const PictureTerms& terms, int x, int y);
+
+/// The same ray, ended `steps` steps behind the entry and divided anew: what lies before a surface. Absent
+/// where nothing lies before it.
+std::optional<Ray> rayUpTo(const PictureTerms& terms, int x, int y, double steps);
+
+} // namespace limn::cpu

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/SceneData.h"
+
+#include "scene/ProjectionFacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::cpu {
+namespace {
+
+// So many unit distances hide everything; the whole box must not have more than a float holds.
+constexpr double beyondAll = 1e30;
+
+// Scenes may hold any double; an infinite float times 0 would be no number.
+float asFloat(double value) {
+  constexpr double most = 1e37;
+  return static_cast<float>(std::clamp(value, -most, most));
+}
+
+glm::vec3 asFloats(const glm::dvec3& v) {
+  return {asFloat(v.x), asFloat(v.y), asFloat(v.z)};
+}
+
+// A range of one value has no unit: scalars are differences from it.
+double rangeUnit(const ValueRange& range) {
+  const double width = range.highest - range.lowest;
+  return width > 0.0 ? width : 1.0;
+}
+
+void setFog(const Scene& scene, PictureTerms& terms) {
+  terms.fogColor = asFloats(scene.fog.color);
+  terms.fogStart = asFloat((scene.fog.startMm - terms.frame.anchorDistanceMm) / terms.lengthMm);
+  terms.fogEnd = asFloat((scene.fog.endMm - terms.frame.anchorDistanceMm) / terms.lengthMm);
+  terms.fogDensity = asFloat(scene.fog.densityPerMm * terms.lengthMm);
+}
+
+void setGradient(const Scene& scene, const GradientScale& scale, PictureTerms& terms) {
+  const Grid& grid = scene.volume->grid();
+  const double unitPerMm = rangeUnit(scene.volume->range()) / terms.lengthMm;
+  terms.gradientScale = asFloats(double(terms.voxels.scale) * terms.lengthMm / (2.0 * grid.spacingMm));
+  terms.flatModulus = asFloat(std::ldexp(scale.largest / unitPerMm, -20));
+  terms.perReference = scale.reference > 0.0 ? asFloat(unitPerMm / scale.reference) : 0.0f;
+  const GradientCurve& curve = terms.light.curve;
+  // So near 0 a logarithmic curve is a line, and so small a number no 0 yet.
+  terms.curve =
+      asFloat(curve.type == GradientCurve::Type::log ? std::max(curve.parameter, 1e-30) : curve.parameter);
+  const glm::dvec3 light = terms.light.lightDirection.value_or(glm::dvec3(0.0, 0.0, -1.0));
+  terms.towardsLight = towardsLightAlongAxes(light, grid);
+  terms.cut = cutPlanes(grid, scene.crop);
+}
+
+} // namespace
+
+void SceneData::update(const Scene& scene) {
+  requireDrawable(scene);
+  if (m_volume != scene.volume) {
+    m_voxels.reset();
+    m_voxels.emplace(scene.volume, m_threads);
+    m_volume = scene.volume;
+    m_steepness.reset();
+    m_gradientScales.setVolume(m_volume);
+    m_functionKept.reset();
+    m_gradientOpacityKept.reset();
+    m_emptySpaceKept.reset();
+  }
+  if (m_functionKept != scene.transferFunction) {
+    m_function = tableOf(scene.transferFunction, m_volume->range());
+    m_functionKept = scene.transferFunction;
+  }
+  const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
+  if (m_gradientOpacityKept != curve) {
+    const double unitPerMm = rangeUnit(m_volume->range()) / smallestSpacingMm(m_volume->grid());
+    m_gradientCurve = tableOf(curve, unitPerMm);
+    m_gradientOpacityKept = curve;
+  }
+  updateEmptySpace(scene);
+}
+
+void SceneData::updateEmptySpace(const Scene& scene) {
+  if (classifiesOnce(scene.projection))
+    return;
+  const bool hasSurface = showsSurface(scene.projection);
+  const EmptySpaceKey key{scene.transferFunction, scene.projection, hasSurface ? scene.isovalue : 0.0};
+  if (m_emptySpaceKept == key)
+    return;
+  Visibility visibility;
+  if (scene.projection != Projection::isosurface)
+    visibility.function = &m_function;
+  if (hasSurface)
+    visibility.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
+  m_distances = emptyDistances(m_voxels->blocks(), visibility);
+  const auto occupied = std::count(m_distances.begin(), m_distances.end(), std::uint8_t{0});
+  m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(m_distances.size());
+  m_visibleBlocks = visibleBlocks(m_voxels->blocks().blocks, m_distances);
+  m_emptySpaceKept = key;
+}
+
+SceneFacts SceneData::facts(const Scene& scene) {
+  SceneFacts facts;
+  facts.canSkipEmptySpace = m_skipsEmptySpace;
+  facts.emptyShare = m_emptyShare;
+  facts.hasDenseFunctions = m_function.loopSteps > 0 || m_gradientCurve.loopSteps > 0;
+  if (readsSteepness(scene))
+    facts.steepestPerMm = steepestPerMm();
+  return facts;
+}
+
+double SceneData::steepestPerMm() {
+  if (!m_steepness)
+    m_steepness = steepness(*m_volume);
+  return *m_steepness;
+}
+
+// A block's faces are voxel centres; the outermost blocks also own the half voxel before the volume's end.
+IndexBox SceneData::visibleBox(const Scene& scene) const {
+  const Grid& grid = scene.volume->grid();
+  const IndexBox whole = croppedBox(grid, CropBox{});
+  if (glm::any(glm::lessThanEqual(m_visibleBlocks.upper, m_visibleBlocks.lower)))
+    return {};
+  const double margin = 1.0 / 64.0;
+  IndexBox box = whole;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (m_visibleBlocks.lower[axis] > 0)
+      box.lower[axis] = m_visibleBlocks.lower[axis] * blockSize - margin - centreIndex(grid)[axis];
+    if (m_visibleBlocks.upper[axis] < m_voxels->blocks().blocks[axis])
+      box.upper[axis] = m_visibleBlocks.upper[axis] * blockSize + margin - centreIndex(grid)[axis];
+  }
+  return box;
+}
+
+PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, EffectSet effects) {
+  const Grid& grid = scene.volume->grid();
+  PictureTerms terms;
+  terms.effects = effects;
+  terms.voxels = m_voxels->source();
+  terms.function = &m_function;
+  terms.gradientCurve = &m_gradientCurve;
+  terms.light = lightingTerms(scene.shading);
+  terms.frame = rayFrame(scene.camera, grid, size);
+  terms.size = size;
+  terms.box = terms.visibleBox = croppedBox(grid, scene.crop);
+  const bool skips = effects.has(Effect::emptySpaceSkipping) && !classifiesOnce(scene.projection);
+  if (skips) {
+    terms.empty = {m_distances.data(), m_voxels->blocks().blocks};
+    terms.visibleBox = visibleBox(scene);
+  }
+  terms.centre = centreIndex(grid);
+  terms.lengthMm = smallestSpacingMm(grid);
+  terms.stepLengths = scene.quality.stepVoxels;
+  terms.spacing = grid.spacingMm / terms.lengthMm;
+  terms.perUnitDistance = asFloat(std::min(terms.lengthMm / scene.transferFunction.unitDistanceMm,
+                                           beyondAll / (boxDiagonalMm(grid) / terms.lengthMm)));
+  terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
+  if (effects.has(Effect::gradient))
+    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects));
+  setGradient(scene, m_gradientScale, terms);
+  setFog(scene, terms);
+  terms.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
+  terms.isoColor = asFloats(classify(scene.transferFunction, scene.isovalue).color);
+  return terms;
+}
+
+double SceneData::memoryMb() const {
+  return m_voxels ? static_cast<double>(m_voxels->ownBytes() + m_distances.size()) / 1e6 : 0.0;
+}
+
+} // namespace limn::cpu

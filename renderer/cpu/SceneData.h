@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/PictureTerms.h"
+#include "cpu/VoxelStore.h"
+#include "scene/effects/EffectPlan.h"
+#include "scene/light/GradientScales.h"
+
+namespace limn::cpu {
+
+/// What the rays of a scene read. Keeps what it made of one scene for the next; makes anew what differs and
+/// nothing else.
+class SceneData {
+public:
+  explicit SceneData(int threads, bool skipsEmptySpace)
+      : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace) {}
+
+  /// Reads the volume and tabulates the functions of the scene that is drawn from now on. Throws Error.
+  void update(const Scene& scene);
+
+  /// Facts on which the effects of the scene of the last update depend.
+  SceneFacts facts(const Scene& scene);
+
+  /// The steepness of the volume of the last update; measured once.
+  double steepestPerMm();
+
+  /// The terms of a picture of the scene of the last update. Points into this.
+  PictureTerms terms(const Scene& scene, const glm::ivec2& size, EffectSet effects);
+
+  /// Of the picture whose terms were last asked for; meaningful where its lighting reads the gradient.
+  const GradientScale& gradientScale() const { return m_gradientScale; }
+
+  /// What it keeps of the volume beside the volume itself, MB (10⁶ bytes).
+  double memoryMb() const;
+
+private:
+  // What decides where nothing can be seen.
+  struct EmptySpaceKey {
+    TransferFunction function;
+    Projection projection = Projection::composite;
+    double isovalue = 0.0;
+    bool operator==(const EmptySpaceKey&) const = default;
+  };
+
+  void updateEmptySpace(const Scene& scene);
+  IndexBox visibleBox(const Scene& scene) const;
+
+  int m_threads;
+  bool m_skipsEmptySpace;
+  std::shared_ptr<const Volume> m_volume;
+  std::optional<VoxelStore> m_voxels;
+  std::optional<double> m_steepness;
+  GradientScales m_gradientScales;
+  GradientScale m_gradientScale;
+
+  std::optional<TransferFunction> m_functionKept;
+  PiecewiseTable m_function;
+  std::optional<GradientOpacity> m_gradientOpacityKept;
+  PiecewiseTable m_gradientCurve;
+
+  std::optional<EmptySpaceKey> m_emptySpaceKept;
+  std::vector<std::uint8_t> m_distances;
+  BlockBox m_visibleBlocks;
+  double m_emptyShare = 0.0;
+};
+
+} // namespace limn::cpu

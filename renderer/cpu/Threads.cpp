@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cpu/Threads.h"
+
+#include "scene/basics/Error.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <thread>
+
+namespace limn::cpu {
+
+void forEach(int count, int threads, const std::function<void(int)>& work,
+             const std::function<bool()>& isCancelled) {
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const std::thread::id caller = std::this_thread::get_id();
+  tbb::task_group_context context;
+  bool isStopped = false; // written on the caller's thread alone
+  arena.execute([&] {
+    const auto piece = [&](const tbb::blocked_range<int>& range) {
+      for (int i = range.begin(); i != range.end() && !context.is_group_execution_cancelled(); ++i) {
+        if (isCancelled && std::this_thread::get_id() == caller && isCancelled()) {
+          isStopped = true;
+          context.cancel_group_execution();
+          return;
+        }
+        work(i);
+      }
+    };
+    tbb::parallel_for(tbb::blocked_range<int>(0, count), piece, tbb::simple_partitioner(), context);
+  });
+  if (isStopped)
+    throw Cancelled();
+}
+
+} // namespace limn::cpu

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/PictureTerms.h"
+#include "scene/steps/EmptySpace.h"
+#include "scene/volume/Volume.h"
+
+#include <memory>
+
+namespace limn::cpu {
+
+/// A volume's voxels as rays read them, and the scalars that its blocks hold. Keeps the volume; copies it to
+/// floats only where its type, or a range that is narrow beside its values, asks for it.
+class VoxelStore {
+public:
+  /// On `threads` of the processor. Throws Error (memory) where a copy does not fit, and (input) where the
+  /// voxels take more than 4 GiB.
+  VoxelStore(std::shared_ptr<const Volume> volume, int threads);
+
+  const VoxelSource& source() const { return m_source; }
+  const BlockRanges& blocks() const { return m_blocks; }
+
+  /// What it takes beside the volume, bytes.
+  std::size_t ownBytes() const;
+
+private:
+  std::shared_ptr<const Volume> m_volume;
+  std::vector<float> m_floats;
+  VoxelSource m_source;
+  BlockRanges m_blocks;
+};
+
+} // namespace limn::cpu

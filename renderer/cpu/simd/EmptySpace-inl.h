@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far nothing can be seen along a ray.
+#if defined(LIMN_CPU_EMPTY_SPACE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_EMPTY_SPACE_INL_H
+#undef LIMN_CPU_EMPTY_SPACE_INL_H
+#else
+#define LIMN_CPU_EMPTY_SPACE_INL_H
+#endif
+
+#include "cpu/Ray.h"
+#include "cpu/simd/Math-inl.h"
+#include "scene/steps/EmptySpace.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+/// The samples of a ray in units of blocks (shaders/empty_space.glsl).
+class EmptySteps {
+public:
+  EmptySteps(const EmptySpace& empty, const Ray& ray) : m_empty(empty) {
+    if (!empty.distances)
+      return;
+    for (int axis = 0; axis < 3; ++axis) {
+      m_first[axis] = ray.first[axis] / blockSize;
+      m_advance[axis] = ray.stride[axis] / blockSize;
+      const bool isStill = std::abs(m_advance[axis]) < 1e-20f;
+      m_samples[axis] = isStill ? 0.0f : 1.0f / m_advance[axis];
+      m_still[axis] = isStill ? 60000.0f : 0.0f;
+    }
+  }
+
+  /// How many groups of `size` samples from sample `i` on lie in empty blocks.
+  HWY_INLINE int groupsFrom(int i, int size) const {
+    if (!m_empty.distances)
+      return 0;
+    const glm::vec3 p = m_first + static_cast<float>(i) * m_advance;
+    const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(p)), glm::ivec3(0), m_empty.blocks - 1);
+    const std::uint8_t distance = m_empty.distances[voxelOffset(m_empty.blocks, block.x, block.y, block.z)];
+    if (distance == 0)
+      return 0;
+    // Leave the cube of blocks through the face ahead on each axis, the nearest first.
+    const float reach = static_cast<float>(distance) - 0.5f;
+    const glm::vec3 steps = (glm::vec3(block) + 0.5f - p) * m_samples + reach * glm::abs(m_samples) + m_still;
+    const float alike = std::ceil(std::min({steps.x, steps.y, steps.z}));
+    return static_cast<int>(std::clamp(alike, 0.0f, 60000.0f)) / size;
+  }
+
+private:
+  const EmptySpace& m_empty;
+  glm::vec3 m_first{0.0f}, m_advance{0.0f};
+  glm::vec3 m_samples{0.0f}; // per block along each axis; 0 where the ray does not follow the axis
+  glm::vec3 m_still{0.0f};   // beyond all samples where the ray does not follow the axis
+};
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Twins of renderer/scene/basics/StableMath.h in float vectors, under the same names. Compiled once for each
+// instruction set (Highway): no ordinary include guard.
+#if defined(LIMN_CPU_MATH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_MATH_INL_H
+#undef LIMN_CPU_MATH_INL_H
+#else
+#define LIMN_CPU_MATH_INL_H
+#endif
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Ints = hn::RebindToSigned<Floats>;
+using Words = hn::RebindToUnsigned<Floats>;
+using VF = hn::Vec<Floats>;
+using VI = hn::Vec<Ints>;
+using VW = hn::Vec<Words>;
+using Mask = hn::Mask<Floats>;
+
+inline constexpr Floats floats;
+inline constexpr Ints ints;
+inline constexpr Words words;
+
+/// The number of samples that are computed together.
+HWY_INLINE int lanes() {
+  return static_cast<int>(hn::Lanes(floats));
+}
+
+HWY_INLINE VF all(float value) {
+  return hn::Set(floats, value);
+}
+
+/// Three numbers of each sample.
+struct V3 {
+  VF x, y, z;
+};
+
+HWY_INLINE V3 all(const glm::vec3& v) {
+  return {all(v.x), all(v.y), all(v.z)};
+}
+
+HWY_INLINE V3 zero() {
+  return {hn::Zero(floats), hn::Zero(floats), hn::Zero(floats)};
+}
+
+HWY_INLINE VF mix(VF a, VF b, VF w) {
+  return hn::MulAdd(w, hn::Sub(b, a), a);
+}
+
+HWY_INLINE VF dot(const V3& a, const V3& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE V3 scaled(const V3& v, VF by) {
+  return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)};
+}
+
+HWY_INLINE VF clamped(VF v, float low, float high) {
+  return hn::Min(hn::Max(v, all(low)), all(high));
+}
+
+HWY_INLINE V3 clamped(const V3& v, float low, float high) {
+  return {clamped(v.x, low, high), clamped(v.y, low, high), clamped(v.z, low, high)};
+}
+
+HWY_INLINE V3 chosen(Mask mask, const V3& yes, const V3& no) {
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+
+HWY_INLINE VF oneMinusExpNeg(VF x) {
+  return hn::Neg(hn::Expm1(floats, hn::Neg(x)));
+}
+
+HWY_INLINE VF minusLog1mOpacity(VF a) {
+  constexpr float largest = 1.0f - 1.0f / 16777216.0f;
+  return hn::Neg(hn::Log1p(floats, hn::Neg(clamped(a, 0.0f, largest))));
+}
+
+HWY_INLINE VF expNeg(VF x) {
+  return hn::Exp(floats, hn::Neg(x));
+}
+
+/// base^exponent for bases above 0; 0 elsewhere.
+HWY_INLINE VF powerOrZero(VF base, VF exponent) {
+  const Mask isPositive = hn::Gt(base, hn::Zero(floats));
+  const VF safe = hn::IfThenElse(isPositive, base, all(1.0f));
+  return hn::IfThenElseZero(isPositive, hn::Exp(floats, hn::Mul(exponent, hn::Log(floats, safe))));
+}
+
+HWY_INLINE VF blinnTerm(VF cosine, VF exponent) {
+  return powerOrZero(hn::Min(cosine, all(1.0f)), exponent);
+}
+
+HWY_INLINE V3 knee(const V3& color, float k) {
+  const VF largest = hn::Max(hn::Max(color.x, color.y), color.z);
+  const Mask isAbove = hn::Gt(largest, all(k));
+  const float d = 1.0f - k;
+  const VF safe = hn::IfThenElse(isAbove, largest, all(1.0f));
+  const VF kneed = hn::Sub(all(1.0f), hn::Div(all(d * d), hn::Add(safe, all(1.0f - 2.0f * k))));
+  return scaled(color, hn::IfThenElse(isAbove, hn::Div(kneed, safe), all(1.0f)));
+}
+
+HWY_INLINE VF energyFactor(VF exponent, float largestExponent) {
+  return hn::Div(hn::Add(exponent, all(8.0f)), all(largestExponent + 8.0f));
+}
+
+HWY_INLINE VF significanceWeight(float low, float high, VF r) {
+  if (!(high > low))
+    return hn::IfThenElseZero(hn::Ge(r, all(high)), all(1.0f));
+  const VF x = clamped(hn::Div(hn::Sub(r, all(low)), all(high - low)), 0.0f, 1.0f);
+  return hn::Mul(hn::Mul(x, x), hn::NegMulAdd(all(2.0f), x, all(3.0f)));
+}
+
+HWY_INLINE VF logCurve(VF r, float b) {
+  return hn::Mul(hn::Log1p(floats, hn::Mul(all(b), r)), all(static_cast<float>(1.0 / std::log1p(double(b)))));
+}
+
+HWY_INLINE VF mapped(VF x, float low, float high) {
+  return hn::MulAdd(x, all(high - low), all(low));
+}
+
+HWY_INLINE VF fogLinear(VF z, float start, float end) {
+  if (!(end > start))
+    return hn::IfThenElseZero(hn::Lt(z, all(start)), all(1.0f));
+  return clamped(hn::Div(hn::Sub(all(end), z), all(end - start)), 0.0f, 1.0f);
+}
+
+HWY_INLINE VF fogExp(VF z, float start, float density) {
+  return expNeg(hn::Mul(all(density), hn::Max(hn::Sub(z, all(start)), hn::Zero(floats))));
+}
+
+HWY_INLINE VF fogExp2(VF z, float start, float density) {
+  const VF x = hn::Mul(all(density), hn::Max(hn::Sub(z, all(start)), hn::Zero(floats)));
+  return expNeg(hn::Min(hn::Mul(x, x), all(1e4f)));
+}
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
