@@ -36,9 +36,9 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   if (!needed.isVisible)
     return image;
   const EffectSet effects = canonical(needed.effects.with(more));
-  if (effects.hasAny({Effect::localSteps, Effect::preintegration}))
+  if (effects.has(Effect::localSteps))
     throw Error(Error::Kind::usage,
-                "The CPU engine cannot take error-controlled or pre-integrated steps yet; use --engine gl.");
+                "The CPU engine cannot take error-controlled steps yet; use --engine gl.");
   const cpu::PictureTerms terms = m_data.terms(scene, size, effects);
   const int strips = (tile.size.x + stripWidth - 1) / stripWidth;
   cpu::forEach(

@@ -19,11 +19,14 @@ namespace limn::cpu::HWY_NAMESPACE {
 /// The samples of a ray in units of blocks (shaders/empty_space.glsl).
 class EmptySteps {
 public:
-  EmptySteps(const EmptySpace& empty, const Ray& ray) : m_empty(empty) {
+  /// Of pre-integrated steps both ends must be empty: they lie before and behind their samples.
+  EmptySteps(const EmptySpace& empty, const Ray& ray, bool isPreintegrated)
+      : m_empty(empty), m_behind(isPreintegrated ? 1.0f : 0.0f) {
     if (!empty.distances)
       return;
     for (int axis = 0; axis < 3; ++axis) {
-      m_first[axis] = ray.first[axis] / blockSize;
+      const float before = isPreintegrated ? ray.offset * ray.stride[axis] : 0.0f;
+      m_first[axis] = (ray.first[axis] - before) / blockSize;
       m_advance[axis] = ray.stride[axis] / blockSize;
       const bool isStill = std::abs(m_advance[axis]) < 1e-20f;
       m_samples[axis] = isStill ? 0.0f : 1.0f / m_advance[axis];
@@ -43,12 +46,13 @@ public:
     // Leave the cube of blocks through the face ahead on each axis, the nearest first.
     const float reach = static_cast<float>(distance) - 0.5f;
     const glm::vec3 steps = (glm::vec3(block) + 0.5f - p) * m_samples + reach * glm::abs(m_samples) + m_still;
-    const float alike = std::ceil(std::min({steps.x, steps.y, steps.z}));
+    const float alike = std::ceil(std::min({steps.x, steps.y, steps.z})) - m_behind;
     return static_cast<int>(std::clamp(alike, 0.0f, 60000.0f)) / size;
   }
 
 private:
   const EmptySpace& m_empty;
+  float m_behind;
   glm::vec3 m_first{0.0f}, m_advance{0.0f};
   glm::vec3 m_samples{0.0f}; // per block along each axis; 0 where the ray does not follow the axis
   glm::vec3 m_still{0.0f};   // beyond all samples where the ray does not follow the axis

@@ -84,6 +84,30 @@ HWY_INLINE VF minusLog1mOpacity(VF a) {
   return hn::Neg(hn::Log1p(floats, hn::Neg(clamped(a, 0.0f, largest))));
 }
 
+/// -integral of log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
+HWY_INLINE VF meanMinusLog1m(VF x) {
+  const Mask isSmall = hn::Lt(x, all(0.25f));
+  VF series = all(1.0f / 110.0f);
+  for (const float next : {90.0f, 72.0f, 56.0f, 42.0f, 30.0f, 20.0f, 12.0f, 6.0f, 2.0f})
+    series = hn::MulAdd(x, series, all(1.0f / next));
+  const VF safe = hn::IfThenElse(isSmall, all(1.0f), x);
+  const VF rest = hn::Mul(hn::Sub(all(1.0f), x), hn::Div(minusLog1mOpacity(x), safe));
+  return hn::IfThenElse(isSmall, hn::Mul(x, series), hn::Sub(all(1.0f), rest));
+}
+
+/// -integral of s log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
+HWY_INLINE VF momentMinusLog1m(VF x) {
+  const Mask isSmall = hn::Lt(x, all(0.25f));
+  VF series = all(1.0f / 120.0f);
+  for (const float next : {99.0f, 80.0f, 63.0f, 48.0f, 35.0f, 24.0f, 15.0f, 8.0f, 3.0f})
+    series = hn::MulAdd(x, series, all(1.0f / next));
+  const VF safe = hn::IfThenElse(isSmall, all(1.0f), x);
+  const VF squares = hn::Mul(hn::Sub(all(1.0f), x), hn::Add(all(1.0f), x));
+  const VF rest = hn::Mul(squares, hn::Div(minusLog1mOpacity(x), hn::Add(safe, safe)));
+  const VF closed = hn::Div(hn::Sub(hn::MulAdd(all(0.25f), x, all(0.5f)), rest), safe);
+  return hn::IfThenElse(isSmall, hn::Mul(x, series), closed);
+}
+
 HWY_INLINE VF expNeg(VF x) {
   return hn::Exp(floats, hn::Neg(x));
 }

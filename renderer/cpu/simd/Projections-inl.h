@@ -83,10 +83,46 @@ private:
                  hn::MulAdd(weights, color.z, sum.color.z)};
   }
 
+  // What the samples of a group, or the pre-integrated steps around them, absorb.
+  struct Absorbed {
+    Mask seen;
+    V3 color;
+    VF opacity;    // over the unit distance
+    VF extinction; // likewise
+  };
+
+  HWY_INLINE Absorbed absorbedBy(VF step, VF scalar) const {
+    Absorbed absorbed;
+    absorbed.seen = hn::And(isBefore(step, m_ray.count), m_function.mayBeSeen(scalar));
+    if (hn::AllFalse(floats, absorbed.seen))
+      return absorbed;
+    const Classified material = m_function.at(scalar, absorbed.seen);
+    absorbed.color = material.color;
+    absorbed.opacity = material.opacity;
+    absorbed.extinction = minusLog1mOpacity(material.opacity);
+    return absorbed;
+  }
+
+  HWY_INLINE Absorbed absorbedOver(VF step) const {
+    const VF first = hn::Sub(step, all(m_ray.offset));
+    const VF before = m_field.scalarAt(indexAt(first));
+    const VF behind = m_field.scalarAt(indexAt(hn::Add(first, all(1.0f))));
+    Absorbed absorbed;
+    absorbed.seen = hn::And(isBefore(step, m_ray.count), m_function.mayBeSeenBetween(before, behind));
+    if (hn::AllFalse(floats, absorbed.seen))
+      return absorbed;
+    const Mean mean = m_function.meanBetween(before, behind, absorbed.seen);
+    absorbed.color = mean.color;
+    absorbed.extinction = mean.extinction;
+    absorbed.opacity = oneMinusExpNeg(mean.extinction);
+    return absorbed;
+  }
+
   glm::vec4 composite() const {
     const EffectSet& effects = m_terms.effects;
+    const bool isPreintegrated = effects.has(Effect::preintegration);
     const Light light(m_terms, m_ray);
-    const EmptySteps empty(m_terms.empty, m_ray);
+    const EmptySteps empty(m_terms.empty, m_ray, isPreintegrated);
     Sum sum{zero(), 1.0, false};
     for (int i = groupOf(m_ray.from); i < m_ray.to && !sum.hasEnded;) {
       const int leap = empty.groupsFrom(i, lanes());
@@ -98,19 +134,18 @@ private:
       i += lanes();
       const Cells cells = m_field.cellsAt(indexAt(step));
       const auto rows = m_field.rowsOf(cells);
-      const VF scalar = m_field.scalarOf(rows, cells);
-      const Mask seen = hn::And(isBefore(step, m_ray.count), m_function.mayBeSeen(scalar));
-      if (hn::AllFalse(floats, seen))
+      const Absorbed absorbed =
+          isPreintegrated ? absorbedOver(step) : absorbedBy(step, m_field.scalarOf(rows, cells));
+      if (hn::AllFalse(floats, absorbed.seen))
         continue;
-      const Classified material = m_function.at(scalar, seen);
       Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
       if (effects.has(Effect::gradient))
         gradients = light.gradientsOf(m_field.gradientOf(rows, cells, m_terms.gradientScale));
-      VF opacity = material.opacity;
+      VF extinction = absorbed.extinction;
       if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
-        opacity = hn::Mul(opacity, light.opacityFactor(gradients));
-      const VF alpha = oneMinusExpNeg(hn::Mul(minusLog1mOpacity(opacity), all(m_ray.units)));
-      add(sum, seen, alpha, light.shaded(material.color, gradients, step));
+        extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
+      const VF alpha = oneMinusExpNeg(hn::Mul(extinction, all(m_ray.units)));
+      add(sum, absorbed.seen, alpha, light.shaded(absorbed.color, gradients, step));
     }
     return pixelOf(sum);
   }
@@ -127,7 +162,8 @@ private:
   }
 
   glm::vec4 xray() const {
-    const EmptySteps empty(m_terms.empty, m_ray);
+    const bool isPreintegrated = m_terms.effects.has(Effect::preintegration);
+    const EmptySteps empty(m_terms.empty, m_ray, isPreintegrated);
     double depth = 0.0;
     for (int i = groupOf(m_ray.from); i < m_ray.to;) {
       const int leap = empty.groupsFrom(i, lanes());
@@ -137,12 +173,11 @@ private:
       }
       const VF step = samplesFrom(i);
       i += lanes();
-      const VF scalar = m_field.scalarAt(indexAt(step));
-      const Mask seen = hn::And(isBefore(step, m_ray.count), m_function.mayBeSeen(scalar));
-      if (hn::AllFalse(floats, seen))
+      const Absorbed absorbed =
+          isPreintegrated ? absorbedOver(step) : absorbedBy(step, m_field.scalarAt(indexAt(step)));
+      if (hn::AllFalse(floats, absorbed.seen))
         continue;
-      const VF extinction = minusLog1mOpacity(m_function.at(scalar, seen).opacity);
-      depth += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(seen, extinction)));
+      depth += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(absorbed.seen, absorbed.extinction)));
     }
     return glm::vec4(static_cast<float>(-std::expm1(-depth * m_ray.units)));
   }
@@ -179,7 +214,7 @@ private:
     const VF isovalue = all(m_terms.isovalue);
     if (hn::GetLane(m_field.scalarAt(indexAt(all(-offset)))) >= m_terms.isovalue)
       return -offset;
-    const EmptySteps empty(m_terms.empty, m_ray);
+    const EmptySteps empty(m_terms.empty, m_ray, false);
     // The exit counts as the last sample.
     for (int i = 0; i <= m_ray.count;) {
       const int leap = empty.groupsFrom(i, lanes());
