@@ -5,7 +5,6 @@
 #include "cpu/InstructionSet.h"
 #include "cpu/Threads.h"
 #include "engine/StepLimit.h"
-#include "scene/basics/Error.h"
 
 #include <thread>
 
@@ -36,9 +35,6 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   if (!needed.isVisible)
     return image;
   const EffectSet effects = canonical(needed.effects.with(more));
-  if (effects.has(Effect::localSteps))
-    throw Error(Error::Kind::usage,
-                "The CPU engine cannot take error-controlled steps yet; use --engine gl.");
   const cpu::PictureTerms terms = m_data.terms(scene, size, effects);
   const int strips = (tile.size.x + stripWidth - 1) / stripWidth;
   cpu::forEach(

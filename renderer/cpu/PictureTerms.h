@@ -4,7 +4,7 @@
 #include "scene/effects/EffectSet.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/LightingTerms.h"
-#include "scene/steps/RayFrame.h"
+#include "scene/steps/BlockWalk.h"
 
 #include <cstdint>
 
@@ -43,6 +43,7 @@ struct PictureTerms {
   const PiecewiseTable* gradientCurve = nullptr;
   float lowestVisible = 0.0f, highestVisible = 1.0f; ///< normalised scalars beyond which nothing shows
   LightingTerms light;
+  const LocalStepTerms* local = nullptr; ///< null: equal steps
 
   RayFrame frame;
   glm::ivec2 size{0};

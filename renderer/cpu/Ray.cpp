@@ -37,23 +37,30 @@ void lightAlong(const PictureTerms& terms, const glm::dvec3& direction, Ray& ray
   ray.halfway = glm::vec3(halfway);
 }
 
-Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& span, int x, int y) {
-  Ray ray;
-  ray.count = sampleCount(span.end - span.begin, terms.stepLengths * terms.lengthMm);
-  const bool isJittered = terms.effects.has(Effect::jitter);
-  const double offset = isJittered ? jitteredOffset(x, y, terms.size.y) : 0.5;
-  ray.offset = static_cast<float>(offset);
-  const double stepMm = (span.end - span.begin) / ray.count;
+// Places sample 0 `offset` steps behind the entry.
+void place(const PictureTerms& terms, double offset, double stepMm, Ray& ray) {
+  const FramedRay& framed = ray.framed;
   const glm::dvec3 stride = stepMm * framed.direction;
-  const glm::dvec3 first = framed.anchor + span.begin * framed.direction + offset * stride;
+  const glm::dvec3 first = framed.anchor + ray.span.begin * framed.direction + offset * stride;
+  ray.offset = static_cast<float>(offset);
   ray.first = glm::vec3(first + terms.centre);
   ray.stride = glm::vec3(stride);
   ray.firstIndex = glm::vec3(first);
   ray.strideIndex = ray.stride;
   const double beforeAnchor = -framed.eye - terms.frame.anchorDistanceMm;
-  ray.firstDepth = static_cast<float>((span.begin + offset * stepMm + beforeAnchor) / terms.lengthMm);
+  ray.firstDepth = static_cast<float>((ray.span.begin + offset * stepMm + beforeAnchor) / terms.lengthMm);
   ray.strideDepth = static_cast<float>(stepMm / terms.lengthMm);
   ray.units = static_cast<float>(stepMm / terms.lengthMm) * terms.perUnitDistance;
+}
+
+Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& span, int x, int y) {
+  Ray ray;
+  ray.framed = framed;
+  ray.span = span;
+  ray.count = sampleCount(span.end - span.begin, terms.stepLengths * terms.lengthMm);
+  const bool isJittered = terms.effects.has(Effect::jitter);
+  const double stepMm = (span.end - span.begin) / ray.count;
+  place(terms, isJittered ? jitteredOffset(x, y, terms.size.y) : 0.5, stepMm, ray);
   if (terms.effects.has(Effect::lighting))
     lightAlong(terms, framed.direction * terms.spacing * terms.lengthMm, ray);
   limitToVisible(terms, framed, span, stepMm, ray);
@@ -68,12 +75,16 @@ std::optional<Ray> rayOf(const PictureTerms& terms, int x, int y) {
   return span.isEmpty() ? std::nullopt : std::optional(divided(terms, framed, span, x, y));
 }
 
-std::optional<Ray> rayUpTo(const PictureTerms& terms, int x, int y, double steps) {
-  const FramedRay framed = framedRay(terms.frame, x, y, terms.size);
-  RaySpan span = spanInBox(framed, terms.box);
-  const int count = sampleCount(span.end - span.begin, terms.stepLengths * terms.lengthMm);
-  span.end = span.begin + steps * (span.end - span.begin) / count;
-  return span.isEmpty() ? std::nullopt : std::optional(divided(terms, framed, span, x, y));
+std::optional<Ray> rayUpTo(const PictureTerms& terms, const Ray& ray, int x, int y, double steps) {
+  RaySpan span = ray.span;
+  span.end = span.begin + steps * (span.end - span.begin) / ray.count;
+  return span.isEmpty() ? std::nullopt : std::optional(divided(terms, ray.framed, span, x, y));
+}
+
+Ray inLengths(const PictureTerms& terms, const Ray& ray) {
+  Ray result = ray;
+  place(terms, 0.0, terms.lengthMm, result);
+  return result;
 }
 
 } // namespace limn::cpu

@@ -18,13 +18,18 @@ struct Ray {
   float firstDepth = 0.0f, strideDepth = 0.0f;   ///< distance from the eye less that of the anchor plane
   float units = 0.0f;                            ///< a step in unit distances
   glm::vec3 toViewer{0.0f}, toLight{0.0f}, halfway{0.0f};
+  FramedRay framed;
+  RaySpan span; ///< mm
 };
 
 /// The ray of a pixel; absent where it misses the box.
 std::optional<Ray> rayOf(const PictureTerms& terms, int x, int y);
 
-/// The same ray, ended `steps` steps behind the entry and divided anew: what lies before a surface. Absent
-/// where nothing lies before it.
-std::optional<Ray> rayUpTo(const PictureTerms& terms, int x, int y, double steps);
+/// A ray of pixel (x, y) ended `steps` steps behind its entry and divided anew: what lies before a surface.
+/// Absent where nothing lies before it.
+std::optional<Ray> rayUpTo(const PictureTerms& terms, const Ray& ray, int x, int y, double steps);
+
+/// The same ray with steps of one unit of length, sample 0 at its entry: for samples at lengths of their own.
+Ray inLengths(const PictureTerms& terms, const Ray& ray);
 
 } // namespace limn::cpu

@@ -63,6 +63,8 @@ void SceneData::update(const Scene& scene) {
     m_functionKept.reset();
     m_gradientOpacityKept.reset();
     m_emptySpaceKept.reset();
+    m_facts.reset();
+    m_localSteps.reset();
   }
   if (m_functionKept != scene.transferFunction) {
     m_function = tableOf(scene.transferFunction, m_volume->range());
@@ -75,6 +77,20 @@ void SceneData::update(const Scene& scene) {
     m_gradientOpacityKept = curve;
   }
   updateEmptySpace(scene);
+  updateLocalSteps(scene);
+}
+
+void SceneData::updateLocalSteps(const Scene& scene) {
+  const std::optional<int> fineness = finenessOf(scene.quality);
+  if (!fineness)
+    return;
+  if (!m_facts)
+    m_facts = blockFacts(*m_volume);
+  if (!m_localSteps || m_localStepsFunction != scene.transferFunction) {
+    m_localSteps = localStepTerms(scene, *m_facts);
+    m_localStepsFunction = scene.transferFunction;
+  }
+  m_localSteps->fineness = *fineness;
 }
 
 void SceneData::updateEmptySpace(const Scene& scene) {
@@ -137,6 +153,8 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.function = &m_function;
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
+  if (effects.has(Effect::localSteps))
+    terms.local = &*m_localSteps;
   terms.frame = rayFrame(scene.camera, grid, size);
   terms.size = size;
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);

@@ -43,6 +43,7 @@ private:
   };
 
   void updateEmptySpace(const Scene& scene);
+  void updateLocalSteps(const Scene& scene);
   IndexBox visibleBox(const Scene& scene) const;
 
   int m_threads;
@@ -57,6 +58,10 @@ private:
   PiecewiseTable m_function;
   std::optional<GradientOpacity> m_gradientOpacityKept;
   PiecewiseTable m_gradientCurve;
+
+  std::optional<BlockFacts> m_facts;
+  std::optional<LocalStepTerms> m_localSteps;
+  TransferFunction m_localStepsFunction; // whose steps they are
 
   std::optional<EmptySpaceKey> m_emptySpaceKept;
   std::vector<std::uint8_t> m_distances;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The samples of one ray: what lies there, what it absorbs and how it is lit. As many as the registers hold
+// are computed together.
+#if defined(LIMN_CPU_SAMPLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_SAMPLES_INL_H
+#undef LIMN_CPU_SAMPLES_INL_H
+#else
+#define LIMN_CPU_SAMPLES_INL_H
+#endif
+
+#include "cpu/Ray.h"
+#include "cpu/simd/Field-inl.h"
+#include "cpu/simd/Function-inl.h"
+#include "cpu/simd/Light-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+/// The lanes of a mask as bits, the first lowest.
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(floats, mask, bytes);
+  return bytes[0] | std::uint32_t{bytes[1]} << 8;
+}
+
+template <VoxelSource::Kind kind>
+struct Samples {
+  Samples(const PictureTerms& ofPicture, const Ray& along)
+      : terms(ofPicture), ray(along), field(ofPicture.voxels), function(*ofPicture.function),
+        light(ofPicture, along) {}
+
+  /// Voxel indices `step` steps behind sample 0.
+  HWY_INLINE V3 indexAt(VF step) const {
+    return {hn::MulAdd(step, all(ray.stride.x), all(ray.first.x)),
+            hn::MulAdd(step, all(ray.stride.y), all(ray.first.y)),
+            hn::MulAdd(step, all(ray.stride.z), all(ray.first.z))};
+  }
+
+  HWY_INLINE VF scalarAt(VF step) const { return field.scalarAt(indexAt(step)); }
+
+  /// What samples, or the pre-integrated steps around them, absorb.
+  struct Absorbed {
+    Mask seen;
+    V3 color;
+    VF opacity;    // over the unit distance
+    VF extinction; // likewise
+  };
+
+  HWY_INLINE Absorbed absorbedBy(VF scalar, Mask wanted) const {
+    Absorbed absorbed;
+    absorbed.seen = hn::And(wanted, function.mayBeSeen(scalar));
+    if (hn::AllFalse(floats, absorbed.seen))
+      return absorbed;
+    const Classified material = function.at(scalar, absorbed.seen);
+    absorbed.color = material.color;
+    absorbed.opacity = material.opacity;
+    absorbed.extinction = minusLog1mOpacity(material.opacity);
+    return absorbed;
+  }
+
+  /// Of the step around each sample.
+  HWY_INLINE Absorbed absorbedOver(VF step, Mask wanted) const {
+    const VF first = hn::Sub(step, all(ray.offset));
+    const VF before = field.scalarAt(indexAt(first));
+    const VF behind = field.scalarAt(indexAt(hn::Add(first, all(1.0f))));
+    Absorbed absorbed;
+    absorbed.seen = hn::And(wanted, function.mayBeSeenBetween(before, behind));
+    if (hn::AllFalse(floats, absorbed.seen))
+      return absorbed;
+    const Mean mean = function.meanBetween(before, behind, absorbed.seen);
+    absorbed.color = mean.color;
+    absorbed.extinction = mean.extinction;
+    absorbed.opacity = oneMinusExpNeg(mean.extinction);
+    return absorbed;
+  }
+
+  /// What a sample says of the piece for which it stands.
+  struct Shaded {
+    Mask seen;
+    V3 color;
+    VF extinction; // over the unit distance
+  };
+
+  /// The samples at `step`, where `wanted`.
+  HWY_INLINE Shaded at(VF step, Mask wanted) const {
+    const EffectSet& effects = terms.effects;
+    const Cells cells = field.cellsAt(indexAt(step));
+    const auto rows = field.rowsOf(cells);
+    const Absorbed absorbed = effects.has(Effect::preintegration)
+                                  ? absorbedOver(step, wanted)
+                                  : absorbedBy(field.scalarOf(rows, cells), wanted);
+    Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
+    if (hn::AllFalse(floats, absorbed.seen))
+      return result;
+    result.extinction = absorbed.extinction;
+    if (effects.has(Effect::xray))
+      return result;
+    Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
+    if (effects.has(Effect::gradient))
+      gradients = light.gradientsOf(field.gradientOf(rows, cells, terms.gradientScale));
+    if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
+      result.extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
+    result.color = light.shaded(absorbed.color, gradients, step);
+    return result;
+  }
+
+  /// A surface of the isovalue, lit.
+  HWY_INLINE glm::vec3 surfaceAt(float step) const {
+    Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
+    if (terms.effects.has(Effect::gradient)) {
+      const Cells cells = field.cellsAt(indexAt(all(step)));
+      gradients = light.gradientsOf(field.gradientOf(field.rowsOf(cells), cells, terms.gradientScale));
+    }
+    const V3 color = light.shaded(all(terms.isoColor), gradients, all(step));
+    return {hn::GetLane(color.x), hn::GetLane(color.y), hn::GetLane(color.z)};
+  }
+
+  const PictureTerms& terms;
+  const Ray& ray;
+  Field<kind> field;
+  Function function;
+  Light light;
+};
+
+/// What a ray has gathered, front to back. Transmittance is kept in double: small steps of long rays take
+/// less from it than a float can tell.
+struct Sum {
+  V3 color;
+  double transmittance;
+  bool hasEnded;
+};
+
+/// Premultiplied colour and alpha.
+HWY_INLINE glm::vec4 pixelOf(const Sum& sum, EffectSet effects) {
+  const auto alpha = static_cast<float>(1.0 - sum.transmittance);
+  if (effects.has(Effect::xray))
+    return glm::vec4(alpha);
+  glm::vec3 color(hn::GetLane(hn::SumOfLanes(floats, sum.color.x)),
+                  hn::GetLane(hn::SumOfLanes(floats, sum.color.y)),
+                  hn::GetLane(hn::SumOfLanes(floats, sum.color.z)));
+  // No colour exceeds 1, so what exceeds alpha is the rounding of a long sum.
+  if (!effects.has(Effect::unlimited))
+    color = glm::min(color, glm::vec3(alpha));
+  return {color, alpha};
+}
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
