@@ -3,15 +3,21 @@
 
 #include "scene/basics/Error.h"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <optional>
 #include <thread>
 
 namespace limn::cpu {
 
 void forEach(int count, int threads, const std::function<void(int)>& work,
              const std::function<bool()>& isCancelled) {
+  // By itself TBB has no more threads than the processor.
+  std::optional<tbb::global_control> limit;
+  if (threads > tbb::this_task_arena::max_concurrency())
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   const std::thread::id caller = std::this_thread::get_id();
   tbb::task_group_context context;

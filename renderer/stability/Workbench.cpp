@@ -27,6 +27,7 @@ double boundOf(const Bounds& bounds, Engine engine) {
   case Engine::reference:
     return bounds.reference;
   case Engine::gl:
+  case Engine::cpu:
     return bounds.gl;
   case Engine::slices:
     return bounds.slices;
@@ -37,7 +38,7 @@ double boundOf(const Bounds& bounds, Engine engine) {
 } // namespace
 
 std::string nameOf(Engine engine) {
-  const char* names[] = {"reference", "gl", "slices"};
+  const char* names[] = {"reference", "gl", "slices", "cpu"};
   return names[static_cast<int>(engine)];
 }
 
@@ -49,6 +50,8 @@ DrawnPicture Workbench::draw(Engine engine, const Scene& scene, const glm::ivec2
     return drawnPicture(rays().render(scene, size));
   case Engine::slices:
     return drawnPicture(slices().render(scene, size));
+  case Engine::cpu:
+    return drawnPicture(processor().render(scene, size));
   }
   return {};
 }
@@ -63,6 +66,12 @@ SliceRenderer& Workbench::slices() {
   if (!m_slices)
     m_slices.emplace();
   return *m_slices;
+}
+
+CpuRenderer& Workbench::processor() {
+  if (!m_processor)
+    m_processor.emplace();
+  return *m_processor;
 }
 
 std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engines, const std::string& what,
@@ -92,7 +101,8 @@ std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engi
 std::vector<Finding> inEachEngine(Workbench& bench, const std::string& what, const Bounds& bounds,
                                   const std::string& reason,
                                   const std::function<double(const Draw& draw)>& figure) {
-  return inEngines(bench, {Engine::reference, Engine::gl, Engine::slices}, what, bounds, reason, figure);
+  return inEngines(bench, {Engine::reference, Engine::gl, Engine::slices, Engine::cpu}, what, bounds, reason,
+                   figure);
 }
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/CpuRenderer.h"
 #include "raycaster/RayCaster.h"
 #include "slices/SliceRenderer.h"
 #include "stability/Finding.h"
@@ -10,8 +11,8 @@
 
 namespace limn {
 
-/// The renderers of the program: double precision, the ray caster in GLSL, slices in GLSL.
-enum class Engine { reference, gl, slices };
+/// The renderers of the program: double precision, the ray caster in GLSL, slices in GLSL, the CPU engine.
+enum class Engine { reference, gl, slices, cpu };
 
 std::string nameOf(Engine engine);
 
@@ -32,16 +33,18 @@ public:
 
   RayCaster& rays();
   SliceRenderer& slices();
+  CpuRenderer& processor();
 
 private:
   std::optional<RayCaster> m_rays;
   std::optional<SliceRenderer> m_slices;
+  std::optional<CpuRenderer> m_processor;
 };
 
 /// What each engine's figure must not exceed.
 struct Bounds {
   double reference = 0.0;
-  double gl = 0.0;
+  double gl = 0.0; ///< rays in floats: in GLSL and on the processor
   double slices = 0.0;
 };
 

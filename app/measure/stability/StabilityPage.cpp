@@ -56,9 +56,9 @@ std::string dataOf(const Image& image) {
   return "data:image/png;base64," + bytes.toBase64().toStdString();
 }
 
-constexpr std::array<const char*, 5> engines = {"reference", "gl", "slices", "cpp", "glsl"};
-constexpr std::array<const char*, 5> engineTitles = {"double precision", "ray caster", "slices", "in C++",
-                                                     "in GLSL"};
+constexpr std::array<const char*, 6> engines = {"reference", "gl", "slices", "cpu", "cpp", "glsl"};
+constexpr std::array<const char*, 6> engineTitles = {"double precision", "ray caster", "slices",
+                                                     "CPU engine",       "in C++",     "in GLSL"};
 
 // An error that ended the case stands in no column.
 bool isOfAnEngine(const Finding& finding) {

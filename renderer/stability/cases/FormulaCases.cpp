@@ -120,7 +120,8 @@ std::vector<Finding> hugeExponents(Workbench& bench) {
   append(
       findings,
       inEngines(
-          bench, {Engine::gl, Engine::slices}, "the largest exponent of a scene, 1024", {0, 5e-4, 5e-4},
+          bench, {Engine::gl, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
+          {0, 5e-4, 5e-4},
           "largest difference from the reference where both take the same samples: 1024 · 1.2e-7 of a "
           "highlight, and four times as much for the normal's own rounding",
           [&bench](const Draw& draw) {

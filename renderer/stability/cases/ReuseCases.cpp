@@ -24,7 +24,7 @@ Scene phantomScene() {
 
 // Slices know two projections and end no ray early.
 bool shows(const Scene& scene, Engine engine) {
-  return engine == Engine::gl ||
+  return engine != Engine::slices ||
          ((scene.projection == Projection::composite || scene.projection == Projection::xray) &&
           scene.quality.earlyTermination == phantomScene().quality.earlyTermination);
 }
@@ -78,7 +78,8 @@ Finding standIn(Workbench& bench) {
 std::vector<Finding> staleCaches(Workbench& bench) {
   return {notApplicable("reference", "parameters changed in turn",
                         "The reference keeps nothing from one picture to the next."),
-          staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices), standIn(bench)};
+          staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices),
+          staleParameters(bench, Engine::cpu), standIn(bench)};
 }
 
 // Cubes of two voxels, wide apart, on both sides of the borders of the blocks that are skipped and across
@@ -129,14 +130,16 @@ std::vector<Emptiness> emptyScenes() {
 std::vector<Finding> emptySpace(Workbench& bench) {
   const std::string reason = "largest difference between stepping over empty blocks and sampling them: none";
   RayCaster sampling(RayCaster::EmptySpace::sampled);
+  CpuRenderer samplingProcessor(0, CpuRenderer::EmptySpace::sampled);
   std::vector<Finding> findings;
   for (const Emptiness& one : emptyScenes()) {
-    const DrawnPicture skipped = bench.draw(Engine::gl, one.scene, pictureSize);
-    const Image sampled = sampling.render(one.scene, pictureSize);
-    findings.push_back(
-        atMost("gl", one.what,
-               largestDifference(skipped, {pictureSize, {sampled.pixels.begin(), sampled.pixels.end()}}), 0.0,
-               reason));
+    const auto compare = [&](Engine engine, const Image& sampled) {
+      const DrawnPicture skipped = bench.draw(engine, one.scene, pictureSize);
+      const DrawnPicture whole{pictureSize, {sampled.pixels.begin(), sampled.pixels.end()}};
+      findings.push_back(atMost(nameOf(engine), one.what, largestDifference(skipped, whole), 0.0, reason));
+    };
+    compare(Engine::gl, sampling.render(one.scene, pictureSize));
+    compare(Engine::cpu, samplingProcessor.render(one.scene, pictureSize));
   }
   findings.push_back(
       atMost("gl", "something is skipped at all",
@@ -145,6 +148,20 @@ std::vector<Finding> emptySpace(Workbench& bench) {
   for (const char* engine : {"reference", "slices"})
     findings.push_back(notApplicable(engine, "", "It steps over nothing: every sample is taken."));
   return findings;
+}
+
+// The picture put together from tiles, by so many threads.
+Image inTiles(int threads, const Scene& scene, const glm::ivec2& size, const glm::ivec2& tile) {
+  CpuRenderer renderer(threads);
+  Image whole(size);
+  for (int y = 0; y < size.y; y += tile.y)
+    for (int x = 0; x < size.x; x += tile.x) {
+      const PixelRect part{{x, y}, glm::min(tile, size - glm::ivec2(x, y))};
+      const Image drawn = renderer.draw(scene, size, part);
+      for (int row = 0; row < part.size.y; ++row)
+        std::copy_n(&drawn.at(0, row), part.size.x, &whole.at(x, y + row));
+    }
+  return whole;
 }
 
 // The picture drawn tile by tile into one framebuffer.
@@ -164,12 +181,17 @@ std::vector<Finding> tiles(Workbench& bench) {
   for (const auto& [what, scene] :
        {std::pair{"a head in tiles", phantomScene()}, {"a jittered head in tiles", jittered}}) {
     const Image whole = bench.rays().render(scene, size);
-    int different = 0;
+    const Image byProcessor = bench.processor().render(scene, size);
+    int different = 0, differentByProcessor = 0, threads = 1;
     for (const glm::ivec2& tile :
-         {glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)})
+         {glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)}) {
       different += inTiles(bench.rays(), scene, size, tile) != whole;
+      differentByProcessor += inTiles(threads++, scene, size, tile) != byProcessor;
+    }
     findings.push_back(
         atMost("gl", what, different, 0.0, "tilings of four that differ from the whole picture by any bit"));
+    findings.push_back(atMost("cpu", what, differentByProcessor, 0.0,
+                              "tilings of four, with one to four threads, that differ by any bit"));
   }
   findings.push_back(
       notApplicable("reference", "", "It runs on the processor, where no driver waits for it."));

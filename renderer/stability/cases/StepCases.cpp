@@ -70,7 +70,7 @@ std::vector<Finding> longSums(Workbench& bench) {
   // A step at the middle of a ramp shows where samples lie: an alpha off by one sample's share.
   append(
       findings,
-      inEngines(bench, {Engine::reference, Engine::gl}, "9999 positions on a ramp with a step",
+      inEngines(bench, {Engine::reference, Engine::gl, Engine::cpu}, "9999 positions on a ramp with a step",
                 {1e-12, 2e-4, 0.0},
                 "alpha of the half beyond the step; positions that add up roundings would be off by samples, "
                 "of which each is worth 1e-4",

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rules that every picture of the CPU engine keeps, to the bit where the rule is an equality.
+#include "cpu/CpuEngine.h"
+#include "cpu/CpuRenderer.h"
+#include "scene/basics/Error.h"
+#include "scene/light/LightingTerms.h"
+#include "support/Heads.h"
+#include "support/RendererRules.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <iostream>
+
+namespace limn {
+namespace {
+
+constexpr glm::ivec2 cpuPicture{97, 80};
+
+std::vector<Scene> scenesOfEveryKind() {
+  std::vector<Scene> scenes;
+  for (const Projection projection : {Projection::composite, Projection::xray, Projection::mip,
+                                      Projection::isosurface, Projection::compositeIsosurface}) {
+    Scene scene = test::noisyPhantom(ShadingModel::robust);
+    scene.projection = projection;
+    scene.quality.jitter = true;
+    scenes.push_back(scene);
+    scene.quality.preintegrated = Preintegration::always;
+    scenes.push_back(scene);
+    scene.quality.toleranceLevels = 1.0;
+    scene.quality.fineness = 4;
+    scenes.push_back(scene);
+  }
+  return scenes;
+}
+
+TEST(CpuRules, anyNumberOfThreadsAndTilesGivesTheSameBits) {
+  CpuRenderer single(1);
+  for (const Scene& scene : scenesOfEveryKind()) {
+    const Image expected = single.render(scene, cpuPicture);
+    for (const int threads : {2, 3, 8}) {
+      CpuRenderer several(threads);
+      EXPECT_EQ(several.render(scene, cpuPicture), expected) << threads;
+    }
+    const PixelRect tile{{13, 7}, {31, 22}};
+    const Image part = single.draw(scene, cpuPicture, tile);
+    for (int y = 0; y < tile.size.y; ++y)
+      for (int x = 0; x < tile.size.x; ++x)
+        ASSERT_EQ(part.at(x, y), expected.at(tile.topLeft.x + x, tile.topLeft.y + y));
+  }
+}
+
+TEST(CpuRules, steppingOverEmptySpaceChangesNoBit) {
+  CpuRenderer skipping(0), sampling(0, CpuRenderer::EmptySpace::sampled);
+  for (const Scene& scene : scenesOfEveryKind()) {
+    const bool isScalar = scene.projection == Projection::mip;
+    EXPECT_TRUE(isScalar || scene.quality.toleranceLevels ||
+                skipping.plan(scene).effects.has(Effect::emptySpaceSkipping));
+    EXPECT_EQ(skipping.render(scene, cpuPicture), sampling.render(scene, cpuPicture));
+  }
+}
+
+TEST(CpuRules, enhancedWithEqualRangesIsClassicToTheBit) {
+  CpuRenderer renderer;
+  Scene classic = test::noisyPhantom(ShadingModel::classic);
+  classic.shading.exponent = 20.0;
+  Scene enhanced = classic;
+  enhanced.shading.model = ShadingModel::enhanced;
+  enhanced.shading.exponentRange = {20.0, 20.0};
+  enhanced.shading.opacityRange = {1.0, 1.0};
+  EXPECT_EQ(renderer.render(enhanced, cpuPicture), renderer.render(classic, cpuPicture));
+}
+
+TEST(CpuRules, facesAreLitOnceAndNothingJumpsThroughTheBox) {
+  CpuRenderer renderer;
+  const auto draw = [&](const Scene& scene, const glm::ivec2& size) { return renderer.render(scene, size); };
+  test::expectFacesLitOnce(draw);
+  test::expectNoJumpThroughTheBox(draw);
+}
+
+// Counts questions between two of which nothing is drawn but one strip of a row: 64 rays.
+TEST(CpuRules, aCancelledPictureEndsWithItsNextStrip) {
+  const std::unique_ptr<DrawingEngine> engine = makeCpuEngine(1);
+  Scene scene = test::noisyPhantom(ShadingModel::robust);
+  for (const int after : {0, 1, 40}) {
+    int asked = 0;
+    const auto isCancelled = [&] { return asked++ == after; };
+    EXPECT_THROW(engine->draw(scene, cpuPicture, {{0, 0}, cpuPicture}, isCancelled), Cancelled);
+    EXPECT_EQ(asked, after + 1);
+  }
+  int asked = 0;
+  engine->draw(scene, cpuPicture, {{0, 0}, cpuPicture}, [&] {
+    ++asked;
+    return false;
+  });
+  EXPECT_GE(asked, 2 * cpuPicture.y) << "two strips a row";
+}
+
+TEST(CpuRules, whatNobodySeesIsEmpty) {
+  CpuRenderer renderer;
+  Scene scene = test::noisyPhantom(ShadingModel::classic);
+  scene.transferFunction.points.clear();
+  EXPECT_EQ(renderer.render(scene, cpuPicture), Image(cpuPicture));
+  EXPECT_THROW(renderer.render(Scene{}, cpuPicture), Error);
+}
+
+} // namespace
+} // namespace limn
