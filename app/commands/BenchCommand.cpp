@@ -179,10 +179,12 @@ void addBenchCommand(CommandSyntax& root) {
                  "name of a preset, several times if wanted, or all: every built-in one");
   command
       .option("--engine", arguments->entries.engines,
-              "gl (default), slices, reference, or several: gl,slices")
+              "gl (default), cpu, slices, reference, or several: gl,cpu")
       .separatedByCommas()
-      .oneOf({"gl", "slices", "reference"});
-  command.option("--threads", arguments->entries.threads, "threads of the reference (default: every core)")
+      .oneOf({"gl", "cpu", "slices", "reference"});
+  command
+      .option("--threads", arguments->entries.threads,
+              "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
   command.flag("--all-effects", arguments->entries.allEffects,
                "the program with every effect compiled in draws the same views in turn");

@@ -132,7 +132,9 @@ void addRenderCommand(CommandSyntax& root) {
   command.option("--engine", arguments->engine,
                  "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
                  "slices-back-to-front, cpu, or reference (double precision, slow)");
-  command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
+  command
+      .option("--threads", arguments->threads,
+              "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
   command.flag(
       "--figures", arguments->printsFigures,

@@ -2,6 +2,7 @@
 #include "app/measure/bench/Contenders.h"
 
 #include "app/measure/bench/RivalContender.h"
+#include "cpu/CpuRenderer.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
@@ -30,11 +31,27 @@ std::unique_ptr<Contender> referenceContender(int threads) {
   });
 }
 
+std::unique_ptr<Contender> cpuContender(int threads) {
+  return pictureContender("limn-cpu", CpuRenderer(threads).name(), [threads]() -> DrawPicture {
+    const auto renderer = std::make_shared<CpuRenderer>(threads);
+    return [renderer](const Scene& scene) { return renderer->render(scene, sizeOf(scene)); };
+  });
+}
+
+// Draws in memory, whatever the driver.
+bool needsNoDriver(const Contender& contender) {
+  return contender.program() == "limn-reference" || contender.program() == "limn-cpu";
+}
+
 void addOwn(Contenders& contenders, const BenchEntries& entries) {
   std::shared_ptr<HeadlessContext> context;
   for (const std::string& engine : entries.engines) {
     if (engine == "reference") {
       contenders.push_back(referenceContender(entries.threads));
+      continue;
+    }
+    if (engine == "cpu") {
+      contenders.push_back(cpuContender(entries.threads));
       continue;
     }
     if (!context)
@@ -71,7 +88,7 @@ void addRivals(Contenders& contenders, const BenchEntries& entries, const std::s
 void requireOneDriver(const Contenders& contenders) {
   std::string driver;
   for (const auto& contender : contenders) {
-    if (contender->program() == "limn-reference")
+    if (needsNoDriver(*contender))
       continue;
     if (!driver.empty() && contender->renderer() != driver)
       throw Error(Error::Kind::openGl, contender->program() + " would draw on " + contender->renderer() +

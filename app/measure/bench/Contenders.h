@@ -10,8 +10,8 @@ namespace limn {
 
 /// Which renderers take part.
 struct BenchEntries {
-  std::vector<std::string> engines{"gl"}; ///< gl, slices, reference
-  int threads = 0;                        ///< of the reference, 0: every core
+  std::vector<std::string> engines{"gl"}; ///< gl, cpu, slices, reference
+  int threads = 0;                        ///< of the CPU engine and the reference, 0: every core
   bool allEffects = false;                ///< beside gl, the program with all effects compiled in
   bool rivals = false;                    ///< VTK's mappers, in processes of their own
   std::vector<std::string> readOptions;   ///< how they are to read the volume, as on the command line

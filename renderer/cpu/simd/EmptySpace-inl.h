@@ -34,8 +34,8 @@ public:
     }
   }
 
-  /// How many groups of `size` samples from sample `i` on lie in empty blocks.
-  HWY_INLINE int groupsFrom(int i, int size) const {
+  /// How many samples from sample `i` on lie in empty blocks.
+  HWY_INLINE int samplesFrom(int i) const {
     if (!m_empty.distances)
       return 0;
     const glm::vec3 p = m_first + static_cast<float>(i) * m_advance;
@@ -47,7 +47,7 @@ public:
     const float reach = static_cast<float>(distance) - 0.5f;
     const glm::vec3 steps = (glm::vec3(block) + 0.5f - p) * m_samples + reach * glm::abs(m_samples) + m_still;
     const float alike = std::ceil(std::min({steps.x, steps.y, steps.z})) - m_behind;
-    return static_cast<int>(std::clamp(alike, 0.0f, 60000.0f)) / size;
+    return static_cast<int>(std::clamp(alike, 0.0f, 60000.0f));
   }
 
 private:

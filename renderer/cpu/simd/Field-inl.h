@@ -162,9 +162,14 @@ private:
   // Four bytes from each offset on. Where some would reach beyond the voxels, those bytes read as 0: their
   // voxels have no weight.
   HWY_INLINE VW wordsAt(VI offset) const {
-    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(offset, hn::Set(ints, m_lastWord)))))
-      return hn::BitCast(words,
-                         hn::GatherOffset(ints, reinterpret_cast<const std::int32_t*>(m_middle), offset));
+    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(offset, hn::Set(ints, m_lastWord))))) {
+      HWY_ALIGN std::int32_t offsets[HWY_MAX_BYTES / 4];
+      HWY_ALIGN std::uint32_t result[HWY_MAX_BYTES / 4];
+      hn::Store(offset, ints, offsets);
+      for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
+        std::memcpy(&result[lane], m_middle + offsets[lane], 4);
+      return hn::Load(words, result);
+    }
     HWY_ALIGN std::int32_t offsets[HWY_MAX_BYTES / 4];
     HWY_ALIGN std::uint32_t result[HWY_MAX_BYTES / 4] = {};
     hn::Store(offset, ints, offsets);

@@ -66,6 +66,22 @@ public:
     return result;
   }
 
+  /// The opacity alone.
+  HWY_INLINE VF opacityAt(VF x, Mask wanted) const {
+    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(3e38f))));
+    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-3e38f))));
+    const glm::vec4* texels = &m_table.segments[4 * segmentOf(low)];
+    VF start = all(texels[2].x), opacity = all(texels[0].a), slope = all(texels[1].a);
+    while (high >= texels[2].y) {
+      texels += 4;
+      const Mask isHere = hn::Ge(x, all(texels[2].x));
+      start = hn::IfThenElse(isHere, all(texels[2].x), start);
+      opacity = hn::IfThenElse(isHere, all(texels[0].a), opacity);
+      slope = hn::IfThenElse(isHere, all(texels[1].a), slope);
+    }
+    return hn::MulAdd(hn::Sub(x, start), slope, opacity);
+  }
+
   /// Whether anything between two scalars may have an opacity.
   HWY_INLINE Mask mayBeSeenBetween(VF a, VF b) const {
     const VI low = hn::ShiftLeft<1>(binOf(hn::Min(a, b)));

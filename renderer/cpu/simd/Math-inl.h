@@ -16,7 +16,8 @@ namespace limn::cpu::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::ScalableTag<float>;
+// More than eight in a row run out of a block, and gain nothing.
+using Floats = hn::CappedTag<float, 8>;
 using Ints = hn::RebindToSigned<Floats>;
 using Words = hn::RebindToUnsigned<Floats>;
 using VF = hn::Vec<Floats>;

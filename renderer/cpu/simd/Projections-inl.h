@@ -9,6 +9,7 @@
 #define LIMN_CPU_PROJECTIONS_INL_H
 #endif
 
+#include "cpu/simd/Composite-inl.h"
 #include "cpu/simd/EmptySpace-inl.h"
 #include "cpu/simd/LocalSteps-inl.h"
 #include "cpu/simd/Samples-inl.h"
@@ -38,69 +39,34 @@ private:
   HWY_INLINE VF samplesFrom(int i) const { return hn::Iota(floats, static_cast<float>(i)); }
   HWY_INLINE Mask isBefore(VF step, int end) const { return hn::Lt(step, all(static_cast<float>(end))); }
 
-  // The first sample of the group that holds one.
-  int groupOf(int i) const { return i / lanes() * lanes(); }
-
   // The integral along the ray.
   glm::vec4 gathered() const {
     if (m_terms.local)
       return LocalMarch<kind>(m_terms, m_ray).gathered();
-    return m_terms.effects.has(Effect::xray) ? xray() : composite();
+    return m_terms.effects.has(Effect::xray) ? xray() : Composite<kind>(m_terms, m_samples).gathered();
   }
 
-  glm::vec4 composite() const {
-    const EmptySteps empty(m_terms.empty, m_ray, m_terms.effects.has(Effect::preintegration));
-    Sum sum{zero(), 1.0, false};
-    for (int i = groupOf(m_ray.from); i < m_ray.to && !sum.hasEnded;) {
-      const int leap = empty.groupsFrom(i, lanes());
-      if (leap > 0) {
-        i += leap * lanes();
-        continue;
-      }
-      const VF step = samplesFrom(i);
-      i += lanes();
-      const auto shaded = m_samples.at(step, isBefore(step, m_ray.count));
-      if (!hn::AllFalse(floats, shaded.seen))
-        add(sum, shaded.seen, oneMinusExpNeg(hn::Mul(shaded.extinction, all(m_ray.units))), shaded.color);
-    }
-    return pixelOf(sum, m_terms.effects);
-  }
-
-  // Composites front to back what shows of a group.
-  HWY_INLINE void add(Sum& sum, Mask seen, VF alpha, const V3& color) const {
-    HWY_ALIGN float alphas[HWY_MAX_BYTES / 4];
-    HWY_ALIGN float shares[HWY_MAX_BYTES / 4] = {};
-    hn::Store(alpha, floats, alphas);
-    const double last = m_terms.lastTransmittance;
-    for (std::uint32_t bits = bitsOf(seen); bits != 0; bits &= bits - 1) {
-      const int lane = std::countr_zero(bits);
-      const double share = sum.transmittance * alphas[lane];
-      shares[lane] = static_cast<float>(share);
-      sum.transmittance -= share;
-      if (sum.transmittance <= last) {
-        sum.hasEnded = true;
-        break;
-      }
-    }
-    const VF weights = hn::Load(floats, shares);
-    sum.color = {hn::MulAdd(weights, color.x, sum.color.x), hn::MulAdd(weights, color.y, sum.color.y),
-                 hn::MulAdd(weights, color.z, sum.color.z)};
+  // One by one, so that the sum does not depend on which samples are computed together.
+  HWY_INLINE static void addDepth(Mask seen, VF extinction, double& depth) {
+    HWY_ALIGN float extinctions[HWY_MAX_BYTES / 4];
+    hn::Store(extinction, floats, extinctions);
+    for (std::uint32_t bits = bitsOf(seen); bits != 0; bits &= bits - 1)
+      depth += extinctions[std::countr_zero(bits)];
   }
 
   glm::vec4 xray() const {
     const EmptySteps empty(m_terms.empty, m_ray, m_terms.effects.has(Effect::preintegration));
     double depth = 0.0;
-    for (int i = groupOf(m_ray.from); i < m_ray.to;) {
-      const int leap = empty.groupsFrom(i, lanes());
-      if (leap > 0) {
-        i += leap * lanes();
+    for (int i = m_ray.from; i < m_ray.to;) {
+      if (const int leap = empty.samplesFrom(i); leap > 0) {
+        i += leap;
         continue;
       }
       const VF step = samplesFrom(i);
       i += lanes();
       const auto shaded = m_samples.at(step, isBefore(step, m_ray.count));
       if (!hn::AllFalse(floats, shaded.seen))
-        depth += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(shaded.seen, shaded.extinction)));
+        addDepth(shaded.seen, shaded.extinction, depth);
     }
     return glm::vec4(static_cast<float>(-std::expm1(-depth * m_ray.units)));
   }
@@ -140,9 +106,8 @@ private:
     const EmptySteps empty(m_terms.empty, m_ray, false);
     // The exit counts as the last sample.
     for (int i = 0; i <= m_ray.count;) {
-      const int leap = empty.groupsFrom(i, lanes());
-      if (leap > 0 && i + leap * lanes() <= m_ray.count) {
-        i += leap * lanes();
+      if (const int leap = empty.samplesFrom(i); leap > 0 && i + leap <= m_ray.count) {
+        i += leap;
         continue;
       }
       const VF step = hn::Min(samplesFrom(i), all(exit));

@@ -46,15 +46,19 @@ struct Samples {
     VF extinction; // likewise
   };
 
-  HWY_INLINE Absorbed absorbedBy(VF scalar, Mask wanted) const {
+  HWY_INLINE Absorbed absorbedBy(VF scalar, Mask wanted, bool withColor) const {
     Absorbed absorbed;
     absorbed.seen = hn::And(wanted, function.mayBeSeen(scalar));
     if (hn::AllFalse(floats, absorbed.seen))
       return absorbed;
-    const Classified material = function.at(scalar, absorbed.seen);
-    absorbed.color = material.color;
-    absorbed.opacity = material.opacity;
-    absorbed.extinction = minusLog1mOpacity(material.opacity);
+    if (withColor) {
+      const Classified material = function.at(scalar, absorbed.seen);
+      absorbed.color = material.color;
+      absorbed.opacity = material.opacity;
+    } else {
+      absorbed.opacity = function.opacityAt(scalar, absorbed.seen);
+    }
+    absorbed.extinction = minusLog1mOpacity(absorbed.opacity);
     return absorbed;
   }
 
@@ -88,7 +92,7 @@ struct Samples {
     const auto rows = field.rowsOf(cells);
     const Absorbed absorbed = effects.has(Effect::preintegration)
                                   ? absorbedOver(step, wanted)
-                                  : absorbedBy(field.scalarOf(rows, cells), wanted);
+                                  : absorbedBy(field.scalarOf(rows, cells), wanted, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))
       return result;

@@ -3,6 +3,7 @@
 // on stdin and stdout are those of app/measure/bench/RivalContender.h.
 #include "VtkStage.h"
 #include "app/commands/Arguments.h"
+#include "app/commands/Syntax.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
@@ -93,14 +94,14 @@ int converse(VtkMapper mapper, const SourceOptions& options) {
 } // namespace limn
 
 int main(int argc, char** argv) {
-  CLI::App program("Draws scenes with VTK for limn bench --rivals.", "limn_bench_vtk");
+  limn::ProgramSyntax program("limn_bench_vtk", "Draws scenes with VTK for limn bench --rivals.", "");
   std::string mapper;
   limn::SourceArguments arguments;
-  program.add_option("MAPPER", mapper, "gpu or fixedpoint")
-      ->required()
-      ->check(CLI::IsMember({"gpu", "fixedpoint"}));
-  limn::addSourceOptions(program, arguments);
-  CLI11_PARSE(program, argc, argv);
+  limn::CommandSyntax words = program.words();
+  words.option("MAPPER", mapper, "gpu or fixedpoint").required().oneOf({"gpu", "fixedpoint"});
+  limn::addSourceOptions(words, arguments);
+  if (const std::optional<int> status = program.run(argc, argv))
+    return *status;
   return limn::converse(mapper == "gpu" ? limn::VtkMapper::gpu : limn::VtkMapper::fixedPoint,
                         limn::sourceOptions(arguments));
 }
