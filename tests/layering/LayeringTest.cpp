@@ -48,6 +48,11 @@ TEST(Layering, referenceAndGlKnowOnlyTheScene) {
                    "the ray caster draws from the scene alone");
 }
 
+TEST(Layering, theCpuEngineDrawsFromTheSceneAlone) {
+  expectNoIncludes("renderer/cpu", "^(io|gl|glsl|raycaster|slices|reference|accuracy|stability|widgets|app)/|epoxy",
+                   "the CPU engine needs no OpenGL and no other renderer");
+}
+
 TEST(Layering, slicesShareTheRayCastersTexturesAndBlocksAndKnowNothingElse) {
   expectNoIncludes("renderer/slices", "^(io|reference|accuracy|raycaster|widgets|app)/",
                    "slices draw from the scene alone");
@@ -60,7 +65,7 @@ TEST(Layering, accuracyTakesRenderersAsFunctions) {
 
 TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
   expectNoIncludes("renderer/stability", "^(io|accuracy|widgets|app)/", "hard cases are scenes, not files");
-  for (const char* folder : {"renderer/raycaster", "renderer/slices", "renderer/reference", "renderer/gl"})
+  for (const char* folder : {"renderer/raycaster", "renderer/slices", "renderer/cpu", "renderer/reference", "renderer/gl"})
     expectNoIncludes(folder, "^stability/", "renderers do not know their examiner");
 }
 
