@@ -61,6 +61,6 @@ std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engi
                                const std::function<double(const Draw& draw)>& figure);
 
 /// Appends findings to others.
-void append(std::vector<Finding>& findings, std::vector<Finding> more);
+std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more);
 
 } // namespace limn

@@ -24,11 +24,11 @@ std::vector<Finding> limits(Workbench& bench) {
   for (const auto& [what, model] : {std::pair{"no pixel brighter than opaque, robust", ShadingModel::robust},
                                     {"no pixel brighter than opaque, enhanced", ShadingModel::enhanced},
                                     {"no pixel brighter than opaque, classic", ShadingModel::classic}})
-    append(findings, inEachEngine(bench, what, {},
-                                  "pixels with a colour above alpha, or that are not finite or outside 0..1",
-                                  [model = model](const Draw& draw) {
-                                    return unsoundPixels(draw(dazzling(model), {32, 32}));
-                                  }));
+    findings += inEachEngine(bench, what, {},
+                             "pixels with a colour above alpha, or that are not finite or outside 0..1",
+                             [model = model](const Draw& draw) {
+                               return unsoundPixels(draw(dazzling(model), {32, 32}));
+                             });
   const Overflow overflow =
       overflowOf(bench.rays().renderUnlimited(dazzling(ShadingModel::classic), {32, 32}));
   findings.push_back(atMost("gl", "the light does add up to more", overflow.share > 0.0 ? 0.0 : 1.0, 0.0,
@@ -68,8 +68,7 @@ std::vector<Finding> outliers(Workbench& bench) {
   return inEachEngine(
       bench, "one voxel of ten times the largest value, robust", {level, level, level},
       "largest change of pixels two voxels away: below one level, because one voxel does not set the "
-      "gradient "
-      "that counts as 1",
+      "gradient that counts as 1",
       [](const Draw& draw) {
         const DrawnPicture without = withOutlier(draw, smoothVolume(edge)->value(outlier));
         const DrawnPicture with = withOutlier(draw, 1000.0);
@@ -129,10 +128,10 @@ std::vector<Finding> monotoneHighlights() {
 
 std::vector<Finding> overflow(Workbench& bench) {
   std::vector<Finding> findings = limits(bench);
-  append(findings, neutralExtras(bench));
-  append(findings, outliers(bench));
-  append(findings, kneeCurve());
-  append(findings, monotoneHighlights());
+  findings += neutralExtras(bench);
+  findings += outliers(bench);
+  findings += kneeCurve();
+  findings += monotoneHighlights();
   return findings;
 }
 
