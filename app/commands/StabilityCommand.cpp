@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/StabilityCommand.h"
+#include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
 #include "app/engines/ProcessCost.h"
@@ -92,9 +92,8 @@ void writeReport(const StabilityReport& report, const std::filesystem::path& fol
 
 void runStability(const StabilityArguments& arguments) {
   if (arguments.folder.empty() && arguments.seeds < 1 && arguments.only.empty())
-    throw Error(Error::Kind::usage,
-                "Where shall the report go? Give a folder with -o, or --fuzz N or --only H1 for "
-                "figures on the terminal alone.");
+    throw Error(Error::Kind::usage, "Where shall the report go? Give a folder with -o, or --fuzz N or --only "
+                                    "H1 for figures on the terminal alone.");
   const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
   const std::vector<HardCase> cases = hasCases ? chosenCases(arguments.only) : std::vector<HardCase>();
   const Progress progress = terminalProgress(arguments.quiet);
@@ -123,9 +122,9 @@ void runStability(const StabilityArguments& arguments) {
     writeReport(report, arguments.folder);
   std::cout << stabilityTable(report);
   if (!holds(report))
-    throw Error(Error::Kind::other,
-                "Something above does not hold on this driver; please report it with the page "
-                "that -o writes.");
+    throw Error(
+        Error::Kind::other,
+        "Something above does not hold on this driver; please report it with the page that -o writes.");
 }
 
 } // namespace

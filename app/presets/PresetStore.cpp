@@ -7,7 +7,7 @@
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 
-#include <QStandardPaths>
+#include <QString>
 
 #include <algorithm>
 #include <cctype>
@@ -22,8 +22,7 @@ constexpr std::size_t longestFileName = 255; // of the usual file systems, bytes
 PresetStore::PresetStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
 PresetStore PresetStore::ofThisUser() {
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  return PresetStore(std::filesystem::path(data.toStdString()) / "presets");
+  return PresetStore(UserFolders::ofThisUser().presets);
 }
 
 std::filesystem::path PresetStore::fileOf(const std::string& name) const {

@@ -42,19 +42,18 @@ void AccuracyPanel::layOut() {
 
 void AccuracyPanel::connectSections() {
   connect(m_dial, &DialSection::pointPicked, this, &AccuracyPanel::useStep);
-  connect(m_dial, &DialSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
   connect(m_dial, &DialSection::movingMsPicked, this, &AccuracyPanel::movingMsPicked);
   connect(m_wish, &WishSection::levelsWished, this,
           [this](double levels) { answer(wishForLevels(m_measured->report, levels)); });
   connect(m_wish, &WishSection::msWished, this,
           [this](double ms) { answer(wishForMs(m_measured->report, ms)); });
   connect(m_chart, &MeasuredSection::measureRequested, this, &AccuracyPanel::measureRequested);
-  connect(m_chart, &MeasuredSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
   connect(m_chart, &MeasuredSection::saveRequested, this, &AccuracyPanel::saveRequested);
   connect(m_chart, &MeasuredSection::pointPicked, this,
           [this](std::size_t point) { use(m_measured->report.points[point].point); });
   connect(m_map, &MapSection::mapRequested, this, &AccuracyPanel::mapRequested);
-  connect(m_map, &MapSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
+  for (const WorkRow* work : {m_dial->work(), m_chart->work(), m_map->work()})
+    connect(work, &WorkRow::cancelled, this, &AccuracyPanel::cancelRequested);
 }
 
 void AccuracyPanel::setScene(const Scene& scene) {
@@ -99,9 +98,9 @@ void AccuracyPanel::showProgress(double fraction, const QString& doing) {
   const auto progressOf = [&](AccuracyWork kind) {
     return m_work == kind ? std::optional(fraction) : std::nullopt;
   };
-  m_dial->setProgress(progressOf(AccuracyWork::findingSteps), doing);
-  m_chart->setProgress(progressOf(AccuracyWork::measuring), doing);
-  m_map->setProgress(progressOf(AccuracyWork::comparing), doing);
+  m_dial->work()->showProgress(progressOf(AccuracyWork::findingSteps), doing);
+  m_chart->work()->showProgress(progressOf(AccuracyWork::measuring), doing);
+  m_map->work()->showProgress(progressOf(AccuracyWork::comparing), doing);
 }
 
 void AccuracyPanel::setMapUnavailable(const QString& reason) {

@@ -30,16 +30,14 @@ QString meaningOf(Projection projection) {
   case Projection::composite:
     return ProjectionSection::tr("Tissue as the opacity curve shows it, lit, the near in front of the far.");
   case Projection::mip:
-    return ProjectionSection::tr("The largest value along each ray: contrast-filled vessels, calcium, metal. "
-                                 "Depth is lost.");
+    return ProjectionSection::tr(
+        "The largest value along each ray: contrast-filled vessels, calcium, metal. Depth is lost.");
   case Projection::minip:
-    return ProjectionSection::tr(
-        "The smallest value along each ray: airways, air trapping. Black where the curve is transparent at "
-        "that value; crop the air around the body.");
+    return ProjectionSection::tr("The smallest value along each ray: airways, air trapping. Black where the "
+                                 "curve is transparent at that value; crop the air around the body.");
   case Projection::average:
-    return ProjectionSection::tr(
-        "The mean value along each ray, like one thick slice. Air lowers the mean: make the curve opaque "
-        "at lower values, or crop.");
+    return ProjectionSection::tr("The mean value along each ray, like one thick slice. Air lowers the mean: "
+                                 "make the curve opaque at lower values, or crop.");
   case Projection::xray:
     return ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph. Lower the "
                                  "overall opacity where all is white.");

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ModelName.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 namespace limn {
 
 QString modelName(ShadingModel model) {
-  const auto translated = [](const char* text) {
-    return QCoreApplication::translate("limn::ModelName", text);
-  };
   switch (model) {
   case ShadingModel::none:
-    return translated("Unlit");
+    return QObject::tr("Unlit");
   case ShadingModel::classic:
-    return translated("Classic");
+    return QObject::tr("Classic");
   case ShadingModel::enhanced:
-    return translated("Enhanced");
+    return QObject::tr("Enhanced");
   case ShadingModel::robust:
-    return translated("Robust");
+    return QObject::tr("Robust");
   }
   return {};
 }

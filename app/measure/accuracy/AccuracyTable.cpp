@@ -5,7 +5,6 @@
 #include "accuracy/sweep/FigureText.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace limn {
 namespace {

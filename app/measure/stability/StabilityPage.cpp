@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/stability/FindingText.h"
 #include "app/measure/stability/StabilityText.h"
 #include "io/reports/HtmlPage.h"
 
@@ -203,9 +202,8 @@ std::string stabilityPage(const StabilityReport& report) {
                      outline(report.cases, Verdict::notApplicable, "What cannot apply, and why");
   body +=
       "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
-      "reference, "
-      "by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of bound\"). "
-      "Grey lines say what the figures above them are and where the bounds come from.</p>\n";
+      "reference, by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of "
+      "bound\"). Grey lines say what the figures above them are and where the bounds come from.</p>\n";
   if (!report.cases.empty()) {
     body += "<table>\n" + headRow();
     for (const MeasuredCase& one : report.cases)

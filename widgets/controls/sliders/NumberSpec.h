@@ -11,7 +11,7 @@ namespace limn {
 struct NumberSpec {
   QString label;             ///< a clinician's words, the formula's symbol in brackets
   QString help;              ///< one sentence: what it does to the picture
-  QString unit;              ///< empty where the number has none
+  QString unit = {};         ///< empty where the number has none
   SliderScale scale;         ///< of the track
   double lowest = 0.0;       ///< smallest number that can be typed
   double highest = 1.0;      ///< largest number that can be typed

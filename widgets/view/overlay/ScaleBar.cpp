@@ -2,7 +2,6 @@
 #include "widgets/view/overlay/ScaleBar.h"
 
 #include <cmath>
-#include <initializer_list>
 
 namespace limn {
 

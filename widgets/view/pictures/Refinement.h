@@ -3,7 +3,6 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "widgets/view/pictures/PictureState.h"
-#include "widgets/view/pictures/RestTurn.h"
 #include "widgets/view/pictures/SidePicture.h"
 
 #include <memory>
@@ -12,6 +11,14 @@
 #include <vector>
 
 namespace limn {
+
+/// What one turn of the event loop brought while the pictures rest.
+enum class RestTurn {
+  nothing, ///< there is nothing left to do
+  waiting, ///< for another thread
+  worked,
+  finished ///< a picture that was shown is replaced by a better one
+};
 
 /// Brings resting pictures closer to the exact ones: draws them anew with half the step, again and again, all
 /// sides with the same one, until they lie within half a level or nothing is gained any more. Each pass is

@@ -7,7 +7,7 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/HeadScene.h"
 #include "support/GlTest.h"
-#include "widgets/view/pictures/PictureBytes.h"
+#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QCoreApplication>
 
