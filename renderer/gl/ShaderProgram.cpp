@@ -48,10 +48,9 @@ void requireCompiled(const ShaderObject& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
-    throw DriverError(
-        "The graphics driver refused a shader; update the driver or use --engine reference, and "
-        "please report it with `limn info --system`.",
-        withFileLines(shaderLog(shader.name), source));
+    throw DriverError("The graphics driver refused a shader; update the driver or use --engine reference, "
+                      "and please report it with `limn info --system`.",
+                      withFileLines(shaderLog(shader.name), source));
 }
 
 } // namespace
@@ -129,10 +128,9 @@ void ShaderProgram::finish() {
   glDetachShader(m_program.name(), m_pending->vertex.name);
   glDetachShader(m_program.name(), m_pending->fragment.name);
   if (isLinked != GL_TRUE)
-    throw DriverError(
-        "The graphics driver could not link a shader program; update the driver or use --engine "
-        "reference, and please report it with `limn info --system`.",
-        programLog(m_program.name()));
+    throw DriverError("The graphics driver could not link a shader program; update the driver or use "
+                      "--engine reference, and please report it with `limn info --system`.",
+                      programLog(m_program.name()));
   m_pending.reset();
 }
 

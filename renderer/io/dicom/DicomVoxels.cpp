@@ -157,10 +157,9 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
   const DicomHeader& first = *series.front().header;
   for (const DicomSlice& slice : series)
     if (!isUsable(rescaleOf(slice)))
-      throw Error(Error::Kind::input,
-                  "The DICOM file " + slice.header->path.string() +
-                      " gives a rescale slope of 0 or none that is a number, which leaves no values; "
-                      "its header is damaged.");
+      throw Error(Error::Kind::input, "The DICOM file " + slice.header->path.string() +
+                                          " gives a rescale slope of 0 or none that is a number, which "
+                                          "leaves no values; its header is damaged.");
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
   DicomUnpackNotes notes;
   noteFormat(series, warnings);

@@ -6,7 +6,6 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <string_view>
 

@@ -56,9 +56,8 @@ void requirePicture(const DicomHeader& header) {
                (header.modality.empty() ? std::string() : " (its kind is " + quoted(header.modality) + ")") +
                "; open the folder of an image series instead.");
   if (header.pixels->isFloatingPoint)
-    refuse(header,
-           "stores its pixels as floating-point numbers, which this program does not read from DICOM; "
-           "convert it to NIfTI.");
+    refuse(header, "stores its pixels as floating-point numbers, which this program does not read from "
+                   "DICOM; convert it to NIfTI.");
   if (header.isMosaic)
     refuse(header, "is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.");
   if (!header.frameCountFlaw.empty())

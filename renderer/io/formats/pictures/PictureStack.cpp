@@ -9,7 +9,6 @@
 #include "io/reading/ReadError.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
