@@ -4,7 +4,7 @@
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
-#include "widgets/shading/ModelName.h"
+#include "widgets/shading/ModelSection.h"
 
 #include <QUndoStack>
 

@@ -4,8 +4,6 @@
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "app/measure/bench/Bench.h"
-#include "app/measure/bench/Contenders.h"
-#include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "io/reports/ReportJson.h"
 #include "scene/presets/PresetFit.h"

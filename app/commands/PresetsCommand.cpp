@@ -2,7 +2,6 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
-#include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "io/scenefile/SceneFile.h"
 

@@ -5,7 +5,6 @@
 #include "app/engines/ProcessCost.h"
 #include "app/measure/stability/StabilityText.h"
 #include "gl/DriverFacts.h"
-#include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"

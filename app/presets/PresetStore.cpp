@@ -2,7 +2,6 @@
 #include "app/presets/PresetStore.h"
 
 #include "app/UserFolders.h"
-#include "app/presets/BuiltInPresets.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"

@@ -3,7 +3,7 @@
 
 #include "raycaster/RayCaster.h"
 #include "slices/SliceRenderer.h"
-#include "stability/Finding.h"
+#include "stability/HardCase.h"
 
 #include <functional>
 #include <optional>
@@ -62,5 +62,9 @@ std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engi
 
 /// Appends findings to others.
 std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more);
+
+/// A picture over a background as the window puts it on the screen, in a framebuffer of 8 bits a channel;
+/// rows from the top. Needs a current context.
+std::vector<glm::u8vec4> presented(const DrawnPicture& picture, const glm::dvec3& background);
 
 } // namespace limn

@@ -4,9 +4,9 @@
 #include "scene/light/ModelName.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/ValueSlider.h"
-#include "widgets/shading/ModelName.h"
 
 #include <QLabel>
+#include <QObject>
 
 namespace limn {
 namespace {
@@ -100,6 +100,20 @@ void ModelSection::showShading() {
           : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
   m_exponentRange->setUnavailable(noRange);
   m_opacityRange->setUnavailable(noRange);
+}
+
+QString modelName(ShadingModel model) {
+  switch (model) {
+  case ShadingModel::none:
+    return QObject::tr("Unlit");
+  case ShadingModel::classic:
+    return QObject::tr("Classic");
+  case ShadingModel::enhanced:
+    return QObject::tr("Enhanced");
+  case ShadingModel::robust:
+    return QObject::tr("Robust");
+  }
+  return {};
 }
 
 } // namespace limn

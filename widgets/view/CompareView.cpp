@@ -7,7 +7,6 @@
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
-#include "widgets/view/overlay/OverlayPainting.h"
 #include "widgets/view/panels/ModelMenu.h"
 #include "widgets/view/panels/PanelStack.h"
 

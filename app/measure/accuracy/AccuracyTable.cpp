@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/accuracy/AccuracyTable.h"
 
-#include "accuracy/sweep/DecisionVerdict.h"
 #include "accuracy/sweep/FigureText.h"
 
 #include <algorithm>

@@ -36,4 +36,18 @@ inline int picturesPerRow(int frames) {
 /// views.
 std::string benchTable(const std::string& machine, const std::vector<BenchRow>& rows);
 
+/// Which renderers take part.
+struct BenchEntries {
+  std::vector<std::string> engines{"gl"}; ///< gl, slices, reference
+  int threads = 0;                        ///< of the reference, 0: every core
+  bool allEffects = false;                ///< beside gl, the program with all effects compiled in
+  bool rivals = false;                    ///< VTK's mappers, in processes of their own
+  std::vector<std::string> readOptions;   ///< how they are to read the volume, as on the command line
+};
+
+/// The renderers for one scene, whose volume is at `volumePath`. Throws Error, also where renderers draw on
+/// different drivers: their times must not be compared.
+std::vector<std::unique_ptr<Contender>> contendersFor(const BenchEntries& entries,
+                                                      const std::string& volumePath);
+
 } // namespace limn

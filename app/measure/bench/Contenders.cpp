@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/bench/Contenders.h"
+#include "app/measure/bench/Bench.h"
 
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace limn {
 
@@ -91,5 +92,11 @@ private:
 
 /// Refuses a document whose `key` is not the version that this program reads; `what` it would be otherwise.
 void requireVersion(JsonFields& fields, const std::string& key, const std::string& what);
+
+/// The text as JSON. Throws Error (input) calling the file `name`.
+nlohmann::json parsedJson(std::string_view text, const std::string& name);
+
+/// JSON as the text of a file, ASCII.
+std::string textOf(const nlohmann::ordered_json& json);
 
 } // namespace limn

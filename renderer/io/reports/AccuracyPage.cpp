@@ -2,7 +2,6 @@
 #include "io/reports/AccuracyPage.h"
 
 #include "accuracy/sweep/AccuracySweep.h"
-#include "accuracy/sweep/DecisionVerdict.h"
 #include "accuracy/sweep/FigureText.h"
 #include "io/reports/HtmlPage.h"
 

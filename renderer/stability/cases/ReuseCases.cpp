@@ -3,8 +3,8 @@
 #include "scene/volume/Phantom.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
-#include "stability/scenes/HeadScene.h"
 #include "stability/scenes/SceneVariations.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <algorithm>
 

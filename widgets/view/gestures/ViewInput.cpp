@@ -3,7 +3,6 @@
 
 #include "widgets/properties/AxisNames.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
-#include "widgets/view/overlay/CropBoxPainting.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QAbstractSpinBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/CropBoxPainting.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <QPainter>
 

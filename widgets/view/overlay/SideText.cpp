@@ -2,7 +2,7 @@
 #include "widgets/view/overlay/SideText.h"
 
 #include "widgets/properties/ProjectionSection.h"
-#include "widgets/shading/ModelName.h"
+#include "widgets/shading/ModelSection.h"
 #include "widgets/view/status/PictureStatusText.h"
 
 #include <QObject>

@@ -3,7 +3,7 @@
 
 #include "widgets/view/pictures/Refinement.h"
 
-#include "accuracy/Resolution.h"
+#include "accuracy/ErrorEstimate.h"
 #include "widgets/view/pictures/TileDrawing.h"
 
 #include <QThreadPool>

@@ -75,7 +75,7 @@ private:
   double m_lastMs = 0.0;           ///< by the last one; at first by the pictures of the scenes' step
 };
 
-/// Whether a picture of the scene sees its transfer function (accuracy/Resolution).
+/// Whether a picture of the scene sees its transfer function (accuracy/ErrorEstimate).
 bool isResolved(DrawingEngine& engine, const Scene& scene);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomParser.h"
 
-#include "io/dicom/header/DicomInflate.h"
 #include "io/dicom/header/DicomTags.h"
 #include "scene/basics/Error.h"
 

@@ -2,7 +2,6 @@
 #include "io/formats/pictures/PictureStack.h"
 
 #include "io/formats/pictures/Picture.h"
-#include "io/formats/pictures/TiffPages.h"
 #include "io/formats/voxels/StoredType.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/NameLikeness.h"
