@@ -8,13 +8,6 @@
 namespace limn {
 namespace {
 
-double distanceOf(const glm::dvec4& pixel, const glm::dvec4& expected) {
-  double largest = 0.0;
-  for (int channel = 0; channel < 4; ++channel)
-    largest = std::max(largest, finiteOrInfinite(std::abs(pixel[channel] - expected[channel])));
-  return largest;
-}
-
 // Layers of 1 mm, one step each, with a point of the function for each value.
 Scene layers(const std::vector<double>& values, const std::vector<ControlPoint>& points) {
   Scene scene = rayThrough(columnOf(values, 1.0));
@@ -48,7 +41,7 @@ std::vector<Finding> premultiplied(Workbench& bench) {
       [](const Draw& draw) {
         const Scene scene =
             layers({0.0, 1.0, 2.0}, {{0.0, {1, 0, 0}, 0.2}, {1.0, {0, 1, 0}, 0.5}, {2.0, {0, 0, 1}, 0.8}});
-        return distanceOf(draw(scene, {1, 1}).at(0, 0), {0.2, 0.4, 0.32, 0.92});
+        return largestDifference(draw(scene, {1, 1}).at(0, 0), {0.2, 0.4, 0.32, 0.92});
       });
   const std::string reason =
       "levels of 255 off on the screen; the nearest is half a level away, and drivers may round either way";
@@ -94,7 +87,7 @@ std::vector<Finding> encoding(Workbench& bench) {
                    [](const Draw& draw) {
                      Scene scene = rayThrough(boxOf(white));
                      scene.transferFunction = constantFunction(0.5, white);
-                     return distanceOf(draw(scene, {1, 1}).at(0, 0), glm::dvec4(0.5));
+                     return largestDifference(draw(scene, {1, 1}).at(0, 0), glm::dvec4(0.5));
                    });
   return findings;
 }
@@ -113,7 +106,7 @@ double sheetError(const Draw& draw, const Fog& fog, double z, double factor) {
   scene.transferFunction = constantFunction(1.0, glm::dvec3(objectGrey), 0.01 * thickness);
   scene.fog = fog;
   const double expected = factor * objectGrey + (1.0 - factor) * fogGrey;
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(expected), 1.0});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(expected), 1.0});
 }
 
 std::vector<Finding> fogFactors(Workbench& bench) {
@@ -156,7 +149,7 @@ double foggedLayersError(const Draw& draw) {
   const double f1 = std::exp(-density), f4 = std::exp(-4.0 * density);
   const double color =
       0.3 * (f1 * 0.9 + (1.0 - f1) * fogGrey) + 0.7 * 0.6 * (f4 * 0.2 + (1.0 - f4) * fogGrey);
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(color), 0.72});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(color), 0.72});
 }
 
 // A medium of the fog's colour and density over 3 mm before an opaque object: what exponential fog stands
@@ -168,7 +161,8 @@ double mediumError(const Draw& draw) {
       unit, {{0.5, glm::dvec3(fogGrey), -std::expm1(-density * unit)}, {0.5, glm::dvec3(objectGrey), 1.0}}};
   scene.quality.stepVoxels = 0.1;
   const double f = std::exp(-3.0 * density);
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(f * objectGrey + (1.0 - f) * fogGrey), 1.0});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0),
+                           {glm::dvec3(f * objectGrey + (1.0 - f) * fogGrey), 1.0});
 }
 
 double largestAlphaChange(const Draw& draw, const Fog& fog) {

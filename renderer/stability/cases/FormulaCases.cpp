@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/StableMath.h"
+#include "scene/light/ModelName.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -54,17 +55,15 @@ std::vector<Finding> zeroVectors() {
 
 std::vector<Finding> gradients(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const auto& [what, model] : {std::pair{"constant volume, classic", ShadingModel::classic},
-                                    {"constant volume, enhanced", ShadingModel::enhanced},
-                                    {"constant volume, robust", ShadingModel::robust}})
-    findings += inEachEngine(
-        bench, what, {}, "pixels that are not finite or outside 0..1", [model = model](const Draw& draw) {
-          const auto volume =
-              volumeOf(centredGrid(glm::ivec3(8), glm::dvec3(1.0)), [](int, int, int) { return 50.0; });
-          Scene scene = wholeVolume(volume, model, 0.0, 100.0, {0.6, 0.64, 0.48});
-          scene.shading.opacityRange = {0.2, 1.0};
-          return unsoundPixels(draw(scene, {24, 24}));
-        });
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+    findings += inEachEngine(bench, std::string("constant volume, ") + nameOf(model), {},
+                             "pixels that are not finite or outside 0..1", [model](const Draw& draw) {
+                               const auto volume = volumeOf(centredGrid(glm::ivec3(8), glm::dvec3(1.0)),
+                                                            [](int, int, int) { return 50.0; });
+                               Scene scene = wholeVolume(volume, model, 0.0, 100.0, {0.6, 0.64, 0.48});
+                               scene.shading.opacityRange = {0.2, 1.0};
+                               return unsoundPixels(draw(scene, {24, 24}));
+                             });
   for (const double scale : {1e-30, 1e30})
     findings += inEachEngine(
         bench, scale > 1.0 ? "values times 1e30, enhanced" : "values times 1e-30, enhanced",

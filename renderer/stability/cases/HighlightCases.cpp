@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/PictureFigures.h"
 #include "scene/basics/StableMath.h"
+#include "scene/light/ModelName.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -21,12 +22,10 @@ Scene dazzling(ShadingModel model) {
 
 std::vector<Finding> limits(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const auto& [what, model] : {std::pair{"no pixel brighter than opaque, robust", ShadingModel::robust},
-                                    {"no pixel brighter than opaque, enhanced", ShadingModel::enhanced},
-                                    {"no pixel brighter than opaque, classic", ShadingModel::classic}})
-    findings += inEachEngine(bench, what, {},
+  for (const ShadingModel model : {ShadingModel::robust, ShadingModel::enhanced, ShadingModel::classic})
+    findings += inEachEngine(bench, std::string("no pixel brighter than opaque, ") + nameOf(model), {},
                              "pixels with a colour above alpha, or that are not finite or outside 0..1",
-                             [model = model](const Draw& draw) {
+                             [model](const Draw& draw) {
                                return unsoundPixels(draw(dazzling(model), {32, 32}));
                              });
   const Overflow overflow =
@@ -71,16 +70,7 @@ std::vector<Finding> outliers(Workbench& bench) {
       "gradient that counts as 1",
       [](const Draw& draw) {
         const DrawnPicture without = withOutlier(draw, smoothVolume(edge)->value(outlier));
-        const DrawnPicture with = withOutlier(draw, 1000.0);
-        double largest = 0.0;
-        for (int y = 0; y < edge; ++y)
-          for (int x = 0; x < edge; ++x) {
-            const bool isNear = std::abs(x - outlier.x) <= 2 && std::abs(edge - 1 - y - outlier.z) <= 2;
-            for (int channel = 0; !isNear && channel < 4; ++channel)
-              largest = std::max(
-                  largest, finiteOrInfinite(std::abs(with.at(x, y)[channel] - without.at(x, y)[channel])));
-          }
-        return largest;
+        return differenceBeside(outlier, withOutlier(draw, 1000.0), without);
       });
 }
 

@@ -12,17 +12,10 @@ namespace {
 // Opacity 1 over the unit distance is limited to 1 - 2⁻²⁴; over f unit distances that is 1 - 2^(-24 f).
 std::vector<Finding> opaque(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const double length : {1e-6, 0.01, 1.0, 100.0})
+  for (const auto& [name, length] : {std::pair{"1e-6", 1e-6}, {"0.01", 0.01}, {"1", 1.0}, {"100", 100.0}})
     findings += inEachEngine(
-        bench,
-        "a path of " +
-            std::string(length < 1e-3  ? "1e-6"
-                        : length < 0.1 ? "0.01"
-                        : length < 2.0 ? "1"
-                                       : "100") +
-            " unit distances",
-        {1e-12, 2e-6, 2e-6}, "alpha against 1 - 2^(-24 f); one rounding of float per step",
-        [length](const Draw& draw) {
+        bench, "a path of " + std::string(name) + " unit distances", {1e-12, 2e-6, 2e-6},
+        "alpha against 1 - 2^(-24 f); one rounding of float per step", [length = length](const Draw& draw) {
           Scene scene = rayThrough(boxOf(glm::dvec3(length)));
           scene.transferFunction = constantFunction(1.0, glm::dvec3(1.0));
           return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-24.0 * length * std::numbers::ln2));

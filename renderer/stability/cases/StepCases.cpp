@@ -47,16 +47,12 @@ std::vector<Finding> tinySteps(Workbench& bench) {
 
 std::vector<Finding> hugeSteps(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const double share : {0.1, 1.0, 10.0, 1e6})
-    findings += inEachEngine(bench,
-                             "steps of " +
-                                 std::string(share < 1     ? "a tenth of"
-                                             : share < 2   ? ""
-                                             : share < 100 ? "ten times"
-                                                           : "a million times") +
-                                 " the slab",
-                             {1e-12, 1e-6, 1e-6}, slabReason,
-                             [share](const Draw& draw) { return slabError(draw, 1.0 / share); });
+  for (const auto& [name, share] : {std::pair{"steps of a tenth of the slab", 0.1},
+                                    {"steps of  the slab", 1.0},
+                                    {"steps of ten times the slab", 10.0},
+                                    {"steps of a million times the slab", 1e6}})
+    findings += inEachEngine(bench, name, {1e-12, 1e-6, 1e-6}, slabReason,
+                             [share = share](const Draw& draw) { return slabError(draw, 1.0 / share); });
   return findings;
 }
 
