@@ -38,10 +38,6 @@ JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::
                                         " must be a JSON object in braces.");
 }
 
-std::string JsonFields::pathOf(const std::string& key) const {
-  return m_where.empty() ? key : m_where + "." + key;
-}
-
 void JsonFields::fail(const std::string& key, const std::string& problem) const {
   throw Error(Error::Kind::input, m_document + ": \"" + pathOf(key) + "\" " + problem + ".");
 }
@@ -54,10 +50,6 @@ bool JsonFields::has(const std::string& key) {
 const nlohmann::json& JsonFields::child(const std::string& key) {
   m_known.insert(key);
   return m_object.at(key);
-}
-
-JsonFields JsonFields::object(const std::string& key) {
-  return JsonFields(child(key), m_document, pathOf(key));
 }
 
 double JsonFields::numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const {

@@ -45,7 +45,7 @@ public:
 
   bool has(const std::string& key);
   const nlohmann::json& child(const std::string& key);
-  JsonFields object(const std::string& key);
+  JsonFields object(const std::string& key) { return JsonFields(child(key), m_document, pathOf(key)); }
 
   bool number(const std::string& key, double& target, const Limits& limits = anyNumber);
   bool integer(const std::string& key, int& target, int lowest, int highest);
@@ -81,7 +81,7 @@ public:
 
 private:
   std::optional<std::size_t> choice(const std::string& key, std::span<const char* const> words);
-  std::string pathOf(const std::string& key) const;
+  std::string pathOf(const std::string& key) const { return m_where.empty() ? key : m_where + "." + key; }
   double numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const;
 
   const nlohmann::json& m_object;
