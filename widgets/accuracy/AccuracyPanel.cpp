@@ -8,36 +8,18 @@
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 
-#include <QScrollBar>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace limn {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
     : QScrollArea(parent), m_dial(new DialSection), m_wish(new WishSection), m_chart(new MeasuredSection),
       m_map(new MapSection) {
-  layOut();
+  stackSections(*this, {m_dial, m_wish, m_chart, m_map});
   connectSections();
   setAccessibleName(tr("Accuracy"));
   showScene();
   m_wish->setMeasured(nullptr);
-}
-
-void AccuracyPanel::layOut() {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  for (FoldingSection* section : std::initializer_list<FoldingSection*>{m_dial, m_wish, m_chart, m_map})
-    layout->addWidget(section);
-  layout->addStretch(1);
-  setWidget(content);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // Nothing may hide under the scroll bar.
-  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
 }
 
 void AccuracyPanel::connectSections() {

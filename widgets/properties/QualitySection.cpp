@@ -28,7 +28,6 @@ NumberSpec terminationSpec() {
                                      "but loses a little light, 1 never stops early."),
           .scale = {0.9, 1.0, false},
           .lowest = 0.01,
-          .highest = 1.0,
           .defaultValue = Quality{}.earlyTermination,
           .decimals = 4};
 }

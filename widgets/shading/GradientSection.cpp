@@ -33,9 +33,7 @@ NumberSpec percentSpec() {
           .unit = QStringLiteral("%"),
           .scale = {90.0, 100.0, false},
           .lowest = 0.1,
-          .highest = 100.0,
-          .defaultValue = PercentileReference{}.percent,
-          .decimals = 2};
+          .defaultValue = PercentileReference{}.percent};
 }
 
 NumberSpec fixedSpec() {
@@ -58,8 +56,7 @@ NumberSpec curveSpec() {
       .scale = {0.1, 100.0, true},
       .lowest = 0.01,
       .highest = 1000.0,
-      .defaultValue = GradientCurve{}.parameter,
-      .decimals = 2};
+      .defaultValue = GradientCurve{}.parameter};
 }
 
 NumberSpec significanceSpec() {
@@ -68,8 +65,6 @@ NumberSpec significanceSpec() {
           .help = GradientSection::tr("Highlights fade in between these shares of the strongest boundary, so "
                                       "that noise in flat tissue does not sparkle."),
           .scale = {0.0, 1.0, false},
-          .lowest = 0.0,
-          .highest = 1.0,
           .defaultValue = initial.low,
           .defaultUpper = initial.high,
           .decimals = 3};
@@ -80,10 +75,7 @@ NumberSpec kneeSpec() {
           .help = GradientSection::tr("The brightness above which colours are held back smoothly; lower "
                                       "numbers keep more hue in highlights."),
           .scale = {0.0, 0.99, false},
-          .lowest = 0.0,
-          .highest = 0.99,
-          .defaultValue = *Shading{}.knee,
-          .decimals = 2};
+          .defaultValue = *Shading{}.knee};
 }
 
 } // namespace

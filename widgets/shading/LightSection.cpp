@@ -10,13 +10,7 @@ namespace limn {
 namespace {
 
 NumberSpec strengthSpec(const QString& label, const QString& help, double initial) {
-  return {.label = label,
-          .help = help,
-          .scale = {0.0, 2.0, false},
-          .lowest = 0.0,
-          .highest = 10.0,
-          .defaultValue = initial,
-          .decimals = 2};
+  return {.label = label, .help = help, .scale = {0.0, 2.0, false}, .highest = 10.0, .defaultValue = initial};
 }
 
 NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
@@ -24,9 +18,6 @@ NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
           .help = help,
           .unit = QStringLiteral("°"),
           .scale = {-limit, limit, false},
-          .lowest = -limit,
-          .highest = limit,
-          .defaultValue = 0.0,
           .decimals = 1};
 }
 

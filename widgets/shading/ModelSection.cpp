@@ -24,7 +24,6 @@ NumberSpec exponentSpec() {
               "Small numbers give broad, soft highlights; large ones small, hard points of light."),
           .scale = {1.0, 1024.0, true},
           .lowest = 0.1,
-          .highest = 1024.0,
           .defaultValue = Shading{}.exponent,
           .decimals = 1};
 }
@@ -36,7 +35,6 @@ NumberSpec exponentRangeSpec() {
                                    "strong boundaries, so that edges glint and flat parts stay calm."),
           .scale = {1.0, 1024.0, true},
           .lowest = 0.1,
-          .highest = 1024.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
           .decimals = 1,
@@ -50,11 +48,8 @@ NumberSpec opacityRangeSpec() {
           .help = ModelSection::tr("Multiplies opacity: by the first number on flat tissue, which below 1 "
                                    "fades, and by the second at strong boundaries, which above 1 stand out."),
           .scale = {0.0, 8.0, false},
-          .lowest = 0.0,
-          .highest = 8.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
-          .decimals = 2,
           .lowerName = ModelSection::tr("on flat tissue"),
           .upperName = ModelSection::tr("at boundaries")};
 }

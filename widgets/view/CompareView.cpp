@@ -205,10 +205,6 @@ Scene CompareView::sceneOfRestingImage(int side) const {
   return resting ? withStep(scene, resting->finishedStepVoxels()) : scene;
 }
 
-ViewGeometry CompareView::geometry() const {
-  return {m_shown.layout, m_shown.wipe, size(), devicePixelRatioF()};
-}
-
 OverlaySource CompareView::overlaySource() const {
   return {m_shown,          geometry(),          pictureState(),
           font(),           m_labels->opacity(), m_input->hovered(),
@@ -257,10 +253,6 @@ void CompareView::releasePictures() {
   makeCurrent();
   m_loop->release(!context()->isValid() || QOpenGLContext::currentContext() != context());
   doneCurrent();
-}
-
-void CompareView::resizeGL(int, int) {
-  redraw();
 }
 
 void CompareView::paintGL() {

@@ -40,10 +40,6 @@ bool isResolved(DrawingEngine& engine, const Scene& scene) {
   return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
 }
 
-void Refinement::reset() {
-  *this = Refinement();
-}
-
 RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {
   if (m_end || sides.empty())
     return RestTurn::nothing;

@@ -33,7 +33,7 @@ public:
   static constexpr double patienceMs = 60000.0;
 
   /// Forgets everything: other pictures are wanted.
-  void reset();
+  void reset() { *this = Refinement(); }
 
   /// Does a piece of at most about `budgetMs`; the sides are complete at their scenes' step.
   RestTurn step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);

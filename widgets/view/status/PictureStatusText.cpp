@@ -68,25 +68,44 @@ QString previewText(const SideState& side) {
   return QObject::tr("preview at %1 resolution").arg(fractionText(side.imageScale));
 }
 
-// Under a tolerance there is no one step to tell.
-QString restingText(const PictureState& state, const Scene& scene) {
-  const QString step = scene.quality.toleranceLevels ? QObject::tr("chosen by error")
-                                                     : stepText(state.sides.front().stepVoxels);
-  if (!state.refinementEnd)
-    return (state.refines ? QObject::tr("step %1, refining") : QObject::tr("step %1")).arg(step);
-  switch (*state.refinementEnd) {
+struct EndText {
+  QString step; ///< %1: the step
+  QString sentence;
+};
+
+EndText textOf(RefinementEnd end) {
+  switch (end) {
   case RefinementEnd::withinHalfALevel:
-    return QObject::tr("refined, step %1").arg(step);
+    return {QObject::tr("refined, step %1"),
+            QObject::tr("The steps cost no more than half a level: smaller ones would show no difference.")};
   case RefinementEnd::smallestStep:
-    return QObject::tr("smallest step, %1").arg(step);
+    return {QObject::tr("smallest step, %1"),
+            QObject::tr("No smaller step is drawn: it would take long and show little.")};
   case RefinementEnd::sampleLimit:
-    return QObject::tr("smallest possible step, %1").arg(step);
+    return {QObject::tr("smallest possible step, %1"),
+            QObject::tr("With a smaller step rays would need more samples than the driver allows.")};
   case RefinementEnd::patience:
-    return QObject::tr("smallest practical step, %1").arg(step);
+    return {QObject::tr("smallest practical step, %1"),
+            QObject::tr("The next smaller step would take too long on this machine.")};
   case RefinementEnd::failed:
-    return QObject::tr("step %1, not refined").arg(step);
+    return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
   }
   return {};
+}
+
+EndText endText(const PictureState& state) {
+  if (state.refinementEnd)
+    return textOf(*state.refinementEnd);
+  if (state.refines)
+    return {QObject::tr("step %1, refining"),
+            QObject::tr("The picture is being drawn again with half the step.")};
+  return {QObject::tr("step %1"), {}};
+}
+
+// Under a tolerance there is no one step to tell.
+QString restingText(const PictureState& state, const Scene& scene) {
+  return endText(state).step.arg(scene.quality.toleranceLevels ? QObject::tr("chosen by error")
+                                                               : stepText(state.sides.front().stepVoxels));
 }
 
 QString explanationOf(const PictureState& state) {
@@ -105,24 +124,6 @@ QString explanationOf(const PictureState& state) {
     text += QLatin1Char(' ') +
             QObject::tr("The preview also has fewer pixels than the window; that comes on top.");
   return text;
-}
-
-QString endText(const PictureState& state) {
-  if (!state.refinementEnd)
-    return state.refines ? QObject::tr("The picture is being drawn again with half the step.") : QString();
-  switch (*state.refinementEnd) {
-  case RefinementEnd::withinHalfALevel:
-    return QObject::tr("The steps cost no more than half a level: smaller ones would show no difference.");
-  case RefinementEnd::smallestStep:
-    return QObject::tr("No smaller step is drawn: it would take long and show little.");
-  case RefinementEnd::sampleLimit:
-    return QObject::tr("With a smaller step rays would need more samples than the driver allows.");
-  case RefinementEnd::patience:
-    return QObject::tr("The next smaller step would take too long on this machine.");
-  case RefinementEnd::failed:
-    return QObject::tr("Refining the picture failed.");
-  }
-  return {};
 }
 
 QString numbersText(const PictureState& state, const Scene& scene) {
@@ -190,7 +191,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
     ms += side.shownMs;
   text.time = timeText(ms);
   text.engine = QObject::tr("GLSL");
-  QStringList lines{explanationOf(state), endText(state), numbersText(state, scene)};
+  QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
   lines.removeAll(QString());
   text.toolTip = lines.join(QLatin1Char('\n'));
   return text;
