@@ -222,14 +222,6 @@ void MainWindow::connectSettings() {
   });
 }
 
-void MainWindow::openSource(const QString& source, const SourceOptions& options) {
-  m_opening.open(source, options);
-}
-
-void MainWindow::keepSessions() {
-  m_safety.begin(m_folders.sessions);
-}
-
 SessionDocument MainWindow::sessionDocument() const {
   SessionDocument session = m_document.described();
   m_comparison.describe(session);

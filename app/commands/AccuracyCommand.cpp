@@ -58,11 +58,7 @@ void writeChart(const AccuracyReport& report, const std::filesystem::path& path)
 }
 
 void writeReport(const AccuracyReport& report, const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+  makeReportFolder(folder);
   writeFileAtomically(folder / "accuracy.json", accuracyJson(report));
   writeFileAtomically(folder / "accuracy.csv", accuracyCsv(report));
   writeFileAtomically(folder / "accuracy.html", accuracyPage(report, "accuracy.png"));

@@ -68,6 +68,14 @@ glm::ivec2 parsedSize(const std::string& text) {
   return size;
 }
 
+void makeReportFolder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
+                                        failure.message() + "); choose another one with -o.");
+}
+
 void note(const std::string& sentence) {
   std::fprintf(stderr, "limn: %s\n", sentence.c_str());
 }

@@ -80,11 +80,7 @@ std::string commandFor(const StabilityArguments& arguments, int seeds) {
 }
 
 void writeReport(const StabilityReport& report, const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+  makeReportFolder(folder);
   writeFileAtomically(folder / "stability.json", stabilityJson(report));
   writeFileAtomically(folder / "stability.html", stabilityPage(report));
 }

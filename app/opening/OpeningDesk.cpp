@@ -53,10 +53,6 @@ void OpeningDesk::open(const QString& source, const SourceOptions& options) {
                                                     : tr("Opening the volume"));
 }
 
-void OpeningDesk::openSample() {
-  open(QStringLiteral("sample"));
-}
-
 void OpeningDesk::restore(const QString& session) {
   start({session, {}, true}, tr("Restoring the session"));
 }
