@@ -46,8 +46,7 @@ std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
   std::vector<HardCase> chosen;
   for (const std::string& given : only) {
     const std::string id = caseId(given);
-    const auto found =
-        std::find_if(cases.begin(), cases.end(), [&](const HardCase& one) { return one.id == id; });
+    const auto found = std::ranges::find_if(cases, [&](const HardCase& one) { return one.id == id; });
     if (found == cases.end())
       throw Error(Error::Kind::usage, "There is no hard case " + given + "; they are called " +
                                           cases.front().id + " to " + cases.back().id + ".");

@@ -50,8 +50,7 @@ PresetStore::Contents PresetStore::read() const {
       contents.problems.emplace_back(error.what());
     }
   }
-  std::sort(contents.presets.begin(), contents.presets.end(),
-            [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  std::ranges::sort(contents.presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
   return contents;
 }
 

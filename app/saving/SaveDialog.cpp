@@ -23,9 +23,8 @@ QStringList endingsOf(const QString& filter) {
 }
 
 bool isTyped(const QString& ending, const QStringList& offered) {
-  const bool isLetters = !ending.isEmpty() && std::all_of(ending.begin(), ending.end(), [](QChar character) {
-    return character.isLetter();
-  });
+  const bool isLetters =
+      !ending.isEmpty() && std::ranges::all_of(ending, [](QChar character) { return character.isLetter(); });
   return offered.contains(ending, Qt::CaseInsensitive) || (offered.size() > 1 && isLetters);
 }
 

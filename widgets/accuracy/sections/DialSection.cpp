@@ -138,9 +138,8 @@ QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* mea
 }
 
 void DialSection::setMovingMs(double ms) {
-  const auto nearest = std::min_element(movingMs.begin(), movingMs.end(), [ms](double a, double b) {
-    return std::abs(a - ms) < std::abs(b - ms);
-  });
+  const auto nearest = std::ranges::min_element(
+      movingMs, [ms](double a, double b) { return std::abs(a - ms) < std::abs(b - ms); });
   m_moving->setIndex(static_cast<int>(nearest - movingMs.begin()));
 }
 

@@ -34,19 +34,17 @@ QString timeText(double ms) {
 
 // The side that lies farthest from its exact picture.
 const SideState& worstOf(const PictureState& state) {
-  return *std::max_element(state.sides.begin(), state.sides.end(), [](const auto& a, const auto& b) {
+  return *std::ranges::max_element(state.sides, [](const auto& a, const auto& b) {
     return a.estimate.value_or(ErrorEstimate{}).p99_9 < b.estimate.value_or(ErrorEstimate{}).p99_9;
   });
 }
 
 bool isKnown(const PictureState& state) {
-  return std::all_of(state.sides.begin(), state.sides.end(),
-                     [](const SideState& side) { return side.estimate.has_value(); });
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.estimate.has_value(); });
 }
 
 bool isResolved(const PictureState& state) {
-  return std::all_of(state.sides.begin(), state.sides.end(),
-                     [](const SideState& side) { return side.isResolved; });
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.isResolved; });
 }
 
 QString estimateText(const PictureState& state) {

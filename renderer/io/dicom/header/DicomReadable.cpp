@@ -93,9 +93,8 @@ void requireFormat(const DicomHeader& header) {
   static constexpr std::array<std::string_view, 4> grey = {"", "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR"};
   static constexpr std::array<std::string_view, 5> colour = {"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_ICT",
                                                              "YBR_RCT"};
-  const bool isKnown = format.samples == 1
-                           ? std::find(grey.begin(), grey.end(), format.photometric) != grey.end()
-                           : std::find(colour.begin(), colour.end(), format.photometric) != colour.end();
+  const bool isKnown = format.samples == 1 ? std::ranges::find(grey, format.photometric) != grey.end()
+                                           : std::ranges::find(colour, format.photometric) != colour.end();
   if (!isKnown)
     refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean " +
                        quoted(format.photometric) +
