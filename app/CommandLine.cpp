@@ -2,14 +2,8 @@
 #include "app/CommandLine.h"
 
 #include "app/WindowProgram.h"
-#include "app/commands/AccuracyCommand.h"
 #include "app/commands/Arguments.h"
-#include "app/commands/BenchCommand.h"
-#include "app/commands/EffectsCommand.h"
-#include "app/commands/InfoCommand.h"
-#include "app/commands/PresetsCommand.h"
-#include "app/commands/RenderCommand.h"
-#include "app/commands/StabilityCommand.h"
+#include "app/commands/Commands.h"
 #include "app/commands/Syntax.h"
 #include "scene/basics/Error.h"
 
@@ -64,11 +58,10 @@ int runCommandLine(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("limn"));
   QCoreApplication::setOrganizationName(QStringLiteral("limn"));
   QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
-  ProgramSyntax program(
-      "limn",
-      "Limn shows CT and MR volumes: shape a transfer function, compare classic and gradient-enhanced "
-      "Blinn-Phong. Not for diagnosis.",
-      LIMN_VERSION);
+  ProgramSyntax program("limn",
+                        "Limn shows CT and MR volumes: shape a transfer function, compare classic and "
+                        "gradient-enhanced Blinn-Phong. Not for diagnosis.",
+                        LIMN_VERSION);
   RootArguments arguments;
   WindowArguments& window = arguments.window;
   CommandSyntax syntax = program.words();

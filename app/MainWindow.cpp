@@ -4,8 +4,9 @@
 #include "app/actions/HelpBoxes.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
-#include "app/engines/ViewEngines.h"
 #include "app/window/MessageBar.h"
+#include "raycaster/RayCasterEngine.h"
+#include "reference/ReferenceEngine.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -38,7 +39,8 @@ Centre::Centre(QMainWindow& window) {
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  view = new CompareView(viewEngines(), centre);
+  // Where the driver fails, the definition itself in double precision on every core.
+  view = new CompareView({makeRayCasterEngine, [] { return makeReferenceEngine(); }}, centre);
   column->addWidget(view, 1);
   window.setCentralWidget(centre);
 }
@@ -218,14 +220,6 @@ void MainWindow::connectSettings() {
     m_settings.setTheme(theme);
     applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
   });
-}
-
-void MainWindow::openSource(const QString& source, const SourceOptions& options) {
-  m_opening.open(source, options);
-}
-
-void MainWindow::keepSessions() {
-  m_safety.begin(m_folders.sessions);
 }
 
 SessionDocument MainWindow::sessionDocument() const {

@@ -47,10 +47,12 @@ public:
   ~MainWindow() override;
 
   /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
-  void openSource(const QString& source, const SourceOptions& options = {});
+  void openSource(const QString& source, const SourceOptions& options = {}) {
+    m_opening.open(source, options);
+  }
 
   /// From now on the session is autosaved, and what an earlier window left behind is offered.
-  void keepSessions();
+  void keepSessions() { m_safety.begin(m_folders.sessions); }
 
   /// What a session file of this moment says, but for where its volume is and its own place.
   SessionDocument sessionDocument() const;

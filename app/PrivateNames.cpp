@@ -22,7 +22,7 @@ QStringList wordsOf(const QString& text) {
 bool holdsOneOf(const QString& text, const QStringList& sought) {
   const QStringList words = wordsOf(text);
   const QString all = words.join(QString());
-  return std::any_of(sought.begin(), sought.end(), [&](const QString& word) {
+  return std::ranges::any_of(sought, [&](const QString& word) {
     return words.contains(word) || (word.size() >= shortestPart && all.contains(word));
   });
 }
@@ -47,8 +47,7 @@ bool mayNameThePatient(const QString& name, const PatientLabel& patient) {
 
 bool pathMayNameThePatient(const QString& path, const PatientLabel& patient) {
   const QStringList parts = path.split(QLatin1Char('/'), Qt::SkipEmptyParts);
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const QString& part) { return mayNameThePatient(part, patient); });
+  return std::ranges::any_of(parts, [&](const QString& part) { return mayNameThePatient(part, patient); });
 }
 
 QString plainDescription(const Volume& volume) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/SceneSource.h"
 
-#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/presets/PresetFit.h"

@@ -54,8 +54,7 @@ std::vector<RecentEntry> recentEntries(const SettingsDocument& values) {
     if (key.starts_with(recentPrefix) && key.ends_with(openedSuffix))
       entries.push_back(
           {key.substr(recentPrefix.size(), key.size() - recentPrefix.size() - openedSuffix.size()), value});
-  std::sort(entries.begin(), entries.end(),
-            [](const RecentEntry& a, const RecentEntry& b) { return a.opened > b.opened; });
+  std::ranges::sort(entries, [](const RecentEntry& a, const RecentEntry& b) { return a.opened > b.opened; });
   return entries;
 }
 

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <atomic>
 #include <cstdint>
 
 namespace limn {
@@ -15,6 +16,9 @@ struct Gesture {
 };
 
 /// An id no other gesture of this program run has.
-std::uint64_t nextGestureId();
+inline std::uint64_t nextGestureId() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 } // namespace limn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Icons.h"
 
-#include "widgets/Resources.h"
 #include "widgets/Theme.h"
 
 #include <QFile>

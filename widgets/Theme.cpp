@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Theme.h"
 
-#include "widgets/Resources.h"
-
 #include <QApplication>
 #include <QFile>
 #include <QStyleFactory>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
+
+// Qt's macro declares a function and so must stand outside every namespace.
+static void initialiseResources() {
+  Q_INIT_RESOURCE(limn_widgets);
+}
 
 namespace limn {
 namespace {
@@ -32,6 +34,10 @@ void setDisabled(QPalette& palette, const ThemeColors& colors) {
 }
 
 } // namespace
+
+void loadWidgetResources() {
+  initialiseResources();
+}
 
 ThemeChoice themeNamed(const QString& name) {
   if (name == QStringLiteral("dark"))

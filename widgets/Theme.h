@@ -46,6 +46,10 @@ QString themeStyleSheet(bool dark);
 /// True where a palette's windows are darker than its text.
 bool isDark(const QPalette& palette);
 
+/// Registers the icons and the style sheet of this library: a linker drops a static library's resources
+/// unless somebody asks for them. Cheap to call again.
+void loadWidgetResources();
+
 /// Gives the whole program one look: Fusion, our palette and style sheet. `system` asks the platform anew at
 /// every call, so call it again on QEvent::ApplicationPaletteChange or when the setting changes.
 /// Widgets of ours repaint by themselves.

@@ -4,7 +4,7 @@
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
-#include "widgets/shading/ModelName.h"
+#include "widgets/shading/ModelSection.h"
 
 #include <QUndoStack>
 
@@ -138,12 +138,11 @@ void Actions::makeViewActions() {
                   .isCheckable = true});
   // A letter belongs to whatever has the focus: this one to the picture.
   cropBox->setShortcutContext(Qt::WidgetShortcut);
-  refineAtRest = made(
-      "refineAtRest",
-      {.text = tr("Refine at &rest"),
-       .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller steps until it "
-                     "lies within half a level of the exact one."),
-       .isCheckable = true});
+  refineAtRest = made("refineAtRest",
+                      {.text = tr("Refine at &rest"),
+                       .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller "
+                                     "steps until it lies within half a level of the exact one."),
+                       .isCheckable = true});
   pictureAndCurveOnly =
       made("pictureAndCurveOnly",
            {.text = tr("&Picture and curve only"), .shortcut = Qt::Key_F11, .isCheckable = true});

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/AccuracyCommand.h"
+#include "app/commands/Commands.h"
 
 #include "accuracy/sweep/FigureText.h"
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
+#include "app/engines/RealRenderers.h"
 #include "app/measure/accuracy/AccuracyTable.h"
-#include "app/measure/accuracy/MeasureAccuracy.h"
+#include "app/measure/accuracy/MeasureDecisions.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
@@ -57,15 +58,26 @@ void writeChart(const AccuracyReport& report, const std::filesystem::path& path)
 }
 
 void writeReport(const AccuracyReport& report, const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+  makeReportFolder(folder);
   writeFileAtomically(folder / "accuracy.json", accuracyJson(report));
   writeFileAtomically(folder / "accuracy.csv", accuracyCsv(report));
   writeFileAtomically(folder / "accuracy.html", accuracyPage(report, "accuracy.png"));
   writeChart(report, folder / "accuracy.png");
+}
+
+// Error and time of a scene: the converged picture, then every point, then each decision where wanted.
+AccuracyReport measuredReport(const std::string& name, const Scene& scene, const AccuracyArguments& arguments,
+                              const Progress& progress) {
+  RealRenderers renderers(arguments.threads);
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  const double end = arguments.isQuick ? 1.0 : 0.7;
+  const ConvergedPicture converged =
+      convergedPicture(scene, size, renderers.precisely(), part(progress, 0.0, 0.3).report);
+  AccuracyReport report = measureAccuracy(name, scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
+                                          converged, renderers, part(progress, 0.3, end).report);
+  if (!arguments.isQuick)
+    report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, 1.0).report);
+  return report;
 }
 
 void runAccuracy(const AccuracyArguments& arguments) {
@@ -75,11 +87,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   Scene scene = adjusted(loaded.scene, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
-  RealRenderers renderers(arguments.threads);
-  const glm::ivec2 size(scene.image.width, scene.image.height);
-  const AccuracyReport report = measureAccuracy(
-      nameOf(arguments.scene, loaded), scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
-      arguments.isQuick ? Decide::none : Decide::each, renderers, progress.report);
+  const AccuracyReport report = measuredReport(nameOf(arguments.scene, loaded), scene, arguments, progress);
   writeReport(report, arguments.folder);
   std::cout << accuracyTable(report);
   if (arguments.withinLevels > 0.0)

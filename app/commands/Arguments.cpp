@@ -5,7 +5,6 @@
 
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -67,6 +66,14 @@ glm::ivec2 parsedSize(const std::string& text) {
     throw Error(Error::Kind::usage,
                 "--size takes WIDTHxHEIGHT in pixels from 1x1 to 16384x16384, such as 800x600.");
   return size;
+}
+
+void makeReportFolder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
+                                        failure.message() + "); choose another one with -o.");
 }
 
 void note(const std::string& sentence) {

@@ -33,6 +33,9 @@ Progress terminalProgress(bool quiet);
 /// "WxH" in pixels. Throws Error (usage).
 glm::ivec2 parsedSize(const std::string& text);
 
+/// Makes the folder given by -o, with those above it. Throws Error.
+void makeReportFolder(const std::filesystem::path& folder);
+
 /// Prints one line to stderr.
 void note(const std::string& sentence);
 

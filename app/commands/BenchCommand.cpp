@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/BenchCommand.h"
+#include "app/commands/Commands.h"
 
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "app/measure/bench/Bench.h"
-#include "app/measure/bench/BenchTable.h"
-#include "app/measure/bench/Contenders.h"
-#include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "io/reports/ReportJson.h"
-#include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/EffectsCommand.h"
+#include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
 #include "gl/FloatTarget.h"
@@ -9,7 +9,6 @@
 #include "raycaster/RayCaster.h"
 #include "scene/PictureFigures.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/PresetsCommand.h"
+#include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
-#include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "io/scenefile/SceneFile.h"
 

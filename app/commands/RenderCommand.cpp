@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/RenderCommand.h"
+#include "app/commands/Commands.h"
 
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
@@ -57,11 +57,10 @@ void printFigures(const Scene& scene, const RenderArguments& arguments) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const PictureFigures figures =
       measureFigures(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
-  std::printf(
-      "contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of what "
-      "lies at or above %g%s can be seen\n",
-      figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
-      100.0 * figures.visibleShare, scene.isovalue, looksLikeHounsfield(*scene.volume) ? " HU" : "");
+  std::printf("contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of "
+              "what lies at or above %g%s can be seen\n",
+              figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
+              100.0 * figures.visibleShare, scene.isovalue, looksLikeHounsfield(*scene.volume) ? " HU" : "");
 }
 
 void writeSamples(const Scene& scene, const RenderArguments& arguments) {
@@ -136,16 +135,15 @@ void addRenderCommand(CommandSyntax& root) {
       .option("--threads", arguments->threads,
               "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
-  command.flag(
-      "--figures", arguments->printsFigures,
-      "print contrast, overflow of highlights, and how much can be seen of what lies at or above the "
-      "scene's isovalue (300 if not set)");
+  command.flag("--figures", arguments->printsFigures,
+               "print contrast, overflow of highlights, and how much can be seen of what lies at or above "
+               "the scene's isovalue (300 if not set)");
   command.option("--samples-spent", arguments->samplesSpent,
                  "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
   command
       .option("--texture-mb", arguments->textureMb,
-              "the most that the volume may take on the graphics card, MB; a larger one is shown with "
-              "fewer voxels (default: what the driver takes; --engine auto or gl)")
+              "the most that the volume may take on the graphics card, MB; a larger one is shown with fewer "
+              "voxels (default: what the driver takes; --engine auto or gl)")
       .within(1.0, 1e6);
   command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command.runs([arguments] { runRender(*arguments); });

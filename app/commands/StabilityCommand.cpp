@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/StabilityCommand.h"
+#include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
 #include "app/engines/ProcessCost.h"
 #include "app/measure/stability/StabilityText.h"
 #include "gl/DriverFacts.h"
-#include "gl/GlVersion.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"
@@ -47,8 +46,7 @@ std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
   std::vector<HardCase> chosen;
   for (const std::string& given : only) {
     const std::string id = caseId(given);
-    const auto found =
-        std::find_if(cases.begin(), cases.end(), [&](const HardCase& one) { return one.id == id; });
+    const auto found = std::ranges::find_if(cases, [&](const HardCase& one) { return one.id == id; });
     if (found == cases.end())
       throw Error(Error::Kind::usage, "There is no hard case " + given + "; they are called " +
                                           cases.front().id + " to " + cases.back().id + ".");
@@ -81,20 +79,15 @@ std::string commandFor(const StabilityArguments& arguments, int seeds) {
 }
 
 void writeReport(const StabilityReport& report, const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+  makeReportFolder(folder);
   writeFileAtomically(folder / "stability.json", stabilityJson(report));
   writeFileAtomically(folder / "stability.html", stabilityPage(report));
 }
 
 void runStability(const StabilityArguments& arguments) {
   if (arguments.folder.empty() && arguments.seeds < 1 && arguments.only.empty())
-    throw Error(Error::Kind::usage,
-                "Where shall the report go? Give a folder with -o, or --fuzz N or --only H1 for "
-                "figures on the terminal alone.");
+    throw Error(Error::Kind::usage, "Where shall the report go? Give a folder with -o, or --fuzz N or --only "
+                                    "H1 for figures on the terminal alone.");
   const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
   const std::vector<HardCase> cases = hasCases ? chosenCases(arguments.only) : std::vector<HardCase>();
   const Progress progress = terminalProgress(arguments.quiet);
@@ -123,9 +116,9 @@ void runStability(const StabilityArguments& arguments) {
     writeReport(report, arguments.folder);
   std::cout << stabilityTable(report);
   if (!holds(report))
-    throw Error(Error::Kind::other,
-                "Something above does not hold on this driver; please report it with the page "
-                "that -o writes.");
+    throw Error(
+        Error::Kind::other,
+        "Something above does not hold on this driver; please report it with the page that -o writes.");
 }
 
 } // namespace

@@ -41,31 +41,19 @@ CommandSyntax CommandSyntax::command(const std::string& name, const std::string&
   return CommandSyntax(*m_app->add_subcommand(name, what));
 }
 
-OptionSyntax CommandSyntax::option(const std::string& names, std::string& value, const std::string& what) {
+template <class Value>
+OptionSyntax CommandSyntax::option(const std::string& names, Value& value, const std::string& what) {
   return OptionSyntax(*m_app->add_option(names, value, what));
 }
 
-OptionSyntax CommandSyntax::option(const std::string& names, int& value, const std::string& what) {
-  return OptionSyntax(*m_app->add_option(names, value, what));
-}
-
-OptionSyntax CommandSyntax::option(const std::string& names, double& value, const std::string& what) {
-  return OptionSyntax(*m_app->add_option(names, value, what));
-}
-
-OptionSyntax CommandSyntax::option(const std::string& names, std::uint64_t& value, const std::string& what) {
-  return OptionSyntax(*m_app->add_option(names, value, what));
-}
-
-OptionSyntax CommandSyntax::option(const std::string& names, std::vector<std::string>& values,
-                                   const std::string& what) {
-  return OptionSyntax(*m_app->add_option(names, values, what));
-}
-
-OptionSyntax CommandSyntax::option(const std::string& names, std::vector<double>& values,
-                                   const std::string& what) {
-  return OptionSyntax(*m_app->add_option(names, values, what));
-}
+// The kinds of values that commands take.
+template OptionSyntax CommandSyntax::option(const std::string&, std::string&, const std::string&);
+template OptionSyntax CommandSyntax::option(const std::string&, int&, const std::string&);
+template OptionSyntax CommandSyntax::option(const std::string&, double&, const std::string&);
+template OptionSyntax CommandSyntax::option(const std::string&, std::uint64_t&, const std::string&);
+template OptionSyntax CommandSyntax::option(const std::string&, std::vector<std::string>&,
+                                            const std::string&);
+template OptionSyntax CommandSyntax::option(const std::string&, std::vector<double>&, const std::string&);
 
 void CommandSyntax::flag(const std::string& names, bool& value, const std::string& what) {
   m_app->add_flag(names, value, what);

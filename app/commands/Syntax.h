@@ -41,12 +41,8 @@ public:
   CommandSyntax command(const std::string& name, const std::string& what);
 
   /// `names` such as "-o,--output", or "SOURCE" for a word without a name.
-  OptionSyntax option(const std::string& names, std::string& value, const std::string& what);
-  OptionSyntax option(const std::string& names, int& value, const std::string& what);
-  OptionSyntax option(const std::string& names, double& value, const std::string& what);
-  OptionSyntax option(const std::string& names, std::uint64_t& value, const std::string& what);
-  OptionSyntax option(const std::string& names, std::vector<std::string>& values, const std::string& what);
-  OptionSyntax option(const std::string& names, std::vector<double>& values, const std::string& what);
+  template <class Value>
+  OptionSyntax option(const std::string& names, Value& value, const std::string& what);
   void flag(const std::string& names, bool& value, const std::string& what);
   /// One that was added before.
   OptionSyntax added(const std::string& name);

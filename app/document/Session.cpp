@@ -54,41 +54,6 @@ void Session::edit(const Scene& next, const Gesture& gesture) {
   m_undo.push(new SceneEdit(*this, m_scene, next, gesture));
 }
 
-template <class Part>
-void Session::editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
-  Scene next = m_scene;
-  next.*part = value;
-  edit(next, gesture);
-}
-
-void Session::setTransferFunction(const TransferFunction& function, const Gesture& gesture) {
-  editPart(&Scene::transferFunction, function, gesture);
-}
-
-void Session::setGradientOpacity(const std::optional<GradientOpacity>& curve, const Gesture& gesture) {
-  editPart(&Scene::gradientOpacity, curve, gesture);
-}
-
-void Session::setShading(const Shading& shading, const Gesture& gesture) {
-  editPart(&Scene::shading, shading, gesture);
-}
-
-void Session::setQuality(const Quality& quality, const Gesture& gesture) {
-  editPart(&Scene::quality, quality, gesture);
-}
-
-void Session::setIsovalue(double isovalue, const Gesture& gesture) {
-  editPart(&Scene::isovalue, isovalue, gesture);
-}
-
-void Session::setFog(const Fog& fog, const Gesture& gesture) {
-  editPart(&Scene::fog, fog, gesture);
-}
-
-void Session::setCrop(const CropBox& crop, const Gesture& gesture) {
-  editPart(&Scene::crop, crop, gesture);
-}
-
 void Session::setCamera(const Camera& camera) {
   if (camera == m_scene.camera)
     return;

@@ -32,13 +32,21 @@ public:
   /// id of the step on top extend it. An equal scene changes nothing.
   void edit(const Scene& next, const Gesture& gesture);
 
-  void setTransferFunction(const TransferFunction& function, const Gesture& gesture);
-  void setGradientOpacity(const std::optional<GradientOpacity>& curve, const Gesture& gesture);
-  void setShading(const Shading& shading, const Gesture& gesture);
-  void setQuality(const Quality& quality, const Gesture& gesture);
-  void setIsovalue(double isovalue, const Gesture& gesture);
-  void setFog(const Fog& fog, const Gesture& gesture);
-  void setCrop(const CropBox& crop, const Gesture& gesture);
+  void setTransferFunction(const TransferFunction& function, const Gesture& gesture) {
+    editPart(&Scene::transferFunction, function, gesture);
+  }
+  void setGradientOpacity(const std::optional<GradientOpacity>& curve, const Gesture& gesture) {
+    editPart(&Scene::gradientOpacity, curve, gesture);
+  }
+  void setShading(const Shading& shading, const Gesture& gesture) {
+    editPart(&Scene::shading, shading, gesture);
+  }
+  void setQuality(const Quality& quality, const Gesture& gesture) {
+    editPart(&Scene::quality, quality, gesture);
+  }
+  void setIsovalue(double isovalue, const Gesture& gesture) { editPart(&Scene::isovalue, isovalue, gesture); }
+  void setFog(const Fog& fog, const Gesture& gesture) { editPart(&Scene::fog, fog, gesture); }
+  void setCrop(const CropBox& crop, const Gesture& gesture) { editPart(&Scene::crop, crop, gesture); }
 
   /// Moves the camera; not undoable.
   void setCamera(const Camera& camera);
@@ -49,7 +57,11 @@ signals:
 private:
   friend class SceneEdit;
   template <class Part>
-  void editPart(Part Scene::*part, const Part& value, const Gesture& gesture);
+  void editPart(Part Scene::*part, const Part& value, const Gesture& gesture) {
+    Scene next = m_scene;
+    next.*part = value;
+    edit(next, gesture);
+  }
   void replace(const Scene& scene);
 
   Scene m_scene;

@@ -7,7 +7,6 @@
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
-#include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 
 #include <epoxy/gl.h>
@@ -158,16 +157,12 @@ Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {
   return readBack(size);
 }
 
-std::string RealRenderers::name() const {
-  return rendererName();
-}
-
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
                                const std::vector<OperatingPoint>& points, const ConvergedPicture& converged,
                                RealRenderers& renderers, const ReportProgress& progress) {
   AccuracyReport report;
   report.scene = name;
-  report.renderer = renderers.name();
+  report.renderer = rendererName();
   report.machine = machineName();
   report.size = size;
   report.smallestSpacingMm = smallestSpacingMm(scene.volume->grid());

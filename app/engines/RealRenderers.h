@@ -25,9 +25,6 @@ public:
   /// A picture of a scene as it is, drawn by the ray caster.
   Image render(const Scene& scene, const glm::ivec2& size);
 
-  /// E.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
-  std::string name() const;
-
 private:
   struct Parts;
   std::unique_ptr<Parts> m_parts;

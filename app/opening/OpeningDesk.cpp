@@ -53,10 +53,6 @@ void OpeningDesk::open(const QString& source, const SourceOptions& options) {
                                                     : tr("Opening the volume"));
 }
 
-void OpeningDesk::openSample() {
-  open(QStringLiteral("sample"));
-}
-
 void OpeningDesk::restore(const QString& session) {
   start({session, {}, true}, tr("Restoring the session"));
 }
@@ -85,11 +81,10 @@ void OpeningDesk::locateVolume(const QString& scene) {
 }
 
 void OpeningDesk::askForFile() {
-  const QString path =
-      QFileDialog::getOpenFileName(&m_window, tr("Open a volume, session, scene or Limn picture"), QString(),
-                                   tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti "
-                                      "*.vtk *.dcm *.inv3 *.hdr *.tif *.tiff "
-                                      "*.png *.jpg *.json *.exr);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      &m_window, tr("Open a volume, session, scene or Limn picture"), QString(),
+      tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr "
+         "*.tif *.tiff *.png *.jpg *.json *.exr);;All files (*)"));
   if (!path.isEmpty())
     open(path);
 }

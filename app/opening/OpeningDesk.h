@@ -29,7 +29,7 @@ public:
 
   /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
   void open(const QString& source, const SourceOptions& options = {});
-  void openSample();
+  void openSample() { open(QStringLiteral("sample")); }
   /// Starts loading a session that Limn kept.
   void restore(const QString& session);
   void cancel() { m_loader.cancel(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 
 #include "io/scenefile/SceneFile.h"
 

@@ -2,7 +2,7 @@
 #include "app/presets/PresetDesk.h"
 
 #include "app/document/OpenDocument.h"
-#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "app/saving/SaveNotes.h"
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"

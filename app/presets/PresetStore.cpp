@@ -2,12 +2,11 @@
 #include "app/presets/PresetStore.h"
 
 #include "app/UserFolders.h"
-#include "app/presets/BuiltInPresets.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 
-#include <QStandardPaths>
+#include <QString>
 
 #include <algorithm>
 #include <cctype>
@@ -22,8 +21,7 @@ constexpr std::size_t longestFileName = 255; // of the usual file systems, bytes
 PresetStore::PresetStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
 PresetStore PresetStore::ofThisUser() {
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  return PresetStore(std::filesystem::path(data.toStdString()) / "presets");
+  return PresetStore(UserFolders::ofThisUser().presets);
 }
 
 std::filesystem::path PresetStore::fileOf(const std::string& name) const {
@@ -52,8 +50,7 @@ PresetStore::Contents PresetStore::read() const {
       contents.problems.emplace_back(error.what());
     }
   }
-  std::sort(contents.presets.begin(), contents.presets.end(),
-            [](const Preset& a, const Preset& b) { return a.name < b.name; });
+  std::ranges::sort(contents.presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
   return contents;
 }
 

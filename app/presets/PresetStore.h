@@ -9,6 +9,9 @@
 
 namespace limn {
 
+/// The presets made for this program, in the order in which they are listed.
+std::vector<Preset> builtInPresets();
+
 /// The user's own presets: one JSON file each in a folder.
 class PresetStore {
 public:

@@ -2,7 +2,6 @@
 #include "app/recovery/Autosave.h"
 
 #include "io/AtomicFile.h"
-#include "scene/basics/Error.h"
 
 #include <mutex>
 

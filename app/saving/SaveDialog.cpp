@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/SaveDialog.h"
 
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QObject>
 #include <QPushButton>
 #include <QRegularExpression>
 
@@ -23,9 +23,8 @@ QStringList endingsOf(const QString& filter) {
 }
 
 bool isTyped(const QString& ending, const QStringList& offered) {
-  const bool isLetters = !ending.isEmpty() && std::all_of(ending.begin(), ending.end(), [](QChar character) {
-    return character.isLetter();
-  });
+  const bool isLetters =
+      !ending.isEmpty() && std::ranges::all_of(ending, [](QChar character) { return character.isLetter(); });
   return offered.contains(ending, Qt::CaseInsensitive) || (offered.size() > 1 && isLetters);
 }
 
@@ -40,12 +39,11 @@ void followFilter(QFileDialog& dialog, const QStringList& offered) {
 }
 
 bool mayReplace(QWidget* parent, const QString& path) {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("SaveDialog", text); };
-  QMessageBox box(QMessageBox::Warning, tr("Replace the file?"),
-                  tr("%1 exists already. Replace it?").arg(QFileInfo(path).fileName()), QMessageBox::Cancel,
-                  parent);
+  QMessageBox box(QMessageBox::Warning, QObject::tr("Replace the file?"),
+                  QObject::tr("%1 exists already. Replace it?").arg(QFileInfo(path).fileName()),
+                  QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("replaceFile"));
-  const QAbstractButton* replace = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
+  const QAbstractButton* replace = box.addButton(QObject::tr("Replace"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == replace;

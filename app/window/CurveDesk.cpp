@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/CurveDesk.h"
 
+#include "scene/light/GradientHistogram.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/properties/ProjectionSection.h"
 
+#include <QMetaObject>
+
+#include <exception>
+
 namespace limn {
 
 CurveDesk::CurveDesk(CurvePanel& panel) : m_panel(panel) {
   connect(&panel, &CurvePanel::gradientShown, this, &CurveDesk::measureGradients);
-  connect(&m_gradients, &GradientMeasurer::measured, panel.gradientEditor(),
-          &GradientOpacityEditor::setHistogram);
-  connect(&m_gradients, &GradientMeasurer::failed, this, &CurveDesk::failed);
 }
 
 void CurveDesk::showScene(const Scene& scene) {
@@ -40,12 +42,36 @@ void CurveDesk::showVolume(const std::shared_ptr<const Volume>& volume, const Hi
 void CurveDesk::measureGradients() {
   GradientOpacityEditor* editor = m_panel.gradientEditor();
   editor->setUnit(m_volume ? QString::fromStdString(m_volume->info().unit) : QString());
-  if (m_gradients.volume() == m_volume)
+  if (m_counted == m_volume)
     return;
   editor->setHistogram(std::nullopt);
   const bool begins = m_volume && m_panel.gradientIsShown();
   editor->setMeasuring(begins);
-  m_gradients.measure(begins ? m_volume : nullptr);
+  m_counted = begins ? m_volume : nullptr;
+  if (m_counted)
+    m_threads.emplace_back([this, volume = m_counted] { countGradients(volume); });
+}
+
+// On a worker thread. Only the volume asked for last counts.
+void CurveDesk::countGradients(const std::shared_ptr<const Volume>& volume) {
+  Histogram gradients;
+  QString problem;
+  try {
+    gradients = gradientHistogram(*volume);
+  } catch (const std::exception& error) {
+    problem = tr("The volume's gradients cannot be counted: %1.").arg(QString::fromLocal8Bit(error.what()));
+  }
+  QMetaObject::invokeMethod(
+      this,
+      [this, volume, gradients, problem] {
+        if (volume != m_counted)
+          return;
+        if (problem.isEmpty())
+          m_panel.gradientEditor()->setHistogram(gradients);
+        else
+          emit failed(problem);
+      },
+      Qt::QueuedConnection);
 }
 
 } // namespace limn

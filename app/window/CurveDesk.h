@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/GradientMeasurer.h"
 #include "scene/Scene.h"
+#include "scene/volume/Histogram.h"
+
+#include <QObject>
+
+#include <thread>
 
 namespace limn {
 
@@ -26,10 +30,12 @@ signals:
 
 private:
   void measureGradients();
+  void countGradients(const std::shared_ptr<const Volume>& volume);
 
   CurvePanel& m_panel;
-  GradientMeasurer m_gradients;
   std::shared_ptr<const Volume> m_volume;
+  std::shared_ptr<const Volume> m_counted; ///< whose gradients were asked for last; null: of none
+  std::vector<std::jthread> m_threads;
 };
 
 } // namespace limn

@@ -34,7 +34,7 @@ MessageBar::MessageBar(QWidget* parent)
   column->setSpacing(4);
   column->addLayout(row);
   column->addWidget(m_details);
-  connect(m_more, &QToolButton::toggled, this, &MessageBar::setDetailsShown);
+  connect(m_more, &QToolButton::toggled, m_details, &QWidget::setVisible);
   connect(m_action, &QToolButton::clicked, this, [this] {
     if (m_run)
       m_run();
@@ -58,7 +58,7 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
   m_details->setText(details.join(QLatin1Char('\n')));
   m_more->setVisible(!details.isEmpty());
   m_more->setChecked(false);
-  setDetailsShown(false);
+  m_details->hide();
   m_run = action.run;
   m_action->setText(action.text);
   m_action->setAccessibleName(action.text);
@@ -72,10 +72,6 @@ void MessageBar::show(Kind kind, const QString& sentence, const QStringList& det
 
 QString MessageBar::sentence() const {
   return m_sentence->text();
-}
-
-void MessageBar::setDetailsShown(bool shown) {
-  m_details->setVisible(shown);
 }
 
 } // namespace limn

@@ -35,8 +35,6 @@ public:
   QString sentence() const;
 
 private:
-  void setDetailsShown(bool shown);
-
   QLabel* m_sentence;
   QLabel* m_details;
   QToolButton* m_more;

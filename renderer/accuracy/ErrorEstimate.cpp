@@ -2,6 +2,8 @@
 #include "accuracy/ErrorEstimate.h"
 
 #include "scene/ProjectionFacts.h"
+#include "scene/function/FunctionDetail.h"
+#include "scene/steps/RayFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +72,15 @@ ErrorEstimate errorBeforeHalvings(const ImageError& first, const ImageError& sec
   const double share = std::exp2(order) / (std::exp2(order) - 1.0);
   return {std::max(share * first.p99_9, 4.0 * second.p99_9), std::max(share * first.mean, 4.0 * second.mean),
           order};
+}
+
+bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegrated) {
+  if (isPreintegrated || !integrates(scene.projection))
+    return true;
+  const double perStep = steepestPerMm * stepMm(scene);
+  const TransferFunction function =
+      overVoxelAtLeast(scene.transferFunction, smallestSpacingMm(scene.volume->grid()));
+  return narrowestVisibleBand(function, leastBandHeight, scene.volume->range()) >= perStep;
 }
 
 } // namespace limn

@@ -49,4 +49,15 @@ ImageError errorOfEarlyEnds(const Image& picture, const Scene& scene);
 /// step at edges: of the 99.9th percentile the larger one shows, the means add.
 ErrorEstimate withEarlyEnds(const ErrorEstimate& ofSteps, const ImageError& ofEnds);
 
+/// A band of the transfer function counts where it rises or falls by at least this much opacity, or colour
+/// weighted by it: the height below which `stepResolvesFunction` lets samples miss one.
+inline constexpr double leastBandHeight = 0.1;
+
+/// Whether steps of the scene's length can see the transfer function: no band of it that shows in the picture
+/// is narrower than what the value commonly changes by in a step, `steepestPerMm` times its length. Where one
+/// is, a picture and that of half the step may both step over it, and their difference says nothing.
+/// Pre-integrated steps pass through every band, so they see it however narrow; so do projections that
+/// classify no samples.
+bool stepSeesFunction(const Scene& scene, double steepestPerMm, bool isPreintegrated);
+
 } // namespace limn

@@ -25,4 +25,8 @@ Image pictureOfSamples(const std::vector<int>& samples, const glm::ivec2& size);
 /// evenly; sRGB-encoded.
 glm::dvec3 colorOfShare(double share);
 
+/// A colour of Oklab (Ottosson, "A perceptual color space for image processing", 2020), sRGB-encoded and
+/// limited to what sRGB has.
+glm::dvec3 srgbOfOklab(double lightness, double a, double b);
+
 } // namespace limn

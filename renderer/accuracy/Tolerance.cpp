@@ -156,8 +156,7 @@ std::string whyNot(double tolerance, double error, bool resolves) {
   const std::string cannot = "The tolerance of " + levelsText(tolerance) + " cannot be kept: ";
   if (!resolves)
     return cannot + "a peak or valley of the transfer function is so narrow that even the finest step may "
-                    "miss it; make "
-                    "it wider.";
+                    "miss it; make it wider.";
   return cannot + "the finest step comes within about " + levelsText(error) +
          "; make the steps of the transfer function less steep, or allow that many levels.";
 }

@@ -16,4 +16,7 @@ struct DriverFacts {
 
 DriverFacts driverFacts();
 
+/// Throws Error (openGl) naming the version where the current context is older than OpenGL 3.0.
+void requireOpenGl3();
+
 } // namespace limn

@@ -44,11 +44,10 @@ void requireHealthyDriver(const char* doing) {
   if (error != GL_NO_ERROR)
     forgetDriverErrors();
   if (error == contextLostError || contextIsLost())
-    throw DriverError(
-        std::string("The graphics driver was reset while ") + doing +
-            "; try again, and if it happens often, draw with a larger step, in a smaller picture "
-            "or with --engine reference.",
-        "graphics reset");
+    throw DriverError(std::string("The graphics driver was reset while ") + doing +
+                          "; try again, and if it happens often, draw with a larger step, in a smaller "
+                          "picture or with --engine reference.",
+                      "graphics reset");
   if (error == GL_OUT_OF_MEMORY)
     throw DriverError(
         std::string("The graphics driver ran out of memory while ") + doing +
@@ -57,8 +56,7 @@ void requireHealthyDriver(const char* doing) {
   if (error != GL_NO_ERROR)
     throw DriverError(
         std::string("The graphics driver refused a command while ") + doing +
-            "; update the driver or use --engine reference, and please report it with `limn info "
-            "--system`.",
+            "; update the driver or use --engine reference, and please report it with `limn info --system`.",
         "OpenGL error " + hexadecimal(error));
 }
 

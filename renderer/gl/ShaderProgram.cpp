@@ -22,19 +22,13 @@ struct ShaderObject {
 
 namespace {
 
-std::string shaderLog(GLuint shader) {
+// Of a shader or a program, whose functions are given.
+template <class GetNumber, class GetLog>
+std::string logOf(GLuint object, GetNumber getNumber, GetLog getLog) {
   GLint length = 0;
-  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  getNumber(object, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-  glGetShaderInfoLog(shader, length, nullptr, log.data());
-  return log.c_str();
-}
-
-std::string programLog(GLuint program) {
-  GLint length = 0;
-  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-  glGetProgramInfoLog(program, length, nullptr, log.data());
+  getLog(object, length, nullptr, log.data());
   return log.c_str();
 }
 
@@ -48,10 +42,9 @@ void requireCompiled(const ShaderObject& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
-    throw DriverError(
-        "The graphics driver refused a shader; update the driver or use --engine reference, and "
-        "please report it with `limn info --system`.",
-        withFileLines(shaderLog(shader.name), source));
+    throw DriverError("The graphics driver refused a shader; update the driver or use --engine reference, "
+                      "and please report it with `limn info --system`.",
+                      withFileLines(logOf(shader.name, glGetShaderiv, glGetShaderInfoLog), source));
 }
 
 } // namespace
@@ -129,10 +122,9 @@ void ShaderProgram::finish() {
   glDetachShader(m_program.name(), m_pending->vertex.name);
   glDetachShader(m_program.name(), m_pending->fragment.name);
   if (isLinked != GL_TRUE)
-    throw DriverError(
-        "The graphics driver could not link a shader program; update the driver or use --engine "
-        "reference, and please report it with `limn info --system`.",
-        programLog(m_program.name()));
+    throw DriverError("The graphics driver could not link a shader program; update the driver or use "
+                      "--engine reference, and please report it with `limn info --system`.",
+                      logOf(m_program.name(), glGetProgramiv, glGetProgramInfoLog));
   m_pending.reset();
 }
 

@@ -2,9 +2,9 @@
 #include "raycaster/RayCaster.h"
 
 #include "engine/StepLimit.h"
+#include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
-#include "gl/GlVersion.h"
 #include "gl/SavedState.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"

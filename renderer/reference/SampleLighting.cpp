@@ -44,19 +44,6 @@ RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>
   return light;
 }
 
-double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus) {
-  const double r = scale.reference > 0.0 ? std::clamp(modulus / scale.reference, 0.0, 1.0) : 0.0;
-  switch (terms.curve.type) {
-  case GradientCurve::Type::linear:
-    return r;
-  case GradientCurve::Type::gamma:
-    return gammaCurve(r, terms.curve.parameter);
-  case GradientCurve::Type::log:
-    return logCurve(r, terms.curve.parameter);
-  }
-  return r;
-}
-
 glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
                const glm::dvec3& normal, double ratio) {
   if (!terms.isLit)
@@ -106,22 +93,6 @@ glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, doub
     chosen[axis] = isLower ? -1.0 : 1.0;
   }
   return chosen;
-}
-
-double gradientOpacityAt(const GradientOpacity& curve, double modulus) {
-  const auto& points = curve.points;
-  if (points.empty())
-    return 1.0;
-  const auto right = std::upper_bound(
-      points.begin(), points.end(), modulus,
-      [](double value, const GradientOpacityPoint& point) { return value < point.gradient; });
-  if (right == points.begin())
-    return right->opacity;
-  const auto left = right - 1;
-  if (right == points.end())
-    return left->opacity;
-  const double w = (modulus - left->gradient) / (right->gradient - left->gradient);
-  return glm::mix(left->opacity, right->opacity, w);
 }
 
 } // namespace limn

@@ -17,9 +17,6 @@ struct RayLight {
 /// The light along a ray of unit direction (grid axes). `towardsLight` absent: headlight.
 RayLight lightAlong(const glm::dvec3& direction, const std::optional<glm::dvec3>& towardsLight);
 
-/// The normalised gradient modulus r after its curve (DEFINITION section 2).
-double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus);
-
 /// The colour of a lit sample (DEFINITION sections 4 and 5); the material itself where the terms are unlit.
 glm::dvec3 lit(const LightingTerms& terms, const glm::dvec3& material, const RayLight& light,
                const glm::dvec3& normal, double ratio);
@@ -33,8 +30,5 @@ double fogFactor(const Fog& fog, double z);
 glm::dvec3 normalNearCut(const CutPlanes& cut, const glm::dvec3& spacingMm, double depthMm,
                          const glm::dvec3& centredIndex, const glm::dvec3& direction,
                          const glm::dvec3& normal);
-
-/// The gradient-opacity curve G at a modulus, value/mm; 1 without points.
-double gradientOpacityAt(const GradientOpacity& curve, double modulus);
 
 } // namespace limn

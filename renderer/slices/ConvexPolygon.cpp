@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "slices/ConvexPolygon.h"
+#include "slices/ProxySlabs.h"
 
 #include <algorithm>
 

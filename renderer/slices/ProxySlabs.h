@@ -2,9 +2,20 @@
 #pragma once
 
 #include "scene/Scene.h"
-#include "slices/ConvexPolygon.h"
+
+#include <vector>
 
 namespace limn {
+
+/// The corners of a convex polygon of the plane, counter-clockwise; empty where it has no area.
+using ConvexPolygon = std::vector<glm::dvec2>;
+
+/// The smallest convex polygon around points, without corners on its edges. Exact for whole numbers up to
+/// 2²⁵.
+ConvexPolygon convexHull(std::vector<glm::dvec2> points);
+
+/// The part of a convex polygon inside a rectangle.
+ConvexPolygon clipped(const ConvexPolygon& polygon, const glm::dvec2& lower, const glm::dvec2& upper);
 
 /// Corners of proxy polygons lie on a grid of this many lines per pixel, which every rasteriser resolves
 /// (OpenGL asks for 4 bits below the pixel): a convex polygon stays one, and its triangles never overlap.

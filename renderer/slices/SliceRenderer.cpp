@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slices/SliceRenderer.h"
 
+#include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
 #include "gl/FloatTarget.h"
-#include "gl/GlVersion.h"
 #include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/programs/SceneUniforms.h"

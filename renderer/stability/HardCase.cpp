@@ -8,15 +8,8 @@
 namespace limn {
 
 std::string verdictText(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::pass:
-    return "pass";
-  case Verdict::fail:
-    return "fail";
-  case Verdict::notApplicable:
-    return "n/a";
-  }
-  return {};
+  const char* texts[] = {"pass", "fail", "n/a"};
+  return texts[static_cast<int>(verdict)];
 }
 
 Finding atMost(std::string engine, std::string what, double figure, double bound, std::string reason) {

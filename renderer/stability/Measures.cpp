@@ -11,13 +11,28 @@ double finiteOrInfinite(double figure) {
   return std::isnan(figure) ? std::numeric_limits<double>::infinity() : figure;
 }
 
+double largestDifference(const glm::dvec4& a, const glm::dvec4& b) {
+  double largest = 0.0;
+  for (int channel = 0; channel < 4; ++channel)
+    largest = std::max(largest, finiteOrInfinite(std::abs(a[channel] - b[channel])));
+  return largest;
+}
+
 double largestDifference(const DrawnPicture& a, const DrawnPicture& b) {
   if (a.size != b.size)
     return std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
-    for (int channel = 0; channel < 4; ++channel)
-      largest = std::max(largest, finiteOrInfinite(std::abs(a.pixels[i][channel] - b.pixels[i][channel])));
+    largest = std::max(largest, largestDifference(a.pixels[i], b.pixels[i]));
+  return largest;
+}
+
+double differenceBeside(const glm::ivec3& voxel, const DrawnPicture& a, const DrawnPicture& b) {
+  double largest = 0.0;
+  for (int y = 0; y < a.size.y; ++y)
+    for (int x = 0; x < a.size.x; ++x)
+      if (std::abs(x - voxel.x) > 2 || std::abs(a.size.y - 1 - y - voxel.z) > 2)
+        largest = std::max(largest, largestDifference(a.at(x, y), b.at(x, y)));
   return largest;
 }
 

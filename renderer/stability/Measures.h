@@ -13,8 +13,13 @@ inline const std::array<glm::dvec3, 6> axisDirections = {glm::dvec3(1, 0, 0), gl
                                                          glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0),
                                                          glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
 
-/// The largest difference of any channel of any pixel; a value that is not a number is infinitely far.
+/// The largest difference of any channel, of any pixel; a value that is not a number is infinitely far.
+double largestDifference(const glm::dvec4& a, const glm::dvec4& b);
 double largestDifference(const DrawnPicture& a, const DrawnPicture& b);
+
+/// As largestDifference, of the pixels more than two voxels beside one. The pictures have a pixel per voxel
+/// along y: pixel (x, y) sees the column i = x, k = height - 1 - y.
+double differenceBeside(const glm::ivec3& voxel, const DrawnPicture& a, const DrawnPicture& b);
 
 /// The largest difference of any pixel's alpha from `expected`.
 double largestAlphaError(const DrawnPicture& picture, double expected);

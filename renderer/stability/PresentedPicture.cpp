@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/PresentedPicture.h"
+#include "stability/Workbench.h"
 
 #include "gl/GlObjects.h"
 #include "gl/SavedState.h"

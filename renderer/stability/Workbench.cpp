@@ -105,8 +105,9 @@ std::vector<Finding> inEachEngine(Workbench& bench, const std::string& what, con
                    figure);
 }
 
-void append(std::vector<Finding>& findings, std::vector<Finding> more) {
+std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more) {
   findings.insert(findings.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return findings;
 }
 
 } // namespace limn

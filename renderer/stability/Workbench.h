@@ -4,7 +4,7 @@
 #include "cpu/CpuRenderer.h"
 #include "raycaster/RayCaster.h"
 #include "slices/SliceRenderer.h"
-#include "stability/Finding.h"
+#include "stability/HardCase.h"
 
 #include <functional>
 #include <optional>
@@ -64,6 +64,10 @@ std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engi
                                const std::function<double(const Draw& draw)>& figure);
 
 /// Appends findings to others.
-void append(std::vector<Finding>& findings, std::vector<Finding> more);
+std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more);
+
+/// A picture over a background as the window puts it on the screen, in a framebuffer of 8 bits a channel;
+/// rows from the top. Needs a current context.
+std::vector<glm::u8vec4> presented(const DrawnPicture& picture, const glm::dvec3& background);
 
 } // namespace limn

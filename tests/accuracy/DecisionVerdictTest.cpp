@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/sweep/DecisionVerdict.h"
+#include "accuracy/sweep/FigureText.h"
 
 #include <gtest/gtest.h>
 

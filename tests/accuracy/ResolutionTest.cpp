@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/Resolution.h"
+#include "accuracy/ErrorEstimate.h"
 
 #include <gtest/gtest.h>
 

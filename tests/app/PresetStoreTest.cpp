@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetStore.h"
-#include "app/presets/BuiltInPresets.h"
 #include "scene/basics/Error.h"
 #include "support/TemporaryFolder.h"
 

@@ -5,9 +5,9 @@
 // command.
 //   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/sweep/ConvergedPicture.h"
-#include "accuracy/sweep/DecisionVerdict.h"
+#include "accuracy/sweep/FigureText.h"
 #include "app/measure/accuracy/MeasureDecisions.h"
-#include "app/presets/BuiltInPresets.h"
+#include "app/presets/PresetStore.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"
 #include "reference/ReferenceIntegrator.h"

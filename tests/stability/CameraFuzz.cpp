@@ -2,8 +2,7 @@
 #include "CameraFuzz.h"
 
 #include "scene/steps/RayFrame.h"
-#include "stability/scenes/RandomCamera.h"
-#include "stability/scenes/RandomVolume.h"
+#include "stability/scenes/RandomScene.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,6 @@
 #include "support/RendererRules.h"
 
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/HeadScene.h"
 #include "stability/scenes/SimpleScenes.h"
 
 #include <gtest/gtest.h>

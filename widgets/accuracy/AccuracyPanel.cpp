@@ -8,53 +8,34 @@
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 
-#include <QScrollBar>
 #include <QTimer>
-#include <QVBoxLayout>
 
 namespace limn {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
     : QScrollArea(parent), m_dial(new DialSection), m_wish(new WishSection), m_chart(new MeasuredSection),
       m_map(new MapSection) {
-  layOut();
+  stackSections(*this, {m_dial, m_wish, m_chart, m_map});
   connectSections();
   setAccessibleName(tr("Accuracy"));
   showScene();
   m_wish->setMeasured(nullptr);
 }
 
-void AccuracyPanel::layOut() {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  for (FoldingSection* section : std::initializer_list<FoldingSection*>{m_dial, m_wish, m_chart, m_map})
-    layout->addWidget(section);
-  layout->addStretch(1);
-  setWidget(content);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // Nothing may hide under the scroll bar.
-  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
-}
-
 void AccuracyPanel::connectSections() {
   connect(m_dial, &DialSection::pointPicked, this, &AccuracyPanel::useStep);
-  connect(m_dial, &DialSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
   connect(m_dial, &DialSection::movingMsPicked, this, &AccuracyPanel::movingMsPicked);
   connect(m_wish, &WishSection::levelsWished, this,
           [this](double levels) { answer(wishForLevels(m_measured->report, levels)); });
   connect(m_wish, &WishSection::msWished, this,
           [this](double ms) { answer(wishForMs(m_measured->report, ms)); });
   connect(m_chart, &MeasuredSection::measureRequested, this, &AccuracyPanel::measureRequested);
-  connect(m_chart, &MeasuredSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
   connect(m_chart, &MeasuredSection::saveRequested, this, &AccuracyPanel::saveRequested);
   connect(m_chart, &MeasuredSection::pointPicked, this,
           [this](std::size_t point) { use(m_measured->report.points[point].point); });
   connect(m_map, &MapSection::mapRequested, this, &AccuracyPanel::mapRequested);
-  connect(m_map, &MapSection::cancelRequested, this, &AccuracyPanel::cancelRequested);
+  for (const WorkRow* work : {m_dial->work(), m_chart->work(), m_map->work()})
+    connect(work, &WorkRow::cancelled, this, &AccuracyPanel::cancelRequested);
 }
 
 void AccuracyPanel::setScene(const Scene& scene) {
@@ -99,9 +80,9 @@ void AccuracyPanel::showProgress(double fraction, const QString& doing) {
   const auto progressOf = [&](AccuracyWork kind) {
     return m_work == kind ? std::optional(fraction) : std::nullopt;
   };
-  m_dial->setProgress(progressOf(AccuracyWork::findingSteps), doing);
-  m_chart->setProgress(progressOf(AccuracyWork::measuring), doing);
-  m_map->setProgress(progressOf(AccuracyWork::comparing), doing);
+  m_dial->work()->showProgress(progressOf(AccuracyWork::findingSteps), doing);
+  m_chart->work()->showProgress(progressOf(AccuracyWork::measuring), doing);
+  m_map->work()->showProgress(progressOf(AccuracyWork::comparing), doing);
 }
 
 void AccuracyPanel::setMapUnavailable(const QString& reason) {

@@ -55,7 +55,6 @@ signals:
   void saveRequested();
 
 private:
-  void layOut();
   void connectSections();
   void useStep(const OperatingPoint& point);
   void use(const OperatingPoint& point);

@@ -3,6 +3,8 @@
 
 #include "widgets/controls/FoldingHeader.h"
 
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -34,6 +36,22 @@ bool FoldingSection::isFolded() const {
 
 void FoldingSection::setSummary(const QString& summary) {
   m_header->setSummary(summary);
+}
+
+void stackSections(QScrollArea& panel, const std::vector<QWidget*>& sections) {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (QWidget* section : sections)
+    layout->addWidget(section);
+  layout->addStretch(1);
+  panel.setWidget(content);
+  panel.setWidgetResizable(true);
+  panel.setFrameShape(QFrame::NoFrame);
+  panel.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Nothing may hide under the scroll bar.
+  panel.setMinimumWidth(content->minimumSizeHint().width() + panel.verticalScrollBar()->sizeHint().width());
 }
 
 } // namespace limn

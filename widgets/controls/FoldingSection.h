@@ -3,6 +3,9 @@
 
 #include <QWidget>
 
+#include <vector>
+
+class QScrollArea;
 class QVBoxLayout;
 
 namespace limn {
@@ -35,5 +38,8 @@ private:
   QWidget* m_body;
   QVBoxLayout* m_contents;
 };
+
+/// Fills a panel with sections, one below another; it scrolls down alone.
+void stackSections(QScrollArea& panel, const std::vector<QWidget*>& sections);
 
 } // namespace limn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QMouseEvent>
 
 namespace limn {
 
@@ -16,7 +17,10 @@ signals:
   void resetRequested();
 
 protected:
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override {
+    if (event->button() == Qt::LeftButton)
+      emit resetRequested();
+  }
 };
 
 } // namespace limn

@@ -88,9 +88,8 @@ void GradientOpacityEditor::showState() {
   m_use->setEnabled(on || m_histogram);
   m_editor->setTransferFunction(on ? asControlPoints(*m_curve) : TransferFunction{});
   m_editor->setEditable(on);
-  const QString off =
-      tr("Off: opacity follows the value alone. Tick \"Use this curve\" to keep boundaries and fade "
-         "even tissue.");
+  const QString off = tr("Off: opacity follows the value alone. Tick \"Use this curve\" to keep boundaries "
+                         "and fade even tissue.");
   m_editor->canvas()->setHint(m_measuring          ? tr("Counting the volume's gradients…")
                               : on || !m_histogram ? QString()
                                                    : off);

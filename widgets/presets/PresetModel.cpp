@@ -4,7 +4,7 @@
 #include "widgets/Theme.h"
 #include "widgets/curve/plot/CanvasPicture.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStandardItemModel>
@@ -15,7 +15,7 @@ namespace limn {
 namespace {
 
 QString groupTitle(const QString& modality) {
-  return modality.isEmpty() ? QCoreApplication::translate("PresetModel", "Any data") : modality;
+  return modality.isEmpty() ? QObject::tr("Any data") : modality;
 }
 
 QStandardItem* groupItem(QStandardItemModel& model, const QString& title) {
@@ -92,7 +92,7 @@ void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& built
     groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
   };
   for (const Preset& preset : own)
-    add(preset, true, QCoreApplication::translate("PresetModel", "My presets"));
+    add(preset, true, QObject::tr("My presets"));
   for (const Preset& preset : builtIn)
     add(preset, false, groupTitle(QString::fromStdString(preset.modality)));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/AxisNames.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,9 @@ AxisName between(const QString& lowEnd, const QString& highEnd) {
 
 AxisName alongPatient(int direction, bool isForward) {
   // LPS: +x is the patient's left, +y the back, +z the head.
-  const std::array<std::array<QString, 2>, 3> ends{
-      {{QCoreApplication::translate("AxisNames", "Right"), QCoreApplication::translate("AxisNames", "Left")},
-       {QCoreApplication::translate("AxisNames", "Front"), QCoreApplication::translate("AxisNames", "Back")},
-       {QCoreApplication::translate("AxisNames", "Feet"), QCoreApplication::translate("AxisNames", "Head")}}};
+  const std::array<std::array<QString, 2>, 3> ends{{{QObject::tr("Right"), QObject::tr("Left")},
+                                                    {QObject::tr("Front"), QObject::tr("Back")},
+                                                    {QObject::tr("Feet"), QObject::tr("Head")}}};
   const auto& [low, high] = ends[static_cast<std::size_t>(direction)];
   return isForward ? between(low, high) : between(high, low);
 }
@@ -45,11 +44,11 @@ std::array<int, 3> patientDirections(const glm::dmat3& direction) {
 std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
   std::array<AxisName, 3> names;
   if (!orientationKnown) {
-    const QString first = QCoreApplication::translate("AxisNames", "first");
-    const QString last = QCoreApplication::translate("AxisNames", "last");
-    names[0] = {QCoreApplication::translate("AxisNames", "Columns"), first, last};
-    names[1] = {QCoreApplication::translate("AxisNames", "Rows"), first, last};
-    names[2] = {QCoreApplication::translate("AxisNames", "Slices"), first, last};
+    const QString first = QObject::tr("first");
+    const QString last = QObject::tr("last");
+    names[0] = {QObject::tr("Columns"), first, last};
+    names[1] = {QObject::tr("Rows"), first, last};
+    names[2] = {QObject::tr("Slices"), first, last};
     return names;
   }
   const std::array<int, 3> directions = patientDirections(grid.direction);
@@ -58,6 +57,13 @@ std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
     names[static_cast<std::size_t>(axis)] = alongPatient(direction, grid.direction[axis][direction] > 0.0);
   }
   return names;
+}
+
+QString cropFaceName(const Volume& volume, CropFace face) {
+  const bool isKnown = volume.info().orientationKnown;
+  const AxisName name = axisNames(volume.grid(), isKnown)[static_cast<std::size_t>(face.axis)];
+  const QString end = face.isUpper ? name.highEnd : name.lowEnd;
+  return isKnown ? end : name.axis + QLatin1Char(' ') + end;
 }
 
 } // namespace limn

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/volume/Grid.h"
+#include "scene/volume/Volume.h"
+#include "widgets/properties/CropFaces.h"
 
 #include <QString>
 
@@ -20,5 +21,9 @@ struct AxisName {
 /// The names of the three grid axes. Each direction of the patient is used once: an oblique grid's axes go to
 /// the directions that they follow best together.
 std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown);
+
+/// What a face of the crop box is called: an anatomical side, or an end of a voxel axis where the orientation
+/// is unknown.
+QString cropFaceName(const Volume& volume, CropFace face);
 
 } // namespace limn

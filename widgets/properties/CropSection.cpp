@@ -10,8 +10,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace limn {
 namespace {
 
@@ -21,9 +19,6 @@ NumberSpec percentSpec(const AxisName& name) {
                                   "number is the end named first."),
           .unit = QStringLiteral("%"),
           .scale = {0.0, 100.0, false},
-          .lowest = 0.0,
-          .highest = 100.0,
-          .defaultValue = 0.0,
           .defaultUpper = 100.0,
           .decimals = 1,
           .lowerName = name.lowEnd,

@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -33,7 +32,6 @@ NumberSpec distanceSpec(const QString& label, const QString& help, double initia
           .help = help,
           .unit = FogSection::tr("mm"),
           .scale = {0.0, farthest, false},
-          .lowest = 0.0,
           .highest = 1e6,
           .defaultValue = initial,
           .decimals = 1};

@@ -25,30 +25,19 @@ QStringList projectionNames() {
           ProjectionSection::tr("Surface and tissue (hybrid)")};
 }
 
-QString meaningOf(Projection projection) {
-  switch (projection) {
-  case Projection::composite:
-    return ProjectionSection::tr("Tissue as the opacity curve shows it, lit, the near in front of the far.");
-  case Projection::mip:
-    return ProjectionSection::tr("The largest value along each ray: contrast-filled vessels, calcium, metal. "
-                                 "Depth is lost.");
-  case Projection::minip:
-    return ProjectionSection::tr(
-        "The smallest value along each ray: airways, air trapping. Black where the curve is transparent at "
-        "that value; crop the air around the body.");
-  case Projection::average:
-    return ProjectionSection::tr(
-        "The mean value along each ray, like one thick slice. Air lowers the mean: make the curve opaque "
-        "at lower values, or crop.");
-  case Projection::xray:
-    return ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph. Lower the "
-                                 "overall opacity where all is white.");
-  case Projection::isosurface:
-    return ProjectionSection::tr("The first surface at the value below, solid and lit.");
-  case Projection::compositeIsosurface:
-    return ProjectionSection::tr("A solid surface at the value below, seen through the tissue before it.");
-  }
-  return {};
+// In the order of Projection.
+QStringList projectionMeanings() {
+  return {ProjectionSection::tr("Tissue as the opacity curve shows it, lit, the near in front of the far."),
+          ProjectionSection::tr(
+              "The largest value along each ray: contrast-filled vessels, calcium, metal. Depth is lost."),
+          ProjectionSection::tr("The smallest value along each ray: airways, air trapping. Black where the "
+                                "curve is transparent at that value; crop the air around the body."),
+          ProjectionSection::tr("The mean value along each ray, like one thick slice. Air lowers the mean: "
+                                "make the curve opaque at lower values, or crop."),
+          ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph. Lower the "
+                                "overall opacity where all is white."),
+          ProjectionSection::tr("The first surface at the value below, solid and lit."),
+          ProjectionSection::tr("A solid surface at the value below, seen through the tissue before it.")};
 }
 
 NumberSpec isovalueSpec(const Volume* volume) {
@@ -61,8 +50,6 @@ NumberSpec isovalueSpec(const Volume* volume) {
               "The value at which the surface lies: 300 HU is bone, −300 HU the skin of a CT."),
           .unit = volume ? QString::fromStdString(volume->info().unit) : QString(),
           .scale = {range.lowest, highest, false},
-          .lowest = range.lowest,
-          .highest = highest,
           .defaultValue = std::clamp(Scene{}.isovalue, range.lowest, highest),
           .decimals = decimalsFor((highest - range.lowest) / 2000.0)};
 }
@@ -95,7 +82,7 @@ ProjectionSection::ProjectionSection(QWidget* parent)
                                  projectionNames(), static_cast<int>(Projection::composite))),
       m_meaning(new QLabel), m_isovalue(new ValueSlider(isovalueSpec(nullptr))) {
   for (int i = 0; i < m_projection->box()->count(); ++i)
-    m_projection->box()->setItemData(i, meaningOf(static_cast<Projection>(i)), Qt::ToolTipRole);
+    m_projection->box()->setItemData(i, projectionMeanings().at(i), Qt::ToolTipRole);
   m_meaning->setWordWrap(true);
   m_meaning->setForegroundRole(QPalette::PlaceholderText);
   for (QWidget* control : std::initializer_list<QWidget*>{m_projection, m_meaning, m_isovalue})
@@ -119,7 +106,7 @@ void ProjectionSection::setScene(const Scene& scene) {
 
 void ProjectionSection::show(Projection projection) {
   m_projection->setIndex(static_cast<int>(projection));
-  m_meaning->setText(meaningOf(projection));
+  m_meaning->setText(projectionMeanings().at(static_cast<int>(projection)));
   m_isovalue->setVisible(usesIsovalue(projection));
 }
 

@@ -9,39 +9,17 @@
 #include "widgets/shading/LightSection.h"
 #include "widgets/shading/ModelSection.h"
 
-#include <QScrollBar>
-#include <QVBoxLayout>
-
 namespace limn {
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : QScrollArea(parent), m_projection(new ProjectionSection),
       m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
       m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
-  layOut();
-  connectSections();
-}
-
-void PropertiesPanel::layOut() {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_projection);
-  for (ShadingSection* section : m_sections)
-    layout->addWidget(section);
-  for (QWidget* section : std::initializer_list<QWidget*>{m_crop, m_fog, m_quality})
-    layout->addWidget(section);
-  layout->addStretch(1);
-  setWidget(content);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // Nothing may hide under the scroll bar.
-  setMinimumWidth(content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  stackSections(*this, {m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_fog, m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();
+  connectSections();
 }
 
 void PropertiesPanel::connectSections() {

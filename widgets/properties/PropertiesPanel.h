@@ -46,7 +46,6 @@ signals:
   void fogEdited(const limn::Fog& fog, const limn::Gesture& gesture);
 
 private:
-  void layOut();
   void connectSections();
   void showModels();
   void setUnused(std::size_t section, const QString& reason);

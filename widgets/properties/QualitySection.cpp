@@ -12,9 +12,8 @@ namespace {
 
 NumberSpec stepSpec() {
   return {.label = QualitySection::tr("Step"),
-          .help =
-              QualitySection::tr("The distance between samples along a ray, in voxels: smaller is closer to "
-                                 "exact, larger is faster."),
+          .help = QualitySection::tr("The distance between samples along a ray, in voxels: smaller is closer "
+                                     "to exact, larger is faster."),
           .unit = QualitySection::tr("voxels"),
           .scale = {0.05, 4.0, true},
           .lowest = 0.01,
@@ -25,13 +24,10 @@ NumberSpec stepSpec() {
 
 NumberSpec terminationSpec() {
   return {.label = QualitySection::tr("Stop when opaque to"),
-          .help =
-              QualitySection::tr("A ray stops where so much light is already blocked: lower is faster but "
-                                 "loses a little light, 1 never stops early."),
-          .unit = {},
+          .help = QualitySection::tr("A ray stops where so much light is already blocked: lower is faster "
+                                     "but loses a little light, 1 never stops early."),
           .scale = {0.9, 1.0, false},
           .lowest = 0.01,
-          .highest = 1.0,
           .defaultValue = Quality{}.earlyTermination,
           .decimals = 4};
 }
@@ -72,9 +68,8 @@ void QualitySection::addPreintegration() {
 void QualitySection::addJitter() {
   m_jitter = new QCheckBox(tr("Blur the steps (jitter)"));
   m_jitter->setAccessibleName(m_jitter->text());
-  m_jitter->setToolTip(
-      tr("<p>Shifts each pixel's samples by a fixed random part of a step: rings from a large "
-         "step turn into fine grain.</p><p>On or off, default off.</p>"));
+  m_jitter->setToolTip(tr("<p>Shifts each pixel's samples by a fixed random part of a step: rings from a "
+                          "large step turn into fine grain.</p><p>On or off, default off.</p>"));
   contents()->addWidget(m_jitter);
   connect(m_jitter, &QAbstractButton::clicked, this, [this](bool on) {
     m_quality.jitter = on;

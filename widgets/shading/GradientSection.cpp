@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/GradientSection.h"
 
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QVBoxLayout>
 
 namespace limn {
 namespace {
@@ -30,22 +28,18 @@ GradientReference referenceOf(int choice) {
 
 NumberSpec percentSpec() {
   return {.label = GradientSection::tr("Percentile"),
-          .help = GradientSection::tr(
-              "Boundaries stronger than this share of all voxels count as strongest; lower "
-              "it when metal makes everything else look flat."),
+          .help = GradientSection::tr("Boundaries stronger than this share of all voxels count as strongest; "
+                                      "lower it when metal makes everything else look flat."),
           .unit = QStringLiteral("%"),
           .scale = {90.0, 100.0, false},
           .lowest = 0.1,
-          .highest = 100.0,
-          .defaultValue = PercentileReference{}.percent,
-          .decimals = 2};
+          .defaultValue = PercentileReference{}.percent};
 }
 
 NumberSpec fixedSpec() {
   return {.label = GradientSection::tr("Strongest boundary"),
-          .help =
-              GradientSection::tr("The change of value per millimetre that counts as the strongest boundary; "
-                                  "smaller numbers emphasise weaker boundaries."),
+          .help = GradientSection::tr("The change of value per millimetre that counts as the strongest "
+                                      "boundary; smaller numbers emphasise weaker boundaries."),
           .unit = GradientSection::tr("per mm"),
           .scale = {0.01, 10000.0, true},
           .lowest = 0.0001,
@@ -55,28 +49,22 @@ NumberSpec fixedSpec() {
 }
 
 NumberSpec curveSpec() {
-  return {.label = GradientSection::tr("Curve strength"),
-          .help = GradientSection::tr(
-              "How strongly the curve bends: the exponent of the gamma curve, the base of "
-              "the logarithmic one."),
-          .unit = {},
-          .scale = {0.1, 100.0, true},
-          .lowest = 0.01,
-          .highest = 1000.0,
-          .defaultValue = GradientCurve{}.parameter,
-          .decimals = 2};
+  return {
+      .label = GradientSection::tr("Curve strength"),
+      .help = GradientSection::tr(
+          "How strongly the curve bends: the exponent of the gamma curve, the base of the logarithmic one."),
+      .scale = {0.1, 100.0, true},
+      .lowest = 0.01,
+      .highest = 1000.0,
+      .defaultValue = GradientCurve{}.parameter};
 }
 
 NumberSpec significanceSpec() {
   const Significance initial;
   return {.label = GradientSection::tr("Highlights begin at"),
-          .help = GradientSection::tr(
-              "Highlights fade in between these shares of the strongest boundary, so that "
-              "noise in flat tissue does not sparkle."),
-          .unit = {},
+          .help = GradientSection::tr("Highlights fade in between these shares of the strongest boundary, so "
+                                      "that noise in flat tissue does not sparkle."),
           .scale = {0.0, 1.0, false},
-          .lowest = 0.0,
-          .highest = 1.0,
           .defaultValue = initial.low,
           .defaultUpper = initial.high,
           .decimals = 3};
@@ -84,15 +72,10 @@ NumberSpec significanceSpec() {
 
 NumberSpec kneeSpec() {
   return {.label = GradientSection::tr("Soft limit from (k)"),
-          .help =
-              GradientSection::tr("The brightness above which colours are held back smoothly; lower numbers "
-                                  "keep more hue in highlights."),
-          .unit = {},
+          .help = GradientSection::tr("The brightness above which colours are held back smoothly; lower "
+                                      "numbers keep more hue in highlights."),
           .scale = {0.0, 0.99, false},
-          .lowest = 0.0,
-          .highest = 0.99,
-          .defaultValue = *Shading{}.knee,
-          .decimals = 2};
+          .defaultValue = *Shading{}.knee};
 }
 
 } // namespace
@@ -109,50 +92,39 @@ QString GradientSection::unusedBecause() const {
 }
 
 void GradientSection::addReference() {
-  m_reference =
-      new ChoiceRow(tr("Full strength at"),
-                    tr("Which boundary counts as the strongest; \"automatic\" is the largest for enhanced "
-                       "and the 99.5th percentile for robust."),
-                    {tr("Automatic"), tr("Largest"), tr("Percentile"), tr("Number")}, automatic);
+  m_reference = new ChoiceRow(tr("Full strength at"),
+                              tr("Which boundary counts as the strongest; \"automatic\" is the largest for "
+                                 "enhanced and the 99.5th percentile for robust."),
+                              {tr("Automatic"), tr("Largest"), tr("Percentile"), tr("Number")}, automatic);
   m_percent = new ValueSlider(percentSpec());
   m_fixed = new ValueSlider(fixedSpec());
   for (QWidget* control : std::initializer_list<QWidget*>{m_reference, m_percent, m_fixed})
     contents()->addWidget(control);
   connect(m_reference, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.gradientReference = referenceOf(index);
-    edit(edited, gesture);
+    edit(&Shading::gradientReference, referenceOf(index), gesture);
   });
   connect(m_percent, &ValueSlider::valueEdited, this, [this](double percent, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.gradientReference = PercentileReference{percent};
-    edit(edited, gesture);
+    edit(&Shading::gradientReference, PercentileReference{percent}, gesture);
   });
   connect(m_fixed, &ValueSlider::valueEdited, this, [this](double valuePerMm, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.gradientReference = FixedReference{valuePerMm};
-    edit(edited, gesture);
+    edit(&Shading::gradientReference, FixedReference{valuePerMm}, gesture);
   });
 }
 
 void GradientSection::addCurve() {
-  m_curve = new ChoiceRow(tr("Curve"),
-                          tr("How boundary strength is weighed; gamma below 1 and logarithmic lift weak "
-                             "boundaries."),
-                          {tr("Linear"), tr("Gamma"), tr("Logarithmic")},
-                          static_cast<int>(GradientCurve::Type::linear));
+  m_curve = new ChoiceRow(
+      tr("Curve"),
+      tr("How boundary strength is weighed; gamma below 1 and logarithmic lift weak boundaries."),
+      {tr("Linear"), tr("Gamma"), tr("Logarithmic")}, static_cast<int>(GradientCurve::Type::linear));
   m_curveParameter = new ValueSlider(curveSpec());
   contents()->addWidget(m_curve);
   contents()->addWidget(m_curveParameter);
   connect(m_curve, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.gradientCurve.type = static_cast<GradientCurve::Type>(index);
-    edit(edited, gesture);
+    const GradientCurve curve{static_cast<GradientCurve::Type>(index), shading().gradientCurve.parameter};
+    edit(&Shading::gradientCurve, curve, gesture);
   });
   connect(m_curveParameter, &ValueSlider::valueEdited, this, [this](double value, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.gradientCurve.parameter = value;
-    edit(edited, gesture);
+    edit(&Shading::gradientCurve, GradientCurve{shading().gradientCurve.type, value}, gesture);
   });
 }
 
@@ -160,15 +132,15 @@ void GradientSection::addRobustExtras() {
   auto* heading = new QLabel(tr("Robust only"));
   heading->setForegroundRole(QPalette::PlaceholderText);
   contents()->addWidget(heading);
-  m_energyHelp = tr("<p>Dims broad highlights so that sharp and broad ones carry the same light.</p>"
-                    "<p>On or off, default on.</p>");
+  m_energyHelp = tr("<p>Dims broad highlights so that sharp and broad ones carry the same light.</p><p>On or "
+                    "off, default on.</p>");
   m_energy = addSwitch(tr("Balance highlight energy"), m_energyHelp, &Shading::energyFactor);
-  m_significanceHelp = tr("<p>Keeps highlights to clear boundaries, so that noise does not sparkle.</p>"
-                          "<p>On or off, default on.</p>");
+  m_significanceHelp = tr("<p>Keeps highlights to clear boundaries, so that noise does not sparkle.</p><p>On "
+                          "or off, default on.</p>");
   m_significanceOn = new QCheckBox(tr("Highlights only at boundaries"));
   m_significance = new RangeSlider(significanceSpec());
-  m_kneeHelp = tr("<p>Holds bright colours back smoothly instead of clipping them to white.</p>"
-                  "<p>On or off, default on.</p>");
+  m_kneeHelp = tr("<p>Holds bright colours back smoothly instead of clipping them to white.</p><p>On or off, "
+                  "default on.</p>");
   m_kneeOn = new QCheckBox(tr("Soft limit for brightness"));
   m_knee = new ValueSlider(kneeSpec());
   for (QWidget* control : std::initializer_list<QWidget*>{m_significanceOn, m_significance, m_kneeOn, m_knee})
@@ -176,26 +148,18 @@ void GradientSection::addRobustExtras() {
   for (QCheckBox* box : {m_significanceOn, m_kneeOn})
     box->setAccessibleName(box->text());
   connect(m_significanceOn, &QAbstractButton::clicked, this, [this](bool on) {
-    Shading edited = shading();
-    edited.significance = on ? std::optional(Significance{}) : std::nullopt;
-    edit(edited, {nextGestureId(), changeText(m_significanceOn->text())});
+    edit(&Shading::significance, on ? std::optional(Significance{}) : std::nullopt,
+         {nextGestureId(), changeText(m_significanceOn->text())});
   });
   connect(m_significance, &RangeSlider::rangeEdited, this,
           [this](double low, double high, const Gesture& gesture) {
-            Shading edited = shading();
-            edited.significance = Significance{low, high};
-            edit(edited, gesture);
+            edit(&Shading::significance, Significance{low, high}, gesture);
           });
   connect(m_kneeOn, &QAbstractButton::clicked, this, [this](bool on) {
-    Shading edited = shading();
-    edited.knee = on ? Shading{}.knee : std::nullopt;
-    edit(edited, {nextGestureId(), changeText(m_kneeOn->text())});
+    edit(&Shading::knee, on ? Shading{}.knee : std::nullopt, {nextGestureId(), changeText(m_kneeOn->text())});
   });
-  connect(m_knee, &ValueSlider::valueEdited, this, [this](double knee, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.knee = knee;
-    edit(edited, gesture);
-  });
+  connect(m_knee, &ValueSlider::valueEdited, this,
+          [this](double knee, const Gesture& gesture) { edit(&Shading::knee, knee, gesture); });
 }
 
 void GradientSection::showReference() {

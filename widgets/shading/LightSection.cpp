@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/LightSection.h"
 
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/shading/LightAngles.h"
 
 #include <QCheckBox>
-#include <QVBoxLayout>
 
 namespace limn {
 namespace {
 
 NumberSpec strengthSpec(const QString& label, const QString& help, double initial) {
-  return {.label = label,
-          .help = help,
-          .unit = {},
-          .scale = {0.0, 2.0, false},
-          .lowest = 0.0,
-          .highest = 10.0,
-          .defaultValue = initial,
-          .decimals = 2};
+  return {.label = label, .help = help, .scale = {0.0, 2.0, false}, .highest = 10.0, .defaultValue = initial};
 }
 
 NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
@@ -27,9 +18,6 @@ NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
           .help = help,
           .unit = QStringLiteral("°"),
           .scale = {-limit, limit, false},
-          .lowest = -limit,
-          .highest = limit,
-          .defaultValue = 0.0,
           .decimals = 1};
 }
 
@@ -70,29 +58,24 @@ void LightSection::addDirection() {
   m_place = new ChoiceRow(tr("Lamp position"),
                           tr("Whether the lamp moves with the viewer or stays with the patient."),
                           {tr("With the viewer"), tr("Fixed")}, 0);
-  m_azimuth =
-      new ValueSlider(angleSpec(tr("Lamp around"),
-                                tr("Where a fixed lamp stands around the patient: 0° in front, 90° at the "
-                                   "patient's left, −90° at the right."),
-                                180.0));
+  m_azimuth = new ValueSlider(angleSpec(tr("Lamp around"),
+                                        tr("Where a fixed lamp stands around the patient: 0° in front, 90° "
+                                           "at the patient's left, −90° at the right."),
+                                        180.0));
   m_elevation = new ValueSlider(angleSpec(
       tr("Lamp height"), tr("How high a fixed lamp stands: 90° above the head, −90° below the feet."), 90.0));
   for (QWidget* control : std::initializer_list<QWidget*>{m_place, m_azimuth, m_elevation})
     contents()->addWidget(control);
   connect(m_place, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.lightDirection.reset();
-    if (index == 1) // from the front, a little above and to the left, as in anatomical drawings
-      edited.lightDirection = travelDirection({30.0, 30.0});
-    edit(edited, gesture);
+    // From the front, a little above and to the left, as in anatomical drawings.
+    edit(&Shading::lightDirection, index == 1 ? std::optional(travelDirection({30.0, 30.0})) : std::nullopt,
+         gesture);
   });
   const auto turn = [this](double LightAngles::*angle) {
     return [this, angle](double value, const Gesture& gesture) {
-      Shading edited = shading();
-      LightAngles angles = lightAngles(edited.lightDirection.value_or(glm::dvec3(0.0)));
+      LightAngles angles = lightAngles(shading().lightDirection.value_or(glm::dvec3(0.0)));
       angles.*angle = value;
-      edited.lightDirection = travelDirection(angles);
-      edit(edited, gesture);
+      edit(&Shading::lightDirection, travelDirection(angles), gesture);
     };
   };
   connect(m_azimuth, &ValueSlider::valueEdited, this, turn(&LightAngles::azimuthDeg));
@@ -100,27 +83,16 @@ void LightSection::addDirection() {
 }
 
 void LightSection::addReflection() {
-  m_reflection =
-      new ChoiceRow(tr("Highlight formula"), tr("How a highlight's shape follows from lamp and viewer."),
-                    {tr("Blinn-Phong"), tr("Phong")}, 0);
-  m_highlightColor =
-      new ChoiceRow(tr("Highlight colour"), tr("Whether highlights take the tissue's colour or are white."),
-                    {tr("Tissue"), tr("White")}, 0);
-  contents()->addWidget(m_reflection);
-  contents()->addWidget(m_highlightColor);
-  connect(m_reflection, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.reflection = index == 0 ? Reflection::blinn : Reflection::phong;
-    edit(edited, gesture);
-  });
-  connect(m_highlightColor, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.specularColor = index == 0 ? SpecularColor::material : SpecularColor::light;
-    edit(edited, gesture);
-  });
-  m_twoSidedHelp =
-      tr("<p>Lights the far side of thin walls too, so that cut or hollow parts do not turn black.</p>"
-         "<p>On or off, default off.</p>");
+  m_reflection = addChoice(new ChoiceRow(tr("Highlight formula"),
+                                         tr("How a highlight's shape follows from lamp and viewer."),
+                                         {tr("Blinn-Phong"), tr("Phong")}, 0),
+                           &Shading::reflection);
+  m_highlightColor = addChoice(new ChoiceRow(tr("Highlight colour"),
+                                             tr("Whether highlights take the tissue's colour or are white."),
+                                             {tr("Tissue"), tr("White")}, 0),
+                               &Shading::specularColor);
+  m_twoSidedHelp = tr("<p>Lights the far side of thin walls too, so that cut or hollow parts do not turn "
+                      "black.</p><p>On or off, default off.</p>");
   m_twoSided = addSwitch(tr("Light both sides"), m_twoSidedHelp, &Shading::twoSided);
 }
 
@@ -138,8 +110,8 @@ void LightSection::showShading() {
   for (const auto& [slider, member] : m_numbers)
     slider->setValue(shading().*member);
   showDirection();
-  m_reflection->setIndex(shading().reflection == Reflection::blinn ? 0 : 1);
-  m_highlightColor->setIndex(shading().specularColor == SpecularColor::material ? 0 : 1);
+  m_reflection->setIndex(static_cast<int>(shading().reflection));
+  m_highlightColor->setIndex(static_cast<int>(shading().specularColor));
   m_twoSided->setChecked(shading().twoSided);
 
   const bool lit = shows({ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust});

@@ -2,13 +2,11 @@
 #include "widgets/shading/ModelSection.h"
 
 #include "scene/light/ModelName.h"
-#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/controls/sliders/ValueSlider.h"
-#include "widgets/shading/ModelName.h"
 
 #include <QLabel>
-#include <QVBoxLayout>
+#include <QObject>
 
 namespace limn {
 namespace {
@@ -22,13 +20,10 @@ QStringList modelNames() {
 
 NumberSpec exponentSpec() {
   return {.label = ModelSection::tr("Highlight sharpness (SP)"),
-          .help =
-              ModelSection::tr("Small numbers give broad, soft highlights; large ones small, hard points of "
-                               "light."),
-          .unit = {},
+          .help = ModelSection::tr(
+              "Small numbers give broad, soft highlights; large ones small, hard points of light."),
           .scale = {1.0, 1024.0, true},
           .lowest = 0.1,
-          .highest = 1024.0,
           .defaultValue = Shading{}.exponent,
           .decimals = 1};
 }
@@ -36,13 +31,10 @@ NumberSpec exponentSpec() {
 NumberSpec exponentRangeSpec() {
   const CoefficientRange initial = Shading{}.exponentRange;
   return {.label = ModelSection::tr("Highlight sharpness (SP)"),
-          .help = ModelSection::tr(
-              "Highlights go from the first sharpness on flat tissue to the second at strong "
-              "boundaries, so that edges glint and flat parts stay calm."),
-          .unit = {},
+          .help = ModelSection::tr("Highlights go from the first sharpness on flat tissue to the second at "
+                                   "strong boundaries, so that edges glint and flat parts stay calm."),
           .scale = {1.0, 1024.0, true},
           .lowest = 0.1,
-          .highest = 1024.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
           .decimals = 1,
@@ -53,16 +45,11 @@ NumberSpec exponentRangeSpec() {
 NumberSpec opacityRangeSpec() {
   const CoefficientRange initial = Shading{}.opacityRange;
   return {.label = ModelSection::tr("Boundary emphasis (O)"),
-          .help = ModelSection::tr(
-              "Multiplies opacity: by the first number on flat tissue, which below 1 fades, and "
-              "by the second at strong boundaries, which above 1 stand out."),
-          .unit = {},
+          .help = ModelSection::tr("Multiplies opacity: by the first number on flat tissue, which below 1 "
+                                   "fades, and by the second at strong boundaries, which above 1 stand out."),
           .scale = {0.0, 8.0, false},
-          .lowest = 0.0,
-          .highest = 8.0,
           .defaultValue = initial.atFlat,
           .defaultUpper = initial.atBoundary,
-          .decimals = 2,
           .lowerName = ModelSection::tr("on flat tissue"),
           .upperName = ModelSection::tr("at boundaries")};
 }
@@ -70,16 +57,12 @@ NumberSpec opacityRangeSpec() {
 } // namespace
 
 ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), parent) {
-  m_model = new ChoiceRow(tr("Model"),
-                          tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or the same "
-                             "without overflowing highlights."),
-                          modelNames(), static_cast<int>(ShadingModel::classic));
-  contents()->addWidget(m_model);
-  connect(m_model, &ChoiceRow::indexEdited, this, [this](int index, const Gesture& gesture) {
-    Shading edited = shading();
-    edited.model = static_cast<ShadingModel>(index);
-    edit(edited, gesture);
-  });
+  m_model = addChoice(
+      new ChoiceRow(tr("Model"),
+                    tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or the same "
+                       "without overflowing highlights."),
+                    modelNames(), static_cast<int>(ShadingModel::classic)),
+      &Shading::model);
   auto* classic = new QLabel(modelName(ShadingModel::classic));
   auto* enhanced = new QLabel(tr("Enhanced and robust"));
   for (QLabel* heading : {classic, enhanced})
@@ -112,6 +95,20 @@ void ModelSection::showShading() {
           : tr("Only the enhanced and robust models follow boundaries, and none is shown.");
   m_exponentRange->setUnavailable(noRange);
   m_opacityRange->setUnavailable(noRange);
+}
+
+QString modelName(ShadingModel model) {
+  switch (model) {
+  case ShadingModel::none:
+    return QObject::tr("Unlit");
+  case ShadingModel::classic:
+    return QObject::tr("Classic");
+  case ShadingModel::enhanced:
+    return QObject::tr("Enhanced");
+  case ShadingModel::robust:
+    return QObject::tr("Robust");
+  }
+  return {};
 }
 
 } // namespace limn

@@ -3,6 +3,8 @@
 
 #include "widgets/shading/ShadingSection.h"
 
+#include <QString>
+
 namespace limn {
 
 /// The shading model and the numbers that make it: highlight sharpness and boundary emphasis.
@@ -21,5 +23,8 @@ private:
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;
 };
+
+/// The name of a shading model as the window shows it, translated.
+QString modelName(ShadingModel model);
 
 } // namespace limn

@@ -5,7 +5,6 @@
 #include "widgets/controls/sliders/ValueSlider.h"
 
 #include <QCheckBox>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -25,20 +24,11 @@ bool ShadingSection::shows(std::initializer_list<ShadingModel> models) const {
   return std::find_first_of(m_models.begin(), m_models.end(), models.begin(), models.end()) != m_models.end();
 }
 
-void ShadingSection::edit(const Shading& shading, const Gesture& gesture) {
-  m_shading = shading;
-  showShading();
-  emit shadingEdited(shading, gesture);
-}
-
 ValueSlider* ShadingSection::addNumber(const NumberSpec& spec, double Shading::*member) {
   auto* slider = new ValueSlider(spec);
   contents()->addWidget(slider);
-  connect(slider, &ValueSlider::valueEdited, this, [this, member](double value, const Gesture& gesture) {
-    Shading edited = m_shading;
-    edited.*member = value;
-    edit(edited, gesture);
-  });
+  connect(slider, &ValueSlider::valueEdited, this,
+          [this, member](double value, const Gesture& gesture) { edit(member, value, gesture); });
   return slider;
 }
 
@@ -47,9 +37,7 @@ RangeSlider* ShadingSection::addRange(const NumberSpec& spec, CoefficientRange S
   contents()->addWidget(slider);
   connect(slider, &RangeSlider::rangeEdited, this,
           [this, member](double lower, double upper, const Gesture& gesture) {
-            Shading edited = m_shading;
-            edited.*member = {lower, upper};
-            edit(edited, gesture);
+            edit(member, CoefficientRange{lower, upper}, gesture);
           });
   return slider;
 }
@@ -60,9 +48,7 @@ QCheckBox* ShadingSection::addSwitch(const QString& label, const QString& help, 
   box->setAccessibleName(label);
   contents()->addWidget(box);
   connect(box, &QAbstractButton::clicked, this, [this, member, label](bool checked) {
-    Shading edited = m_shading;
-    edited.*member = checked;
-    edit(edited, {nextGestureId(), changeText(label)});
+    edit(member, checked, {nextGestureId(), changeText(label)});
   });
   return box;
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "scene/light/Shading.h"
-#include "widgets/Gesture.h"
+#include "widgets/controls/ChoiceRow.h"
 #include "widgets/controls/FoldingSection.h"
+
+#include <QVBoxLayout>
 
 #include <vector>
 
@@ -11,7 +13,6 @@ class QCheckBox;
 
 namespace limn {
 
-class ChoiceRow;
 struct NumberSpec;
 class RangeSlider;
 class ValueSlider;
@@ -40,9 +41,23 @@ protected:
   /// True where one of the pictures uses one of `models`.
   bool shows(std::initializer_list<ShadingModel> models) const;
 
-  /// Shows what changed and reports it.
-  void edit(const Shading& shading, const Gesture& gesture);
+  /// Changes one thing, shows and reports it.
+  template <class Member, class Value>
+  void edit(Member Shading::*member, const Value& value, const Gesture& gesture) {
+    m_shading.*member = value;
+    showShading();
+    emit shadingEdited(m_shading, gesture);
+  }
 
+  /// A row that chooses among the values of an enumeration, in their order.
+  template <class Choice>
+  ChoiceRow* addChoice(ChoiceRow* row, Choice Shading::*member) {
+    contents()->addWidget(row);
+    connect(row, &ChoiceRow::indexEdited, this, [this, member](int index, const Gesture& gesture) {
+      edit(member, static_cast<Choice>(index), gesture);
+    });
+    return row;
+  }
   ValueSlider* addNumber(const NumberSpec& spec, double Shading::*member);
   RangeSlider* addRange(const NumberSpec& spec, CoefficientRange Shading::*member);
   QCheckBox* addSwitch(const QString& label, const QString& help, bool Shading::*member);

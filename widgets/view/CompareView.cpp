@@ -7,7 +7,6 @@
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
-#include "widgets/view/overlay/OverlayPainting.h"
 #include "widgets/view/panels/ModelMenu.h"
 #include "widgets/view/panels/PanelStack.h"
 
@@ -206,10 +205,6 @@ Scene CompareView::sceneOfRestingImage(int side) const {
   return resting ? withStep(scene, resting->finishedStepVoxels()) : scene;
 }
 
-ViewGeometry CompareView::geometry() const {
-  return {m_shown.layout, m_shown.wipe, size(), devicePixelRatioF()};
-}
-
 OverlaySource CompareView::overlaySource() const {
   return {m_shown,          geometry(),          pictureState(),
           font(),           m_labels->opacity(), m_input->hovered(),
@@ -258,10 +253,6 @@ void CompareView::releasePictures() {
   makeCurrent();
   m_loop->release(!context()->isValid() || QOpenGLContext::currentContext() != context());
   doneCurrent();
-}
-
-void CompareView::resizeGL(int, int) {
-  redraw();
 }
 
 void CompareView::paintGL() {

@@ -132,7 +132,7 @@ signals:
 
 protected:
   void initializeGL() override;
-  void resizeGL(int width, int height) override;
+  void resizeGL(int, int) override { redraw(); }
   void paintGL() override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
@@ -151,7 +151,7 @@ private:
   void connectPictures();
   void connectRecovery();
   void connectInput();
-  ViewGeometry geometry() const;
+  ViewGeometry geometry() const { return {m_shown.layout, m_shown.wipe, size(), devicePixelRatioF()}; }
   OverlaySource overlaySource() const;
   void redraw();
   void showOtherParts();

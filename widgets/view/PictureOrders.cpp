@@ -3,7 +3,7 @@
 
 #include "widgets/view/overlay/SideText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 namespace limn {
 
@@ -19,9 +19,7 @@ PictureRequest requestOf(const Comparison& comparison, const ViewGeometry& geome
     request.seenShare = 0.5;
   }
   const QString title = sideTitle(request.scenes.back());
-  request.lastName = request.scenes.size() == 1
-                         ? title
-                         : QCoreApplication::translate("PictureOrders", "%1 (right)").arg(title);
+  request.lastName = request.scenes.size() == 1 ? title : QObject::tr("%1 (right)").arg(title);
   return request;
 }
 

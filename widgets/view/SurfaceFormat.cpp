@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/SurfaceFormat.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
@@ -31,10 +31,9 @@ QString openGlProblem() {
     context.doneCurrent();
   if (version >= qMakePair(3, 0) && !context.isOpenGLES())
     return {};
-  return QCoreApplication::translate(
-      "limn::SurfaceFormat", "This computer offers the program no OpenGL 3.0, so no volume can be drawn; "
-                             "install or update the driver "
-                             "of the graphics card (on Linux without one, the package libgl1-mesa-dri).");
+  return QObject::tr(
+      "This computer offers the program no OpenGL 3.0, so no volume can be drawn; install or update the "
+      "driver of the graphics card (on Linux without one, the package libgl1-mesa-dri).");
 }
 
 } // namespace limn

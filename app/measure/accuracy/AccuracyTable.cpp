@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/accuracy/AccuracyTable.h"
 
-#include "accuracy/sweep/DecisionVerdict.h"
 #include "accuracy/sweep/FigureText.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace limn {
 namespace {

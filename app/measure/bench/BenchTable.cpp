@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/bench/BenchTable.h"
+#include "app/measure/bench/Bench.h"
 
 #include <algorithm>
 #include <cstdarg>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/bench/Contenders.h"
+#include "app/measure/bench/Bench.h"
 
-#include "app/measure/bench/RivalContender.h"
 #include "cpu/CpuRenderer.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"

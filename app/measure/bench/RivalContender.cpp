@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/bench/RivalContender.h"
-
+#include "app/measure/bench/Contender.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/measure/stability/FindingText.h"
 #include "app/measure/stability/StabilityText.h"
 #include "io/reports/HtmlPage.h"
 
@@ -62,11 +61,11 @@ constexpr std::array<const char*, 6> engineTitles = {"double precision", "ray ca
 
 // An error that ended the case stands in no column.
 bool isOfAnEngine(const Finding& finding) {
-  return std::find(engines.begin(), engines.end(), finding.engine) != engines.end();
+  return std::ranges::find(engines, finding.engine) != engines.end();
 }
 
 std::string titleOf(const std::string& engine) {
-  const auto found = std::find(engines.begin(), engines.end(), engine);
+  const auto found = std::ranges::find(engines, engine);
   return found == engines.end() ? engine : engineTitles[static_cast<std::size_t>(found - engines.begin())];
 }
 
@@ -124,16 +123,15 @@ std::string rowsOf(const MeasuredCase& one) {
     if (next && next->what == finding.what)
       continue;
     rows += rowOf(sameSetting);
-    const bool differ = std::any_of(sameSetting.begin(), sameSetting.end(), [&](const Finding* row) {
-      return row->reason != sameSetting.front()->reason;
-    });
+    const bool differ = std::ranges::any_of(
+        sameSetting, [&](const Finding* row) { return row->reason != sameSetting.front()->reason; });
     for (const Finding* row : sameSetting)
-      if (std::find(told.begin(), told.end(), row->reason) == told.end()) {
+      if (std::ranges::find(told, row->reason) == told.end()) {
         reasons += reasonRow(*row, differ || !isOfAnEngine(*row));
         told.push_back(row->reason);
       }
     sameSetting.clear();
-    if (!next || std::find(told.begin(), told.end(), next->reason) == told.end()) {
+    if (!next || std::ranges::find(told, next->reason) == told.end()) {
       rows += reasons;
       reasons.clear();
     }
@@ -154,7 +152,7 @@ std::string outline(const std::vector<MeasuredCase>& cases, Verdict verdict, con
   for (const MeasuredCase& one : cases)
     for (const Finding& finding : one.findings) {
       const std::string text = titleOf(finding.engine) + ": " + finding.reason;
-      if (finding.verdict != verdict || std::find(told.begin(), told.end(), one.id + text) != told.end())
+      if (finding.verdict != verdict || std::ranges::find(told, one.id + text) != told.end())
         continue;
       told.push_back(one.id + text);
       items += "<li><a href=\"#" + one.id + "\">" + one.id + "</a> " + escapedHtml(text) + "</li>\n";
@@ -203,9 +201,8 @@ std::string stabilityPage(const StabilityReport& report) {
                      outline(report.cases, Verdict::notApplicable, "What cannot apply, and why");
   body +=
       "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
-      "reference, "
-      "by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of bound\"). "
-      "Grey lines say what the figures above them are and where the bounds come from.</p>\n";
+      "reference, by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of "
+      "bound\"). Grey lines say what the figures above them are and where the bounds come from.</p>\n";
   if (!report.cases.empty()) {
     body += "<table>\n" + headRow();
     for (const MeasuredCase& one : report.cases)

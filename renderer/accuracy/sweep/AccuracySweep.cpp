@@ -3,9 +3,7 @@
 
 #include "scene/basics/Error.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <map>
 
 namespace limn {

@@ -31,7 +31,6 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   finer.quality.jitter = false;
   finer.quality.toleranceLevels.reset();
   finer.quality.fineness.reset();
-  finer.quality.toleranceLevels.reset();
   const double first = std::min(firstStep, scene.quality.stepVoxels);
   const double smallest = std::min(smallestStep, std::ldexp(first, -leastHalvings));
   finer.quality.stepVoxels = first;

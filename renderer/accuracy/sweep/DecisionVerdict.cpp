@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/sweep/DecisionVerdict.h"
-
 #include "accuracy/sweep/FigureText.h"
 
 #include <algorithm>
@@ -36,9 +34,8 @@ std::string sentenceOn(const DecisionCost& cost) {
 std::vector<std::string> verdictOn(const std::vector<DecisionCost>& costs) {
   std::vector<std::string> sentences;
   for (const DecisionCost& cost : costs) {
-    const auto own = std::find_if(costs.begin(), costs.end(), [&cost](const DecisionCost& other) {
-      return other.isDefault && other.group == cost.group;
-    });
+    const auto own = std::ranges::find_if(
+        costs, [&cost](const DecisionCost& other) { return other.isDefault && other.group == cost.group; });
     if (own != costs.end() && beats(cost, *own))
       sentences.push_back(sentenceOn(cost));
   }

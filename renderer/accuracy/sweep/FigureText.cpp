@@ -57,9 +57,8 @@ std::string referenceSentence(const ReferenceFacts& reference) {
 std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double levels) {
   if (const MeasuredPoint* point = fastestWithin(points, levels))
     return "The fastest within " + threeDigits(levels) + " levels: " + sentenceOf(*point) + ".";
-  const auto closest = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.error.p99_9 < b.error.p99_9;
-  });
+  const auto closest = std::ranges::min_element(
+      points, [](const auto& a, const auto& b) { return a.error.p99_9 < b.error.p99_9; });
   if (closest == points.end())
     return "Nothing was measured.";
   return "None stays within " + threeDigits(levels) + " levels; the closest is " + sentenceOf(*closest) + ".";
@@ -68,8 +67,8 @@ std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double le
 std::string wishWithinMs(const std::vector<MeasuredPoint>& points, double ms) {
   if (const MeasuredPoint* point = mostAccurateWithin(points, ms))
     return "The most accurate in " + threeDigits(ms) + " ms: " + sentenceOf(*point) + ".";
-  const auto fastest = std::min_element(
-      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.ms.median < b.ms.median; });
+  const auto fastest = std::ranges::min_element(
+      points, [](const auto& a, const auto& b) { return a.ms.median < b.ms.median; });
   if (fastest == points.end())
     return "Nothing was measured.";
   return "None takes at most " + threeDigits(ms) + " ms; the fastest is " + sentenceOf(*fastest) + ".";

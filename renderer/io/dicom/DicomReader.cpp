@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomReader.h"
 
-#include "io/dicom/DicomResample.h"
 #include "io/dicom/DicomVoxels.h"
 #include "io/dicom/series/DicomGeometry.h"
-#include "io/dicom/series/DicomPhases.h"
 #include "io/dicom/series/DicomScan.h"
+#include "io/dicom/series/DicomSeries.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/ReadError.h"
-#include "io/reading/RealFolder.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/dicom/DicomResample.h"
+#include "io/dicom/DicomVoxels.h"
 
 #include "io/dicom/series/DicomScan.h"
 

@@ -57,7 +57,7 @@ bool haveOneMeaning(const DicomSlice& a, const DicomSlice& b) {
 
 // Whether one linear rescale and one padding hold for the whole volume.
 bool keepsStoredValues(const DicomSeries& series) {
-  return std::all_of(series.begin(), series.end(), [&](const DicomSlice& slice) {
+  return std::ranges::all_of(series, [&](const DicomSlice& slice) {
     return !slice.header->modalityLut && haveOneMeaning(slice, series.front());
   });
 }
@@ -78,9 +78,8 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
   std::vector<std::size_t> order(series.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::less<>()(series[a].header, series[b].header);
-  });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return std::less<>()(series[a].header, series[b].header); });
   std::optional<DicomPixelReader> reader;
   const DicomHeader* open = nullptr;
   for (std::size_t done = 0; done < order.size(); ++done) {
@@ -115,9 +114,8 @@ DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, 
   std::vector<double> stored(perSlice);
   forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const DicomRawFrame& raw) {
     unpackFrame(*slice.header, raw, stored.data(), notes);
-    std::transform(stored.begin(), stored.end(),
-                   values.begin() + static_cast<std::ptrdiff_t>(index * perSlice),
-                   [&](double value) { return modalityValue(slice, value); });
+    std::ranges::transform(stored, values.begin() + static_cast<std::ptrdiff_t>(index * perSlice),
+                           [&](double value) { return modalityValue(slice, value); });
   });
   return {std::move(values), Rescale{}, std::nullopt};
 }
@@ -136,12 +134,12 @@ bool holdsMoreThanAnnounced(const DicomSlice& slice) {
 
 void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
   const DicomHeader& first = *series.front().header;
-  const auto lossy = std::find_if(series.begin(), series.end(),
-                                  [](const DicomSlice& slice) { return slice.header->isLossy; });
+  const auto lossy =
+      std::ranges::find_if(series, [](const DicomSlice& slice) { return slice.header->isLossy; });
   if (lossy != series.end())
     warnings.push_back("The images were compressed with loss" + ratioText(lossy->header->lossyRatio) +
                        ": fine detail differs from what the scanner measured.");
-  if (std::any_of(series.begin(), series.end(), holdsMoreThanAnnounced))
+  if (std::ranges::any_of(series, holdsMoreThanAnnounced))
     warnings.emplace_back("The file holds more pixels than its header announces; the rest is not shown.");
   if (first.format.photometric == "MONOCHROME1")
     warnings.emplace_back(
@@ -157,10 +155,9 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
   const DicomHeader& first = *series.front().header;
   for (const DicomSlice& slice : series)
     if (!isUsable(rescaleOf(slice)))
-      throw Error(Error::Kind::input,
-                  "The DICOM file " + slice.header->path.string() +
-                      " gives a rescale slope of 0 or none that is a number, which leaves no values; "
-                      "its header is damaged.");
+      throw Error(Error::Kind::input, "The DICOM file " + slice.header->path.string() +
+                                          " gives a rescale slope of 0 or none that is a number, which "
+                                          "leaves no values; its header is damaged.");
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
   DicomUnpackNotes notes;
   noteFormat(series, warnings);

@@ -38,10 +38,6 @@ JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::
                                         " must be a JSON object in braces.");
 }
 
-std::string JsonFields::pathOf(const std::string& key) const {
-  return m_where.empty() ? key : m_where + "." + key;
-}
-
 void JsonFields::fail(const std::string& key, const std::string& problem) const {
   throw Error(Error::Kind::input, m_document + ": \"" + pathOf(key) + "\" " + problem + ".");
 }
@@ -54,10 +50,6 @@ bool JsonFields::has(const std::string& key) {
 const nlohmann::json& JsonFields::child(const std::string& key) {
   m_known.insert(key);
   return m_object.at(key);
-}
-
-JsonFields JsonFields::object(const std::string& key) {
-  return JsonFields(child(key), m_document, pathOf(key));
 }
 
 double JsonFields::numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const {
@@ -152,6 +144,24 @@ void requireVersion(JsonFields& fields, const std::string& key, const std::strin
   if (version != 1)
     fields.fail(key,
                 "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
+}
+
+nlohmann::json parsedJson(std::string_view text, const std::string& name) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw Error(Error::Kind::input, name + " is not valid JSON (the mistake is near byte " +
+                                        std::to_string(error.byte) +
+                                        "); open it in a text editor to repair it.");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(Error::Kind::input,
+                name + " holds a number too large to be one; open it in a text editor to repair it.");
+  }
+}
+
+std::string textOf(const nlohmann::ordered_json& json) {
+  // File names may hold bytes that are not UTF-8; they are replaced rather than lost with the whole file.
+  return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace limn

@@ -11,6 +11,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace limn {
 
@@ -44,7 +45,7 @@ public:
 
   bool has(const std::string& key);
   const nlohmann::json& child(const std::string& key);
-  JsonFields object(const std::string& key);
+  JsonFields object(const std::string& key) { return JsonFields(child(key), m_document, pathOf(key)); }
 
   bool number(const std::string& key, double& target, const Limits& limits = anyNumber);
   bool integer(const std::string& key, int& target, int lowest, int highest);
@@ -80,7 +81,7 @@ public:
 
 private:
   std::optional<std::size_t> choice(const std::string& key, std::span<const char* const> words);
-  std::string pathOf(const std::string& key) const;
+  std::string pathOf(const std::string& key) const { return m_where.empty() ? key : m_where + "." + key; }
   double numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const;
 
   const nlohmann::json& m_object;
@@ -91,5 +92,11 @@ private:
 
 /// Refuses a document whose `key` is not the version that this program reads; `what` it would be otherwise.
 void requireVersion(JsonFields& fields, const std::string& key, const std::string& what);
+
+/// The text as JSON. Throws Error (input) calling the file `name`.
+nlohmann::json parsedJson(std::string_view text, const std::string& name);
+
+/// JSON as the text of a file, ASCII.
+std::string textOf(const nlohmann::ordered_json& json);
 
 } // namespace limn

@@ -2,7 +2,6 @@
 #include "io/reports/AccuracyPage.h"
 
 #include "accuracy/sweep/AccuracySweep.h"
-#include "accuracy/sweep/DecisionVerdict.h"
 #include "accuracy/sweep/FigureText.h"
 #include "io/reports/HtmlPage.h"
 
@@ -62,12 +61,10 @@ std::string accuracyPage(const AccuracyReport& report, const std::string& chart)
   page += "<h1>What accuracy costs in time: " + escapedHtml(report.scene) + "</h1>\n<p class=\"facts\">" +
           std::to_string(report.size.x) + " × " + std::to_string(report.size.y) + " pixels · " +
           escapedHtml(report.renderer) + " · " + escapedHtml(report.machine) + "</p>\n";
-  page +=
-      "<p>" + escapedHtml(referenceSentence(report.reference)) +
-      " They are in 8-bit levels (0 to 255) of the premultiplied channels over the pixels that the volume "
-      "covers. "
-      "A picture whose 99.9th percentile is at most one level is accurate to the screen. Times are medians "
-      "of whole pictures.</p>\n";
+  page += "<p>" + escapedHtml(referenceSentence(report.reference)) +
+          " They are in 8-bit levels (0 to 255) of the premultiplied channels over the pixels that the "
+          "volume covers. A picture whose 99.9th percentile is at most one level is accurate to the screen. "
+          "Times are medians of whole pictures.</p>\n";
   page += "<img src=\"" + escapedHtml(chart) +
           "\" alt=\"Error against time, both logarithmic, one curve per family\">\n";
   if (report.reference.converged)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
 
-#include "io/json/JsonText.h"
+#include "io/json/JsonFields.h"
 #include "io/scenefile/SceneJson.h"
 #include "scene/ProjectionName.h"
 #include "scene/light/ModelName.h"

@@ -2,7 +2,6 @@
 #include "io/scenefile/SettingsFile.h"
 
 #include "io/json/JsonFields.h"
-#include "io/json/JsonText.h"
 
 #include <nlohmann/json.hpp>
 

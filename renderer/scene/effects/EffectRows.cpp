@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/effects/EffectRows.h"
 
-#include <cassert>
 #include <cmath>
 #include <cstdio>
 

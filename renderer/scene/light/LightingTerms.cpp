@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/LightingTerms.h"
 
+#include "scene/basics/StableMath.h"
+#include "scene/light/Gradient.h"
+
 #include <algorithm>
 
 namespace limn {
@@ -61,6 +64,35 @@ LightingTerms lightingTerms(const Shading& shading) {
     terms.knee = shading.knee;
   }
   return withoutUnused(terms);
+}
+
+double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus) {
+  const double r = scale.reference > 0.0 ? std::clamp(modulus / scale.reference, 0.0, 1.0) : 0.0;
+  switch (terms.curve.type) {
+  case GradientCurve::Type::linear:
+    return r;
+  case GradientCurve::Type::gamma:
+    return gammaCurve(r, terms.curve.parameter);
+  case GradientCurve::Type::log:
+    return logCurve(r, terms.curve.parameter);
+  }
+  return r;
+}
+
+double gradientOpacityAt(const GradientOpacity& curve, double modulus) {
+  const auto& points = curve.points;
+  if (points.empty())
+    return 1.0;
+  const auto right = std::upper_bound(
+      points.begin(), points.end(), modulus,
+      [](double value, const GradientOpacityPoint& point) { return value < point.gradient; });
+  if (right == points.begin())
+    return right->opacity;
+  const auto left = right - 1;
+  if (right == points.end())
+    return left->opacity;
+  const double w = (modulus - left->gradient) / (right->gradient - left->gradient);
+  return glm::mix(left->opacity, right->opacity, w);
 }
 
 } // namespace limn

@@ -5,6 +5,8 @@
 
 namespace limn {
 
+struct GradientScale;
+
 /// The numbers of the lighting model with the differences between the four models resolved: what a model does
 /// not use has its neutral value. Two shadings with equal terms give the same picture.
 struct LightingTerms {
@@ -35,5 +37,11 @@ struct LightingTerms {
 };
 
 LightingTerms lightingTerms(const Shading& shading);
+
+/// The normalised gradient modulus r after its curve (DEFINITION section 2).
+double gradientRatio(const LightingTerms& terms, const GradientScale& scale, double modulus);
+
+/// The gradient-opacity curve G at a modulus, value/mm; 1 without points.
+double gradientOpacityAt(const GradientOpacity& curve, double modulus);
 
 } // namespace limn

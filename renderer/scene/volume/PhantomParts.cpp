@@ -2,7 +2,6 @@
 #include "scene/volume/PhantomParts.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace limn {
 namespace {

@@ -47,9 +47,8 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
     largest = std::max(largest, stored[i]);
   }
   if (result.invalidVoxels == stored.size())
-    throw Error(Error::Kind::input,
-                "The volume holds no valid voxel: every value is NaN, infinite or declared "
-                "padding; check that the right series was chosen.");
+    throw Error(Error::Kind::input, "The volume holds no valid voxel: every value is NaN, infinite or "
+                                    "declared padding; check that the right series was chosen.");
   const bool rising = rescale.slope >= 0.0;
   const T replacement = rising ? smallest : largest;
   if (result.invalidVoxels > 0)
@@ -60,10 +59,8 @@ Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
   const double atLargest = rescale.slope * static_cast<double>(largest) + rescale.intercept;
   result.range = rising ? ValueRange{atSmallest, atLargest} : ValueRange{atLargest, atSmallest};
   if (!(result.range.lowest >= -largestScalar && result.range.highest <= largestScalar))
-    throw Error(
-        Error::Kind::input,
-        "The volume's values are not finite or beyond 1e300 after rescaling; its slope, its intercept "
-        "or its voxels are damaged.");
+    throw Error(Error::Kind::input, "The volume's values are not finite or beyond 1e300 after rescaling; its "
+                                    "slope, its intercept or its voxels are damaged.");
   return result;
 }
 
@@ -72,8 +69,8 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
     if (grid.dims[axis] < 1)
       throw Error(Error::Kind::input, "The volume has no voxels along one axis.");
     if (!(grid.spacingMm[axis] > 0.0) || !std::isfinite(grid.spacingMm[axis]))
-      throw Error(Error::Kind::input, "The volume's voxel spacing is not a positive number; give it with "
-                                      "--spacing X,Y,Z.");
+      throw Error(Error::Kind::input,
+                  "The volume's voxel spacing is not a positive number; give it with --spacing X,Y,Z.");
   }
   const auto expected = static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z;
   if (expected != voxels)

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/Measures.h"
-#include "stability/PresentedPicture.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
 #include <cmath>
-#include <limits>
 
 namespace limn {
 namespace {
-
-double distanceOf(const glm::dvec4& pixel, const glm::dvec4& expected) {
-  double largest = 0.0;
-  for (int channel = 0; channel < 4; ++channel)
-    largest = std::max(largest, finiteOrInfinite(std::abs(pixel[channel] - expected[channel])));
-  return largest;
-}
 
 // Layers of 1 mm, one step each, with a point of the function for each value.
 Scene layers(const std::vector<double>& values, const std::vector<ControlPoint>& points) {
@@ -45,15 +37,14 @@ std::vector<Finding> premultiplied(Workbench& bench) {
   std::vector<Finding> findings = inEachEngine(
       bench, "red before green before blue", {1e-12, 1e-6, 1e-6},
       "each channel against its layer's opacity times what those before let through; multiplied twice, red "
-      "would "
-      "be 0.04 in place of 0.2",
+      "would be 0.04 in place of 0.2",
       [](const Draw& draw) {
         const Scene scene =
             layers({0.0, 1.0, 2.0}, {{0.0, {1, 0, 0}, 0.2}, {1.0, {0, 1, 0}, 0.5}, {2.0, {0, 0, 1}, 0.8}});
-        return distanceOf(draw(scene, {1, 1}).at(0, 0), {0.2, 0.4, 0.32, 0.92});
+        return largestDifference(draw(scene, {1, 1}).at(0, 0), {0.2, 0.4, 0.32, 0.92});
       });
-  const std::string reason = "levels of 255 off on the screen; the nearest is half a level away, and drivers "
-                             "may round either way";
+  const std::string reason =
+      "levels of 255 off on the screen; the nearest is half a level away, and drivers may round either way";
   struct Row {
     const char* what;
     glm::dvec3 color, background;
@@ -62,9 +53,9 @@ std::vector<Finding> premultiplied(Workbench& bench) {
   for (const Row& row : {Row{"half of white over black", white, black, 0.5},
                          Row{"half of black over white", black, white, 0.5},
                          Row{"half of white over white", white, white, 1.0}})
-    append(findings, inEachEngine(bench, row.what, {1.0, 1.0, 1.0}, reason, [&row](const Draw& draw) {
-             return shownError(draw, row.color, 0.5, row.background, glm::dvec3(row.expected));
-           }));
+    findings += inEachEngine(bench, row.what, {1.0, 1.0, 1.0}, reason, [&row](const Draw& draw) {
+      return shownError(draw, row.color, 0.5, row.background, glm::dvec3(row.expected));
+    });
   return findings;
 }
 
@@ -90,14 +81,14 @@ std::vector<Finding> encoding(Workbench& bench) {
                                                                 glm::dvec3((x + 16 * (15 - y)) / 255.0)));
                      return largest;
                    });
-  append(findings,
-         inEachEngine(bench, "half of white over black in floats", {1e-12, 1e-6, 1e-6},
-                      "colour against 1/2: composited as display values; in linear light it would be 0.735",
-                      [](const Draw& draw) {
-                        Scene scene = rayThrough(boxOf(white));
-                        scene.transferFunction = constantFunction(0.5, white);
-                        return distanceOf(draw(scene, {1, 1}).at(0, 0), glm::dvec4(0.5));
-                      }));
+  findings +=
+      inEachEngine(bench, "half of white over black in floats", {1e-12, 1e-6, 1e-6},
+                   "colour against 1/2: composited as display values; in linear light it would be 0.735",
+                   [](const Draw& draw) {
+                     Scene scene = rayThrough(boxOf(white));
+                     scene.transferFunction = constantFunction(0.5, white);
+                     return largestDifference(draw(scene, {1, 1}).at(0, 0), glm::dvec4(0.5));
+                   });
   return findings;
 }
 
@@ -115,7 +106,7 @@ double sheetError(const Draw& draw, const Fog& fog, double z, double factor) {
   scene.transferFunction = constantFunction(1.0, glm::dvec3(objectGrey), 0.01 * thickness);
   scene.fog = fog;
   const double expected = factor * objectGrey + (1.0 - factor) * fogGrey;
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(expected), 1.0});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(expected), 1.0});
 }
 
 std::vector<Finding> fogFactors(Workbench& bench) {
@@ -136,16 +127,15 @@ std::vector<Finding> fogFactors(Workbench& bench) {
                        [](double z) { return std::exp(-density * density * z * z); }}};
   std::vector<Finding> findings;
   for (const Row& row : rows)
-    append(findings,
-           inEachEngine(bench, row.what, {1e-8, 2e-6, 2e-6},
-                        "colour of an opaque sheet at 0 to 1000 mm against F · object + (1 - F) · fog; "
-                        "it is 1e-9 mm thick",
-                        [&row](const Draw& draw) {
-                          double largest = 0.0;
-                          for (const double z : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 1000.0})
-                            largest = std::max(largest, sheetError(draw, row.fog, z, row.factor(z)));
-                          return largest;
-                        }));
+    findings += inEachEngine(
+        bench, row.what, {1e-8, 2e-6, 2e-6},
+        "colour of an opaque sheet at 0 to 1000 mm against F · object + (1 - F) · fog; it is 1e-9 mm thick",
+        [&row](const Draw& draw) {
+          double largest = 0.0;
+          for (const double z : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0, 1000.0})
+            largest = std::max(largest, sheetError(draw, row.fog, z, row.factor(z)));
+          return largest;
+        });
   return findings;
 }
 
@@ -159,7 +149,7 @@ double foggedLayersError(const Draw& draw) {
   const double f1 = std::exp(-density), f4 = std::exp(-4.0 * density);
   const double color =
       0.3 * (f1 * 0.9 + (1.0 - f1) * fogGrey) + 0.7 * 0.6 * (f4 * 0.2 + (1.0 - f4) * fogGrey);
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(color), 0.72});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(color), 0.72});
 }
 
 // A medium of the fog's colour and density over 3 mm before an opaque object: what exponential fog stands
@@ -171,7 +161,8 @@ double mediumError(const Draw& draw) {
       unit, {{0.5, glm::dvec3(fogGrey), -std::expm1(-density * unit)}, {0.5, glm::dvec3(objectGrey), 1.0}}};
   scene.quality.stepVoxels = 0.1;
   const double f = std::exp(-3.0 * density);
-  return distanceOf(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(f * objectGrey + (1.0 - f) * fogGrey), 1.0});
+  return largestDifference(draw(scene, {1, 1}).at(0, 0),
+                           {glm::dvec3(f * objectGrey + (1.0 - f) * fogGrey), 1.0});
 }
 
 double largestAlphaChange(const Draw& draw, const Fog& fog) {
@@ -187,23 +178,21 @@ double largestAlphaChange(const Draw& draw, const Fog& fog) {
 
 std::vector<Finding> fog(Workbench& bench) {
   std::vector<Finding> findings = fogFactors(bench);
-  append(findings,
-         inEachEngine(bench, "on two translucent layers", {1e-12, 2e-6, 2e-6},
-                      "colour and alpha of the layers, each fogged by its own distance", foggedLayersError));
-  append(findings,
-         inEachEngine(bench, "a medium in its place", {1e-9, 2e-6, 2e-6},
-                      "colour of an object behind 3 mm of a medium against exponential fog", mediumError));
-  append(findings,
-         inEachEngine(bench, "opacity", {}, "largest change of alpha by fog: none",
-                      [](const Draw& draw) { return largestAlphaChange(draw, fogOf(Fog::Mode::exp2)); }));
-  append(findings, inEachEngine(bench, "of no density", {}, "largest difference from no fog: none",
-                                [](const Draw& draw) {
-                                  Scene scene =
-                                      wholeVolume(smoothVolume(12), ShadingModel::classic, 0.0, 100.0);
-                                  const DrawnPicture clear = draw(scene, {24, 24});
-                                  scene.fog = {Fog::Mode::exp, white, 0.0, 0.0, 0.0};
-                                  return largestDifference(draw(scene, {24, 24}), clear);
-                                }));
+  findings +=
+      inEachEngine(bench, "on two translucent layers", {1e-12, 2e-6, 2e-6},
+                   "colour and alpha of the layers, each fogged by its own distance", foggedLayersError);
+  findings +=
+      inEachEngine(bench, "a medium in its place", {1e-9, 2e-6, 2e-6},
+                   "colour of an object behind 3 mm of a medium against exponential fog", mediumError);
+  findings += inEachEngine(bench, "opacity", {}, "largest change of alpha by fog: none",
+                           [](const Draw& draw) { return largestAlphaChange(draw, fogOf(Fog::Mode::exp2)); });
+  findings +=
+      inEachEngine(bench, "of no density", {}, "largest difference from no fog: none", [](const Draw& draw) {
+        Scene scene = wholeVolume(smoothVolume(12), ShadingModel::classic, 0.0, 100.0);
+        const DrawnPicture clear = draw(scene, {24, 24});
+        scene.fog = {Fog::Mode::exp, white, 0.0, 0.0, 0.0};
+        return largestDifference(draw(scene, {24, 24}), clear);
+      });
   return findings;
 }
 

@@ -38,41 +38,38 @@ std::vector<Finding> degenerateUp(Workbench& bench) {
   }
   std::vector<Finding> findings = {
       atMost("cpp", "axes of the camera", worst, 1e-12, "how far lengths and determinant are from 1")};
-  append(findings, inEachEngine(bench, "every up along every axis, eye at target", {},
-                                "pictures that are empty or unsound", [](const Draw& draw) {
-                                  Scene scene =
-                                      wholeVolume(smoothVolume(8), ShadingModel::classic, 0.0, 100.0);
-                                  int wrong = 0;
-                                  for (const Camera& camera : degenerateCameras()) {
-                                    scene.camera = camera;
-                                    const DrawnPicture picture = draw(scene, {16, 16});
-                                    wrong += unsoundPixels(picture) > 0 || visiblePixels(picture) == 0;
-                                  }
-                                  return wrong;
-                                }));
+  findings += inEachEngine(bench, "every up along every axis, eye at target", {},
+                           "pictures that are empty or unsound", [](const Draw& draw) {
+                             Scene scene = wholeVolume(smoothVolume(8), ShadingModel::classic, 0.0, 100.0);
+                             int wrong = 0;
+                             for (const Camera& camera : degenerateCameras()) {
+                               scene.camera = camera;
+                               const DrawnPicture picture = draw(scene, {16, 16});
+                               wrong += unsoundPixels(picture) > 0 || visiblePixels(picture) == 0;
+                             }
+                             return wrong;
+                           });
   return findings;
 }
 
 std::vector<Finding> farCamera(Workbench& bench) {
   std::vector<Finding> findings;
   for (const double times : {1e3, 1e6})
-    append(
-        findings,
-        inEachEngine(
-            bench, times < 1e4 ? "from 1000 diagonals" : "from a million diagonals",
-            {1.0 / 255.0, 1.0 / 255.0, 1.0 / 255.0},
-            "largest difference from the orthographic picture; its rays are parallel to 1/2000 over the box, "
-            "one level is the bound",
-            [times](const Draw& draw) {
-              Scene scene = wholeVolume(smoothVolume(16), ShadingModel::none, 0.0, 100.0);
-              scene.quality.stepVoxels = 0.25;
-              const DrawnPicture orthographic = draw(scene, {32, 32});
-              const double diagonal = scene.camera.heightMm;
-              scene.camera.projection = Camera::Projection::perspective;
-              scene.camera.position = scene.camera.target - glm::dvec3(0.0, times * diagonal, 0.0);
-              scene.camera.fovYDeg = 2.0 * std::atan(0.5 / times) * 180.0 / glm::pi<double>();
-              return largestDifference(draw(scene, {32, 32}), orthographic);
-            }));
+    findings +=
+        inEachEngine(bench, times < 1e4 ? "from 1000 diagonals" : "from a million diagonals",
+                     {1.0 / 255.0, 1.0 / 255.0, 1.0 / 255.0},
+                     "largest difference from the orthographic picture; its rays are parallel to 1/2000 over "
+                     "the box, one level is the bound",
+                     [times](const Draw& draw) {
+                       Scene scene = wholeVolume(smoothVolume(16), ShadingModel::none, 0.0, 100.0);
+                       scene.quality.stepVoxels = 0.25;
+                       const DrawnPicture orthographic = draw(scene, {32, 32});
+                       const double diagonal = scene.camera.heightMm;
+                       scene.camera.projection = Camera::Projection::perspective;
+                       scene.camera.position = scene.camera.target - glm::dvec3(0.0, times * diagonal, 0.0);
+                       scene.camera.fovYDeg = 2.0 * std::atan(0.5 / times) * 180.0 / glm::pi<double>();
+                       return largestDifference(draw(scene, {32, 32}), orthographic);
+                     });
   return findings;
 }
 
@@ -106,14 +103,13 @@ std::vector<Finding> hugeWorlds(Workbench& bench) {
                           {"8388608 mm from the origin", 1.0, 0x1p23, rounding}};
   std::vector<Finding> findings;
   for (const World& world : worlds)
-    append(findings,
-           inEachEngine(bench, world.name, world.bounds,
-                        "largest difference from spacing 1 at the origin: to the bit for powers of two, "
-                        "otherwise roundings of double",
-                        [&world](const Draw& draw) {
-                          return largestDifference(draw(inWorldOf(world.scale, world.offset), {32, 32}),
-                                                   draw(inWorldOf(1.0, 0.0), {32, 32}));
-                        }));
+    findings += inEachEngine(bench, world.name, world.bounds,
+                             "largest difference from spacing 1 at the origin: to the bit for powers of two, "
+                             "otherwise roundings of double",
+                             [&world](const Draw& draw) {
+                               return largestDifference(draw(inWorldOf(world.scale, world.offset), {32, 32}),
+                                                        draw(inWorldOf(1.0, 0.0), {32, 32}));
+                             });
   return findings;
 }
 

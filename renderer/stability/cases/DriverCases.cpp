@@ -126,13 +126,13 @@ std::vector<Finding> randomCameras(Workbench& bench) {
       counts += count < 0 || count > mostSamples;
   findings.push_back(atMost("gl", "samples of 100 random cameras", counts, 0.0,
                             "pixels of fewer than 0 or more than 60000"));
-  append(findings, inEachEngine(bench, "pictures of 100 random cameras", {},
-                                "pixels that are not finite or outside 0..1", [&scenes](const Draw& draw) {
-                                  int unsound = 0;
-                                  for (const Scene& scene : scenes)
-                                    unsound += unsoundPixels(draw(scene, {8, 8}));
-                                  return unsound;
-                                }));
+  findings += inEachEngine(bench, "pictures of 100 random cameras", {},
+                           "pixels that are not finite or outside 0..1", [&scenes](const Draw& draw) {
+                             int unsound = 0;
+                             for (const Scene& scene : scenes)
+                               unsound += unsoundPixels(draw(scene, {8, 8}));
+                             return unsound;
+                           });
   return findings;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/StableMath.h"
+#include "scene/light/ModelName.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -54,32 +55,27 @@ std::vector<Finding> zeroVectors() {
 
 std::vector<Finding> gradients(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const auto& [what, model] : {std::pair{"constant volume, classic", ShadingModel::classic},
-                                    {"constant volume, enhanced", ShadingModel::enhanced},
-                                    {"constant volume, robust", ShadingModel::robust}})
-    append(findings, inEachEngine(bench, what, {}, "pixels that are not finite or outside 0..1",
-                                  [model = model](const Draw& draw) {
-                                    const auto volume = volumeOf(centredGrid(glm::ivec3(8), glm::dvec3(1.0)),
-                                                                 [](int, int, int) { return 50.0; });
-                                    Scene scene = wholeVolume(volume, model, 0.0, 100.0, {0.6, 0.64, 0.48});
-                                    scene.shading.opacityRange = {0.2, 1.0};
-                                    return unsoundPixels(draw(scene, {24, 24}));
-                                  }));
+  for (const ShadingModel model : {ShadingModel::classic, ShadingModel::enhanced, ShadingModel::robust})
+    findings += inEachEngine(bench, std::string("constant volume, ") + nameOf(model), {},
+                             "pixels that are not finite or outside 0..1", [model](const Draw& draw) {
+                               const auto volume = volumeOf(centredGrid(glm::ivec3(8), glm::dvec3(1.0)),
+                                                            [](int, int, int) { return 50.0; });
+                               Scene scene = wholeVolume(volume, model, 0.0, 100.0, {0.6, 0.64, 0.48});
+                               scene.shading.opacityRange = {0.2, 1.0};
+                               return unsoundPixels(draw(scene, {24, 24}));
+                             });
   for (const double scale : {1e-30, 1e30})
-    append(findings,
-           inEachEngine(bench, scale > 1.0 ? "values times 1e30, enhanced" : "values times 1e-30, enhanced",
-                        {1e-6, 1e-6, 1e-6},
-                        "largest difference from the unscaled picture; scalars are normalised in double",
-                        [scale](const Draw& draw) {
-                          const auto at = [&](double s) {
-                            return draw(
-                                wholeVolume(smoothVolume(12, s), ShadingModel::enhanced, 0.0, 100.0 * s),
-                                {24, 24});
-                          };
-                          return largestDifference(at(1.0), at(scale));
-                        }));
-  append(findings, normalHelpers());
-  append(findings, zeroVectors());
+    findings += inEachEngine(
+        bench, scale > 1.0 ? "values times 1e30, enhanced" : "values times 1e-30, enhanced",
+        {1e-6, 1e-6, 1e-6}, "largest difference from the unscaled picture; scalars are normalised in double",
+        [scale](const Draw& draw) {
+          const auto at = [&](double s) {
+            return draw(wholeVolume(smoothVolume(12, s), ShadingModel::enhanced, 0.0, 100.0 * s), {24, 24});
+          };
+          return largestDifference(at(1.0), at(scale));
+        });
+  findings += normalHelpers();
+  findings += zeroVectors();
   return findings;
 }
 
@@ -117,19 +113,17 @@ std::vector<Finding> powers(Workbench&) {
 
 std::vector<Finding> hugeExponents(Workbench& bench) {
   std::vector<Finding> findings = powersOf({1e4f});
-  append(
-      findings,
-      inEngines(
-          bench, {Engine::gl, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
-          {0, 5e-4, 5e-4},
-          "largest difference from the reference where both take the same samples: 1024 · 1.2e-7 of a "
-          "highlight, and four times as much for the normal's own rounding",
-          [&bench](const Draw& draw) {
-            Scene scene = wholeVolume(smoothVolume(8), ShadingModel::classic, 0.0, 100.0);
-            scene.shading.exponent = 1024.0;
-            scene.quality.stepVoxels = 1.0;
-            return largestDifference(draw(scene, {24, 24}), bench.draw(Engine::reference, scene, {24, 24}));
-          }));
+  findings += inEngines(
+      bench, {Engine::gl, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
+      {0, 5e-4, 5e-4},
+      "largest difference from the reference where both take the same samples: 1024 · 1.2e-7 of a highlight, "
+      "and four times as much for the normal's own rounding",
+      [&bench](const Draw& draw) {
+        Scene scene = wholeVolume(smoothVolume(8), ShadingModel::classic, 0.0, 100.0);
+        scene.shading.exponent = 1024.0;
+        scene.quality.stepVoxels = 1.0;
+        return largestDifference(draw(scene, {24, 24}), bench.draw(Engine::reference, scene, {24, 24}));
+      });
   return findings;
 }
 

@@ -48,27 +48,26 @@ double rampError(const Draw& draw, Scene scene, double lowest, double highest) {
 }
 
 std::vector<Finding> narrowRanges(Workbench& bench) {
-  std::vector<Finding> findings = inEachEngine(
-      bench, "the 4096 values of 12 bits in words of 16", {fullOpacity, 1.0 / 8192.0, 1.0 / 8192.0},
-      "alpha against the value's share of the ramp: half a step of 12 bits; full opacity is short of 1 by "
-      "2^-24",
-      [](const Draw& draw) {
-        std::vector<std::uint16_t> values;
-        for (int i = 0; i < 4096; ++i)
-          values.push_back(static_cast<std::uint16_t>(i));
-        return rampError(draw, swatches(values, 64), 0.0, 4095.0);
+  std::vector<Finding> findings = inEachEngine(bench, "the 4096 values of 12 bits in words of 16",
+                                               {fullOpacity, 1.0 / 8192.0, 1.0 / 8192.0},
+                                               "alpha against the value's share of the ramp: half a step of "
+                                               "12 bits; full opacity is short of 1 by 2^-24",
+                                               [](const Draw& draw) {
+                                                 std::vector<std::uint16_t> values;
+                                                 for (int i = 0; i < 4096; ++i)
+                                                   values.push_back(static_cast<std::uint16_t>(i));
+                                                 return rampError(draw, swatches(values, 64), 0.0, 4095.0);
+                                               });
+  findings += inEachEngine(
+      bench, "a function over a hundredth of a range of floats", {fullOpacity, 1.0 / 2048.0, 1.0 / 2048.0},
+      "alpha against the value's share of the ramp: half of one of its 1024 values", [](const Draw& draw) {
+        std::vector<float> values;
+        for (int i = 0; i < 1024; ++i)
+          values.push_back(static_cast<float>(i) * (200.0f / 1023.0f));
+        values.front() = -1e4f;
+        values.back() = 1e4f;
+        return rampError(draw, swatches(values, 32), 0.0, 200.0);
       });
-  append(findings, inEachEngine(bench, "a function over a hundredth of a range of floats",
-                                {fullOpacity, 1.0 / 2048.0, 1.0 / 2048.0},
-                                "alpha against the value's share of the ramp: half of one of its 1024 values",
-                                [](const Draw& draw) {
-                                  std::vector<float> values;
-                                  for (int i = 0; i < 1024; ++i)
-                                    values.push_back(static_cast<float>(i) * (200.0f / 1023.0f));
-                                  values.front() = -1e4f;
-                                  values.back() = 1e4f;
-                                  return rampError(draw, swatches(values, 32), 0.0, 200.0);
-                                }));
   return findings;
 }
 
@@ -130,13 +129,13 @@ std::vector<Finding> fewPoints(Workbench& bench) {
       {"two points above the value, of which the first holds", {{2.0, white, 0.6}, {2.0, white, 0.2}}, 0.6}};
   std::vector<Finding> findings;
   for (const Row& row : rows)
-    append(findings,
-           inEachEngine(bench, row.what, row.alpha == 0.0 ? Bounds{} : Bounds{1e-12, 1e-6, 1e-6},
-                        "alpha of a voxel: exactly nothing, or one point's opacity", [&](const Draw& draw) {
-                          Scene scene = rayThrough(boxOf(white));
-                          scene.transferFunction = {1.0, row.points};
-                          return largestAlphaError(draw(scene, {1, 1}), row.alpha);
-                        }));
+    findings +=
+        inEachEngine(bench, row.what, row.alpha == 0.0 ? Bounds{} : Bounds{1e-12, 1e-6, 1e-6},
+                     "alpha of a voxel: exactly nothing, or one point's opacity", [&](const Draw& draw) {
+                       Scene scene = rayThrough(boxOf(white));
+                       scene.transferFunction = {1.0, row.points};
+                       return largestAlphaError(draw(scene, {1, 1}), row.alpha);
+                     });
   return findings;
 }
 
@@ -150,8 +149,7 @@ std::vector<Finding> coincidentPoints(Workbench& bench) {
         scene.quality.stepVoxels = 1.0;
         return largestAlphaError(draw(scene, {1, 1}), 0.75);
       });
-  append(
-      findings,
+  findings +=
       inEachEngine(bench, "40 random functions of 1 to 8 points, some at the same value", {1e-12, 1e-6, 1e-6},
                    "how far alpha lies outside what the function gives within three roundings of the value",
                    [](const Draw& draw) {
@@ -160,17 +158,16 @@ std::vector<Finding> coincidentPoints(Workbench& bench) {
                      for (int i = 0; i < 40; ++i)
                        largest = std::max(largest, functionError(draw, randomFunction(generator)));
                      return largest;
-                   }));
+                   });
   for (const auto& [what, first, second] :
        {std::tuple{"two points nearer than floats tell apart", 0.5, 0.5 + 0x1p-40},
         {"two points 1e-42 apart at the end of the range", 0.0, 1e-42}})
-    append(
-        findings,
+    findings +=
         inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
                      "how far alpha lies outside what the function gives within three roundings of the value",
                      [first = first, second = second](const Draw& draw) {
                        return functionError(draw, {1.0, {{first, white, 0.2}, {second, white, 0.7}}});
-                     }));
+                     });
   return findings;
 }
 
@@ -202,8 +199,8 @@ std::vector<Finding> unsortedPoints() {
 
 std::vector<Finding> degenerateFunctions(Workbench& bench) {
   std::vector<Finding> findings = fewPoints(bench);
-  append(findings, coincidentPoints(bench));
-  append(findings, unsortedPoints());
+  findings += coincidentPoints(bench);
+  findings += unsortedPoints();
   return findings;
 }
 
@@ -240,25 +237,24 @@ std::vector<Finding> preciseFunctions(Workbench& bench) {
       inEachEngine(bench, "opacity 0.001 over 1000 unit distances", manySteps,
                    "alpha against 1 - 0.999^1000 = 0.632; in 8 bits this opacity is 0",
                    [](const Draw& draw) { return faintError(draw, 1e-3, 1e3, 1000.0); });
-  append(findings,
-         inEachEngine(bench, "opacity 1e-8 over 100 million unit distances", manySteps,
-                      "alpha against 1 - (1 - 1e-8)^(1e8) = 0.632; in half floats this opacity is 0",
-                      [](const Draw& draw) { return faintError(draw, 1e-8, 1e8, 1000.0); }));
-  append(findings, inEachEngine(bench, "opacity 0.9999 over one unit distance", {1e-12, 1e-6, 1e-6},
-                                "alpha against 0.9999; in half floats this opacity is 1",
-                                [](const Draw& draw) { return faintError(draw, 0.9999, 1.0, 1.0); }));
-  append(findings, inEachEngine(bench, "colours 1/65535 apart", {1e-12, 1e-6, 1e-6},
-                                "premultiplied colour of half a unit of opacity against half the colour",
-                                [](const Draw& draw) {
-                                  double largest = 0.0;
-                                  for (int i = 32760; i < 32776; ++i) {
-                                    Scene scene = rayThrough(boxOf(white));
-                                    scene.transferFunction = constantFunction(0.5, glm::dvec3(i / 65535.0));
-                                    const double drawn = draw(scene, {1, 1}).at(0, 0).r;
-                                    largest = std::max(largest, std::abs(drawn - 0.5 * i / 65535.0));
-                                  }
-                                  return finiteOrInfinite(largest);
-                                }));
+  findings += inEachEngine(bench, "opacity 1e-8 over 100 million unit distances", manySteps,
+                           "alpha against 1 - (1 - 1e-8)^(1e8) = 0.632; in half floats this opacity is 0",
+                           [](const Draw& draw) { return faintError(draw, 1e-8, 1e8, 1000.0); });
+  findings += inEachEngine(bench, "opacity 0.9999 over one unit distance", {1e-12, 1e-6, 1e-6},
+                           "alpha against 0.9999; in half floats this opacity is 1",
+                           [](const Draw& draw) { return faintError(draw, 0.9999, 1.0, 1.0); });
+  findings += inEachEngine(bench, "colours 1/65535 apart", {1e-12, 1e-6, 1e-6},
+                           "premultiplied colour of half a unit of opacity against half the colour",
+                           [](const Draw& draw) {
+                             double largest = 0.0;
+                             for (int i = 32760; i < 32776; ++i) {
+                               Scene scene = rayThrough(boxOf(white));
+                               scene.transferFunction = constantFunction(0.5, glm::dvec3(i / 65535.0));
+                               const double drawn = draw(scene, {1, 1}).at(0, 0).r;
+                               largest = std::max(largest, std::abs(drawn - 0.5 * i / 65535.0));
+                             }
+                             return finiteOrInfinite(largest);
+                           });
   return findings;
 }
 

@@ -73,23 +73,21 @@ std::vector<Finding> longVoxels(Workbench& bench) {
   const auto volume = volumeOf(centredGrid({64, 64, 32}, {0.3, 0.3, 5.0}), [](int, int, int) { return 1.0; });
   std::vector<Finding> findings;
   for (int axis = 0; axis < 3; ++axis)
-    append(findings,
-           inEachEngine(bench, std::string("through voxels of 0.3 x 0.3 x 5 mm along ") + axisNames[axis],
-                        {1e-12, 1e-5, 1e-5 + 1067.0 * 0x1p-22},
-                        "alpha against 1 - exp(-0.02 · length in mm); of up to 1067 slices each "
-                        "rounds by up to 2^-22",
-                        [&, axis](const Draw& draw) {
-                          Scene scene = rayThrough(volume, axes[axis]);
-                          scene.transferFunction = constantFunction(-std::expm1(-0.02), white);
-                          return largestAlphaError(draw(scene, {1, 1}),
-                                                   -std::expm1(-0.02 * boxSizeMm(volume->grid())[axis]));
-                        }));
-  append(findings,
-         inEachEngine(bench, "normals of ramps in voxels of 0.3 x 0.3 x 5 mm", {1e-12, 1e-5, 1e-5},
-                      "largest error of a normal of unit length; without spacing it would be 50 degrees off",
-                      [](const Draw& draw) {
-                        return largestNormalError(draw, {0.3, 0.3, 5.0});
-                      }));
+    findings += inEachEngine(
+        bench, std::string("through voxels of 0.3 x 0.3 x 5 mm along ") + axisNames[axis],
+        {1e-12, 1e-5, 1e-5 + 1067.0 * 0x1p-22},
+        "alpha against 1 - exp(-0.02 · length in mm); of up to 1067 slices each rounds by up to 2^-22",
+        [&, axis](const Draw& draw) {
+          Scene scene = rayThrough(volume, axes[axis]);
+          scene.transferFunction = constantFunction(-std::expm1(-0.02), white);
+          return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-0.02 * boxSizeMm(volume->grid())[axis]));
+        });
+  findings +=
+      inEachEngine(bench, "normals of ramps in voxels of 0.3 x 0.3 x 5 mm", {1e-12, 1e-5, 1e-5},
+                   "largest error of a normal of unit length; without spacing it would be 50 degrees off",
+                   [](const Draw& draw) {
+                     return largestNormalError(draw, {0.3, 0.3, 5.0});
+                   });
   return findings;
 }
 
@@ -120,10 +118,10 @@ std::vector<Finding> borders(Workbench& bench) {
   for (const auto& [what, direction] : {std::pair{"a ramp along the view", axes[1]},
                                         {"a ramp across the view", axes[0]},
                                         {"an oblique ramp", glm::dvec3(0.6, 0.48, -0.64)}})
-    append(findings,
-           inEachEngine(bench, what, {1e-12, 1e-5, 1e-5},
-                        "alpha, which follows the gradient, against 1 - 0.75^6 in every pixel",
-                        [direction = direction](const Draw& draw) { return borderError(draw, direction); }));
+    findings +=
+        inEachEngine(bench, what, {1e-12, 1e-5, 1e-5},
+                     "alpha, which follows the gradient, against 1 - 0.75^6 in every pixel",
+                     [direction = direction](const Draw& draw) { return borderError(draw, direction); });
   return findings;
 }
 
@@ -172,18 +170,18 @@ std::vector<Finding> opacityCoefficient(Workbench& bench) {
                                    {"steps of 1/2", 0.5},
                                    {"steps of 1/4", 0.25},
                                    {"steps of 1/16", 0.0625}})
-    append(findings,
-           inEachEngine(bench, what, {1e-12, 1e-6, 1e-6 + 4.0 / step * 0x1p-22},
-                        "alpha against 1 - (1 - 0.5 · 0.9)^4: O changes the opacity before it is "
-                        "corrected for the step; each slice rounds by up to 2^-22",
-                        [step = step](const Draw& draw) {
-                          Scene scene = rayThrough(boxOf(glm::dvec3(4.0)));
-                          scene.transferFunction = constantFunction(0.9, white);
-                          scene.shading.model = ShadingModel::enhanced;
-                          scene.shading.opacityRange = {0.5, 0.5};
-                          scene.quality.stepVoxels = step / 4.0;
-                          return largestAlphaError(draw(scene, {1, 1}), -std::expm1(4.0 * std::log1p(-0.45)));
-                        }));
+    findings +=
+        inEachEngine(bench, what, {1e-12, 1e-6, 1e-6 + 4.0 / step * 0x1p-22},
+                     "alpha against 1 - (1 - 0.5 · 0.9)^4: O changes the opacity before it is corrected for "
+                     "the step; each slice rounds by up to 2^-22",
+                     [step = step](const Draw& draw) {
+                       Scene scene = rayThrough(boxOf(glm::dvec3(4.0)));
+                       scene.transferFunction = constantFunction(0.9, white);
+                       scene.shading.model = ShadingModel::enhanced;
+                       scene.shading.opacityRange = {0.5, 0.5};
+                       scene.quality.stepVoxels = step / 4.0;
+                       return largestAlphaError(draw(scene, {1, 1}), -std::expm1(4.0 * std::log1p(-0.45)));
+                     });
   return findings;
 }
 

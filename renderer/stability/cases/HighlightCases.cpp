@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/PictureFigures.h"
 #include "scene/basics/StableMath.h"
+#include "scene/light/ModelName.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -21,14 +22,12 @@ Scene dazzling(ShadingModel model) {
 
 std::vector<Finding> limits(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const auto& [what, model] : {std::pair{"no pixel brighter than opaque, robust", ShadingModel::robust},
-                                    {"no pixel brighter than opaque, enhanced", ShadingModel::enhanced},
-                                    {"no pixel brighter than opaque, classic", ShadingModel::classic}})
-    append(findings, inEachEngine(bench, what, {},
-                                  "pixels with a colour above alpha, or that are not finite or outside 0..1",
-                                  [model = model](const Draw& draw) {
-                                    return unsoundPixels(draw(dazzling(model), {32, 32}));
-                                  }));
+  for (const ShadingModel model : {ShadingModel::robust, ShadingModel::enhanced, ShadingModel::classic})
+    findings += inEachEngine(bench, std::string("no pixel brighter than opaque, ") + nameOf(model), {},
+                             "pixels with a colour above alpha, or that are not finite or outside 0..1",
+                             [model](const Draw& draw) {
+                               return unsoundPixels(draw(dazzling(model), {32, 32}));
+                             });
   const Overflow overflow =
       overflowOf(bench.rays().renderUnlimited(dazzling(ShadingModel::classic), {32, 32}));
   findings.push_back(atMost("gl", "the light does add up to more", overflow.share > 0.0 ? 0.0 : 1.0, 0.0,
@@ -68,20 +67,10 @@ std::vector<Finding> outliers(Workbench& bench) {
   return inEachEngine(
       bench, "one voxel of ten times the largest value, robust", {level, level, level},
       "largest change of pixels two voxels away: below one level, because one voxel does not set the "
-      "gradient "
-      "that counts as 1",
+      "gradient that counts as 1",
       [](const Draw& draw) {
         const DrawnPicture without = withOutlier(draw, smoothVolume(edge)->value(outlier));
-        const DrawnPicture with = withOutlier(draw, 1000.0);
-        double largest = 0.0;
-        for (int y = 0; y < edge; ++y)
-          for (int x = 0; x < edge; ++x) {
-            const bool isNear = std::abs(x - outlier.x) <= 2 && std::abs(edge - 1 - y - outlier.z) <= 2;
-            for (int channel = 0; !isNear && channel < 4; ++channel)
-              largest = std::max(
-                  largest, finiteOrInfinite(std::abs(with.at(x, y)[channel] - without.at(x, y)[channel])));
-          }
-        return largest;
+        return differenceBeside(outlier, withOutlier(draw, 1000.0), without);
       });
 }
 
@@ -129,10 +118,10 @@ std::vector<Finding> monotoneHighlights() {
 
 std::vector<Finding> overflow(Workbench& bench) {
   std::vector<Finding> findings = limits(bench);
-  append(findings, neutralExtras(bench));
-  append(findings, outliers(bench));
-  append(findings, kneeCurve());
-  append(findings, monotoneHighlights());
+  findings += neutralExtras(bench);
+  findings += outliers(bench);
+  findings += kneeCurve();
+  findings += monotoneHighlights();
   return findings;
 }
 

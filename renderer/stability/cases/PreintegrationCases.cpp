@@ -52,23 +52,23 @@ std::vector<Finding> spikes(Workbench& bench) {
     // At either edge of the spike the value is off by three roundings of coordinates over four texels and one
     // of its own, 3.5 · 2⁻²⁴, and so is the edge by half of 2⁻²⁴: so much of the width.
     const double edges = spikeDepth * std::exp(-spikeDepth) * 8.0 * 0x1p-24 / width;
-    append(findings, inEachEngine(bench, what, {1e-9, 2e-6 + edges, 2e-6 + edges},
-                                  "alpha against 1 - exp(-0.7) in 1 to 1000 exact steps; floats round the "
-                                  "spike's edges and the values at the ends of steps",
-                                  [width = width](const Draw& draw) {
-                                    double largest = 0.0;
-                                    for (const double samples : {1.0, 2.0, 3.0, 7.0, 64.0, 1000.0})
-                                      largest = std::max(largest, spikeError(draw, ramp(samples), width));
-                                    return largest;
-                                  }));
+    findings += inEachEngine(bench, what, {1e-9, 2e-6 + edges, 2e-6 + edges},
+                             "alpha against 1 - exp(-0.7) in 1 to 1000 exact steps; floats round the spike's "
+                             "edges and the values at the ends of steps",
+                             [width = width](const Draw& draw) {
+                               double largest = 0.0;
+                               for (const double samples : {1.0, 2.0, 3.0, 7.0, 64.0, 1000.0})
+                                 largest = std::max(largest, spikeError(draw, ramp(samples), width));
+                               return largest;
+                             });
   }
   // 100 mm long, over 1 mm the spike has opacity 0.9991; or over 1e-9 mm one of 7e-9.
   for (const auto& [what, unit] : {std::pair{"a spike of 1/1000, steps chosen by the program", 1.0},
                                    {"the same of a tiny unit distance", smallUnitMm}})
-    append(findings, inEachEngine(bench, what, {1e-9, 2e-4, 2e-4},
-                                  "alpha against 1 - exp(-0.7): samples half a voxel apart would miss it, so "
-                                  "steps must become exact of themselves",
-                                  [unit = unit](const Draw& draw) { return unaskedSpikeError(draw, unit); }));
+    findings += inEachEngine(bench, what, {1e-9, 2e-4, 2e-4},
+                             "alpha against 1 - exp(-0.7): samples half a voxel apart would miss it, so "
+                             "steps must become exact of themselves",
+                             [unit = unit](const Draw& draw) { return unaskedSpikeError(draw, unit); });
   return findings;
 }
 
@@ -120,15 +120,15 @@ std::vector<Finding> equalEnds(Workbench& bench) {
                              "integral's closed form: nothing is divided by their difference";
   std::vector<Finding> findings = {atMost("cpp", "steps between nearly equal values", cpp, 1e-12, reason),
                                    atMost("glsl", "steps between nearly equal values", glsl, 2e-6, reason)};
-  append(findings,
-         inEachEngine(bench, "a constant volume in exact steps", {1e-12, 1e-6, 1e-6},
-                      "alpha of extinction 0.7 over half a mm against 1 - exp(-0.35)", [](const Draw& draw) {
-                        Scene flat = rayThrough(boxOf(glm::dvec3(0.5)));
-                        flat.transferFunction = constantFunction(-std::expm1(-0.7), white);
-                        flat.quality.preintegrated = Preintegration::always;
-                        flat.quality.stepVoxels = 0.3;
-                        return largestAlphaError(draw(flat, {1, 1}), -std::expm1(-0.35));
-                      }));
+  findings +=
+      inEachEngine(bench, "a constant volume in exact steps", {1e-12, 1e-6, 1e-6},
+                   "alpha of extinction 0.7 over half a mm against 1 - exp(-0.35)", [](const Draw& draw) {
+                     Scene flat = rayThrough(boxOf(glm::dvec3(0.5)));
+                     flat.transferFunction = constantFunction(-std::expm1(-0.7), white);
+                     flat.quality.preintegrated = Preintegration::always;
+                     flat.quality.stepVoxels = 0.3;
+                     return largestAlphaError(draw(flat, {1, 1}), -std::expm1(-0.35));
+                   });
   return findings;
 }
 
@@ -164,12 +164,11 @@ int unsoundLongSteps(const Draw& draw) {
 std::vector<Finding> attenuation(Workbench& bench) {
   std::vector<Finding> findings = inEachEngine(bench, "one step from extinction 0 to 10", {1e-7, 2e-6, 2e-6},
                                                "alpha against 1 - exp(-5) and colour against 2/3 of it; "
-                                               "extinction over 1e-9 mm is linear in the value to "
-                                               "1e-8",
+                                               "extinction over 1e-9 mm is linear in the value to 1e-8",
                                                steepStepError);
-  append(findings, inEachEngine(bench, "random steep functions in steps of 4 voxels", {},
-                                "pixels with a colour above alpha, or that are not finite or outside 0..1",
-                                [](const Draw& draw) { return unsoundLongSteps(draw); }));
+  findings += inEachEngine(bench, "random steep functions in steps of 4 voxels", {},
+                           "pixels with a colour above alpha, or that are not finite or outside 0..1",
+                           [](const Draw& draw) { return unsoundLongSteps(draw); });
   return findings;
 }
 

@@ -55,29 +55,27 @@ std::vector<Finding> hitsOnRamp(Workbench& bench) {
   for (const double samples : {1.0, 7.0, 64.0}) {
     // A ten thousandth of a step is what a surface is refined to; what is less than 1e-5 counts as that.
     const double bound = std::max(1e-5, 1e-4 / samples);
-    append(findings,
-           inEachEngine(
-               bench, "values 0, 0.37, 0.5 and 1 of a ramp in " + std::to_string(int(samples)) + " steps",
-               {bound, bound, bound},
-               "where it is hit against where it lies, at the entry and at the exit too; surfaces are "
-               "refined to 1e-4 of a step",
-               [samples](const Draw& draw) {
-                 double largest = 0.0;
-                 for (const double isovalue : {0.0, 0.37, 0.5, 1.0})
-                   largest = std::max(largest, hitError(draw, isovalue, samples));
-                 return largest;
-               }));
+    findings += inEachEngine(
+        bench, "values 0, 0.37, 0.5 and 1 of a ramp in " + std::to_string(int(samples)) + " steps",
+        {bound, bound, bound},
+        "where it is hit against where it lies, at the entry and at the exit too; surfaces are refined to "
+        "1e-4 of a step",
+        [samples](const Draw& draw) {
+          double largest = 0.0;
+          for (const double isovalue : {0.0, 0.37, 0.5, 1.0})
+            largest = std::max(largest, hitError(draw, isovalue, samples));
+          return largest;
+        });
   }
-  append(findings,
-         inEachEngine(bench, "rays that enter above the value", {1e-12, 1e-6, 1e-6},
-                      "where they are hit against where they enter, whatever dip the volume has within",
-                      hitAtEntryError));
-  append(findings, inEachEngine(bench, "a value above all", {}, "alpha where nothing can be hit: exactly 0",
-                                [](const Draw& draw) {
-                                  Scene scene = ramp(Projection::isosurface, 7.0);
-                                  scene.isovalue = 1.0 + 1e-6;
-                                  return largestAlphaError(draw(scene, {1, 1}), 0.0);
-                                }));
+  findings += inEachEngine(bench, "rays that enter above the value", {1e-12, 1e-6, 1e-6},
+                           "where they are hit against where they enter, whatever dip the volume has within",
+                           hitAtEntryError);
+  findings += inEachEngine(bench, "a value above all", {}, "alpha where nothing can be hit: exactly 0",
+                           [](const Draw& draw) {
+                             Scene scene = ramp(Projection::isosurface, 7.0);
+                             scene.isovalue = 1.0 + 1e-6;
+                             return largestAlphaError(draw(scene, {1, 1}), 0.0);
+                           });
   return findings;
 }
 
@@ -89,17 +87,16 @@ std::vector<Finding> hitsOnBall(Workbench& bench) {
   for (const auto& [what, b] :
        {std::pair{"a ball through its middle", 0.0}, {"a ball aside", 0.3}, {"a ball near its rim", 0.499}}) {
     const double depth = std::sqrt(0.25 - b * b);
-    append(findings,
-           inEachEngine(bench, std::string(what) + ": place", {1e-5, 1e-5, 1e-5},
-                        "distance of the hit from the eye against the ball's, mm; voxels of 1/2048 mm",
-                        [b = b, depth](const Draw& draw) {
-                          Scene scene = ballSurface(b, voxel);
-                          scene.transferFunction = constantFunction(0.0, black);
-                          scene.fog = distanceFog(0.0, 1.0);
-                          return finiteOrInfinite(std::abs(draw(scene, {1, 1}).at(0, 0).r - (1.0 - depth)));
-                        }));
-    append(
-        findings,
+    findings +=
+        inEachEngine(bench, std::string(what) + ": place", {1e-5, 1e-5, 1e-5},
+                     "distance of the hit from the eye against the ball's, mm; voxels of 1/2048 mm",
+                     [b = b, depth](const Draw& draw) {
+                       Scene scene = ballSurface(b, voxel);
+                       scene.transferFunction = constantFunction(0.0, black);
+                       scene.fog = distanceFog(0.0, 1.0);
+                       return finiteOrInfinite(std::abs(draw(scene, {1, 1}).at(0, 0).r - (1.0 - depth)));
+                     });
+    findings +=
         inEachEngine(bench, std::string(what) + ": normal", {1e-5, 2e-4, 2e-4},
                      "N·V against twice the depth; differences of floats over two voxels are off by two of "
                      "their roundings, 2^-24 of 0.7 mm in 1/1024 mm each",
@@ -110,14 +107,14 @@ std::vector<Finding> hitsOnBall(Workbench& bench) {
                        scene.shading.ambient = scene.shading.specular = 0.0;
                        scene.shading.diffuse = scene.shading.lightIntensity = 1.0;
                        return finiteOrInfinite(std::abs(draw(scene, {1, 1}).at(0, 0).r - 2.0 * depth));
-                     }));
+                     });
   }
   return findings;
 }
 
 std::vector<Finding> surfaces(Workbench& bench) {
   std::vector<Finding> findings = hitsOnRamp(bench);
-  append(findings, hitsOnBall(bench));
+  findings += hitsOnBall(bench);
   return findings;
 }
 
@@ -133,16 +130,15 @@ std::vector<Finding> negativeData(Workbench& bench) {
   for (const Extreme& one : {Extreme{"the largest of negative values", Projection::mip, 0.99},
                              Extreme{"the smallest of negative values", Projection::minip, 0.0},
                              Extreme{"the mean of negative values", Projection::average, 0.5475}})
-    append(findings,
-           inEachEngine(bench, one.what, {1e-12, 1e-6, 1e-6},
-                        "alpha against the value's opacity: -10, -1000, or their mean -452.5, never 0",
-                        [&one](const Draw& draw) {
-                          Scene scene = rayThrough(columnOf({-1000.0, -300.0, -10.0, -500.0}, 1.0));
-                          scene.projection = one.projection;
-                          scene.quality.stepVoxels = 1.0;
-                          scene.transferFunction = {1.0, {{-1000.0, white, 0.0}, {0.0, white, 1.0}}};
-                          return largestAlphaError(draw(scene, {1, 1}), one.expected);
-                        }));
+    findings += inEachEngine(bench, one.what, {1e-12, 1e-6, 1e-6},
+                             "alpha against the value's opacity: -10, -1000, or their mean -452.5, never 0",
+                             [&one](const Draw& draw) {
+                               Scene scene = rayThrough(columnOf({-1000.0, -300.0, -10.0, -500.0}, 1.0));
+                               scene.projection = one.projection;
+                               scene.quality.stepVoxels = 1.0;
+                               scene.transferFunction = {1.0, {{-1000.0, white, 0.0}, {0.0, white, 1.0}}};
+                               return largestAlphaError(draw(scene, {1, 1}), one.expected);
+                             });
   return findings;
 }
 
@@ -151,28 +147,26 @@ std::vector<Finding> sampledRamps(Workbench& bench) {
   std::vector<Finding> findings;
   for (const double samples : {1.0, 7.0, 64.0, 1000.0}) {
     const std::string steps = " of a ramp in " + std::to_string(int(samples)) + " steps";
-    append(findings,
-           inEachEngine(bench, "the mean" + steps, {1e-12, 1e-6, 1e-6},
-                        "alpha against 1/2, whatever the number of samples", [=](const Draw& draw) {
-                          return largestAlphaError(draw(ramp(Projection::average, samples), {1, 1}), 0.5);
-                        }));
-    append(findings,
-           inEachEngine(
-               bench, "the largest" + steps, {1e-12, 1e-6, 1e-6},
-               "alpha against the last sample, half a step before the end", [=](const Draw& draw) {
-                 return largestAlphaError(draw(ramp(Projection::mip, samples), {1, 1}), 1.0 - 0.5 / samples);
-               }));
-    append(findings,
-           inEachEngine(
-               bench, "the X-ray" + steps, {1e-8, 2e-6, 2e-6 + samples * 0x1p-22},
-               "alpha against 1 - exp(-3/2); extinction over 1e-9 mm is linear in the value to 1e-9, each "
-               "slice rounds by up to 2^-22",
-               [=](const Draw& draw) {
-                 Scene scene = ramp(Projection::xray, samples);
-                 scene.transferFunction = {
-                     smallUnitMm, {extinctionPoint(0.0, 0.0, white), extinctionPoint(1.0, 3.0, white)}};
-                 return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-1.5));
-               }));
+    findings +=
+        inEachEngine(bench, "the mean" + steps, {1e-12, 1e-6, 1e-6},
+                     "alpha against 1/2, whatever the number of samples", [=](const Draw& draw) {
+                       return largestAlphaError(draw(ramp(Projection::average, samples), {1, 1}), 0.5);
+                     });
+    findings += inEachEngine(
+        bench, "the largest" + steps, {1e-12, 1e-6, 1e-6},
+        "alpha against the last sample, half a step before the end", [=](const Draw& draw) {
+          return largestAlphaError(draw(ramp(Projection::mip, samples), {1, 1}), 1.0 - 0.5 / samples);
+        });
+    findings +=
+        inEachEngine(bench, "the X-ray" + steps, {1e-8, 2e-6, 2e-6 + samples * 0x1p-22},
+                     "alpha against 1 - exp(-3/2); extinction over 1e-9 mm is linear in the value to 1e-9, "
+                     "each slice rounds by up to 2^-22",
+                     [=](const Draw& draw) {
+                       Scene scene = ramp(Projection::xray, samples);
+                       scene.transferFunction = {
+                           smallUnitMm, {extinctionPoint(0.0, 0.0, white), extinctionPoint(1.0, 3.0, white)}};
+                       return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-1.5));
+                     });
   }
   return findings;
 }
@@ -191,27 +185,25 @@ std::vector<Finding> oppositeSides(Workbench& bench) {
                                          {"the smallest from opposite sides", Projection::minip},
                                          {"the mean from opposite sides", Projection::average},
                                          {"an X-ray from opposite sides", Projection::xray}})
-    append(findings,
-           inEachEngine(
-               bench, what, {1e-12, 3e-6, 3e-6},
-               "largest difference of the mirrored picture: the samples are the same, floats place them "
-               "to 1e-6 voxels",
-               [projection = projection](const Draw& draw) {
-                 const auto from = [&](double side) {
-                   Scene scene = wholeVolume(smoothVolume(12), ShadingModel::none, 0.0, 100.0,
-                                             side * glm::dvec3(0.6, 0.8, 0.0));
-                   scene.projection = projection;
-                   return draw(scene, {24, 24});
-                 };
-                 return largestDifference(from(1.0), mirrored(from(-1.0)));
-               }));
+    findings += inEachEngine(bench, what, {1e-12, 3e-6, 3e-6},
+                             "largest difference of the mirrored picture: the samples are the same, floats "
+                             "place them to 1e-6 voxels",
+                             [projection = projection](const Draw& draw) {
+                               const auto from = [&](double side) {
+                                 Scene scene = wholeVolume(smoothVolume(12), ShadingModel::none, 0.0, 100.0,
+                                                           side * glm::dvec3(0.6, 0.8, 0.0));
+                                 scene.projection = projection;
+                                 return draw(scene, {24, 24});
+                               };
+                               return largestDifference(from(1.0), mirrored(from(-1.0)));
+                             });
   return findings;
 }
 
 std::vector<Finding> accumulators(Workbench& bench) {
   std::vector<Finding> findings = negativeData(bench);
-  append(findings, sampledRamps(bench));
-  append(findings, oppositeSides(bench));
+  findings += sampledRamps(bench);
+  findings += oppositeSides(bench);
   return findings;
 }
 
@@ -266,10 +258,10 @@ std::vector<Finding> rotation(Workbench& bench) {
   const double level = 1.0 / 255.0;
   std::vector<Finding> findings;
   for (const Row& row : rows)
-    append(findings, inEachEngine(bench, std::string("a ball turned, ") + row.what, {level, level, level},
-                                  "largest difference between five directions of view: less than one level, "
-                                  "though each enters the box elsewhere",
-                                  [&row](const Draw& draw) { return turnedDifference(draw, row.apply); }));
+    findings += inEachEngine(bench, std::string("a ball turned, ") + row.what, {level, level, level},
+                             "largest difference between five directions of view: less than one level, "
+                             "though each enters the box elsewhere",
+                             [&row](const Draw& draw) { return turnedDifference(draw, row.apply); });
   return findings;
 }
 

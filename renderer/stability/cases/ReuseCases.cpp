@@ -3,8 +3,8 @@
 #include "scene/volume/Phantom.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
-#include "stability/scenes/HeadScene.h"
 #include "stability/scenes/SceneVariations.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <algorithm>
 
@@ -66,13 +66,12 @@ Finding standIn(Workbench& bench) {
   RayCaster allEffects(RayCaster::EmptySpace::skipped, RayCaster::Programs::allEffects);
   const Scene scene = phantomScene();
   const Image image = allEffects.render(scene, pictureSize);
-  return atMost(
-      "gl", "a program with every effect compiled in",
-      largestDifference(bench.draw(Engine::gl, scene, pictureSize),
-                        {pictureSize, {image.pixels.begin(), image.pixels.end()}}),
-      4e-7,
-      "largest difference from the scene's own program: none here, but drivers may fuse a product and "
-      "a sum in one of the two");
+  return atMost("gl", "a program with every effect compiled in",
+                largestDifference(bench.draw(Engine::gl, scene, pictureSize),
+                                  {pictureSize, {image.pixels.begin(), image.pixels.end()}}),
+                4e-7,
+                "largest difference from the scene's own program: none here, but drivers may fuse a product "
+                "and a sum in one of the two");
 }
 
 std::vector<Finding> staleCaches(Workbench& bench) {

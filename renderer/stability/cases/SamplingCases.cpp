@@ -45,20 +45,18 @@ std::vector<Finding> jitter(Workbench& bench) {
                      return largestDifference(first, draw(scene, {24, 24}));
                    });
   const double bias = middle * (std::sinh(halfStep) / halfStep - 1.0) + 2e-6;
-  append(
-      findings,
-      inEachEngine(bench, "mean of the jittered pixels", {bias, bias, bias},
-                   "distance from the exact alpha 1 - exp(-k/2): e^-x over a step exceeds its middle by the "
-                   "factor sinh(w)/w, w = k h/2, whatever the number of pixels",
-                   [middle](const Draw& draw) {
-                     return std::abs(meanAlpha(draw(ramp(true), {8, 8})) - (1.0 - middle));
-                   }));
+  findings += inEachEngine(bench, "mean of the jittered pixels", {bias, bias, bias},
+                           "distance from the exact alpha 1 - exp(-k/2): e^-x over a step exceeds its middle "
+                           "by the factor sinh(w)/w, w = k h/2, whatever the number of pixels",
+                           [middle](const Draw& draw) {
+                             return std::abs(meanAlpha(draw(ramp(true), {8, 8})) - (1.0 - middle));
+                           });
   const double noise = middle * std::expm1(halfStep) + 2e-6;
-  append(findings, inEachEngine(bench, "each jittered pixel", {noise, noise, noise},
-                                "largest distance from the exact alpha: half a step of the steepest place",
-                                [middle](const Draw& draw) {
-                                  return largestAlphaError(draw(ramp(true), {8, 8}), 1.0 - middle);
-                                }));
+  findings += inEachEngine(bench, "each jittered pixel", {noise, noise, noise},
+                           "largest distance from the exact alpha: half a step of the steepest place",
+                           [middle](const Draw& draw) {
+                             return largestAlphaError(draw(ramp(true), {8, 8}), 1.0 - middle);
+                           });
   return findings;
 }
 
@@ -77,29 +75,28 @@ std::vector<Finding> earlyTermination(Workbench& bench) {
                                 {"ending at 0.998, the program's", 0.998}}) {
     // What is left of the light where a ray ends, and what floats round of the rest.
     const double left = lastTransmittance(e) + 1e-6;
-    append(findings,
-           inEachEngine(
-               bench, what, {left, left, 0.0},
-               "largest difference from rays that never end: at most what was left of the "
-               "light; slices never end and must not differ at all",
-               [e = e](const Draw& draw) {
-                 return largestDifference(draw(opaqueScene(e), {32, 32}), draw(opaqueScene(1.0), {32, 32}));
-               }));
+    findings += inEachEngine(
+        bench, what, {left, left, 0.0},
+        "largest difference from rays that never end: at most what was left of the light; slices never end "
+        "and must not differ at all",
+        [e = e](const Draw& draw) {
+          return largestDifference(draw(opaqueScene(e), {32, 32}), draw(opaqueScene(1.0), {32, 32}));
+        });
   }
   for (const auto& [what, projection] : {std::pair{"an X-ray", Projection::xray},
                                          {"a maximum", Projection::mip},
                                          {"a minimum", Projection::minip},
                                          {"an average", Projection::average}})
-    append(findings, inEachEngine(bench, what, {},
-                                  "largest difference that ending at 0.5 makes: none, every sample counts",
-                                  [projection = projection](const Draw& draw) {
-                                    const auto at = [&](double e) {
-                                      Scene scene = opaqueScene(e);
-                                      scene.projection = projection;
-                                      return draw(scene, {32, 32});
-                                    };
-                                    return largestDifference(at(0.5), at(1.0));
-                                  }));
+    findings += inEachEngine(bench, what, {},
+                             "largest difference that ending at 0.5 makes: none, every sample counts",
+                             [projection = projection](const Draw& draw) {
+                               const auto at = [&](double e) {
+                                 Scene scene = opaqueScene(e);
+                                 scene.projection = projection;
+                                 return draw(scene, {32, 32});
+                               };
+                               return largestDifference(at(0.5), at(1.0));
+                             });
   return findings;
 }
 

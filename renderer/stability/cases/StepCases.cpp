@@ -3,7 +3,6 @@
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -34,8 +33,8 @@ const char* const slabReason =
 std::vector<Finding> tinySteps(Workbench& bench) {
   std::vector<Finding> findings = inEachEngine(bench, "60000 steps", boundsFor(60000, 2e-6), slabReason,
                                                [](const Draw& draw) { return slabError(draw, 60000); });
-  append(findings, inEachEngine(bench, "a million steps asked for", boundsFor(60000, 2e-6), slabReason,
-                                [](const Draw& draw) { return slabError(draw, 1e6); }));
+  findings += inEachEngine(bench, "a million steps asked for", boundsFor(60000, 2e-6), slabReason,
+                           [](const Draw& draw) { return slabError(draw, 1e6); });
   const std::vector<int> counts = bench.rays().sampleCounts(slab(1e6), {1, 1});
   findings.push_back(atMost("gl", "a million steps asked for: how many are taken", counts.at(0), mostSamples,
                             "drivers end loops at 65535 without a word, so no ray takes more than 60000"));
@@ -48,40 +47,33 @@ std::vector<Finding> tinySteps(Workbench& bench) {
 
 std::vector<Finding> hugeSteps(Workbench& bench) {
   std::vector<Finding> findings;
-  for (const double share : {0.1, 1.0, 10.0, 1e6})
-    append(findings, inEachEngine(bench,
-                                  "steps of " +
-                                      std::string(share < 1     ? "a tenth of"
-                                                  : share < 2   ? ""
-                                                  : share < 100 ? "ten times"
-                                                                : "a million times") +
-                                      " the slab",
-                                  {1e-12, 1e-6, 1e-6}, slabReason,
-                                  [share](const Draw& draw) { return slabError(draw, 1.0 / share); }));
+  for (const auto& [name, share] : {std::pair{"steps of a tenth of the slab", 0.1},
+                                    {"steps of  the slab", 1.0},
+                                    {"steps of ten times the slab", 10.0},
+                                    {"steps of a million times the slab", 1e6}})
+    findings += inEachEngine(bench, name, {1e-12, 1e-6, 1e-6}, slabReason,
+                             [share = share](const Draw& draw) { return slabError(draw, 1.0 / share); });
   return findings;
 }
 
 std::vector<Finding> longSums(Workbench& bench) {
   std::vector<Finding> findings;
   for (const int samples : {1000, 9999})
-    append(findings,
-           inEachEngine(bench, std::to_string(samples) + " steps", boundsFor(samples, 2e-6), slabReason,
-                        [samples](const Draw& draw) { return slabError(draw, samples); }));
+    findings += inEachEngine(bench, std::to_string(samples) + " steps", boundsFor(samples, 2e-6), slabReason,
+                             [samples](const Draw& draw) { return slabError(draw, samples); });
   // A step at the middle of a ramp shows where samples lie: an alpha off by one sample's share.
-  append(
-      findings,
-      inEngines(bench, {Engine::reference, Engine::gl, Engine::cpu}, "9999 positions on a ramp with a step",
-                {1e-12, 2e-4, 0.0},
-                "alpha of the half beyond the step; positions that add up roundings would be off by samples, "
-                "of which each is worth 1e-4",
-                [](const Draw& draw) {
-                  Scene scene = rayThrough(columnOf({0.0, 1.0, 2.0, 3.0}, 1.0));
-                  scene.transferFunction = {1.0, {{1.5, glm::dvec3(1.0), 0.0}, {1.5, glm::dvec3(1.0), 0.5}}};
-                  scene.quality.stepVoxels = stepFor(scene, 4.0, 9999.0);
-                  // The sample in the middle lies on the step, to which the upper side belongs.
-                  return largestAlphaError(draw(scene, {1, 1}),
-                                           -std::expm1(-5000.0 / 9999.0 * 4.0 * std::log(2.0)));
-                }));
+  findings += inEngines(
+      bench, {Engine::reference, Engine::gl, Engine::cpu}, "9999 positions on a ramp with a step",
+      {1e-12, 2e-4, 0.0},
+      "alpha of the half beyond the step; positions that add up roundings would be off by samples, of which "
+      "each is worth 1e-4",
+      [](const Draw& draw) {
+        Scene scene = rayThrough(columnOf({0.0, 1.0, 2.0, 3.0}, 1.0));
+        scene.transferFunction = {1.0, {{1.5, glm::dvec3(1.0), 0.0}, {1.5, glm::dvec3(1.0), 0.5}}};
+        scene.quality.stepVoxels = stepFor(scene, 4.0, 9999.0);
+        // The sample in the middle lies on the step, to which the upper side belongs.
+        return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-5000.0 / 9999.0 * 4.0 * std::log(2.0)));
+      });
   return findings;
 }
 

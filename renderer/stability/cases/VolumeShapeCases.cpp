@@ -49,29 +49,27 @@ std::vector<Finding> flatVolumes(Workbench& bench) {
   for (const auto& [what, model] : {std::pair{"a single voxel, unlit", ShadingModel::none},
                                     {"a single voxel, classic", ShadingModel::classic},
                                     {"a single voxel, enhanced", ShadingModel::enhanced}})
-    append(findings,
-           inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
-                        "alpha along each axis against that of the voxel's own extent",
-                        [model = model](const Draw& draw) { return singleVoxelError(draw, model); }));
+    findings += inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
+                             "alpha along each axis against that of the voxel's own extent",
+                             [model = model](const Draw& draw) { return singleVoxelError(draw, model); });
   Quality exact, controlled;
   exact.preintegrated = Preintegration::always;
   controlled.toleranceLevels = 1.0;
   for (const auto& [what, quality] : {std::pair{"a single voxel in exact steps", exact},
                                       {"a single voxel in error-controlled steps", controlled}})
-    append(findings, inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
-                                  "alpha along each axis against that of the voxel's own extent",
-                                  [quality = quality](const Draw& draw) {
-                                    return singleVoxelError(draw, ShadingModel::enhanced, quality);
-                                  }));
+    findings += inEachEngine(bench, what, {1e-12, 1e-6, 1e-6},
+                             "alpha along each axis against that of the voxel's own extent",
+                             [quality = quality](const Draw& draw) {
+                               return singleVoxelError(draw, ShadingModel::enhanced, quality);
+                             });
   for (int axis = 0; axis < 3; ++axis)
-    append(
-        findings,
+    findings +=
         inEachEngine(bench, std::string("one slice of 2 mm along ") + axisNames[axis], {1e-12, 2e-6, 2e-6},
                      "largest difference from two equal slices of 1 mm: a slice has a thickness, and no "
                      "gradient across it; floats round differently in the two",
                      [axis](const Draw& draw) {
                        return largestDifference(draw(slab(axis, 1), {24, 24}), draw(slab(axis, 2), {24, 24}));
-                     }));
+                     });
   return findings;
 }
 
@@ -103,16 +101,14 @@ std::vector<Finding> filterWeights(Workbench& bench) {
   const std::string what = "1500 places between two voxels";
   std::vector<Finding> findings = {
       atMost("cpp", what, cpp, 1e-12, "largest distance from the straight line between the voxels"),
-      atMost(
-          "glsl", what, glsl, eightBits,
-          "largest distance from the straight line: graphics cards round the weights to 8 bits, half of one "
-          "is 1/512")};
-  append(findings,
-         inEachEngine(bench, "1500 samples between two voxels",
-                      {1e-8, 2e-6 + eightBits, 2e-6 + 1500.0 * 0x1p-22 + eightBits},
-                      "alpha against 1 - 1/e; weights of 8 bits are worth 1/512 at most, of 1500 slices each "
-                      "rounds by up to 2^-22; extinction over 1e-9 mm is linear in the value to 1e-9",
-                      manySamplesInACell));
+      atMost("glsl", what, glsl, eightBits,
+             "largest distance from the straight line: graphics cards round the weights to 8 bits, half of "
+             "one is 1/512")};
+  findings += inEachEngine(
+      bench, "1500 samples between two voxels", {1e-8, 2e-6 + eightBits, 2e-6 + 1500.0 * 0x1p-22 + eightBits},
+      "alpha against 1 - 1/e; weights of 8 bits are worth 1/512 at most, of 1500 slices each rounds by up to "
+      "2^-22; extinction over 1e-9 mm is linear in the value to 1e-9",
+      manySamplesInACell);
   return findings;
 }
 
@@ -121,8 +117,7 @@ std::vector<Finding> bytes(Workbench& bench) {
   return inEachEngine(
       bench, "a cell of bytes along its diagonal", {1e-7, 2e-5, 2e-5 + 3000.0 * 0x1p-22},
       "alpha against 1 - exp(-6 √3 / 4): 256 levels of filtered bytes would be off by 3e-4; of 3000 slices "
-      "each "
-      "rounds by up to 2^-22",
+      "each rounds by up to 2^-22",
       [](const Draw& draw) {
         const Grid grid = centredGrid(glm::ivec3(2), glm::dvec3(1.0));
         const std::vector<std::uint8_t> voxels{0, 0, 0, 0, 0, 0, 0, 255};

@@ -4,9 +4,6 @@
 #include "scene/ProjectionName.h"
 #include "scene/light/ModelName.h"
 #include "scene/steps/RayFrame.h"
-#include "stability/scenes/RandomCamera.h"
-#include "stability/scenes/RandomShading.h"
-#include "stability/scenes/RandomVolume.h"
 
 #include <algorithm>
 

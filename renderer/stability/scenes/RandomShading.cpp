@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/scenes/RandomShading.h"
+#include "stability/scenes/RandomScene.h"
 
 #include <algorithm>
 

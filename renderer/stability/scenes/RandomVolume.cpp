@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/scenes/RandomVolume.h"
+#include "stability/scenes/RandomScene.h"
 
 #include <limits>
 #include <type_traits>

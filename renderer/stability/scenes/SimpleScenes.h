@@ -4,6 +4,7 @@
 #include "scene/Scene.h"
 
 #include <functional>
+#include <memory>
 
 /// Scenes so simple that their pictures have closed forms.
 namespace limn {
@@ -53,5 +54,11 @@ inline constexpr double smallUnitMm = 1e-9;
 
 /// A control point of an extinction per mm, for functions over smallUnitMm.
 ControlPoint extinctionPoint(double scalar, double extinction, const glm::dvec3& color);
+
+/// Skin faint, muscle fuller, bone dense: the transfer function of comparisons, HU.
+TransferFunction skinMuscleBone();
+
+/// A volume seen by the default camera under skinMuscleBone, step 0.25, without early termination.
+Scene headScene(std::shared_ptr<const Volume> volume, ShadingModel model);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 #include "app/UserFolders.h"
-#include "app/presets/BuiltInPresets.h"
 #include "app/presets/PresetStore.h"
 #include "app/recovery/Autosave.h"
 #include "app/recovery/UnsavedSessions.h"

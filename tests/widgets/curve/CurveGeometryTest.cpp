@@ -2,7 +2,6 @@
 #include "widgets/curve/plot/CurveGeometry.h"
 #include "widgets/ValueText.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/curve/plot/AxisTicks.h"
 #include "widgets/curve/plot/HistogramPicture.h"
 #include "widgets/curve/plot/Tissue.h"
 

@@ -4,7 +4,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "support/BrokenDriver.h"
 #include "widgets/view/panels/ReferencePanel.h"
-#include "widgets/view/pictures/PictureBytes.h"
+#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

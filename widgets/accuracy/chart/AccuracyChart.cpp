@@ -48,10 +48,6 @@ AccuracyChart::AccuracyChart(QGraphicsItem* parent) : QChart(parent), m_notes(ne
   dress();
 }
 
-void AccuracyChart::setTextSize(double pixels) {
-  m_textSize = pixels;
-}
-
 void AccuracyChart::setLegendAtRight(bool atRight) {
   m_legendAtRight = atRight;
   legend()->setAlignment(Qt::AlignRight);

@@ -28,7 +28,7 @@ public:
   void setMeasure(ErrorMeasure measure) { m_measure = measure; }
 
   /// Sizes of text and marks, logical pixels.
-  void setTextSize(double pixels);
+  void setTextSize(double pixels) { m_textSize = pixels; }
 
   /// Where families are named: at the right of the plot, or below it in as many rows as they need.
   void setLegendAtRight(bool atRight);

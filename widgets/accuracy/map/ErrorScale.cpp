@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/map/ErrorScale.h"
 
+#include "accuracy/SamplePicture.h"
+#include "widgets/controls/color/ColorConversion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,22 +13,6 @@ namespace {
 
 constexpr double half = 0.5;
 constexpr double mostLevels = 10.0;
-
-double encoded(double linear) {
-  linear = std::clamp(linear, 0.0, 1.0);
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-// Oklab to sRGB (Ottosson 2020).
-QColor fromOklab(double lightness, double a, double b) {
-  const double l = std::pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3.0);
-  const double m = std::pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3.0);
-  const double s = std::pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3.0);
-  return QColor::fromRgbF(
-      static_cast<float>(encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s)),
-      static_cast<float>(encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s)),
-      static_cast<float>(encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)));
-}
 
 } // namespace
 
@@ -37,7 +24,7 @@ QColor errorScaleColor(double place) {
   // Hue in degrees from violet (300) through red (380) to yellow (460).
   const double hue = (300.0 + 160.0 * place) * std::acos(-1.0) / 180.0;
   const double chroma = 0.06 + 0.42 * place * (1.0 - place) + 0.05 * place;
-  return fromOklab(0.22 + 0.74 * place, chroma * std::cos(hue), chroma * std::sin(hue));
+  return toQColor(srgbOfOklab(0.22 + 0.74 * place, chroma * std::cos(hue), chroma * std::sin(hue)));
 }
 
 QImage errorMapImage(const ErrorMap& map) {

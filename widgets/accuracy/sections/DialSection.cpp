@@ -77,7 +77,6 @@ DialSection::DialSection(QWidget* parent)
   text->addWidget(note);
   contents()->addLayout(text);
   contents()->addWidget(m_work);
-  connect(m_work, &WorkRow::cancelled, this, &DialSection::cancelRequested);
   QStringList choices;
   for (const double ms : movingMs)
     choices << tr("at most %1 ms").arg(ms);
@@ -139,15 +138,9 @@ QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* mea
 }
 
 void DialSection::setMovingMs(double ms) {
-  const auto nearest = std::min_element(movingMs.begin(), movingMs.end(), [ms](double a, double b) {
-    return std::abs(a - ms) < std::abs(b - ms);
-  });
+  const auto nearest = std::ranges::min_element(
+      movingMs, [ms](double a, double b) { return std::abs(a - ms) < std::abs(b - ms); });
   m_moving->setIndex(static_cast<int>(nearest - movingMs.begin()));
-}
-
-void DialSection::setProgress(std::optional<double> fraction, const QString& doing) {
-  m_work->setVisible(fraction.has_value());
-  m_work->showProgress(fraction.value_or(0.0), doing);
 }
 
 } // namespace limn

@@ -27,14 +27,13 @@ public:
   /// The time that a picture may take while something moves; the nearest choice is shown.
   void setMovingMs(double ms);
 
-  /// While steps are looked for their progress stands here; nothing ends it.
-  void setProgress(std::optional<double> fraction, const QString& doing = {});
+  /// How far the search for steps is.
+  WorkRow* work() const { return m_work; }
 
 signals:
   /// The user chose a position of the dial.
   void pointPicked(const limn::OperatingPoint& point);
   void movingMsPicked(double ms);
-  void cancelRequested();
 
 private:
   void showStops(const MeasuredAccuracy* measured);

@@ -17,9 +17,8 @@ namespace {
 
 QString sentenceOf(const ComparedPicture& compared) {
   if (!compared.reference.converged)
-    return MapSection::tr(
-        "Not converged: the exact picture still changes with finer steps, so there is nothing "
-        "to compare with.");
+    return MapSection::tr("Not converged: the exact picture still changes with finer steps, so there is "
+                          "nothing to compare with.");
   const QString name = pointText(compared.point);
   return MapSection::tr("%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of "
                         "255; %5 % of the pixels are off by more than one.")
@@ -44,29 +43,23 @@ MapSection::MapSection(QWidget* parent)
   contents()->addWidget(m_sentence);
   m_check->setAccessibleName(m_check->text());
   connect(m_check, &QCheckBox::clicked, this, &MapSection::mapRequested);
-  connect(m_work, &WorkRow::cancelled, this, &MapSection::cancelRequested);
   setUnavailable({});
   setCompared(nullptr);
 }
 
 void MapSection::setUnavailable(const QString& reason) {
   m_check->setEnabled(reason.isEmpty());
-  m_check->setToolTip(reason.isEmpty()
-                          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of "
-                               "255, at no more than "
-                               "320 pixels each way. The next change of the picture takes it away.</p>")
-                          : reason);
+  m_check->setToolTip(
+      reason.isEmpty()
+          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255, at no more "
+               "than 320 pixels each way. The next change of the picture takes it away.</p>")
+          : reason);
 }
 
 void MapSection::setCompared(const ComparedPicture* compared) {
   m_check->setChecked(compared && compared->reference.converged);
   m_sentence->setText(compared ? sentenceOf(*compared) : QString());
   m_sentence->setVisible(compared);
-}
-
-void MapSection::setProgress(std::optional<double> fraction, const QString& doing) {
-  m_work->setVisible(fraction.has_value());
-  m_work->showProgress(fraction.value_or(0.0), doing);
 }
 
 } // namespace limn

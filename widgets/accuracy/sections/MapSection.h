@@ -3,8 +3,6 @@
 
 #include "widgets/controls/FoldingSection.h"
 
-#include <optional>
-
 class QCheckBox;
 class QLabel;
 
@@ -26,14 +24,12 @@ public:
   /// What was compared; null takes the map back.
   void setCompared(const ComparedPicture* compared);
 
-  void setProgress(std::optional<double> fraction, const QString& doing = {});
-
+  /// How far the comparison is.
   WorkRow* work() const { return m_work; }
 
 signals:
   /// The user wants the map, or no longer.
   void mapRequested(bool on);
-  void cancelRequested();
 
 private:
   QCheckBox* m_check;

@@ -26,7 +26,6 @@ MeasuredSection::MeasuredSection(QWidget* parent)
   addMeasureChoice();
   connect(m_measure, &QPushButton::clicked, this, &MeasuredSection::measureRequested);
   connect(m_save, &QPushButton::clicked, this, &MeasuredSection::saveRequested);
-  connect(m_work, &WorkRow::cancelled, this, &MeasuredSection::cancelRequested);
   connect(m_chart, &AccuracyChartView::pointPicked, this, &MeasuredSection::pointPicked);
   setMeasured(nullptr);
 }
@@ -40,8 +39,7 @@ void MeasuredSection::addButtons() {
          "from seconds to some minutes. You can go on working; work beside it makes its times longer.</p>"));
   m_save->setAccessibleName(tr("Save what was measured"));
   m_save->setToolTip(
-      tr("Writes the chart as a picture (PNG), the numbers as a table (CSV), or both as a page "
-         "(HTML)."));
+      tr("Writes the chart as a picture (PNG), the numbers as a table (CSV), or both as a page (HTML)."));
   buttons->addWidget(m_measure);
   buttons->addStretch(1);
   buttons->addWidget(m_save);
@@ -49,11 +47,10 @@ void MeasuredSection::addButtons() {
 }
 
 void MeasuredSection::addMeasureChoice() {
-  m_choice =
-      new ChoiceRow(tr("Error shown"),
-                    tr("The 99.9th percentile is the error that 999 of 1000 colour values stay within; "
-                       "the mean is taken over all of them."),
-                    {tr("99.9th percentile"), tr("Mean")}, 0);
+  m_choice = new ChoiceRow(tr("Error shown"),
+                           tr("The 99.9th percentile is the error that 999 of 1000 colour values stay "
+                              "within; the mean is taken over all of them."),
+                           {tr("99.9th percentile"), tr("Mean")}, 0);
   contents()->addWidget(m_choice);
   connect(m_choice, &ChoiceRow::indexEdited, this,
           [this](int index) { m_chart->setMeasure(index == 0 ? ErrorMeasure::p99_9 : ErrorMeasure::mean); });
@@ -83,16 +80,10 @@ void MeasuredSection::setCanMeasure(bool can) {
   m_measure->setEnabled(can);
 }
 
-void MeasuredSection::setProgress(std::optional<double> fraction, const QString& doing) {
-  m_work->setVisible(fraction.has_value());
-  m_work->showProgress(fraction.value_or(0.0), doing);
-}
-
 void MeasuredSection::showSummary() {
   if (m_report.points.empty()) {
-    m_summary->setText(
-        tr("Nothing is measured yet. Measure tells the error and the time of this picture, from "
-           "fast to exact."));
+    m_summary->setText(tr("Nothing is measured yet. Measure tells the error and the time of this picture, "
+                          "from fast to exact."));
     return;
   }
   const QString how = tr("At %1 × %2 pixels on %3.")

@@ -31,14 +31,11 @@ public:
   /// Whether there is a picture to measure, and nothing else that is at work.
   void setCanMeasure(bool can);
 
-  /// While it runs its progress stands here; nothing ends it.
-  void setProgress(std::optional<double> fraction, const QString& doing = {});
-
+  /// How far it is.
   WorkRow* work() const { return m_work; }
 
 signals:
   void measureRequested();
-  void cancelRequested();
   void saveRequested();
   void pointPicked(std::size_t point);
 

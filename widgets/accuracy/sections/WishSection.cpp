@@ -40,10 +40,8 @@ WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
     return {std::nullopt, WishSection::tr("The exact picture has not converged, so no error is known. A wish "
                                           "for time can be kept.")};
   const std::vector<MeasuredPoint> points = pointsOfTheWindow(report);
-  const auto closest =
-      std::min_element(points.begin(), points.end(), [](const MeasuredPoint& a, const MeasuredPoint& b) {
-        return a.error.p99_9 < b.error.p99_9;
-      });
+  const auto closest = std::ranges::min_element(
+      points, [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.error.p99_9 < b.error.p99_9; });
   // What cannot be told from none is only known to be less than that.
   const MeasuredPoint* best =
       levels >= leastP99_9(report.reference) ? fastestWithin(points, levels) : nullptr;
@@ -53,10 +51,8 @@ WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
 
 WishAnswer wishForMs(const AccuracyReport& report, double ms) {
   const std::vector<MeasuredPoint> points = pointsOfTheWindow(report);
-  const auto fastest =
-      std::min_element(points.begin(), points.end(), [](const MeasuredPoint& a, const MeasuredPoint& b) {
-        return a.ms.median < b.ms.median;
-      });
+  const auto fastest = std::ranges::min_element(
+      points, [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.ms.median < b.ms.median; });
   const MeasuredPoint* best = mostAccurateWithin(points, ms);
   return answerOf(report, best, fastest == points.end() ? nullptr : &*fastest,
                   WishSection::tr("No measured picture is that fast. Fastest: %1"));

@@ -32,8 +32,9 @@ WorkRow::WorkRow(const QString& name, QWidget* parent)
   setVisible(false);
 }
 
-void WorkRow::showProgress(double fraction, const QString& doing) {
-  m_bar->setValue(qRound(1000.0 * fraction));
+void WorkRow::showProgress(std::optional<double> fraction, const QString& doing) {
+  setVisible(fraction.has_value());
+  m_bar->setValue(qRound(1000.0 * fraction.value_or(0.0)));
   m_doing->setText(doing);
 }
 

@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QLabel;
 class QProgressBar;
 
@@ -16,8 +18,8 @@ public:
   /// `name` is the work as those are told who cannot see the bar.
   explicit WorkRow(const QString& name, QWidget* parent = nullptr);
 
-  /// `fraction` 0..1.
-  void showProgress(double fraction, const QString& doing);
+  /// `fraction` 0..1; absent once nothing is done.
+  void showProgress(std::optional<double> fraction, const QString& doing);
 
 signals:
   void cancelled();

@@ -25,10 +25,6 @@ void ColorButton::setColor(const glm::dvec3& color) {
   update();
 }
 
-QSize ColorButton::sizeHint() const {
-  return {36, 26};
-}
-
 void ColorButton::paintEvent(QPaintEvent*) {
   const ThemeColors colors = themeColors(palette());
   QPainter painter(this);

@@ -22,7 +22,7 @@ public:
   void setColor(const glm::dvec3& color);
   const glm::dvec3& color() const { return m_color; }
 
-  QSize sizeHint() const override;
+  QSize sizeHint() const override { return {36, 26}; }
 
 signals:
   /// sRGB, 0..1.

@@ -56,10 +56,6 @@ void ColorPicker::setColor(const glm::dvec3& color) {
   update();
 }
 
-QSize ColorPicker::sizeHint() const {
-  return {236, 208};
-}
-
 QRectF ColorPicker::fieldRect() const {
   return {0.0, 0.0, width() - barWidth - gap, height() - 2.0 * (rowHeight + gap)};
 }

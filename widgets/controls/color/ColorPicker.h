@@ -21,7 +21,7 @@ public:
 
   void setColor(const glm::dvec3& color);
 
-  QSize sizeHint() const override;
+  QSize sizeHint() const override { return {236, 208}; }
 
 signals:
   /// The user picked a colour, sRGB 0..1. `gestureId` is shared by one drag.

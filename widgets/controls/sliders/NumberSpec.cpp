@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 namespace limn {
 
@@ -11,15 +11,13 @@ QString toolTipOf(const NumberSpec& spec, bool isRange) {
   const QString unit = spec.unit.isEmpty() ? QString() : QStringLiteral(" ") + spec.unit;
   const QString initial = isRange ? rangeText(spec.defaultValue, spec.defaultUpper, spec.decimals)
                                   : valueText(spec.defaultValue, QString(), spec.decimals);
-  return QCoreApplication::translate(
-             "NumberSpec", "<p>%1</p><p>Range %2%3, default %4%3. Double click on the name to reset.</p>")
+  return QObject::tr("<p>%1</p><p>Range %2%3, default %4%3. Double click on the name to reset.</p>")
       .arg(spec.help, rangeText(spec.lowest, spec.highest, spec.decimals), unit, initial);
 }
 
 QString changeText(const QString& label) {
   const bool acronym = label.size() > 1 && label.at(1).isUpper();
-  return QCoreApplication::translate("NumberSpec", "change %1")
-      .arg(acronym ? label : label.left(1).toLower() + label.mid(1));
+  return QObject::tr("change %1").arg(acronym ? label : label.left(1).toLower() + label.mid(1));
 }
 
 } // namespace limn

@@ -9,14 +9,14 @@ namespace limn {
 
 /// What a slider row says and allows.
 struct NumberSpec {
-  QString label;             ///< a clinician's words, the formula's symbol in brackets
-  QString help;              ///< one sentence: what it does to the picture
-  QString unit;              ///< empty where the number has none
-  SliderScale scale;         ///< of the track
-  double lowest = 0.0;       ///< smallest number that can be typed
-  double highest = 1.0;      ///< largest number that can be typed
-  double defaultValue = 0.0; ///< of a single number, or of a range's first
-  double defaultUpper = 0.0; ///< of a range's second
+  QString label;                  ///< a clinician's words, the formula's symbol in brackets
+  QString help;                   ///< one sentence: what it does to the picture
+  QString unit = {};              ///< empty where the number has none
+  SliderScale scale;              ///< of the track
+  double lowest = scale.lowest;   ///< smallest number that can be typed
+  double highest = scale.highest; ///< largest number that can be typed
+  double defaultValue = 0.0;      ///< of a single number, or of a range's first
+  double defaultUpper = 0.0;      ///< of a range's second
   int decimals = 2;
   QString lowerName = {}; ///< of a range's first number, for those who cannot see the control; empty: "from"
   QString upperName = {}; ///< of its second; empty: "to"

@@ -80,10 +80,6 @@ QPointF TrackSlider::handleCentre(int handle) const {
   const double fraction = fractionOf(m_scale, m_values[static_cast<std::size_t>(handle)]);
   return {handleRadius + 1.0 + fraction * trackWidth(), height() / 2.0};
 }
-
-QSize TrackSlider::sizeHint() const {
-  return {140, 20};
-}
 QSize TrackSlider::minimumSizeHint() const {
   return {60, 20};
 }

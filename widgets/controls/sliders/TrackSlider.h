@@ -54,7 +54,7 @@ public:
   /// Centre of a handle in widget coordinates.
   QPointF handleCentre(int handle) const;
 
-  QSize sizeHint() const override;
+  QSize sizeHint() const override { return {140, 20}; }
   QSize minimumSizeHint() const override;
 
 signals:

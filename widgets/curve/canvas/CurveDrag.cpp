@@ -4,7 +4,7 @@
 #include "widgets/Gesture.h"
 #include "widgets/ValueText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -101,13 +101,12 @@ PointIndices bandedPoints(const CurveDrag& drag, const PlotTransform& transform,
 QString dragText(const CurveDrag& drag, const TransferFunction& now, const QString& unit, int decimals) {
   if (drag.kind == CurveDrag::Kind::points) {
     const QString value = valueText(now.points[drag.grabbed].value, unit, decimals);
-    return drag.added ? QCoreApplication::translate("CurveDrag", "add point at %1").arg(value)
-                      : movedText(drag.moved.size(), value);
+    return drag.added ? QObject::tr("add point at %1").arg(value) : movedText(drag.moved.size(), value);
   }
   if (drag.kind == CurveDrag::Kind::shift)
-    return QCoreApplication::translate("CurveDrag", "shift curve by %1")
+    return QObject::tr("shift curve by %1")
         .arg(valueText(middleValue(now) - middleValue(drag.before), unit, decimals));
-  return QCoreApplication::translate("CurveDrag", "change width of curve");
+  return QObject::tr("change width of curve");
 }
 
 } // namespace limn

@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +35,9 @@ CurveChange withPointAt(const CurvePlot& plot, double value, double opacity, int
   const double place = std::max(value, lowestPlace(plot.subject));
   std::size_t index = 0;
   TransferFunction function = withPointAdded(plot.function, place, opacity, &index);
-  return {
-      std::move(function),
-      {index},
-      QCoreApplication::translate("CurvePlot", "add point at %1").arg(valueText(place, plot.unit, decimals))};
+  return {std::move(function),
+          {index},
+          QObject::tr("add point at %1").arg(valueText(place, plot.unit, decimals))};
 }
 
 CurveChange withoutSelected(const CurvePlot& plot, int decimals) {
@@ -46,11 +45,10 @@ CurveChange withoutSelected(const CurvePlot& plot, int decimals) {
   if (remaining == plot.function)
     return {plot.function, plot.selected, {}};
   const std::size_t first = plot.selected.front();
-  const QString text =
-      plot.selected.size() > 1
-          ? QCoreApplication::translate("CurvePlot", "delete %1 points").arg(plot.selected.size())
-          : QCoreApplication::translate("CurvePlot", "delete point at %1")
-                .arg(valueText(plot.function.points[first].value, plot.unit, decimals));
+  const QString text = plot.selected.size() > 1
+                           ? QObject::tr("delete %1 points").arg(plot.selected.size())
+                           : QObject::tr("delete point at %1")
+                                 .arg(valueText(plot.function.points[first].value, plot.unit, decimals));
   return {remaining, {std::min(first, remaining.points.size() - 1)}, text};
 }
 
@@ -63,8 +61,7 @@ CurveChange nudged(const CurvePlot& plot, double units, double hundredths, int d
 }
 
 QString movedText(std::size_t count, const QString& value) {
-  return count > 1 ? QCoreApplication::translate("CurvePlot", "move %1 points").arg(count)
-                   : QCoreApplication::translate("CurvePlot", "move point to %1").arg(value);
+  return count > 1 ? QObject::tr("move %1 points").arg(count) : QObject::tr("move point to %1").arg(value);
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "scene/function/TransferFunction.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace limn {
@@ -24,6 +25,10 @@ inline double lowestPlace(CurveSubject subject) {
 }
 
 /// The function with every point where it may lie.
-TransferFunction limitedTo(CurveSubject subject, const TransferFunction& function);
+inline TransferFunction limitedTo(CurveSubject subject, TransferFunction function) {
+  for (ControlPoint& point : function.points)
+    point.value = std::max(point.value, lowestPlace(subject));
+  return function;
+}
 
 } // namespace limn

@@ -3,9 +3,8 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/controls/color/ColorConversion.h"
-#include "widgets/curve/plot/AxisTicks.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -46,17 +45,14 @@ void paintOpacityAxis(QPainter& painter, const CanvasPicture& picture) {
   painter.translate(8.0, plot.center().y());
   painter.rotate(-90.0);
   painter.setPen(picture.colors.secondaryText);
-  painter.drawText(QRectF(-60.0, -8.0, 120.0, 16.0), Qt::AlignCenter,
-                   QCoreApplication::translate("AxesPainting", "Opacity"));
+  painter.drawText(QRectF(-60.0, -8.0, 120.0, 16.0), Qt::AlignCenter, QObject::tr("Opacity"));
   painter.restore();
 }
 
 QString axisText(const CanvasPicture& picture) {
   if (picture.subject == CurveSubject::value)
-    return picture.unit.isEmpty() ? QCoreApplication::translate("AxesPainting", "value") : picture.unit;
-  return picture.unit.isEmpty()
-             ? QCoreApplication::translate("AxesPainting", "gradient")
-             : QCoreApplication::translate("AxesPainting", "gradient, %1").arg(picture.unit);
+    return picture.unit.isEmpty() ? QObject::tr("value") : picture.unit;
+  return picture.unit.isEmpty() ? QObject::tr("gradient") : QObject::tr("gradient, %1").arg(picture.unit);
 }
 
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {

@@ -5,7 +5,7 @@
 #include "widgets/controls/color/ColorConversion.h"
 #include "widgets/curve/plot/Tissue.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QPainter>
 
 #include <algorithm>
@@ -125,12 +125,12 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
 
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
   if (picture.pinnedValue)
-    paintValueLine(painter, picture, *picture.pinnedValue, Qt::SolidLine,
-                   QCoreApplication::translate("CurvePainting", "pinned: %1")
-                       .arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
+    paintValueLine(
+        painter, picture, *picture.pinnedValue, Qt::SolidLine,
+        QObject::tr("pinned: %1").arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
-                   QCoreApplication::translate("CurvePainting", "in the picture: %1")
+                   QObject::tr("in the picture: %1")
                        .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
 }
 
@@ -159,7 +159,7 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
   const ControlPoint& point = picture.function.points[*picture.readOut];
   const QPointF centre = positionOf(picture.transform, point);
   paintBubble(painter, picture,
-              QCoreApplication::translate("CurvePainting", "%1 · opacity %2")
+              QObject::tr("%1 · opacity %2")
                   .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
               centre - QPointF(0.0, 12.0));
 }
@@ -180,8 +180,7 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   const double value = *picture.hoveredValue;
   QString text = valueText(value, picture.unit, picture.decimals);
   if (!picture.function.points.empty())
-    text += QCoreApplication::translate("CurvePainting", " · opacity %1")
-                .arg(opacityText(classify(picture.function, value).opacity));
+    text += QObject::tr(" · opacity %1").arg(opacityText(classify(picture.function, value).opacity));
   if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
     text += QStringLiteral(" · ") + tissue->name;
   const QRectF& plot = picture.transform.plot;

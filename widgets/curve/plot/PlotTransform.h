@@ -5,6 +5,8 @@
 
 #include <QRectF>
 
+#include <vector>
+
 namespace limn {
 
 /// Maps (value, opacity) to pixels of the plot and back, in double precision: values left to right, opacity
@@ -33,5 +35,14 @@ ValueRange zoomedAtX(const PlotTransform& transform, double x, double factor, co
 
 /// The visible range moved by so many pixels (positive: to higher values), within `full`.
 ValueRange pannedBy(const PlotTransform& transform, double pixels, const ValueRange& full);
+
+/// Labelled places on an axis.
+struct AxisTicks {
+  double step = 1.0; ///< 1, 2 or 5 times a power of ten
+  std::vector<double> values;
+};
+
+/// Round values inside `range` (lowest < highest), at most `most` > 1 of them where that is possible.
+AxisTicks niceTicks(const ValueRange& range, int most);
 
 } // namespace limn

@@ -3,7 +3,7 @@
 
 #include "engine/DrawingEngine.h"
 #include "scene/basics/Error.h"
-#include "widgets/view/pictures/PictureBytes.h"
+#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <algorithm>
 

@@ -46,20 +46,6 @@ Interval insideCrop(const IndexRay& ray, const glm::ivec3& dims, const CropBox& 
   return inside;
 }
 
-// The gradient-opacity curve G at a modulus, value/mm.
-double gradientOpacityAt(const GradientOpacity& curve, double modulus) {
-  const auto& points = curve.points;
-  const auto right = std::upper_bound(points.begin(), points.end(), modulus,
-                                      [](double m, const GradientOpacityPoint& p) { return m < p.gradient; });
-  if (points.empty())
-    return 1.0;
-  if (right == points.begin() || right == points.end())
-    return right == points.end() ? points.back().opacity : right->opacity;
-  const auto left = right - 1;
-  const double w = (modulus - left->gradient) / (right->gradient - left->gradient);
-  return glm::mix(left->opacity, right->opacity, w);
-}
-
 // The opacity of samples as the side's model shows them (DEFINITION sections 3 and 5).
 class SampleOpacity {
 public:
@@ -72,27 +58,13 @@ public:
     if (opacity <= 0.0 || !readsGradient)
       return std::clamp(m_terms.opacity.atFlat * opacity, 0.0, 1.0);
     const double modulus = glm::length(gradientAt(*m_scene.volume, index));
-    const double boundary = mapped(ratioAt(modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
+    const double boundary =
+        mapped(gradientRatio(m_terms, m_scale, modulus), m_terms.opacity.atFlat, m_terms.opacity.atBoundary);
     const double curve = m_scene.gradientOpacity ? gradientOpacityAt(*m_scene.gradientOpacity, modulus) : 1.0;
     return std::clamp(curve * boundary * opacity, 0.0, 1.0);
   }
 
 private:
-  double ratioAt(double modulus) const {
-    if (!(m_scale.reference > 0.0))
-      return 0.0;
-    const double r = std::clamp(modulus / m_scale.reference, 0.0, 1.0);
-    switch (m_terms.curve.type) {
-    case GradientCurve::Type::linear:
-      return r;
-    case GradientCurve::Type::gamma:
-      return gammaCurve(r, m_terms.curve.parameter);
-    case GradientCurve::Type::log:
-      return logCurve(r, m_terms.curve.parameter);
-    }
-    return r;
-  }
-
   const Scene& m_scene;
   GradientScale m_scale;
   LightingTerms m_terms;

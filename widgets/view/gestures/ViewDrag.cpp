@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
+#include "widgets/properties/AxisNames.h"
 #include "widgets/view/gestures/WindowLevelGesture.h"
-#include "widgets/view/overlay/CropFaceName.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,9 @@ constexpr double clickSlack = 3.0; // a click may tremble by this many logical p
 
 QString textOf(const ViewDrag& drag) {
   if (drag.kind == DragKind::cropFace)
-    return QCoreApplication::translate("ViewDrag", "move crop face: %1")
-        .arg(cropFaceName(*drag.before.volume, drag.face));
-  return drag.kind == DragKind::opacity ? QCoreApplication::translate("ViewDrag", "change opacity")
-                                        : QCoreApplication::translate("ViewDrag", "change window and level");
+    return QObject::tr("move crop face: %1").arg(cropFaceName(*drag.before.volume, drag.face));
+  return drag.kind == DragKind::opacity ? QObject::tr("change opacity")
+                                        : QObject::tr("change window and level");
 }
 
 // Only what differs from what is shown is worth asking for.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewInput.h"
 
+#include "widgets/properties/AxisNames.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
-#include "widgets/view/overlay/CropBoxPainting.h"
-#include "widgets/view/overlay/CropFaceName.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QAbstractSpinBox>

@@ -5,7 +5,9 @@
 
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <numbers>
+#include <span>
 
 namespace limn {
 namespace {
@@ -31,57 +33,29 @@ ViewCommand standardViewOf(int key, bool keypad, bool shift) {
   return std::monostate{};
 }
 
-ViewCommand letterCommandOf(int key) {
-  switch (key) {
-  case Qt::Key_A:
-    return LookFrom{StandardView::anterior};
-  case Qt::Key_P:
-    return LookFrom{StandardView::posterior};
-  case Qt::Key_L:
-    return LookFrom{StandardView::left};
-  case Qt::Key_S:
-    return LookFrom{StandardView::superior};
-  case Qt::Key_I:
-    return LookFrom{StandardView::inferior};
-  case Qt::Key_R:
-    return Reset{};
-  case Qt::Key_W:
-    return UseTool{ViewTool::windowLevel};
-  case Qt::Key_M:
-    return UseTool{ViewTool::pan};
-  case Qt::Key_Z:
-    return UseTool{ViewTool::zoom};
-  case Qt::Key_BracketLeft:
-    return UseTool{ViewTool::rotate};
-  case Qt::Key_Space:
-    return Swap{};
-  default:
-    return std::monostate{};
-  }
-}
+using KeyCommand = std::pair<int, ViewCommand>;
 
-ViewCommand symbolCommandOf(int key) {
-  switch (key) {
-  case Qt::Key_Left:
-    return Rotate{-1, 0};
-  case Qt::Key_Right:
-    return Rotate{1, 0};
-  case Qt::Key_Up:
-    return Rotate{0, -1};
-  case Qt::Key_Down:
-    return Rotate{0, 1};
-  case Qt::Key_Plus:
-  case Qt::Key_Equal:
-    return Zoom{1};
-  case Qt::Key_Minus:
-    return Zoom{-1};
-  case Qt::Key_Question:
-    return ListShortcuts{};
-  case Qt::Key_Escape:
-    return Cancel{};
-  default:
-    return std::monostate{};
-  }
+const KeyCommand letterCommands[] = {{Qt::Key_A, LookFrom{StandardView::anterior}},
+                                     {Qt::Key_P, LookFrom{StandardView::posterior}},
+                                     {Qt::Key_L, LookFrom{StandardView::left}},
+                                     {Qt::Key_S, LookFrom{StandardView::superior}},
+                                     {Qt::Key_I, LookFrom{StandardView::inferior}},
+                                     {Qt::Key_R, Reset{}},
+                                     {Qt::Key_W, UseTool{ViewTool::windowLevel}},
+                                     {Qt::Key_M, UseTool{ViewTool::pan}},
+                                     {Qt::Key_Z, UseTool{ViewTool::zoom}},
+                                     {Qt::Key_BracketLeft, UseTool{ViewTool::rotate}},
+                                     {Qt::Key_Space, Swap{}}};
+
+const KeyCommand symbolCommands[] = {{Qt::Key_Left, Rotate{-1, 0}}, {Qt::Key_Right, Rotate{1, 0}},
+                                     {Qt::Key_Up, Rotate{0, -1}},   {Qt::Key_Down, Rotate{0, 1}},
+                                     {Qt::Key_Plus, Zoom{1}},       {Qt::Key_Equal, Zoom{1}},
+                                     {Qt::Key_Minus, Zoom{-1}},     {Qt::Key_Question, ListShortcuts{}},
+                                     {Qt::Key_Escape, Cancel{}}};
+
+ViewCommand commandIn(std::span<const KeyCommand> commands, int key) {
+  const auto found = std::ranges::find(commands, key, &KeyCommand::first);
+  return found == commands.end() ? std::monostate{} : found->second;
 }
 
 } // namespace
@@ -94,13 +68,13 @@ ViewCommand commandOf(const QKeyEvent& event) {
   const bool shift = event.modifiers() & Qt::ShiftModifier;
   if (const ViewCommand command = standardViewOf(key, keypad, shift); command.index() != 0)
     return command;
-  if (const ViewCommand command = symbolCommandOf(key); command.index() != 0)
+  if (const ViewCommand command = commandIn(symbolCommands, key); command.index() != 0)
     return command;
   if (shift)
     return std::monostate{};
   if (key >= Qt::Key_0 && key <= Qt::Key_9 && !keypad)
     return WindowPreset{key - Qt::Key_0};
-  return letterCommandOf(key);
+  return commandIn(letterCommands, key);
 }
 
 std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,

@@ -2,9 +2,9 @@
 #include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include "widgets/ValueText.h"
-#include "widgets/view/overlay/CropFaceName.h"
+#include "widgets/properties/AxisNames.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 
@@ -17,11 +17,9 @@ Note cropNote(const OverlaySource& source, const CropHandle& handle) {
   const CropFace face = handle.face;
   const double place = placeOf(source.comparison.scene.crop, face);
   const double cut = face.isUpper ? 1.0 - place : place;
-  QString text = QCoreApplication::translate("CropBoxOverlay", "%1: %2 % cut")
-                     .arg(cropFaceName(volume, face), plainNumber(100.0 * cut, 1));
+  QString text = QObject::tr("%1: %2 % cut").arg(cropFaceName(volume, face), plainNumber(100.0 * cut, 1));
   if (volume.info().spacingKnown)
-    text += QCoreApplication::translate("CropBoxOverlay", " · %1 mm")
-                .arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
+    text += QObject::tr(" · %1 mm").arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
   Note note = noteAt(source.font, text, {0.0, 0.0}, Qt::AlignLeft, source.geometry.size.width());
   note.plate.moveCenter(handle.centre + QPointF(0.0, -28.0));
   const QRectF room = source.view().adjusted(4.0, 4.0, -4.0, -4.0);

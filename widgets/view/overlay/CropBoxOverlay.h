@@ -5,8 +5,12 @@
 #include "widgets/view/overlay/OverlayParts.h"
 #include "widgets/view/overlay/OverlaySource.h"
 
+#include <Qt>
+
 #include <optional>
 #include <vector>
+
+class QPainter;
 
 namespace limn {
 
@@ -26,5 +30,12 @@ CropBoxShape cropShapeAt(const Comparison& comparison, const ViewGeometry& geome
 
 /// The handle that a press at `point` takes hold of.
 std::optional<CropHandle> cropHandleAt(const OverlaySource& source, const QPointF& point);
+
+/// Paints the crop box over a picture: light lines on dark ones, so that they show on any picture; what lies
+/// behind the box is dimmer. `lively` is the face whose handle is hovered or held.
+void paintCropBox(QPainter& painter, const CropBoxShape& shape, const std::optional<CropFace>& lively);
+
+/// The pointer for a handle: two arrows along the way its face moves.
+Qt::CursorShape cursorFor(const CropHandle& handle);
 
 } // namespace limn

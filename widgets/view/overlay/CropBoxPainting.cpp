@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/CropBoxPainting.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <QPainter>
 
@@ -60,16 +60,9 @@ void paintCropBox(QPainter& painter, const CropBoxShape& shape, const std::optio
 Qt::CursorShape cursorFor(const CropHandle& handle) {
   // The angle of the way, y up, folded to a half turn and counted in eighths of a turn.
   const double angle = std::atan2(-handle.outward.y(), handle.outward.x()) / std::numbers::pi * 4.0;
-  switch ((static_cast<int>(std::lround(angle)) + 8) % 4) {
-  case 1:
-    return Qt::SizeBDiagCursor;
-  case 2:
-    return Qt::SizeVerCursor;
-  case 3:
-    return Qt::SizeFDiagCursor;
-  default:
-    return Qt::SizeHorCursor;
-  }
+  const Qt::CursorShape cursors[] = {Qt::SizeHorCursor, Qt::SizeBDiagCursor, Qt::SizeVerCursor,
+                                     Qt::SizeFDiagCursor};
+  return cursors[(std::lround(angle) + 8) % 4];
 }
 
 } // namespace limn

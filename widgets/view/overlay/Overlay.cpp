@@ -3,7 +3,7 @@
 
 #include "widgets/view/overlay/OverlayRows.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +28,10 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   const ScaleBar bar = scaleBar(mmPerPixel(camera, side.height()), std::min(160.0, side.width() / 4));
   if (bar.pixels < 8.0)
     return std::nullopt;
-  const QString length = QCoreApplication::translate("Overlay", "%1 mm").arg(bar.lengthMm);
+  const QString length = QObject::tr("%1 mm").arg(bar.lengthMm);
   // In perspective a length holds at one distance only.
   const bool perspective = camera.projection == Camera::Projection::perspective;
-  const QString text =
-      perspective ? QCoreApplication::translate("Overlay", "%1 at the centre").arg(length) : length;
+  const QString text = perspective ? QObject::tr("%1 at the centre").arg(length) : length;
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, side)};
 }
 
@@ -54,7 +53,7 @@ std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
   const double height = source.geometry.size.height();
   const double room = width - 2 * overlayMargin;
-  const Note warning = noteAt(source.font, QCoreApplication::translate("Overlay", "Not for diagnosis"),
+  const Note warning = noteAt(source.font, QObject::tr("Not for diagnosis"),
                               {width - overlayMargin, height - overlayMargin}, Qt::AlignRight, room);
   overlay.notes.push_back(warning);
   std::vector<QRectF> plates{warning.plate};
@@ -90,8 +89,8 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, const std::ve
   const double lowest = source.geometry.size.height() - overlayMargin;
   const std::vector<double> columns = letterColumns(source.geometry);
   if (!source.volume().info().orientationKnown) {
-    Note note = noteAt(source.font, QCoreApplication::translate("Overlay", "Orientation unknown"), {0.0, 0.0},
-                       Qt::AlignHCenter, pictureRect(source.geometry, 0).width());
+    Note note = noteAt(source.font, QObject::tr("Orientation unknown"), {0.0, 0.0}, Qt::AlignHCenter,
+                       pictureRect(source.geometry, 0).width());
     note.plate.moveBottom(clearRowAbove(lowest, note.plate.size(), columns, plates));
     for (const double column : columns) {
       note.plate.moveLeft(column - note.plate.width() / 2);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+class QPainter;
+
 namespace limn {
 
 /// What stands above the pictures, ready to be painted; places in logical pixels.
@@ -46,5 +48,11 @@ struct Overlay {
 };
 
 Overlay overlayOf(const OverlaySource& source);
+
+/// Paints what stands above the pictures, in the painter's logical pixels.
+void paintOverlay(QPainter& painter, const Overlay& overlay);
+
+/// Paints it into the framebuffer bound in the current OpenGL context.
+void paintOverlayInContext(const Overlay& overlay, const ViewGeometry& geometry);
 
 } // namespace limn

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/OverlayPainting.h"
-
-#include "widgets/view/overlay/CropBoxPainting.h"
 #include "widgets/view/overlay/Overlay.h"
+
+#include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <QOpenGLPaintDevice>
 #include <QPainter>

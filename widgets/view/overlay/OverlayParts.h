@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view/overlay/OrientationLetters.h"
-#include "widgets/view/overlay/ScaleBar.h"
+#include "widgets/view/overlay/CameraMarks.h"
 
 #include <QFont>
 #include <QRectF>

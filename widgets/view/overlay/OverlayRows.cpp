@@ -10,7 +10,7 @@ constexpr double plateGap = 4.0; // between a text and a plate
 
 bool inTheWay(const QRectF& plate, double top, const QSizeF& size, const std::vector<double>& columns) {
   const QRectF kept = plate.adjusted(-plateGap, -plateGap, plateGap, plateGap);
-  return std::any_of(columns.begin(), columns.end(), [&](double column) {
+  return std::ranges::any_of(columns, [&](double column) {
     return kept.intersects(QRectF(QPointF(column - size.width() / 2.0, top), size));
   });
 }
@@ -21,8 +21,7 @@ double clearRowBelow(double top, const QSizeF& size, const std::vector<double>& 
                      const std::vector<QRectF>& plates) {
   // From the uppermost on: a text that has yielded to one plate may meet the next.
   std::vector<QRectF> sorted = plates;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const QRectF& a, const QRectF& b) { return a.bottom() < b.bottom(); });
+  std::ranges::sort(sorted, [](const QRectF& a, const QRectF& b) { return a.bottom() < b.bottom(); });
   for (const QRectF& plate : sorted)
     if (inTheWay(plate, top, size, columns))
       top = plate.bottom() + plateGap;
@@ -32,7 +31,7 @@ double clearRowBelow(double top, const QSizeF& size, const std::vector<double>& 
 double clearRowAbove(double bottom, const QSizeF& size, const std::vector<double>& columns,
                      const std::vector<QRectF>& plates) {
   std::vector<QRectF> sorted = plates;
-  std::sort(sorted.begin(), sorted.end(), [](const QRectF& a, const QRectF& b) { return a.top() > b.top(); });
+  std::ranges::sort(sorted, [](const QRectF& a, const QRectF& b) { return a.top() > b.top(); });
   for (const QRectF& plate : sorted)
     if (inTheWay(plate, bottom - size.height(), size, columns))
       bottom = plate.top() - plateGap;

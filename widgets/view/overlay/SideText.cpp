@@ -2,10 +2,10 @@
 #include "widgets/view/overlay/SideText.h"
 
 #include "widgets/properties/ProjectionSection.h"
-#include "widgets/shading/ModelName.h"
+#include "widgets/shading/ModelSection.h"
 #include "widgets/view/status/PictureStatusText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 #include <QStringList>
 
 namespace limn {
@@ -24,11 +24,10 @@ QString lightingText(const Shading& shading) {
   case ShadingModel::none:
     return {};
   case ShadingModel::classic:
-    return QCoreApplication::translate("SideText", "SP %1").arg(number(shading.exponent));
+    return QObject::tr("SP %1").arg(number(shading.exponent));
   case ShadingModel::enhanced:
   case ShadingModel::robust:
-    return QCoreApplication::translate("SideText", "SP %1 · O %2")
-        .arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+    return QObject::tr("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
   }
   return {};
 }
@@ -42,19 +41,15 @@ QString sideTitle(const Scene& scene) {
 QString sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.contrast)
-    parts << QCoreApplication::translate("SideText", "contrast %1").arg(*state.contrast, 0, 'f', 3);
+    parts << QObject::tr("contrast %1").arg(*state.contrast, 0, 'f', 3);
   if (state.overflow)
-    parts << QCoreApplication::translate("SideText", "overflow %1 %")
-                 .arg(100.0 * state.overflow->share, 0, 'f', 1);
+    parts << QObject::tr("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
   if (state.completeMs)
-    parts << QCoreApplication::translate("SideText", "%1 ms")
-                 .arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+    parts << QObject::tr("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
   if (state.estimate && !state.isRough && state.isResolved)
-    parts
-        << QCoreApplication::translate("SideText", "within %1 levels").arg(levelsText(state.estimate->p99_9));
-  const QString lighting = usesLight(scene.projection)
-                               ? lightingText(scene.shading)
-                               : QCoreApplication::translate("SideText", "unlit, the same with every model");
+    parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
+  const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
+                                                       : QObject::tr("unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
   return parts.join(QStringLiteral(" · "));

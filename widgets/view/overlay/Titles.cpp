@@ -5,7 +5,7 @@
 #include "widgets/view/overlay/OverlayRows.h"
 #include "widgets/view/overlay/SideText.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 namespace limn {
 namespace {
@@ -53,17 +53,16 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
   const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
   DifferenceTitle title;
   title.label.label.title =
-      QCoreApplication::translate("Titles", "Difference of %1 and %2 ×%3")
+      QObject::tr("Difference of %1 and %2 ×%3")
           .arg(sideTitle(sceneOfSide(source.comparison, 0)), sideTitle(sceneOfSide(source.comparison, 1)))
           .arg(differenceGain);
   title.label.label.leadsToMenu = false;
   QRectF plate = labelPlate(source.font, title.label.label, source.view(), Qt::AlignHCenter);
   plate.moveTop(clearRowBelow(plate.top(), plate.size(), {plate.center().x()}, plates));
   title.label.plate = title.label.steadyPlate = plate;
-  title.note = noteAt(
-      source.font,
-      QCoreApplication::translate("Titles", "Black where both are equal, brighter the more they differ"),
-      {plate.center().x(), 0.0}, Qt::AlignHCenter, source.geometry.size.width() - 2 * overlayMargin);
+  title.note =
+      noteAt(source.font, QObject::tr("Black where both are equal, brighter the more they differ"),
+             {plate.center().x(), 0.0}, Qt::AlignHCenter, source.geometry.size.width() - 2 * overlayMargin);
   title.note.plate.moveTop(clearRowBelow(plate.bottom() + overlayMargin / 3, title.note.plate.size(),
                                          {plate.center().x()}, plates));
   return title;
@@ -84,10 +83,8 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};
-  return QCoreApplication::translate(
-             "Titles", "<p>Black where both sides show the same; brighter the more they differ, in the "
-                       "colour in which they differ. Differences are shown %1 times as large as they "
-                       "are.</p>")
+  return QObject::tr("<p>Black where both sides show the same; brighter the more they differ, in the colour "
+                     "in which they differ. Differences are shown %1 times as large as they are.</p>")
       .arg(differenceGain);
 }
 

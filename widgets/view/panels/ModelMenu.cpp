@@ -2,7 +2,7 @@
 #include "widgets/view/panels/ModelMenu.h"
 
 #include "scene/light/ModelName.h"
-#include "widgets/shading/ModelName.h"
+#include "widgets/shading/ModelSection.h"
 
 #include <QMenu>
 

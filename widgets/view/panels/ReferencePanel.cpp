@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ReferencePanel.h"
 
-#include "widgets/view/panels/PanelButton.h"
+#include "widgets/view/panels/ViewPanels.h"
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ViewPanels.h"
 
-#include "widgets/view/panels/PanelButton.h"
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -42,6 +41,14 @@ QLabel* heading(const QString& text, QWidget* parent) {
 }
 
 } // namespace
+
+QPushButton* panelButton(const QString& text, const QString& name, QWidget* parent) {
+  auto* made = new QPushButton(text, parent);
+  made->setObjectName(name);
+  made->setAccessibleName(text);
+  made->setCursor(Qt::PointingHandCursor);
+  return made;
+}
 
 EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(this)) {
   setStyleSheet(panelStyle);

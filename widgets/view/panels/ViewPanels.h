@@ -5,7 +5,7 @@
 
 class QLabel;
 class QProgressBar;
-class QToolButton;
+class QPushButton;
 
 namespace limn {
 
@@ -59,5 +59,9 @@ private:
   QLabel* m_text = nullptr;
   QProgressBar* m_bar = nullptr;
 };
+
+/// A button of a panel that lies over the pictures: `text` is its label and what assistive technology reads,
+/// `name` its object name.
+QPushButton* panelButton(const QString& text, const QString& name, QWidget* parent);
 
 } // namespace limn

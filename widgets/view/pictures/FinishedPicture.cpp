@@ -2,9 +2,32 @@
 #include "widgets/view/pictures/FinishedPicture.h"
 
 #include "scene/PictureFigures.h"
-#include "widgets/view/pictures/PictureBytes.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace limn {
+namespace {
+
+uchar byteOf(double value) {
+  return static_cast<uchar>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
+}
+
+} // namespace
+
+QImage overBackground(const Image& picture, const glm::dvec3& background) {
+  QImage bytes(picture.size.x, picture.size.y, QImage::Format_RGBA8888);
+  for (int y = 0; y < picture.size.y; ++y) {
+    uchar* row = bytes.scanLine(y);
+    for (int x = 0; x < picture.size.x; ++x) {
+      const glm::vec4& pixel = picture.at(x, y);
+      for (int channel = 0; channel < 3; ++channel)
+        row[4 * x + channel] = byteOf(pixel[channel] + (1.0 - pixel.a) * background[channel]);
+      row[4 * x + 3] = 255;
+    }
+  }
+  return bytes;
+}
 
 FinishedPicture finished(std::shared_ptr<const Image> image, const glm::dvec3& background) {
   FinishedPicture picture;

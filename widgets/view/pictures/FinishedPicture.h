@@ -9,6 +9,9 @@
 
 namespace limn {
 
+/// A picture over a background as 8 bits (Format_RGBA8888, opaque), rounded as picture files are.
+QImage overBackground(const Image& picture, const glm::dvec3& background);
+
 /// A complete picture of a side as everybody wants it: as drawn, and as shown and saved.
 struct FinishedPicture {
   std::shared_ptr<const Image> image;

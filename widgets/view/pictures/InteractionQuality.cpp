@@ -3,7 +3,6 @@
 
 #include "scene/steps/LocalSteps.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -49,10 +49,6 @@ void PictureLoop::stop() {
   m_probeTimer.stop();
 }
 
-void PictureLoop::resume() {
-  m_restTimer.start(0);
-}
-
 void PictureLoop::release(bool isLost) {
   stop();
   // To delete what a lost context held would need another.

@@ -51,7 +51,7 @@ public:
   /// `guard`, with the context current. Throws Error.
   void drawIfStale(const PictureRequest& request);
   /// Goes on with what is done at rest, after it paused unseen.
-  void resume();
+  void resume() { m_restTimer.start(0); }
   /// Does nothing more until the next picture is drawn.
   void stop();
   /// Drops everything that lives in the context, which is current; where it `isLost`, all died with it.

@@ -3,7 +3,7 @@
 
 #include "widgets/view/pictures/Refinement.h"
 
-#include "accuracy/Resolution.h"
+#include "accuracy/ErrorEstimate.h"
 #include "widgets/view/pictures/TileDrawing.h"
 
 #include <QThreadPool>
@@ -38,10 +38,6 @@ struct Refinement::Job {
 bool isResolved(DrawingEngine& engine, const Scene& scene) {
   const DrawingFacts facts = engine.facts(scene);
   return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
-}
-
-void Refinement::reset() {
-  *this = Refinement();
 }
 
 RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {

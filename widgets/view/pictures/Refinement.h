@@ -3,7 +3,6 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "widgets/view/pictures/PictureState.h"
-#include "widgets/view/pictures/RestTurn.h"
 #include "widgets/view/pictures/SidePicture.h"
 
 #include <memory>
@@ -12,6 +11,14 @@
 #include <vector>
 
 namespace limn {
+
+/// What one turn of the event loop brought while the pictures rest.
+enum class RestTurn {
+  nothing, ///< there is nothing left to do
+  waiting, ///< for another thread
+  worked,
+  finished ///< a picture that was shown is replaced by a better one
+};
 
 /// Brings resting pictures closer to the exact ones: draws them anew with half the step, again and again, all
 /// sides with the same one, until they lie within half a level or nothing is gained any more. Each pass is
@@ -26,7 +33,7 @@ public:
   static constexpr double patienceMs = 60000.0;
 
   /// Forgets everything: other pictures are wanted.
-  void reset();
+  void reset() { *this = Refinement(); }
 
   /// Does a piece of at most about `budgetMs`; the sides are complete at their scenes' step.
   RestTurn step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
@@ -68,7 +75,7 @@ private:
   double m_lastMs = 0.0;           ///< by the last one; at first by the pictures of the scenes' step
 };
 
-/// Whether a picture of the scene sees its transfer function (accuracy/Resolution).
+/// Whether a picture of the scene sees its transfer function (accuracy/ErrorEstimate).
 bool isResolved(DrawingEngine& engine, const Scene& scene);
 
 } // namespace limn

@@ -181,12 +181,4 @@ double SidePicture::shownStepVoxels() const {
   return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseQuality.stepFactor);
 }
 
-double SidePicture::shownImageScale() const {
-  return complete() ? 1.0 : m_coarseQuality.imageScale;
-}
-
-double SidePicture::shownMs() const {
-  return complete() ? m_completeMs.value_or(0.0) : m_coarseMs;
-}
-
 } // namespace limn

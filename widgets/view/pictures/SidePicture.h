@@ -69,9 +69,10 @@ public:
 
   const Scene& scene() const { return m_scene; }
   const glm::ivec2& size() const { return m_size; }
-  double shownStepVoxels() const; ///< of the coarsest part shown
-  double shownImageScale() const; ///< of width and height, of the coarsest part shown, 0..1
-  double shownMs() const;         ///< what drawing the coarsest part took
+  /// Of the coarsest part shown: its step, its share of width and height (0..1), what drawing it took.
+  double shownStepVoxels() const;
+  double shownImageScale() const { return complete() ? 1.0 : m_coarseQuality.imageScale; }
+  double shownMs() const { return complete() ? m_completeMs.value_or(0.0) : m_coarseMs; }
   std::optional<double> completeMs() const { return m_completeMs; }
   const GradientScale& gradientScale() const { return m_gradientScale; }
   const FinishedPicture& picture() const { return m_picture; }       ///< empty unless finished

@@ -3,12 +3,11 @@
 
 #include "scene/steps/RayFrame.h"
 
-#include <QCoreApplication>
 #include <QLocale>
+#include <QObject>
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
 
 namespace limn {
 namespace {
@@ -29,140 +28,118 @@ QString fractionText(double value) {
 
 QString timeText(double ms) {
   if (ms < 1000.0)
-    return QCoreApplication::translate("PictureStatusText", "%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
-  return QCoreApplication::translate("PictureStatusText", "%1 s").arg(ms / 1000.0, 0, 'f', 1);
+    return QObject::tr("%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
+  return QObject::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1);
 }
 
 // The side that lies farthest from its exact picture.
 const SideState& worstOf(const PictureState& state) {
-  return *std::max_element(state.sides.begin(), state.sides.end(), [](const auto& a, const auto& b) {
+  return *std::ranges::max_element(state.sides, [](const auto& a, const auto& b) {
     return a.estimate.value_or(ErrorEstimate{}).p99_9 < b.estimate.value_or(ErrorEstimate{}).p99_9;
   });
 }
 
 bool isKnown(const PictureState& state) {
-  return std::all_of(state.sides.begin(), state.sides.end(),
-                     [](const SideState& side) { return side.estimate.has_value(); });
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.estimate.has_value(); });
 }
 
 bool isResolved(const PictureState& state) {
-  return std::all_of(state.sides.begin(), state.sides.end(),
-                     [](const SideState& side) { return side.isResolved; });
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.isResolved; });
 }
 
 QString estimateText(const PictureState& state) {
   if (!isResolved(state))
-    return QCoreApplication::translate("PictureStatusText", "not resolved");
+    return QObject::tr("not resolved");
   if (!isKnown(state))
-    return QCoreApplication::translate("PictureStatusText", "estimating…");
+    return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
   const QString levels = levelsText(worst.estimate->p99_9);
-  return (worst.isRough ? QCoreApplication::translate("PictureStatusText", "within about %1 of 255 levels")
-                        : QCoreApplication::translate("PictureStatusText", "within %1 of 255 levels"))
+  return (worst.isRough ? QObject::tr("within about %1 of 255 levels")
+                        : QObject::tr("within %1 of 255 levels"))
       .arg(levels);
 }
 
 // The step of a preview is in the tool tip: what strikes is its resolution.
 QString previewText(const SideState& side) {
   if (side.imageScale >= 1.0)
-    return QCoreApplication::translate("PictureStatusText", "preview, step %1")
-        .arg(stepText(side.stepVoxels));
-  return QCoreApplication::translate("PictureStatusText", "preview at %1 resolution")
-      .arg(fractionText(side.imageScale));
+    return QObject::tr("preview, step %1").arg(stepText(side.stepVoxels));
+  return QObject::tr("preview at %1 resolution").arg(fractionText(side.imageScale));
+}
+
+struct EndText {
+  QString step; ///< %1: the step
+  QString sentence;
+};
+
+EndText textOf(RefinementEnd end) {
+  switch (end) {
+  case RefinementEnd::withinHalfALevel:
+    return {QObject::tr("refined, step %1"),
+            QObject::tr("The steps cost no more than half a level: smaller ones would show no difference.")};
+  case RefinementEnd::smallestStep:
+    return {QObject::tr("smallest step, %1"),
+            QObject::tr("No smaller step is drawn: it would take long and show little.")};
+  case RefinementEnd::sampleLimit:
+    return {QObject::tr("smallest possible step, %1"),
+            QObject::tr("With a smaller step rays would need more samples than the driver allows.")};
+  case RefinementEnd::patience:
+    return {QObject::tr("smallest practical step, %1"),
+            QObject::tr("The next smaller step would take too long on this machine.")};
+  case RefinementEnd::failed:
+    return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
+  }
+  return {};
+}
+
+EndText endText(const PictureState& state) {
+  if (state.refinementEnd)
+    return textOf(*state.refinementEnd);
+  if (state.refines)
+    return {QObject::tr("step %1, refining"),
+            QObject::tr("The picture is being drawn again with half the step.")};
+  return {QObject::tr("step %1"), {}};
 }
 
 // Under a tolerance there is no one step to tell.
 QString restingText(const PictureState& state, const Scene& scene) {
-  const QString step = scene.quality.toleranceLevels
-                           ? QCoreApplication::translate("PictureStatusText", "chosen by error")
-                           : stepText(state.sides.front().stepVoxels);
-  if (!state.refinementEnd)
-    return (state.refines ? QCoreApplication::translate("PictureStatusText", "step %1, refining")
-                          : QCoreApplication::translate("PictureStatusText", "step %1"))
-        .arg(step);
-  switch (*state.refinementEnd) {
-  case RefinementEnd::withinHalfALevel:
-    return QCoreApplication::translate("PictureStatusText", "refined, step %1").arg(step);
-  case RefinementEnd::smallestStep:
-    return QCoreApplication::translate("PictureStatusText", "smallest step, %1").arg(step);
-  case RefinementEnd::sampleLimit:
-    return QCoreApplication::translate("PictureStatusText", "smallest possible step, %1").arg(step);
-  case RefinementEnd::patience:
-    return QCoreApplication::translate("PictureStatusText", "smallest practical step, %1").arg(step);
-  case RefinementEnd::failed:
-    return QCoreApplication::translate("PictureStatusText", "step %1, not refined").arg(step);
-  }
-  return {};
+  return endText(state).step.arg(scene.quality.toleranceLevels ? QObject::tr("chosen by error")
+                                                               : stepText(state.sides.front().stepVoxels));
 }
 
 QString explanationOf(const PictureState& state) {
   if (!isResolved(state))
-    return QCoreApplication::translate(
-        "PictureStatusText",
-        "Not resolved: a band of the curve is narrower than what the value changes by within one "
-        "step, so the picture may miss it and no number would be right. Pre-integrated steps, or "
-        "smaller ones, see it.");
+    return QObject::tr("Not resolved: a band of the curve is narrower than what the value changes by within "
+                       "one step, so the picture may miss it and no number would be right. Pre-integrated "
+                       "steps, or smaller ones, see it.");
   if (!isKnown(state))
-    return QCoreApplication::translate("PictureStatusText",
-                                       "How far the picture lies from the exact one is being estimated.");
-  QString text = QCoreApplication::translate(
-                     "PictureStatusText",
-                     "999 of 1000 colour values of the picture are estimated to lie within %1 levels of "
-                     "the exact picture; black and white are 255 levels apart.")
+    return QObject::tr("How far the picture lies from the exact one is being estimated.");
+  QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
+                             "of the exact picture; black and white are 255 levels apart.")
                      .arg(levelsText(worstOf(state).estimate->p99_9));
   if (worstOf(state).isRough)
-    text += QLatin1Char(' ') +
-            QCoreApplication::translate("PictureStatusText", "Estimated from a smaller picture.");
+    text += QLatin1Char(' ') + QObject::tr("Estimated from a smaller picture.");
   if (state.sides.front().imageScale < 1.0)
     text += QLatin1Char(' ') +
-            QCoreApplication::translate(
-                "PictureStatusText", "The preview also has fewer pixels than the window; that comes on top.");
+            QObject::tr("The preview also has fewer pixels than the window; that comes on top.");
   return text;
-}
-
-QString endText(const PictureState& state) {
-  if (!state.refinementEnd)
-    return state.refines ? QCoreApplication::translate("PictureStatusText",
-                                                       "The picture is being drawn again with half the step.")
-                         : QString();
-  switch (*state.refinementEnd) {
-  case RefinementEnd::withinHalfALevel:
-    return QCoreApplication::translate(
-        "PictureStatusText",
-        "The steps cost no more than half a level: smaller ones would show no difference.");
-  case RefinementEnd::smallestStep:
-    return QCoreApplication::translate("PictureStatusText",
-                                       "No smaller step is drawn: it would take long and show little.");
-  case RefinementEnd::sampleLimit:
-    return QCoreApplication::translate(
-        "PictureStatusText", "With a smaller step rays would need more samples than the driver allows.");
-  case RefinementEnd::patience:
-    return QCoreApplication::translate("PictureStatusText",
-                                       "The next smaller step would take too long on this machine.");
-  case RefinementEnd::failed:
-    return QCoreApplication::translate("PictureStatusText", "Refining the picture failed.");
-  }
-  return {};
 }
 
 QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
   if (scene.quality.toleranceLevels) {
-    parts << QCoreApplication::translate("PictureStatusText", "error-controlled steps (--tolerance %1)")
+    parts << QObject::tr("error-controlled steps (--tolerance %1)")
                  .arg(exactNumber(*scene.quality.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
-    parts << QCoreApplication::translate("PictureStatusText",
-                                         "step %1 of the smallest voxel spacing, %2 mm (--step %3)")
+    parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
                  .arg(fractionText(side.stepVoxels))
                  .arg(mm, 0, 'g', 3)
                  .arg(exactNumber(side.stepVoxels));
   }
   if (isResolved(state) && isKnown(state)) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
-    parts << QCoreApplication::translate("PictureStatusText",
-                                         "99.9th percentile %1, mean %2 levels, observed order %3")
+    parts << QObject::tr("99.9th percentile %1, mean %2 levels, observed order %3")
                  .arg(estimate.p99_9, 0, 'g', 3)
                  .arg(estimate.mean, 0, 'g', 2)
                  .arg(estimate.order, 0, 'f', 2);
@@ -175,10 +152,9 @@ QString numbersText(const PictureState& state, const Scene& scene) {
 // Nobody measured the small picture; it is exact in each of its pixels.
 PictureStatusText processorText(const PictureState& state) {
   PictureStatusText text;
-  text.estimate = state.processorIsDone
-                      ? QCoreApplication::translate("PictureStatusText", "drawn by the processor, few pixels")
-                      : QCoreApplication::translate("PictureStatusText", "the processor is drawing…");
-  text.engine = QCoreApplication::translate("PictureStatusText", "reference");
+  text.estimate = state.processorIsDone ? QObject::tr("drawn by the processor, few pixels")
+                                        : QObject::tr("the processor is drawing…");
+  text.engine = QObject::tr("reference");
   text.toolTip = state.driverFailure;
   return text;
 }
@@ -186,8 +162,7 @@ PictureStatusText processorText(const PictureState& state) {
 } // namespace
 
 QString stepText(double stepVoxels) {
-  return (stepVoxels > 1.0 ? QCoreApplication::translate("PictureStatusText", "%1 voxels")
-                           : QCoreApplication::translate("PictureStatusText", "%1 voxel"))
+  return (stepVoxels > 1.0 ? QObject::tr("%1 voxels") : QObject::tr("%1 voxel"))
       .arg(fractionText(stepVoxels));
 }
 
@@ -213,8 +188,8 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   for (const SideState& side : state.sides)
     ms += side.shownMs;
   text.time = timeText(ms);
-  text.engine = QCoreApplication::translate("PictureStatusText", "GLSL");
-  QStringList lines{explanationOf(state), endText(state), numbersText(state, scene)};
+  text.engine = QObject::tr("GLSL");
+  QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
   lines.removeAll(QString());
   text.toolTip = lines.join(QLatin1Char('\n'));
   return text;

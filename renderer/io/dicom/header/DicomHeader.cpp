@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomHeader.h"
 
-#include "io/dicom/header/DicomFrameFacts.h"
 #include "io/dicom/header/DicomTags.h"
 
 #include <algorithm>

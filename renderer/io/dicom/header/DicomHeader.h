@@ -110,4 +110,14 @@ std::uint64_t frameBytes(const DicomHeader& header);
 /// The text of an attribute in UTF-8, decoded from the file's character set.
 std::string utf8TextOf(const DicomDataset& dataset, DicomTag tag);
 
+/// The facts of each of `count` frames: from the per-frame functional groups, else from the shared ones, else
+/// from the data set itself (a single image; a dose grid with its frame offsets).
+std::vector<DicomFrame> framesOf(const DicomDataset& dataset, int count);
+
+/// Whether a file without pixels must once have had them: its class is one of images, or the attributes that
+/// describe pixels are there, or it ends before it says what it is. False for reports, presentation states,
+/// plans, structures, waveforms, raw data and other objects that hold no picture by their kind (PS3.4, B.5),
+/// and for private kinds that describe no pixels.
+bool hasLostPicture(const DicomHeader& header);
+
 } // namespace limn

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/dicom/header/DicomInflate.h"
+#include "io/dicom/header/DicomParser.h"
 
 #include "scene/basics/Error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/dicom/header/DicomObjectKind.h"
+#include "io/dicom/header/DicomHeader.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/header/DicomParser.h"
 
-#include "io/dicom/header/DicomInflate.h"
 #include "io/dicom/header/DicomTags.h"
 #include "scene/basics/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <string_view>
 

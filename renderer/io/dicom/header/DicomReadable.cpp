@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/dicom/header/DicomObjectKind.h"
+#include "io/dicom/header/DicomHeader.h"
 #include "io/reading/ReadError.h"
 #include "scene/basics/Error.h"
 
@@ -56,9 +56,8 @@ void requirePicture(const DicomHeader& header) {
                (header.modality.empty() ? std::string() : " (its kind is " + quoted(header.modality) + ")") +
                "; open the folder of an image series instead.");
   if (header.pixels->isFloatingPoint)
-    refuse(header,
-           "stores its pixels as floating-point numbers, which this program does not read from DICOM; "
-           "convert it to NIfTI.");
+    refuse(header, "stores its pixels as floating-point numbers, which this program does not read from "
+                   "DICOM; convert it to NIfTI.");
   if (header.isMosaic)
     refuse(header, "is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.");
   if (!header.frameCountFlaw.empty())
@@ -94,9 +93,8 @@ void requireFormat(const DicomHeader& header) {
   static constexpr std::array<std::string_view, 4> grey = {"", "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR"};
   static constexpr std::array<std::string_view, 5> colour = {"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_ICT",
                                                              "YBR_RCT"};
-  const bool isKnown = format.samples == 1
-                           ? std::find(grey.begin(), grey.end(), format.photometric) != grey.end()
-                           : std::find(colour.begin(), colour.end(), format.photometric) != colour.end();
+  const bool isKnown = format.samples == 1 ? std::ranges::find(grey, format.photometric) != grey.end()
+                                           : std::ranges::find(colour, format.photometric) != colour.end();
   if (!isKnown)
     refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean " +
                        quoted(format.photometric) +

@@ -8,8 +8,7 @@ namespace limn::tag {
 namespace {
 
 std::optional<Kind> kindOf(DicomTag tag) {
-  const auto row =
-      std::find_if(all.begin(), all.end(), [tag](const Attribute& one) { return one.tag == tag; });
+  const auto row = std::ranges::find_if(all, [tag](const Attribute& one) { return one.tag == tag; });
   return row == all.end() ? std::nullopt : std::optional(row->kind);
 }
 

@@ -2,9 +2,6 @@
 #include "io/dicom/pixels/DicomCodestream.h"
 #include "scene/basics/Error.h"
 
-#include <algorithm>
-#include <array>
-
 namespace limn {
 namespace {
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/pixels/DicomUnpack.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace limn {
 namespace {

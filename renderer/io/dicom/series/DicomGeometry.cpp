@@ -145,18 +145,16 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
   }
   const glm::dvec2 widening = glm::ceil(highest) - glm::floor(lowest);
   if (!(widening.x <= grid.dims.x) || !(widening.y <= grid.dims.y))
-    throw Error(Error::Kind::input,
-                "The slices of the DICOM series lie beside each other rather than on each "
-                "other, so they make no volume; choose another series.");
+    throw Error(Error::Kind::input, "The slices of the DICOM series lie beside each other rather than on "
+                                    "each other, so they make no volume; choose another series.");
   const DicomPlacement& last = geometry.placements.back();
   const glm::dvec2 drift = last.shift * glm::dvec2(grid.spacingMm);
   const double angle = glm::degrees(std::atan2(glm::length(drift), last.heightMm));
   const glm::ivec2 start(glm::floor(lowest));
   const glm::ivec2 extra(widening);
-  warnings.push_back(
-      "The slices do not lie straight on each other (slant of " + decimal(angle, 1) +
-      "°, as of a tilted gantry): they were resampled onto an upright grid, whose added corners hold "
-      "no data.");
+  warnings.push_back("The slices do not lie straight on each other (slant of " + decimal(angle, 1) +
+                     "°, as of a tilted gantry): they were resampled onto an upright grid, whose added "
+                     "corners hold no data.");
   grid.dims += glm::ivec3(extra, 0);
   grid.originMm += grid.direction * (grid.spacingMm * glm::dvec3(start, 0.0));
   for (DicomPlacement& placement : geometry.placements)

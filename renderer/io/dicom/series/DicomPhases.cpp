@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/dicom/series/DicomPhases.h"
+#include "io/dicom/series/DicomSeries.h"
 
 #include <algorithm>
 #include <charconv>

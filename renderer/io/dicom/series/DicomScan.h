@@ -4,6 +4,8 @@
 #include "io/dicom/header/DicomHeader.h"
 #include "io/reading/Progress.h"
 
+#include <filesystem>
+
 namespace limn {
 
 /// The images found under a path.
@@ -24,5 +26,9 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
 /// holds it. What is not DICOM, and is not called as the images are, is passed over. Reports fractions 0..1.
 /// Throws Error (input) where a single file is no DICOM or damaged; Cancelled.
 DicomScan scanDicom(const std::filesystem::path& path, const Progress& progress);
+
+/// Whether a folder shows the state of the kernel (/proc, /sys and the like) rather than files on a disk: its
+/// files announce lengths that they do not have, and reading some of them has effects.
+bool isPseudoFolder(const std::filesystem::path& folder);
 
 } // namespace limn

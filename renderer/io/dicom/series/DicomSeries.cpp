@@ -4,7 +4,6 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 

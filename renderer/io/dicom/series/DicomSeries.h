@@ -37,4 +37,11 @@ double sameDistanceMm(const DicomSeries& series);
 /// Sorts by position along the normal where slices are placed, otherwise by instance number and frame.
 DicomSeries sorted(DicomSeries series);
 
+/// Drops images found more than once (one SOP instance UID), with a warning.
+DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings);
+
+/// Leaves one slice at each position of a placed, sorted series: of several phases (temporal position,
+/// trigger time, echo …) one is kept, with a warning. Returns them sorted.
+DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings);
+
 } // namespace limn

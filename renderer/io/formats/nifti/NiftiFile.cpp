@@ -17,42 +17,25 @@ constexpr double mostNiftiVolumes = 1e9;
 constexpr double farthestOffset = 1 << 30; // of the voxels: behind it no header ends
 
 struct Sample {
+  int datatype; ///< its number in the header
   VoxelType type;
   int components = 1;
 };
 
-Sample sampleOf(const fs::path& file, int datatype) {
-  switch (datatype) {
-  case 2:
-    return {VoxelType::uint8};
-  case 4:
-    return {VoxelType::int16};
-  case 8:
-    return {VoxelType::int32};
-  case 16:
-    return {VoxelType::float32};
-  case 64:
-    return {VoxelType::float64};
-  case 128:
-    return {VoxelType::uint8, 3};
-  case 256:
-    return {VoxelType::int8};
-  case 512:
-    return {VoxelType::uint16};
-  case 768:
-    return {VoxelType::uint32};
-  case 1024:
-    return {VoxelType::int64};
-  case 1280:
-    return {VoxelType::uint64};
-  case 2304:
-    return {VoxelType::uint8, 4};
-  default:
+constexpr Sample sampleTypes[] = {
+    {2, VoxelType::uint8},    {4, VoxelType::int16},     {8, VoxelType::int32},
+    {16, VoxelType::float32}, {64, VoxelType::float64},  {128, VoxelType::uint8, 3},
+    {256, VoxelType::int8},   {512, VoxelType::uint16},  {768, VoxelType::uint32},
+    {1024, VoxelType::int64}, {1280, VoxelType::uint64}, {2304, VoxelType::uint8, 4}};
+
+const Sample& sampleOf(const fs::path& file, int datatype) {
+  const auto found = std::ranges::find(sampleTypes, datatype, &Sample::datatype);
+  if (found == std::end(sampleTypes))
     failReading(file,
                 "its voxels are of NIfTI type " + std::to_string(datatype) +
                     " (binary, complex or 128-bit numbers are not supported)",
                 "convert it to integers or floats first");
-  }
+  return *found;
 }
 
 // The other half of a pair: the same name with the other ending, compressed or not.

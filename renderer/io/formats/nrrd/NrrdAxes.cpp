@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/formats/nrrd/NrrdAxes.h"
+#include "io/formats/nrrd/NrrdHeader.h"
 
 #include "io/formats/voxels/AxisGrid.h"
 #include "io/formats/voxels/Voxels.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/nrrd/NrrdFile.h"
 
-#include "io/formats/nrrd/NrrdAxes.h"
+#include "io/formats/nrrd/NrrdHeader.h"
 #include "io/formats/voxels/AxisGrid.h"
 #include "io/formats/voxels/TextVoxels.h"
 #include "io/formats/voxels/Voxels.h"

@@ -2,14 +2,12 @@
 #include "io/formats/pictures/PictureStack.h"
 
 #include "io/formats/pictures/Picture.h"
-#include "io/formats/pictures/TiffPages.h"
 #include "io/formats/voxels/StoredType.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/NameLikeness.h"
 #include "io/reading/ReadError.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/pictures/Picture.h"
 
-#include "io/formats/pictures/TiffPages.h"
 #include "io/reading/ReadError.h"
 
 #include <glm/gtc/packing.hpp>

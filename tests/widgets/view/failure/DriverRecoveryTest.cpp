@@ -5,9 +5,9 @@
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/HeadScene.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
-#include "widgets/view/pictures/PictureBytes.h"
+#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QCoreApplication>
 

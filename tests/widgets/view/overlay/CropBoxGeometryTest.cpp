@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/CropBoxGeometry.h"
-#include "widgets/view/overlay/CropBoxPainting.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/OrientationLetters.h"
-#include "widgets/view/overlay/ScaleBar.h"
+#include "widgets/view/overlay/CameraMarks.h"
 #include "widgets/view/overlay/SideText.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include "raycaster/RayCaster.h"
 #include "raycaster/RayCasterEngine.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/HeadScene.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
 
 #include <QCoreApplication>

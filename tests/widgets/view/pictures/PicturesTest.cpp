@@ -7,7 +7,7 @@
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/HeadScene.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
 
 // Pictures on their way from coarse to exact, without a window, with every engine that there is.

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace limn {
+
+class CommandSyntax;
+
+// The commands of the program; each adds itself to the program's own words.
+
+/// `limn info`: what a volume is, or with --system what a bug report needs; that names nobody, no folder and
+/// no file.
+void addInfoCommand(CommandSyntax& root);
+
+/// `limn render`: a picture of a scene, or of two shading models side by side.
+void addRenderCommand(CommandSyntax& root);
+
+/// `limn effects`: what a picture simulates, why, and what each effect costs.
+void addEffectsCommand(CommandSyntax& root);
+
+/// `limn presets list` and `limn presets show NAME`.
+void addPresetsCommand(CommandSyntax& root);
+
+/// `limn accuracy SOURCE -o DIR`: error against time of a scene.
+void addAccuracyCommand(CommandSyntax& root);
+
+/// `limn stability`: the hard cases and random scenes on this machine's driver. Its exit status is 1 where
+/// one fails.
+void addStabilityCommand(CommandSyntax& root);
+
+/// `limn bench`: milliseconds per frame by renderer, scene and step.
+void addBenchCommand(CommandSyntax& root);
+
+} // namespace limn

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/reports/ReportJson.h"
+
+#include "accuracy/sweep/AccuracySweep.h"
+#include "accuracy/sweep/FigureText.h"
+#include "accuracy/times/BenchRow.h"
+#include "io/json/JsonFields.h"
+#include "scene/effects/EffectRows.h"
+#include "scene/volume/Volume.h"
+#include "stability/StabilityReport.h"
+
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const glm::dvec3& v) {
+  return Json::array({v.x, v.y, v.z});
+}
+
+Json toJson(const SeriesSummary& series) {
+  return {{"number", series.number},
+          {"description", series.description},
+          {"modality", series.modality},
+          {"dims", {series.dims.x, series.dims.y, series.dims.z}}};
+}
+
+Json timesOf(const Timing& ms) {
+  return {{"median", ms.median}, {"min", ms.least}, {"max", ms.most}};
+}
+
+Json toJson(const BenchRow& row) {
+  return {{"program", row.program},
+          {"scene", row.scene},
+          {"size", {row.size.x, row.size.y}},
+          {"step_voxels", row.stepVoxels},
+          {"ms", timesOf(timingOf(wallTimes(row.views)))},
+          {"cpu_ms", timingOf(processorTimes(row.views)).median},
+          {"first_ms", row.firstMs},
+          {"edit_ms", row.editMs ? Json(*row.editMs) : Json()},
+          {"peak_mb", row.peakMb},
+          {"mean_error", Json()}};
+}
+
+const char* nameOf(PointRenderer renderer) {
+  const char* names[] = {"gl", "slices", "reference"};
+  return names[static_cast<int>(renderer)];
+}
+
+const char* nameOf(GradientSource source) {
+  return source == GradientSource::onTheFly ? "on_the_fly" : "precomputed";
+}
+
+// No figure without a converged picture.
+void addErrors(Json& json, const ImageError& error, bool isKnown) {
+  const auto add = [&](const char* name, double value) { json[name] = isKnown ? Json(value) : Json(); };
+  add("max", error.largest);
+  add("p99_9", error.p99_9);
+  add("mean", error.mean);
+  add("rms", error.rms);
+  add("share_over_one", error.shareOverOne);
+}
+
+Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
+  const OperatingPoint& point = measured.point;
+  Json json{{"engine", nameOf(point.renderer)},
+            {"step_voxels", point.toleranceLevels ? Json() : Json(point.stepVoxels)},
+            {"step_mm", point.toleranceLevels ? Json() : Json(point.stepVoxels * report.smallestSpacingMm)},
+            {"tolerance_levels", point.toleranceLevels ? Json(*point.toleranceLevels) : Json()},
+            {"preintegrated", point.preintegrated},
+            {"early_termination", point.earlyTermination},
+            {"gradients", nameOf(point.gradients)},
+            {"image_scale", point.imageScale}};
+  addErrors(json, measured.error, report.reference.converged);
+  json["order"] = report.reference.converged && measured.order ? Json(*measured.order) : Json();
+  json["peak_mb"] = measured.peakMb;
+  json["ms"] = timesOf(measured.ms);
+  json["pareto"] = report.reference.converged && measured.isPareto;
+  return json;
+}
+
+Json decisionOf(const DecisionCost& cost, bool isKnown) {
+  Json json{{"group", cost.group}, {"name", cost.name}, {"default", cost.isDefault}};
+  addErrors(json, cost.error, isKnown);
+  addErrors(json["at_an_eighth"], cost.fineError, isKnown);
+  json["ms"] = timesOf(cost.ms);
+  json["times_default"] = cost.timesDefault;
+  json["extra_mb"] = cost.extraMb;
+  json["remark"] = cost.remark;
+  return json;
+}
+
+Json referenceOf(const ReferenceFacts& facts) {
+  return {{"converged", facts.converged},
+          {"step_voxels", facts.stepVoxels},
+          {"last_change_levels", facts.lastChangeLevels},
+          {"last_mean_change_levels", facts.lastMeanChange},
+          {"least_p99_9", leastP99_9(facts)},
+          {"least_mean", leastMean(facts)}};
+}
+
+Json rowOf(const MeasuredCase& one, const Finding& finding) {
+  const bool isMeasured = finding.verdict != Verdict::notApplicable;
+  return {{"id", one.id},
+          {"title", one.title},
+          {"what", finding.what},
+          {"engine", finding.engine},
+          {"figure", isMeasured ? Json(finding.figure) : Json()},
+          {"bound", isMeasured ? Json(finding.bound) : Json()},
+          {"verdict", verdictText(finding.verdict)},
+          {"reason", finding.reason}};
+}
+
+Json fuzzOf(const std::optional<FuzzReport>& fuzz) {
+  if (!fuzz)
+    return {{"seeds", 0}, {"failures", Json::array()}};
+  Json failures = Json::array();
+  for (const FuzzFailure& failure : fuzz->failures)
+    failures.push_back({{"seed", failure.seed}, {"sentence", failure.sentence}});
+  return {{"seeds", fuzz->seeds},
+          {"refused", fuzz->refused},
+          {"reference_compared", fuzz->referenceCompared},
+          {"slices", fuzz->slices},
+          {"programs", fuzz->programs},
+          {"pixels_compared", fuzz->pixelsCompared},
+          {"pixels_unequal_samples", fuzz->pixelsUnequal},
+          {"worst_difference", fuzz->worstDifference},
+          {"worst_seed", fuzz->worstSeed},
+          {"slowest_s", fuzz->slowestSeconds},
+          {"slowest_seed", fuzz->slowestSeed},
+          {"failures", failures}};
+}
+
+} // namespace
+
+std::string volumeJson(const VolumeFacts& facts) {
+  const Volume& volume = *facts.volume;
+  const Grid& grid = volume.grid();
+  Json direction = Json::array();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      direction.push_back(grid.direction[column][row]);
+  Json series = Json::array();
+  for (const SeriesSummary& one : facts.series)
+    series.push_back(toJson(one));
+  return textOf({{"dims", {grid.dims.x, grid.dims.y, grid.dims.z}},
+                 {"spacing_mm", toJson(grid.spacingMm)},
+                 {"origin_mm", toJson(grid.originMm)},
+                 {"direction", direction},
+                 {"type", voxelTypeName(volume.stored())},
+                 {"range", {volume.range().lowest, volume.range().highest}},
+                 {"invalid_voxels", volume.invalidVoxels()},
+                 {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
+                 {"series", series},
+                 {"warnings", volume.info().warnings}});
+}
+
+std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
+                        const std::vector<double>& costsMs) {
+  Json effects = Json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    effects.push_back(
+        {{"name", rows[i].name}, {"on", rows[i].isOn}, {"reason", rows[i].reason}, {"cost_ms", costsMs[i]}});
+  return textOf({{"renderer", renderer}, {"effects", effects}});
+}
+
+std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows) {
+  Json list = Json::array();
+  for (const BenchRow& row : rows)
+    list.push_back(toJson(row));
+  return textOf({{"machine", machine}, {"rows", list}});
+}
+
+std::string accuracyJson(const AccuracyReport& report) {
+  Json points = Json::array(), decisions = Json::array();
+  for (const MeasuredPoint& point : report.points)
+    points.push_back(pointOf(point, report));
+  for (const DecisionCost& cost : report.decisions)
+    decisions.push_back(decisionOf(cost, report.reference.converged));
+  const Json json{{"scene", report.scene},
+                  {"renderer", report.renderer},
+                  {"machine", report.machine},
+                  {"size", {report.size.x, report.size.y}},
+                  {"reference", referenceOf(report.reference)},
+                  {"points", points},
+                  {"decisions", decisions},
+                  {"remarks", report.remarks}};
+  return textOf(json);
+}
+
+std::string accuracyCsv(const AccuracyReport& report) {
+  std::string text = "engine,step_voxels,step_mm,tolerance_levels,preintegrated,early_termination,gradients,"
+                     "image_scale,max,p99_9,mean,rms,share_over_one,order,peak_mb,ms_median,ms_min,ms_max,"
+                     "pareto\n";
+  for (const MeasuredPoint& point : report.points) {
+    Json json = pointOf(point, report);
+    const Json ms = json["ms"];
+    const Json isPareto = json["pareto"];
+    json.erase("ms");
+    json.erase("pareto");
+    json["ms_median"] = ms["median"];
+    json["ms_min"] = ms["min"];
+    json["ms_max"] = ms["max"];
+    json["pareto"] = isPareto;
+    const char* separator = "";
+    for (const auto& [key, value] : json.items()) {
+      text += separator;
+      if (value.is_string())
+        text += value.get_ref<const std::string&>();
+      else if (!value.is_null())
+        text += value.dump();
+      separator = ",";
+    }
+    text.push_back('\n');
+  }
+  return text;
+}
+
+std::string stabilityJson(const StabilityReport& report) {
+  Json rows = Json::array();
+  for (const MeasuredCase& one : report.cases)
+    for (const Finding& finding : one.findings)
+      rows.push_back(rowOf(one, finding));
+  const Json json{{"version", report.version},
+                  {"renderer", report.renderer},
+                  {"driver", report.driver},
+                  {"machine", report.machine},
+                  {"date", report.date},
+                  {"command", report.command},
+                  {"cases", rows},
+                  {"fuzz", fuzzOf(report.fuzz)}};
+  return textOf(json);
+}
+
+} // namespace limn
