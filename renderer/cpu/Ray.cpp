@@ -9,16 +9,10 @@
 namespace limn::cpu {
 namespace {
 
-// The samples of a ray that lie in the box outside which nothing shows, one more on either side.
-void limitToVisible(const PictureTerms& terms, const FramedRay& framed, const RaySpan& span, double stepMm,
-                    Ray& ray) {
-  const RaySpan visible = spanInBox(framed, terms.visibleBox);
-  if (visible.isEmpty()) {
-    ray.from = ray.to = 0;
-    return;
-  }
-  const double from = std::floor((visible.begin - span.begin) / stepMm - ray.offset) - 1.0;
-  const double to = std::ceil((visible.end - span.begin) / stepMm - ray.offset) + 1.0;
+// The samples of a ray that lie in the part where something shows, one more on either side.
+void limitTo(const RaySpan& visible, double stepMm, Ray& ray) {
+  const double from = std::floor((visible.begin - ray.span.begin) / stepMm - ray.offset) - 1.0;
+  const double to = std::ceil((visible.end - ray.span.begin) / stepMm - ray.offset) + 1.0;
   ray.from = static_cast<int>(std::clamp(from, 0.0, double(ray.count)));
   ray.to = static_cast<int>(std::clamp(to, double(ray.from), double(ray.count)));
 }
@@ -53,7 +47,8 @@ void place(const PictureTerms& terms, double offset, double stepMm, Ray& ray) {
   ray.units = static_cast<float>(stepMm / terms.lengthMm) * terms.perUnitDistance;
 }
 
-Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& span, int x, int y) {
+Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& span, const RaySpan& visible,
+            int x, int y) {
   Ray ray;
   ray.framed = framed;
   ray.span = span;
@@ -63,7 +58,7 @@ Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& s
   place(terms, isJittered ? jitteredOffset(x, y, terms.size.y) : 0.5, stepMm, ray);
   if (terms.effects.has(Effect::lighting))
     lightAlong(terms, framed.direction * terms.spacing * terms.lengthMm, ray);
-  limitToVisible(terms, framed, span, stepMm, ray);
+  limitTo(visible, stepMm, ray);
   return ray;
 }
 
@@ -71,14 +66,19 @@ Ray divided(const PictureTerms& terms, const FramedRay& framed, const RaySpan& s
 
 std::optional<Ray> rayOf(const PictureTerms& terms, int x, int y) {
   const FramedRay framed = framedRay(terms.frame, x, y, terms.size);
+  const RaySpan visible = spanInBox(framed, terms.visibleBox);
+  if (visible.isEmpty())
+    return std::nullopt;
   const RaySpan span = spanInBox(framed, terms.box);
-  return span.isEmpty() ? std::nullopt : std::optional(divided(terms, framed, span, x, y));
+  return span.isEmpty() ? std::nullopt : std::optional(divided(terms, framed, span, visible, x, y));
 }
 
 std::optional<Ray> rayUpTo(const PictureTerms& terms, const Ray& ray, int x, int y, double steps) {
   RaySpan span = ray.span;
   span.end = span.begin + steps * (span.end - span.begin) / ray.count;
-  return span.isEmpty() ? std::nullopt : std::optional(divided(terms, ray.framed, span, x, y));
+  if (span.isEmpty())
+    return std::nullopt;
+  return divided(terms, ray.framed, span, spanInBox(ray.framed, terms.visibleBox), x, y);
 }
 
 Ray inLengths(const PictureTerms& terms, const Ray& ray) {

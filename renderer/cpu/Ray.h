@@ -22,7 +22,7 @@ struct Ray {
   RaySpan span; ///< mm
 };
 
-/// The ray of a pixel; absent where it misses the box.
+/// The ray of a pixel; absent where it misses the box, or the part of it where something shows.
 std::optional<Ray> rayOf(const PictureTerms& terms, int x, int y);
 
 /// A ray of pixel (x, y) ended `steps` steps behind its entry and divided anew: what lies before a surface.
