@@ -46,7 +46,7 @@ private:
   static constexpr int most = HWY_MAX_BYTES / 4;
 
   // Looks at the group of samples from `i` on.
-  HWY_INLINE void look(int i) {
+  HWY_NOINLINE void look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
     const auto absorbed = m_isPreintegrated
@@ -87,7 +87,7 @@ private:
   }
 
   // Lights what is queued and adds it.
-  HWY_INLINE void light() {
+  HWY_NOINLINE void light() {
     if (m_queued == 0)
       return;
     const VF step = hn::Load(floats, m_steps);
@@ -117,7 +117,7 @@ private:
   // Makes shares of the pixel of queued opacities that the gradient changes.
   HWY_INLINE void changeOpacities(const Gradients& gradients) {
     const VF opacity = hn::Mul(hn::Load(floats, m_opacities), m_samples.light.opacityFactor(gradients));
-    HWY_ALIGN float alphas[most];
+    HWY_ALIGN float alphas[most] = {};
     hn::Store(alphaOf(minusLog1mOpacity(opacity)), floats, alphas);
     for (int lane = 0; lane < m_queued; ++lane)
       m_opacities[lane] = m_sum.hasEnded ? 0.0f : taken(alphas[lane]);

@@ -54,7 +54,7 @@ public:
     VF along[4];   ///< interpolated along x
   };
 
-  HWY_INLINE Rows rowsOf(const Cells& cells) const {
+  HWY_NOINLINE Rows rowsOf(const Cells& cells) const {
     Rows rows;
     const std::int32_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ,
                                    m_voxels.strideY + m_voxels.strideZ};
@@ -72,14 +72,14 @@ public:
     return hn::MulAdd(voxel, all(m_voxels.scale), all(m_voxels.shift));
   }
 
-  HWY_INLINE VF scalarAt(const V3& index) const {
+  HWY_NOINLINE VF scalarAt(const V3& index) const {
     const Cells cells = cellsAt(index);
     return scalarOf(rowsOf(cells), cells);
   }
 
   /// Voxel gradients interpolated trilinearly, along the grid's axes; `perTwo` turns a difference over two
   /// voxels into the unit wanted.
-  HWY_INLINE V3 gradientOf(const Rows& rows, const Cells& cells, const glm::vec3& perTwo) const {
+  HWY_NOINLINE V3 gradientOf(const Rows& rows, const Cells& cells, const glm::vec3& perTwo) const {
     const glm::ivec3& dims = m_voxels.dims;
     V3 gradient = zero();
     if (dims.x > 1) {

@@ -38,7 +38,7 @@ public:
 
   /// The function where `wanted`; anything elsewhere. The segments of a run of samples are few: each is read
   /// once for all of them.
-  HWY_INLINE Classified at(VF x, Mask wanted) const {
+  HWY_NOINLINE Classified at(VF x, Mask wanted) const {
     const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(3e38f))));
     const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-3e38f))));
     std::size_t segment = segmentOf(low);
@@ -67,7 +67,7 @@ public:
   }
 
   /// The opacity alone.
-  HWY_INLINE VF opacityAt(VF x, Mask wanted) const {
+  HWY_NOINLINE VF opacityAt(VF x, Mask wanted) const {
     const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(3e38f))));
     const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-3e38f))));
     const glm::vec4* texels = &m_table.segments[4 * segmentOf(low)];
@@ -83,7 +83,7 @@ public:
   }
 
   /// Whether anything between two scalars may have an opacity.
-  HWY_INLINE Mask mayBeSeenBetween(VF a, VF b) const {
+  HWY_NOINLINE Mask mayBeSeenBetween(VF a, VF b) const {
     const VI low = hn::ShiftLeft<1>(binOf(hn::Min(a, b)));
     const VI high = hn::ShiftLeft<1>(binOf(hn::Max(a, b)));
     const VF before = hn::GatherIndex(floats, m_occupancy + 1, low);
@@ -94,7 +94,7 @@ public:
 
   /// The mean extinction and the mean colour, weighted by extinction, between two scalars, where `wanted`
   /// (DEFINITION section 7): exact integrals over the segments, so they depend on no step.
-  HWY_INLINE Mean meanBetween(VF a, VF b, Mask wanted) const {
+  HWY_NOINLINE Mean meanBetween(VF a, VF b, Mask wanted) const {
     const VF from = hn::Min(a, b);
     const VF to = hn::Max(a, b);
     const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, from, all(3e38f))));

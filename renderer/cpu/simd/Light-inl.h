@@ -27,7 +27,7 @@ class Light {
 public:
   Light(const PictureTerms& terms, const Ray& ray) : m_terms(terms), m_ray(ray) {}
 
-  HWY_INLINE Gradients gradientsOf(const V3& gradient) const {
+  HWY_NOINLINE Gradients gradientsOf(const V3& gradient) const {
     Gradients result;
     result.modulus = hn::Sqrt(dot(gradient, gradient));
     const Mask hasLength = hn::Gt(result.modulus, hn::Zero(floats));
@@ -42,7 +42,7 @@ public:
   }
 
   /// The factor by which the gradient changes the opacity over the unit distance.
-  HWY_INLINE VF opacityFactor(const Gradients& gradients) const {
+  HWY_NOINLINE VF opacityFactor(const Gradients& gradients) const {
     const CoefficientRange& range = m_terms.light.opacity;
     VF factor = all(1.0f);
     if (m_terms.effects.has(Effect::opacityMap))
@@ -58,7 +58,7 @@ public:
   }
 
   /// The colour of materials `step` steps behind sample 0 of the ray, lit and fogged.
-  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
+  HWY_NOINLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
     V3 color = material;
     if (m_terms.effects.has(Effect::lighting)) {
       V3 normal = zero();

@@ -111,7 +111,7 @@ private:
   }
 
   // The samples at the ends of the planned pieces, and what either half of each would add alone.
-  HWY_INLINE void compute() {
+  HWY_NOINLINE void compute() {
     const VF ends = hn::Load(floats, m_ends);
     const VF units = hn::Mul(hn::Load(floats, m_halves), all(m_terms.perUnitDistance));
     const auto shaded = m_samples.at(ends, hn::FirstN(floats, static_cast<std::size_t>(m_planned)));
@@ -149,7 +149,7 @@ private:
   }
 
   // Takes the planned pieces one by one until one was planned otherwise than it is to be taken.
-  HWY_INLINE void take(Sum& sum) {
+  HWY_NOINLINE void take(Sum& sum) {
     HWY_ALIGN float sharesBefore[most] = {};
     HWY_ALIGN float shares[most] = {};
     const double last = m_terms.lastTransmittance;

@@ -76,17 +76,17 @@ HWY_INLINE V3 chosen(Mask mask, const V3& yes, const V3& no) {
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-HWY_INLINE VF oneMinusExpNeg(VF x) {
+HWY_NOINLINE VF oneMinusExpNeg(VF x) {
   return hn::Neg(hn::Expm1(floats, hn::Neg(x)));
 }
 
-HWY_INLINE VF minusLog1mOpacity(VF a) {
+HWY_NOINLINE VF minusLog1mOpacity(VF a) {
   constexpr float largest = 1.0f - 1.0f / 16777216.0f;
   return hn::Neg(hn::Log1p(floats, hn::Neg(clamped(a, 0.0f, largest))));
 }
 
 /// -integral of log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
-HWY_INLINE VF meanMinusLog1m(VF x) {
+HWY_NOINLINE VF meanMinusLog1m(VF x) {
   const Mask isSmall = hn::Lt(x, all(0.25f));
   VF series = all(1.0f / 110.0f);
   for (const float next : {90.0f, 72.0f, 56.0f, 42.0f, 30.0f, 20.0f, 12.0f, 6.0f, 2.0f})
@@ -97,7 +97,7 @@ HWY_INLINE VF meanMinusLog1m(VF x) {
 }
 
 /// -integral of s log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
-HWY_INLINE VF momentMinusLog1m(VF x) {
+HWY_NOINLINE VF momentMinusLog1m(VF x) {
   const Mask isSmall = hn::Lt(x, all(0.25f));
   VF series = all(1.0f / 120.0f);
   for (const float next : {99.0f, 80.0f, 63.0f, 48.0f, 35.0f, 24.0f, 15.0f, 8.0f, 3.0f})
@@ -109,12 +109,12 @@ HWY_INLINE VF momentMinusLog1m(VF x) {
   return hn::IfThenElse(isSmall, hn::Mul(x, series), closed);
 }
 
-HWY_INLINE VF expNeg(VF x) {
+HWY_NOINLINE VF expNeg(VF x) {
   return hn::Exp(floats, hn::Neg(x));
 }
 
 /// base^exponent for bases above 0; 0 elsewhere.
-HWY_INLINE VF powerOrZero(VF base, VF exponent) {
+HWY_NOINLINE VF powerOrZero(VF base, VF exponent) {
   const Mask isPositive = hn::Gt(base, hn::Zero(floats));
   const VF safe = hn::IfThenElse(isPositive, base, all(1.0f));
   return hn::IfThenElseZero(isPositive, hn::Exp(floats, hn::Mul(exponent, hn::Log(floats, safe))));

@@ -46,7 +46,7 @@ struct Samples {
     VF extinction; // likewise
   };
 
-  HWY_INLINE Absorbed absorbedBy(VF scalar, Mask wanted, bool withColor) const {
+  HWY_NOINLINE Absorbed absorbedBy(VF scalar, Mask wanted, bool withColor) const {
     Absorbed absorbed;
     absorbed.seen = hn::And(wanted, function.mayBeSeen(scalar));
     if (hn::AllFalse(floats, absorbed.seen))
@@ -63,7 +63,7 @@ struct Samples {
   }
 
   /// Of the step around each sample.
-  HWY_INLINE Absorbed absorbedOver(VF step, Mask wanted) const {
+  HWY_NOINLINE Absorbed absorbedOver(VF step, Mask wanted) const {
     const VF first = hn::Sub(step, all(ray.offset));
     const VF before = field.scalarAt(indexAt(first));
     const VF behind = field.scalarAt(indexAt(hn::Add(first, all(1.0f))));
@@ -86,7 +86,7 @@ struct Samples {
   };
 
   /// The samples at `step`, where `wanted`.
-  HWY_INLINE Shaded at(VF step, Mask wanted) const {
+  HWY_NOINLINE Shaded at(VF step, Mask wanted) const {
     const EffectSet& effects = terms.effects;
     const Cells cells = field.cellsAt(indexAt(step));
     const auto rows = field.rowsOf(cells);
@@ -109,7 +109,7 @@ struct Samples {
   }
 
   /// A surface of the isovalue, lit.
-  HWY_INLINE glm::vec3 surfaceAt(float step) const {
+  HWY_NOINLINE glm::vec3 surfaceAt(float step) const {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (terms.effects.has(Effect::gradient)) {
       const Cells cells = field.cellsAt(indexAt(all(step)));
