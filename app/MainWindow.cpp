@@ -5,8 +5,8 @@
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
 #include "app/window/MessageBar.h"
+#include "cpu/CpuEngine.h"
 #include "raycaster/RayCasterEngine.h"
-#include "reference/ReferenceEngine.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -39,8 +39,7 @@ Centre::Centre(QMainWindow& window) {
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  // Where the driver fails, the definition itself in double precision on every core.
-  view = new CompareView({makeRayCasterEngine, [] { return makeReferenceEngine(); }}, centre);
+  view = new CompareView({makeRayCasterEngine, [] { return makeCpuEngine(); }}, centre);
   column->addWidget(view, 1);
   window.setCentralWidget(centre);
 }

@@ -55,6 +55,11 @@ std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm:
   return makeWith(caster, scenes, size, StepControl::local, rendererName());
 }
 
+std::vector<MadePicture> makeWithCpu(const std::vector<Scene>& scenes, const glm::ivec2& size, int threads) {
+  CpuRenderer renderer(threads);
+  return makeWith(renderer, scenes, size, StepControl::local, renderer.name());
+}
+
 std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
                                            int threads) {
   std::vector<MadePicture> pictures;
@@ -88,30 +93,36 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Pictur
           return toImage(renderReference(drawn, size, threads, {}, limiting));
         },
         scene);
+  const auto figuresWith = [&](auto& renderer) {
+    return figuresBy(
+        [&](const Scene& drawn, Limiting limiting) {
+          return limiting == Limiting::none ? renderer.renderUnlimited(drawn, size)
+                                            : renderer.render(drawn, size);
+        },
+        scene);
+  };
+  if (engine == PictureEngine::cpu) {
+    CpuRenderer renderer(threads);
+    return figuresWith(renderer);
+  }
   const HeadlessContext context;
   RayCaster caster;
-  return figuresBy(
-      [&](const Scene& drawn, Limiting limiting) {
-        return limiting == Limiting::none ? caster.renderUnlimited(drawn, size) : caster.render(drawn, size);
-      },
-      scene);
+  return figuresWith(caster);
 }
 
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
                                       PictureEngine engine, int threads, double textureMb) {
   if (engine == PictureEngine::reference)
     return makeWithReference(scenes, size, threads);
-  if (engine == PictureEngine::cpu) {
-    CpuRenderer renderer(threads);
-    return makeWith(renderer, scenes, size, StepControl::local, renderer.name());
-  }
+  if (engine == PictureEngine::cpu)
+    return makeWithCpu(scenes, size, threads);
   try {
     return makeWithGl(scenes, size, engine, textureMb);
   } catch (const Error& error) {
     if (engine != PictureEngine::automatic || error.kind() != Error::Kind::openGl)
       throw;
-    std::vector<MadePicture> pictures = makeWithReference(scenes, size, threads);
-    pictures.front().notes.push_back(std::string(error.what()) + " The reference drew the picture instead.");
+    std::vector<MadePicture> pictures = makeWithCpu(scenes, size, threads);
+    pictures.front().notes.push_back(std::string(error.what()) + " The CPU engine drew the picture instead.");
     return pictures;
   }
 }
@@ -120,6 +131,10 @@ std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Pictur
   if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront)
     throw Error(Error::Kind::usage,
                 "Slices take the same samples in every pixel; count those of --engine gl or reference.");
+  if (engine == PictureEngine::cpu)
+    throw Error(Error::Kind::usage,
+                "The CPU engine takes the reference's samples and does not count them; count "
+                "those of --engine reference.");
   if (engine == PictureEngine::reference)
     return renderReference(scene, size, threads).samples;
   const HeadlessContext context;

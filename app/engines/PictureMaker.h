@@ -12,7 +12,7 @@
 
 namespace limn {
 
-/// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the reference where there is no
+/// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the CPU engine where there is no
 /// OpenGL; slices are blended front to back unless named otherwise.
 enum class PictureEngine { automatic, gl, slices, slicesBackToFront, cpu, reference };
 
@@ -42,7 +42,7 @@ struct PictureFigures {
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
-/// of equal ones. `automatic` is OpenGL. Throws Error, of kind usage for slices, which share their samples.
+/// of equal ones. `automatic` is OpenGL. Throws Error, of kind usage for engines that count none.
 std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// Two pictures of one height side by side.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuRenderer.h"
 
-#include "cpu/DrawRow.h"
-#include "cpu/InstructionSet.h"
 #include "cpu/Threads.h"
+#include "cpu/simd/DrawRow.h"
+#include "cpu/simd/InstructionSet.h"
 #include "engine/StepLimit.h"
 
 #include <thread>

@@ -14,7 +14,7 @@ public:
   enum class EmptySpace { skipped, sampled };
 
   /// `threads` of the processor, 0: all. Throws Error (usage) where LIMN_CPU_TARGET asks for what the
-  /// processor does not have (cpu/InstructionSet.h).
+  /// processor does not have (cpu/simd/InstructionSet.h).
   explicit CpuRenderer(int threads = 0, EmptySpace emptySpace = EmptySpace::skipped);
 
   /// The pixels of `tile` of a picture of `size` pixels: premultiplied RGBA without background. Any tiling

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cpu/PictureTerms.h"
 #include "cpu/VoxelStore.h"
+#include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/GradientScales.h"
 

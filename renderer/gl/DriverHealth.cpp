@@ -46,17 +46,16 @@ void requireHealthyDriver(const char* doing) {
   if (error == contextLostError || contextIsLost())
     throw DriverError(std::string("The graphics driver was reset while ") + doing +
                           "; try again, and if it happens often, draw with a larger step, in a smaller "
-                          "picture or with --engine reference.",
+                          "picture or with --engine cpu.",
                       "graphics reset");
   if (error == GL_OUT_OF_MEMORY)
-    throw DriverError(
-        std::string("The graphics driver ran out of memory while ") + doing +
-            "; close other programs that draw, choose a smaller picture or use --engine reference.",
-        "OpenGL error " + hexadecimal(error));
+    throw DriverError(std::string("The graphics driver ran out of memory while ") + doing +
+                          "; close other programs that draw, choose a smaller picture or use --engine cpu.",
+                      "OpenGL error " + hexadecimal(error));
   if (error != GL_NO_ERROR)
     throw DriverError(
         std::string("The graphics driver refused a command while ") + doing +
-            "; update the driver or use --engine reference, and please report it with `limn info --system`.",
+            "; update the driver or use --engine cpu, and please report it with `limn info --system`.",
         "OpenGL error " + hexadecimal(error));
 }
 

@@ -22,7 +22,7 @@ FloatTarget::FloatTarget(const glm::ivec2& size) {
     restore();
     throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
                                          std::to_string(size.x) + "×" + std::to_string(size.y) +
-                                         " pixels in floats; try a smaller one or --engine reference.");
+                                         " pixels in floats; try a smaller one or --engine cpu.");
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 [[noreturn]] void refuse(const char* what) {
   throw Error(Error::Kind::openGl, std::string("No OpenGL without a display: ") + what +
                                        ". Install the packages libegl1 and libgl1-mesa-dri (or the graphics "
-                                       "card's driver), or use --engine reference.");
+                                       "card's driver), or use --engine cpu.");
 }
 
 // Mesa's surfaceless platform where it exists, otherwise the first EGL device (drivers of graphics cards).

@@ -188,7 +188,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"render", 2, "SOURCE"},
       {"render phantom:8", 2, "output"},
       {"render phantom:8 -o x.png --size 0x3", 2, "--size"},
-      {"render phantom:8 -o x.png --engine cpu", 2, "cpu"},
+      {"render phantom:8 -o x.png --engine vulkan", 2, "vulkan"},
       {"render phantom:8 -o x.png --engine fast", 2, "fast"},
       {"render phantom:8 -o x.png --model shiny", 2, "shiny"},
       {"render phantom:8 -o x.png --preset none-such", 2, "none-such"},
@@ -200,7 +200,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"frobnicate --loudly", 2, "loudly"},
       {"presets show nothing", 2, "nothing"},
       {"bench phantom:8 --step fast", 2, "--step"},
-      {"bench phantom:8 --engine cpu", 2, "cpu"},
+      {"bench phantom:8 --engine vulkan", 2, "vulkan"},
       {"phantom:8 --spacing 1,2", 2, "--spacing"},
   };
   for (const auto& one : cases) {

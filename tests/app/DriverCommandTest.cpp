@@ -42,11 +42,11 @@ TEST_F(DriverCommands, aDriverThatRefusesTheShadersEndsWithOneSentenceAndStatus4
   EXPECT_FALSE(std::filesystem::exists(picture()));
 }
 
-TEST_F(DriverCommands, theReferenceDrawsWhereTheEngineIsLeftOpen) {
+TEST_F(DriverCommands, theCpuEngineDrawsWhereTheEngineIsLeftOpen) {
   const Outcome outcome = run(oldShaders, scene + "-o " + picture());
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  ASSERT_EQ(run("", scene + "--engine reference -o " + file("exact.png").string()).status, 0);
-  EXPECT_EQ(test::bytesOfFile(picture()), test::bytesOfFile(file("exact.png")));
+  ASSERT_EQ(run("", scene + "--engine cpu -o " + file("expected.png").string()).status, 0);
+  EXPECT_EQ(test::bytesOfFile(picture()), test::bytesOfFile(file("expected.png")));
 }
 
 TEST_F(DriverCommands, whatTheDriverWroteStandsInTheSystemReport) {

@@ -42,7 +42,7 @@ TEST_F(StabilityCommand, writesOneRowPerEngineAndSettingWithFigureBoundAndVerdic
     EXPECT_FALSE(row["reason"].get<std::string>().empty()) << row;
     engines.insert(row["engine"]);
   }
-  EXPECT_EQ(engines, (std::set<std::string>{"cpp", "gl", "reference", "slices"}));
+  EXPECT_EQ(engines, (std::set<std::string>{"cpp", "cpu", "gl", "reference", "slices"}));
   EXPECT_EQ(report["fuzz"]["seeds"], 5);
   EXPECT_TRUE(report["fuzz"]["failures"].empty());
   const std::string page = test::bytesOfFile(file("report/stability.html"));

@@ -7,7 +7,7 @@
 #define LIMN_CPU_EMPTY_SPACE_INL_H
 #endif
 
-#include "cpu/Ray.h"
+#include "cpu/rays/Ray.h"
 #include "cpu/simd/Math-inl.h"
 #include "scene/steps/EmptySpace.h"
 

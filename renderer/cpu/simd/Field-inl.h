@@ -8,7 +8,7 @@
 #define LIMN_CPU_FIELD_INL_H
 #endif
 
-#include "cpu/PictureTerms.h"
+#include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
 
 #include <cstring>

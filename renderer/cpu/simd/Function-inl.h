@@ -7,7 +7,7 @@
 #define LIMN_CPU_FUNCTION_INL_H
 #endif
 
-#include "cpu/PictureTerms.h"
+#include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
 
 HWY_BEFORE_NAMESPACE();

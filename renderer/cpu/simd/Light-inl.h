@@ -7,8 +7,8 @@
 #define LIMN_CPU_LIGHT_INL_H
 #endif
 
-#include "cpu/PictureTerms.h"
-#include "cpu/Ray.h"
+#include "cpu/rays/PictureTerms.h"
+#include "cpu/rays/Ray.h"
 #include "cpu/simd/Function-inl.h"
 #include "cpu/simd/Math-inl.h"
 

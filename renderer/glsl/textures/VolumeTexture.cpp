@@ -55,7 +55,7 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
   const int axis = reduced.x >= reduced.y && reduced.x >= reduced.z ? 0 : reduced.y >= reduced.z ? 1 : 2;
   if (reduced[axis] < 2)
     throw Error(Error::Kind::openGl, "The graphics driver refused even a tiny 3D texture; update the driver "
-                                     "or draw with --engine reference.");
+                                     "or draw with --engine cpu.");
   ++reduction[axis];
 }
 

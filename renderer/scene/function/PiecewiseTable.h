@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Scene.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/light/Shading.h"
+#include "scene/volume/Volume.h"
 
 #include <glm/glm.hpp>
 

@@ -46,8 +46,8 @@ public:
   /// Pictures are complete: what failed before works.
   void noteSuccess();
 
-  /// Lets the processor draw the scenes in small pictures of the proportions of `size`, after the driver was
-  /// given up. Nothing happens where it cannot.
+  /// Lets the processor draw the scenes in pictures of `size`, after the driver was given up. Nothing happens
+  /// where it cannot.
   void drawOnProcessor(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
   /// What is told of the pictures while the processor draws them; absent while it does not.

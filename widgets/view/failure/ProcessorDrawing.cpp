@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr int widths[] = {80, 240}; // pixels, one after the other
+constexpr int firstWidth = 240; // pixels
 
 glm::ivec2 sizeOfWidth(const glm::ivec2& size, int width) {
   const int narrow = std::clamp(width, 1, std::max(1, size.x));
@@ -21,7 +21,9 @@ glm::ivec2 sizeOfWidth(const glm::ivec2& size, int width) {
 
 ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, QObject* parent)
     : QObject(parent), m_makeEngine(std::move(makeEngine)) {
+  // The engine stays where it was made.
   m_pool.setMaxThreadCount(1);
+  m_pool.setExpiryTimeout(-1);
 }
 
 ProcessorDrawing::~ProcessorDrawing() {
@@ -44,20 +46,23 @@ void ProcessorDrawing::draw(const std::vector<Scene>& scenes, const glm::ivec2& 
 void ProcessorDrawing::drawAll(const std::vector<Scene>& scenes, const glm::ivec2& size, int order) {
   const auto isCancelled = [this, order] { return m_order != order; };
   try {
-    const std::unique_ptr<DrawingEngine> engine = m_makeEngine();
+    if (!m_engine)
+      m_engine = m_makeEngine();
     const auto picture = [&](const Scene& scene, const glm::ivec2& pixels) {
-      return overBackground(engine->draw(scene, pixels, {{0, 0}, pixels}, isCancelled).value(),
+      return overBackground(m_engine->draw(scene, pixels, {{0, 0}, pixels}, isCancelled).value(),
                             scene.image.background);
     };
-    for (const int width : widths) {
+    for (const int width : {firstWidth, size.x}) {
       std::vector<QImage> pictures;
       for (const Scene& scene : scenes)
         pictures.push_back(picture(scene, sizeOfWidth(size, width)));
-      const bool isComplete = width == widths[std::size(widths) - 1];
+      const bool isComplete = width >= size.x;
       QMetaObject::invokeMethod(this, [this, pictures, isComplete, order] {
         if (m_order == order)
           emit drawn(pictures, isComplete);
       });
+      if (isComplete)
+        return;
     }
   } catch (const Cancelled&) {
     return;

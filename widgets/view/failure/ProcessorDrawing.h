@@ -25,7 +25,8 @@ public:
 
   bool canDraw() const { return m_makeEngine != nullptr; }
 
-  /// Draws each scene in a picture of the proportions of `size` and at most 240 pixels wide.
+  /// Draws each scene in a picture at most 240 pixels wide, of the proportions of `size`, then in all its
+  /// pixels.
   void draw(const std::vector<Scene>& scenes, const glm::ivec2& size);
   void stop();
 
@@ -38,6 +39,7 @@ private:
   void drawAll(const std::vector<Scene>& scenes, const glm::ivec2& size, int order);
 
   MakeEngine m_makeEngine;
+  std::unique_ptr<DrawingEngine> m_engine; // on the pool's thread
   QThreadPool m_pool;
   std::atomic<int> m_order{0}; ///< the number of the last call of draw or stop
 };

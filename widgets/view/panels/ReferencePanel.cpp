@@ -60,7 +60,7 @@ void ReferencePanel::setReason(const QString& sentence, const QString& details) 
   m_sentence = sentence;
   m_details = details;
   m_text->setText(
-      tr("%1 Until it works again, the processor draws the picture, with few pixels.").arg(sentence));
+      tr("%1 Until it works again, the processor draws the picture.").arg(sentence));
 }
 
 void ReferencePanel::setPictures(const std::vector<QImage>& pictures) {

@@ -46,7 +46,7 @@ struct PictureState {
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
   QString renderer;                           ///< the driver's name of what draws
   QString limitation;    ///< one sentence where the driver could not take the whole volume
-  QString driverFailure; ///< why the processor draws small pictures; empty where the driver draws
+  QString driverFailure; ///< why the processor draws; empty where the driver draws
   bool processorIsDone = false;
   bool operator==(const PictureState&) const = default;
 };

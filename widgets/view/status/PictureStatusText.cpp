@@ -152,9 +152,9 @@ QString numbersText(const PictureState& state, const Scene& scene) {
 // Nobody measured the small picture; it is exact in each of its pixels.
 PictureStatusText processorText(const PictureState& state) {
   PictureStatusText text;
-  text.estimate = state.processorIsDone ? QObject::tr("drawn by the processor, few pixels")
+  text.estimate = state.processorIsDone ? QObject::tr("drawn by the processor")
                                         : QObject::tr("the processor is drawing…");
-  text.engine = QObject::tr("reference");
+  text.engine = QObject::tr("CPU engine");
   text.toolTip = state.driverFailure;
   return text;
 }

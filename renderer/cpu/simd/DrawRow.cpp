@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cpu/DrawRow.h"
+#include "cpu/simd/DrawRow.h"
 
 // Highway compiles what follows once for each instruction set, this file included by itself.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "cpu/DrawRow.cpp"
+#define HWY_TARGET_INCLUDE "cpu/simd/DrawRow.cpp"
 #include <hwy/foreach_target.h>
 // The order matters.
 #include "cpu/simd/Projections-inl.h"
@@ -37,7 +37,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "cpu/InstructionSet.h"
+#include "cpu/simd/InstructionSet.h"
 
 namespace limn::cpu {
 

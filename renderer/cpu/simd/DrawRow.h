@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cpu/PictureTerms.h"
+#include "cpu/rays/PictureTerms.h"
 
 namespace limn::cpu {
 

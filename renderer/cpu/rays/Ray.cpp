@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cpu/Ray.h"
+#include "cpu/rays/Ray.h"
 
 #include "scene/basics/StableMath.h"
 

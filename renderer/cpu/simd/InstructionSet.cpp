@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cpu/InstructionSet.h"
+#include "cpu/simd/InstructionSet.h"
 
 #include "scene/basics/Error.h"
 
@@ -31,7 +31,7 @@ std::string chosenLevel() {
   const Level* best = bestLevel();
   const char* wanted = std::getenv("LIMN_CPU_TARGET");
   if (!wanted || *wanted == '\0')
-    return best ? best->name : "SSE2";
+    return best ? best->name : "no vectors";
   for (const Level& level : levels)
     if (std::string(wanted) == level.word) {
       if ((hwy::SupportedTargets() & level.target) == 0)
