@@ -199,10 +199,10 @@ std::string stabilityPage(const StabilityReport& report) {
                      (holds(report) ? "pass" : "fail") + "\">" + escapedHtml(stabilitySummary(report)) +
                      "</p>\n" + outline(report.cases, Verdict::fail, "What fails") +
                      outline(report.cases, Verdict::notApplicable, "What cannot apply, and why");
-  body +=
-      "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
-      "reference, by the ray caster and by slices, with a figure that must not exceed its bound (\"figure of "
-      "bound\"). Grey lines say what the figures above them are and where the bounds come from.</p>\n";
+  body += "<p>Situations in which volume renderers are known to fail, each drawn by the double-precision "
+          "reference, by the ray caster, the CPU engine and by slices, with a figure that must not exceed "
+          "its bound (\"figure of "
+          "bound\"). Grey lines say what the figures above them are and where the bounds come from.</p>\n";
   if (!report.cases.empty()) {
     body += "<table>\n" + headRow();
     for (const MeasuredCase& one : report.cases)

@@ -108,7 +108,7 @@ std::string stabilityTable(const StabilityReport& report) {
   if (!report.cases.empty())
     table +=
         "Each line: the tightest figure \"of\" its bound. reference: double precision; gl: ray caster; "
-        "slices;\n"
+        "slices; cpu: CPU engine;\n"
         "cpp, glsl: one formula in both languages; n/a: cannot apply, for the reason that the page tells.\n";
   for (const MeasuredCase& one : report.cases)
     table += lineOf(one);
