@@ -4,6 +4,7 @@
 #include "cpu/Threads.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
+#include "engine/CoveredPixels.h"
 #include "engine/StepLimit.h"
 
 #include <thread>
@@ -36,15 +37,18 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
     return image;
   const EffectSet effects = canonical(needed.effects.with(more));
   const cpu::PictureTerms terms = m_data.terms(scene, size, effects);
-  const int strips = (tile.size.x + stripWidth - 1) / stripWidth;
+  const PixelRect covered =
+      intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
+  const glm::ivec2 inTile = covered.topLeft - tile.topLeft;
+  const int strips = (covered.size.x + stripWidth - 1) / stripWidth;
   cpu::forEach(
-      strips * tile.size.y, m_threads,
+      strips * covered.size.y, m_threads,
       [&](int strip) {
         const int y = strip / strips;
         const int from = strip % strips * stripWidth;
-        const int to = std::min(from + stripWidth, tile.size.x);
-        cpu::drawRow(terms, tile.topLeft.y + y, tile.topLeft.x + from, tile.topLeft.x + to,
-                     &image.at(from, y));
+        const int to = std::min(from + stripWidth, covered.size.x);
+        cpu::drawRow(terms, covered.topLeft.y + y, covered.topLeft.x + from, covered.topLeft.x + to,
+                     &image.at(inTile.x + from, inTile.y + y));
       },
       isCancelled);
   return image;

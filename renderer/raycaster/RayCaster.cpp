@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
+#include "engine/CoveredPixels.h"
+#include "engine/CoveredPixels.h"
 #include "engine/StepLimit.h"
 #include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
@@ -9,7 +11,6 @@
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"
-#include "raycaster/CoveredPixels.h"
 #include "raycaster/DecisionTextures.h"
 #include "raycaster/ProgramCache.h"
 #include "scene/effects/Neighbours.h"
