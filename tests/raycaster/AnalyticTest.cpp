@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The GLSL ray caster against closed forms, within the tolerances that the file of cases states for floats.
 #include "raycaster/RayCaster.h"
-#include "support/AnalyticCases.h"
-#include "support/AnalyticScenes.h"
-#include "support/CaseLedger.h"
 #include "support/GlTest.h"
+#include "support/RendererRules.h"
 
 namespace limn {
 namespace {
@@ -12,25 +10,9 @@ namespace {
 using RayCasterAnalytic = test::GlTest;
 
 TEST_F(RayCasterAnalytic, everyGridExactCaseMeetsItsClosedForm) {
-  const nlohmann::json cases = test::analyticCases();
   RayCaster caster;
-  test::CaseLedger ledger;
-  for (test::AnalyticRay& ray : test::analyticRays(cases)) {
-    if (ray.glStepVoxels > 0.0)
-      ray.scene.quality.stepVoxels = ray.glStepVoxels;
-    const glm::dvec4 pixel(caster.render(ray.scene, ray.size).pixels[ray.pixel]);
-    if (ray.alpha)
-      ledger.expectNear(ray.id, ray.what + " alpha", pixel.a, *ray.alpha, ray.glTolerance);
-    for (int channel = 0; ray.color && channel < 3; ++channel)
-      ledger.expectNear(ray.id, ray.what + " channel " + std::to_string(channel), pixel[channel],
-                        (*ray.color)[channel], ray.glTolerance);
-  }
-  // A grid holds every field but the curved ones, which the file marks or gives an order.
-  ledger.expectEvery(cases, [](const nlohmann::json& one) {
-    return test::isOfKind(one, "render") && one.value("grid_exact", true) &&
-           !one["tolerance"].contains("order_in_voxel_size");
-  });
-  ledger.print();
+  test::expectClosedForms(
+      [&](const Scene& scene, const glm::ivec2& size) { return caster.render(scene, size); });
 }
 
 } // namespace

@@ -18,6 +18,10 @@ Scene noisyPhantom(ShadingModel model);
 /// The largest difference of any channel, 0..1.
 double largestDifference(const Image& a, const Image& b);
 
+/// Every case of analytic_cases.json that a grid holds exactly meets its closed form, within the tolerance
+/// that it states for floats; prints by how much.
+void expectClosedForms(const DrawPicture& draw);
+
 /// A camera that moves through a homogeneous box of 2 mm sees alpha fall with the path that is left.
 void expectNoJumpThroughTheBox(const DrawPicture& draw);
 

@@ -56,30 +56,15 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_emptySpaceShown.reset();
   m_gradientOpacityShown.reset();
   m_steepness.reset();
-  m_largestGradient.reset();
-  m_percentiles.clear();
+  m_gradientScales.setVolume(nullptr);
   m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_mostVolumeMb);
   m_volume = scene.volume;
+  m_gradientScales.setVolume(m_volume);
 }
 
 void SceneTextures::measure(const Scene& scene, EffectSet effects) {
-  if (!effects.has(Effect::gradient))
-    return;
-  if (!m_largestGradient)
-    m_largestGradient = largestGradient(*m_volume);
-  m_gradientScale = {*m_largestGradient, *m_largestGradient};
-  const GradientReference reference = resolvedReference(scene.shading);
-  if (const auto* fixed = std::get_if<FixedReference>(&reference))
-    m_gradientScale.reference = fixed->valuePerMm;
-  if (const auto* percentile = std::get_if<PercentileReference>(&reference)) {
-    if (!usesRatio(effects))
-      return;
-    auto known = m_percentiles.find(percentile->percent);
-    if (known == m_percentiles.end())
-      known = m_percentiles.emplace(percentile->percent, gradientPercentile(*m_volume, percentile->percent))
-                  .first;
-    m_gradientScale.reference = known->second;
-  }
+  if (effects.has(Effect::gradient))
+    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects));
 }
 
 void SceneTextures::updateEmptySpace(const Scene& scene) {

@@ -2,14 +2,13 @@
 #pragma once
 
 #include "glsl/textures/BlockStepTexture.h"
-#include "scene/steps/EmptySpace.h"
-#include "scene/function/PiecewiseTable.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/effects/EffectPlan.h"
-#include "scene/light/Gradient.h"
+#include "scene/function/PiecewiseTable.h"
+#include "scene/light/GradientScales.h"
+#include "scene/steps/EmptySpace.h"
 #include "scene/steps/RayFrame.h"
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -114,8 +113,7 @@ private:
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;
   std::optional<double> m_steepness;
-  std::optional<double> m_largestGradient;
-  std::map<double, double> m_percentiles;
+  GradientScales m_gradientScales;
 };
 
 } // namespace limn
