@@ -3,8 +3,8 @@
 
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
-#include "scene/steps/EmptySpace.h"
 #include "glsl/textures/GraphicsMemory.h"
+#include "scene/steps/EmptySpace.h"
 
 #include <string>
 
