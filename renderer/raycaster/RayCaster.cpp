@@ -2,7 +2,6 @@
 #include "raycaster/RayCaster.h"
 
 #include "engine/CoveredPixels.h"
-#include "engine/CoveredPixels.h"
 #include "engine/StepLimit.h"
 #include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"

@@ -49,7 +49,8 @@ TEST(Layering, referenceAndGlKnowOnlyTheScene) {
 }
 
 TEST(Layering, theCpuEngineDrawsFromTheSceneAlone) {
-  expectNoIncludes("renderer/cpu", "^(io|gl|glsl|raycaster|slices|reference|accuracy|stability|widgets|app)/|epoxy",
+  expectNoIncludes("renderer/cpu",
+                   "^(io|gl|glsl|raycaster|slices|reference|accuracy|stability|widgets|app)/|epoxy",
                    "the CPU engine needs no OpenGL and no other renderer");
 }
 
@@ -65,7 +66,8 @@ TEST(Layering, accuracyTakesRenderersAsFunctions) {
 
 TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
   expectNoIncludes("renderer/stability", "^(io|accuracy|widgets|app)/", "hard cases are scenes, not files");
-  for (const char* folder : {"renderer/raycaster", "renderer/slices", "renderer/cpu", "renderer/reference", "renderer/gl"})
+  for (const char* folder :
+       {"renderer/raycaster", "renderer/slices", "renderer/cpu", "renderer/reference", "renderer/gl"})
     expectNoIncludes(folder, "^stability/", "renderers do not know their examiner");
 }
 

@@ -80,7 +80,8 @@ TEST(SessionFile, unknownKeysAreRefusedByNameOnEveryLevel) {
   EXPECT_NE(sessionRefusal(with(R"(, "fogg": 1)", "")).find("\"scene.fogg\""), std::string::npos);
   EXPECT_NE(sessionRefusal(with("", R"(, "compare": {"middle": "none"})")).find("\"compare.middle\""),
             std::string::npos);
-  EXPECT_NE(sessionRefusal(with("", R"(, "window": {"size": 3})")).find("\"window.size\""), std::string::npos);
+  EXPECT_NE(sessionRefusal(with("", R"(, "window": {"size": 3})")).find("\"window.size\""),
+            std::string::npos);
 }
 
 TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
@@ -88,7 +89,8 @@ TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
   EXPECT_NE(sessionRefusal(head + R"("compare": {"wipe": 1.5}})").find("from 0 to 1"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
-  EXPECT_NE(sessionRefusal(head + R"("compare": {"layout": "four"}})").find("side_by_side"), std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("compare": {"layout": "four"}})").find("side_by_side"),
+            std::string::npos);
 }
 
 TEST(SessionFile, isToldFromASceneByItsKey) {

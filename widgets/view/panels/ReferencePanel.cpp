@@ -59,8 +59,7 @@ ReferencePanel::ReferencePanel(QWidget* parent)
 void ReferencePanel::setReason(const QString& sentence, const QString& details) {
   m_sentence = sentence;
   m_details = details;
-  m_text->setText(
-      tr("%1 Until it works again, the processor draws the picture.").arg(sentence));
+  m_text->setText(tr("%1 Until it works again, the processor draws the picture.").arg(sentence));
 }
 
 void ReferencePanel::setPictures(const std::vector<QImage>& pictures) {
