@@ -41,7 +41,6 @@ struct PictureTerms {
   EmptySpace empty;
   const PiecewiseTable* function = nullptr;
   const PiecewiseTable* gradientCurve = nullptr;
-  float lowestVisible = 0.0f, highestVisible = 1.0f; ///< normalised scalars beyond which nothing shows
   LightingTerms light;
   const LocalStepTerms* local = nullptr; ///< null: equal steps
 
