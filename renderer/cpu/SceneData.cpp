@@ -56,6 +56,7 @@ void SceneData::update(const Scene& scene) {
   requireDrawable(scene);
   if (m_volume != scene.volume) {
     m_voxels.reset();
+    m_volume.reset(); // should the new one be refused
     m_voxels.emplace(scene.volume, m_threads);
     m_volume = scene.volume;
     m_steepness.reset();

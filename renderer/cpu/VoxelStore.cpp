@@ -124,6 +124,16 @@ void widen(BlockRanges& blocks, const glm::ivec3& dims, int threads) {
   });
 }
 
+template <class T>
+void requireRoom(const Volume& volume) {
+  const std::size_t each = canStayAsStored<T>(volume) ? sizeof(T) : sizeof(float);
+  if (volume.voxelCount() > mostBytes / each)
+    throw Error(
+        Error::Kind::input,
+        "The volume's voxels take more than 4 GiB, which the CPU engine does not draw; draw a part of it "
+        "or a reduced copy.");
+}
+
 } // namespace
 
 VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, int threads) : m_volume(std::move(volume)) {
@@ -132,6 +142,7 @@ VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, int threads) : m_vo
   m_blocks.blocks = (cells + blockSize - 1) / blockSize;
   m_blocks.ranges.resize(static_cast<std::size_t>(m_blocks.blocks.x) * m_blocks.blocks.y * m_blocks.blocks.z);
   visitVoxels(*m_volume, [&]<class T>(const std::vector<T>& stored) {
+    requireRoom<T>(*m_volume);
     if (canStayAsStored<T>(*m_volume)) {
       m_source = asStored(stored, *m_volume);
       const double zero = normalisedValue(m_volume->range(), m_volume->rescale().intercept);
@@ -144,10 +155,6 @@ VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, int threads) : m_vo
     m_source.bytes = static_cast<std::int64_t>(m_floats.size() * sizeof(float));
     gatherBlocks(m_floats.data(), dims, {1.0, 0.0}, threads, m_blocks);
   });
-  if (static_cast<std::size_t>(m_source.bytes) > mostBytes)
-    throw Error(Error::Kind::input,
-                "The volume's voxels take more than 4 GiB, which the CPU engine does not draw; "
-                "draw a part of it or a reduced copy.");
   widen(m_blocks, dims, threads);
   const std::int64_t voxelBytes = m_source.bytes / (std::int64_t{dims.x} * dims.y * dims.z);
   m_source.dims = dims;

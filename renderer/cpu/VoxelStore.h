@@ -13,8 +13,8 @@ namespace limn::cpu {
 /// floats only where its type, or a range that is narrow beside its values, asks for it.
 class VoxelStore {
 public:
-  /// On `threads` of the processor. Throws Error (memory) where a copy does not fit, and (input) where the
-  /// voxels take more than 4 GiB.
+  /// On `threads` of the processor. Throws Error (input) where the voxels take more than 4 GiB, before
+  /// anything is copied.
   VoxelStore(std::shared_ptr<const Volume> volume, int threads);
 
   const VoxelSource& source() const { return m_source; }

@@ -39,8 +39,8 @@ public:
   /// The function where `wanted`; anything elsewhere. The segments of a run of samples are few: each is read
   /// once for all of them.
   HWY_NOINLINE Classified at(VF x, Mask wanted) const {
-    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(3e38f))));
-    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-3e38f))));
+    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(1e38f))));
+    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-1e38f))));
     std::size_t segment = segmentOf(low);
     const glm::vec4* texels = &m_table.segments[4 * segment];
     VF start = all(texels[2].x);
@@ -68,8 +68,8 @@ public:
 
   /// The opacity alone.
   HWY_NOINLINE VF opacityAt(VF x, Mask wanted) const {
-    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(3e38f))));
-    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-3e38f))));
+    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(1e38f))));
+    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-1e38f))));
     const glm::vec4* texels = &m_table.segments[4 * segmentOf(low)];
     VF start = all(texels[2].x), opacity = all(texels[0].a), slope = all(texels[1].a);
     while (high >= texels[2].y) {
@@ -97,8 +97,8 @@ public:
   HWY_NOINLINE Mean meanBetween(VF a, VF b, Mask wanted) const {
     const VF from = hn::Min(a, b);
     const VF to = hn::Max(a, b);
-    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, from, all(3e38f))));
-    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, to, all(-3e38f))));
+    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, from, all(1e38f))));
+    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, to, all(-1e38f))));
     Mean sum{zero(), hn::Zero(floats)};
     const glm::vec4* texels = &m_table.segments[4 * segmentOf(low)];
     while (true) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of the samples of a ray (DEFINITION section 7). As many as the registers hold are computed
-// together, the first of them always a multiple of that number: so stepping over what is empty changes no
-// bit.
+// together; no sample depends on the others, so stepping over what is empty changes no bit.
 #if defined(LIMN_CPU_PROJECTIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef LIMN_CPU_PROJECTIONS_INL_H
 #undef LIMN_CPU_PROJECTIONS_INL_H
