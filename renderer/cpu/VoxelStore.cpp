@@ -19,12 +19,6 @@ constexpr double mostMagnitude = 16.0;
 template <class T>
 constexpr bool isNarrow = sizeof(T) <= 2;
 
-// The unsigned number as which a stored one is read: its sign bit flipped.
-template <class T>
-double asUnsigned(double stored) {
-  return std::numeric_limits<T>::is_signed ? stored - double(std::numeric_limits<T>::lowest()) : stored;
-}
-
 template <class T>
 bool canStayAsStored(const Volume& volume) {
   if constexpr (!isNarrow<T>)
@@ -33,22 +27,25 @@ bool canStayAsStored(const Volume& volume) {
   const Rescale& rescale = volume.rescale();
   const double a = (range.lowest - rescale.intercept) / rescale.slope;
   const double b = (range.highest - rescale.intercept) / rescale.slope;
-  const double most = asUnsigned<T>(std::max(a, b));
+  const double most = std::max(std::abs(a), std::abs(b));
   return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) * mostMagnitude >= most;
 }
 
 template <class T>
+constexpr VoxelSource::Kind kindOf = std::is_signed_v<T>
+                                         ? (sizeof(T) == 1 ? VoxelSource::Kind::signedByte
+                                                           : VoxelSource::Kind::signedHalf)
+                                         : (sizeof(T) == 1 ? VoxelSource::Kind::byte : VoxelSource::Kind::half);
+
+template <class T>
 VoxelSource asStored(const std::vector<T>& stored, const Volume& volume) {
   VoxelSource source;
-  source.kind = sizeof(T) == 1 ? VoxelSource::Kind::byte : VoxelSource::Kind::half;
+  source.kind = kindOf<T>;
   source.begin = reinterpret_cast<const unsigned char*>(stored.data());
   source.bytes = static_cast<std::int64_t>(stored.size() * sizeof(T));
-  if (std::numeric_limits<T>::is_signed)
-    source.flip = sizeof(T) == 1 ? 0x80808080u : 0x80008000u;
   const Rescale& rescale = volume.rescale();
   const auto normalised = [&](double voxel) {
-    const double value = voxel - asUnsigned<T>(0.0);
-    return normalisedValue(volume.range(), rescale.slope * value + rescale.intercept);
+    return normalisedValue(volume.range(), rescale.slope * voxel + rescale.intercept);
   };
   source.shift = static_cast<float>(normalised(0.0));
   source.scale = static_cast<float>((normalised(65536.0) - normalised(0.0)) / 65536.0);
@@ -145,8 +142,7 @@ VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, int threads) : m_vo
     requireRoom<T>(*m_volume);
     if (canStayAsStored<T>(*m_volume)) {
       m_source = asStored(stored, *m_volume);
-      const double zero = normalisedValue(m_volume->range(), m_volume->rescale().intercept);
-      gatherBlocks(stored.data(), dims, {m_source.scale, zero}, threads, m_blocks);
+      gatherBlocks(stored.data(), dims, {m_source.scale, m_source.shift}, threads, m_blocks);
       return;
     }
     copyNormalised(stored, *m_volume, threads, m_floats);
@@ -159,8 +155,8 @@ VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, int threads) : m_vo
   const std::int64_t voxelBytes = m_source.bytes / (std::int64_t{dims.x} * dims.y * dims.z);
   m_source.dims = dims;
   const std::int64_t row = voxelBytes * dims.x;
-  m_source.strideY = dims.y > 1 ? static_cast<std::int32_t>(row) : 0;
-  m_source.strideZ = dims.z > 1 ? static_cast<std::int32_t>(static_cast<std::uint32_t>(row * dims.y)) : 0;
+  m_source.strideY = dims.y > 1 ? row : 0;
+  m_source.strideZ = dims.z > 1 ? row * dims.y : 0;
 }
 
 std::size_t VoxelStore::ownBytes() const {

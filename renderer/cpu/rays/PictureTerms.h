@@ -13,16 +13,15 @@ namespace limn::cpu {
 /// Voxels as the rays read them: 8 and 16 bits as stored, everything else as floats normalised over the
 /// volume's range (scene/function/PiecewiseTable: normalisedValue).
 struct VoxelSource {
-  enum class Kind { byte, half, single };
+  enum class Kind { byte, signedByte, half, signedHalf, single };
   Kind kind = Kind::byte;
   const unsigned char* begin = nullptr;
   std::int64_t bytes = 0;
-  std::uint32_t flip = 0; ///< exclusive or that makes signed voxels unsigned, for two or four at once
-  float scale = 1.0f;     ///< normalised scalar = scale · unsigned voxel + shift
+  float scale = 1.0f; ///< normalised scalar = scale · voxel + shift
   float shift = 0.0f;
   glm::ivec3 dims{1};
-  std::int32_t strideY = 0; ///< bytes to the next row, 0 where there is one row; wraps beyond 2³¹
-  std::int32_t strideZ = 0; ///< bytes to the next slice, likewise
+  std::int64_t strideY = 0; ///< bytes to the next row, 0 where there is one row
+  std::int64_t strideZ = 0; ///< bytes to the next slice, likewise
 };
 
 /// Where nothing shows: for each block of 4³ cells the distance in blocks to the nearest in which something
@@ -55,7 +54,7 @@ struct PictureTerms {
   float perUnitDistance = 1.0f;
   float lastTransmittance = 0.0f;
 
-  glm::vec3 gradientScale{0.0f}; ///< from a difference of unsigned voxels over two voxels to the unit
+  glm::vec3 gradientScale{0.0f}; ///< from a difference of voxels over two of them to the unit
   float flatModulus = 0.0f;
   float perReference = 0.0f; ///< 1/gref, 0 where gref is 0
   float curve = 0.0f;        ///< gamma or b

@@ -94,14 +94,13 @@ private:
     V3 color{hn::Load(floats, m_reds), hn::Load(floats, m_greens), hn::Load(floats, m_blues)};
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (m_hasGradient) {
-      const Cells cells = m_samples.field.cellsAt(m_samples.indexAt(step));
-      const auto rows = m_samples.field.rowsOf(cells);
+      const VoxelAndSlope found = m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), m_queued);
       if (!m_isPreintegrated)
         color = m_samples.function
-                    .at(m_samples.field.scalarOf(rows, cells),
+                    .at(m_samples.field.normalised(found.voxel),
                         hn::FirstN(floats, static_cast<std::size_t>(m_queued)))
                     .color;
-      gradients = m_samples.light.gradientsOf(m_samples.field.gradientOf(rows, cells, m_terms.gradientScale));
+      gradients = m_samples.light.gradientsOf(found.slope);
     }
     if (m_changesOpacity)
       changeOpacities(gradients);

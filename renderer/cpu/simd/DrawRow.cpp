@@ -6,12 +6,21 @@
 #define HWY_TARGET_INCLUDE "cpu/simd/DrawRow.cpp"
 #include <hwy/foreach_target.h>
 // The order matters.
-#include "cpu/simd/Projections-inl.h"
-
 #include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "cpu/simd/Projections-inl.h"
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_SCALAR
+
+// Highway's dispatch asks for it; requireInstructionSet() refuses such processors.
+void drawRowHere(const PictureTerms&, int, int, int, glm::vec4*) {}
+
+#else
 
 template <VoxelSource::Kind kind>
 void drawRowOf(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4* out) {
@@ -25,12 +34,18 @@ void drawRowHere(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4
   switch (terms.voxels.kind) {
   case VoxelSource::Kind::byte:
     return drawRowOf<VoxelSource::Kind::byte>(terms, y, fromX, toX, out);
+  case VoxelSource::Kind::signedByte:
+    return drawRowOf<VoxelSource::Kind::signedByte>(terms, y, fromX, toX, out);
   case VoxelSource::Kind::half:
     return drawRowOf<VoxelSource::Kind::half>(terms, y, fromX, toX, out);
+  case VoxelSource::Kind::signedHalf:
+    return drawRowOf<VoxelSource::Kind::signedHalf>(terms, y, fromX, toX, out);
   case VoxelSource::Kind::single:
     return drawRowOf<VoxelSource::Kind::single>(terms, y, fromX, toX, out);
   }
 }
+
+#endif
 
 } // namespace limn::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -10,6 +10,7 @@
 
 #include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
+#include "cpu/simd/VoxelRows-inl.h"
 
 #include <cstring>
 
@@ -18,14 +19,14 @@ namespace limn::cpu::HWY_NAMESPACE {
 
 /// The eight voxels around each sample and its weights between them.
 struct Cells {
-  VI offset; ///< bytes of the voxel with the smallest indices, from the middle of the voxels
   VI x, y, z;
   V3 weight;
 };
 
-/// Two voxels that are neighbours along x.
-struct Pair {
-  VF first, second;
+/// A voxel interpolated and what it gains over two voxels along each axis of the grid.
+struct VoxelAndSlope {
+  VF voxel;
+  V3 slope;
 };
 
 template <VoxelSource::Kind kind>
@@ -33,6 +34,7 @@ class Field {
 public:
   explicit Field(const VoxelSource& voxels)
       : m_voxels(voxels), m_half(voxels.bytes / 2), m_middle(voxels.begin + m_half),
+        m_strideY(wrapped(voxels.strideY)), m_strideZ(wrapped(voxels.strideZ)),
         m_lastWord(static_cast<std::int32_t>(voxels.bytes - m_half - 4)) {}
 
   /// The cells of continuous voxel indices, clamped to the outermost voxel centres.
@@ -41,95 +43,85 @@ public:
     cells.x = lowOf(index.x, m_voxels.dims.x, cells.weight.x);
     cells.y = lowOf(index.y, m_voxels.dims.y, cells.weight.y);
     cells.z = lowOf(index.z, m_voxels.dims.z, cells.weight.z);
-    const VI row = hn::Add(hn::Mul(cells.y, hn::Set(ints, m_voxels.strideY)),
-                           hn::Mul(cells.z, hn::Set(ints, m_voxels.strideZ)));
-    cells.offset = hn::Sub(hn::Add(row, hn::ShiftLeft<shift>(cells.x)),
-                           hn::Set(ints, static_cast<std::int32_t>(static_cast<std::uint32_t>(m_half))));
     return cells;
   }
 
-  /// What interpolating gives, in unsigned voxels; the rows along x serve the gradient as well.
-  struct Rows {
-    Pair pairs[4]; ///< (y, z), (y+1, z), (y, z+1), (y+1, z+1)
-    VF along[4];   ///< interpolated along x
-  };
-
-  HWY_NOINLINE Rows rowsOf(const Cells& cells) const {
-    Rows rows;
-    const std::int32_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ,
-                                   m_voxels.strideY + m_voxels.strideZ};
+  /// Normalised scalars at continuous voxel indices.
+  HWY_NOINLINE VF scalarAt(const V3& index) const {
+    const Cells cells = cellsAt(index);
+    VW words4[4], next4[4];
+    wordsOf(offsetsOf(cells), words4);
+    if constexpr (kind == VoxelSource::Kind::single)
+      wordsOf(hn::Add(offsetsOf(cells), hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0)), next4);
+    VF along[4];
     for (int row = 0; row < 4; ++row) {
-      rows.pairs[row] = pairAt(hn::Add(cells.offset, hn::Set(ints, steps[row])));
-      rows.along[row] = mix(rows.pairs[row].first, rows.pairs[row].second, cells.weight.x);
+      VF first, second;
+      if constexpr (kind == VoxelSource::Kind::single) {
+        first = hn::BitCast(floats, words4[row]);
+        second = hn::BitCast(floats, next4[row]);
+      } else {
+        first = numberIn<0>(words4[row]);
+        second = numberIn<1>(words4[row]);
+      }
+      along[row] = mix(first, second, cells.weight.x);
     }
-    return rows;
+    return normalised(
+        mix(mix(along[0], along[1], cells.weight.y), mix(along[2], along[3], cells.weight.y), cells.weight.z));
   }
 
-  /// Normalised scalars.
-  HWY_INLINE VF scalarOf(const Rows& rows, const Cells& cells) const {
-    const VF voxel = mix(mix(rows.along[0], rows.along[1], cells.weight.y),
-                         mix(rows.along[2], rows.along[3], cells.weight.y), cells.weight.z);
+  HWY_INLINE VF normalised(VF voxel) const {
     return hn::MulAdd(voxel, all(m_voxels.scale), all(m_voxels.shift));
   }
 
-  HWY_NOINLINE VF scalarAt(const V3& index) const {
+  /// The first `count` of some samples with the gradient of the field, voxel gradients interpolated
+  /// trilinearly; 0 for the others.
+  HWY_NOINLINE VoxelAndSlope voxelAndSlopeAt(const V3& index, int count) const {
     const Cells cells = cellsAt(index);
-    return scalarOf(rowsOf(cells), cells);
-  }
-
-  /// Voxel gradients interpolated trilinearly, along the grid's axes; `perTwo` turns a difference over two
-  /// voxels into the unit wanted.
-  HWY_NOINLINE V3 gradientOf(const Rows& rows, const Cells& cells, const glm::vec3& perTwo) const {
-    const glm::ivec3& dims = m_voxels.dims;
-    V3 gradient = zero();
-    if (dims.x > 1) {
-      const Ends ends = endsAlong(cells.x, dims.x, 1 << shift);
-      VF along[4];
-      for (int row = 0; row < 4; ++row) {
-        const std::int32_t step = (row & 1 ? m_voxels.strideY : 0) + (row & 2 ? m_voxels.strideZ : 0);
-        const VI offset = hn::Add(cells.offset, hn::Set(ints, step));
-        const VF before = voxelAt(hn::Add(offset, ends.before));
-        const VF behind = voxelAt(hn::Add(offset, ends.behind));
-        along[row] =
-            slope(before, rows.pairs[row].first, rows.pairs[row].second, behind, ends, cells.weight.x);
+    HWY_ALIGN std::int32_t offsets[most];
+    HWY_ALIGN float ys[most], zs[most];
+    HWY_ALIGN float alongX[4 * most], alongY[4 * most], alongZ[4 * most];
+    hn::Store(offsetsOf(cells), ints, offsets);
+    hn::Store(cells.weight.y, floats, ys);
+    hn::Store(cells.weight.z, floats, zs);
+    const std::uint32_t inner = bitsOf(hn::RebindMask(floats, isInner(cells)));
+    for (int lane = 0; lane < count; ++lane) {
+      const F4 y = hn::Set(four, ys[lane]);
+      const F4 z = hn::Set(four, zs[lane]);
+      RowSums sums;
+      if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
+        sums = summed(InnerRows<kind>(m_voxels, m_middle + offsets[lane]), y, z);
+      } else {
+        const OuterRows<kind> rows(m_voxels, {lowAt(cells.x, lane), lowAt(cells.y, lane), lowAt(cells.z, lane)});
+        sums = summed(rows, y, z);
       }
-      gradient.x = hn::Mul(all(perTwo.x), mix(mix(along[0], along[1], cells.weight.y),
-                                              mix(along[2], along[3], cells.weight.y), cells.weight.z));
+      hn::Store(sums.along, four, alongX + 4 * lane);
+      hn::Store(sums.slopeY, four, alongY + 4 * lane);
+      hn::Store(sums.slopeZ, four, alongZ + 4 * lane);
     }
-    if (dims.y > 1) {
-      const Ends ends = endsAlong(cells.y, dims.y, m_voxels.strideY);
-      VF along[2];
-      for (int slice = 0; slice < 2; ++slice) {
-        const VI offset = hn::Add(cells.offset, hn::Set(ints, slice * m_voxels.strideZ));
-        along[slice] = slope(alongX(hn::Add(offset, ends.before), cells), rows.along[2 * slice],
-                             rows.along[2 * slice + 1], alongX(hn::Add(offset, ends.behind), cells), ends,
-                             cells.weight.y);
-      }
-      gradient.y = hn::Mul(all(perTwo.y), mix(along[0], along[1], cells.weight.z));
+    for (int lane = count; lane < lanes(); ++lane) {
+      hn::Store(hn::Zero(four), four, alongX + 4 * lane);
+      hn::Store(hn::Zero(four), four, alongY + 4 * lane);
+      hn::Store(hn::Zero(four), four, alongZ + 4 * lane);
     }
-    if (dims.z > 1) {
-      const Ends ends = endsAlong(cells.z, dims.z, m_voxels.strideZ);
-      VF along[2];
-      for (int row = 0; row < 2; ++row) {
-        const VI offset = hn::Add(cells.offset, hn::Set(ints, row * m_voxels.strideY));
-        along[row] = slope(alongX(hn::Add(offset, ends.before), cells), rows.along[row], rows.along[row + 2],
-                           alongX(hn::Add(offset, ends.behind), cells), ends, cells.weight.z);
-      }
-      gradient.z = hn::Mul(all(perTwo.z), mix(along[0], along[1], cells.weight.y));
-    }
-    return gradient;
+    VoxelAndSlope result;
+    VF before, first, second, behind;
+    hn::LoadInterleaved4(floats, alongX, before, first, second, behind);
+    result.voxel = mix(first, second, cells.weight.x);
+    result.slope.x = mix(hn::Sub(second, before), hn::Sub(behind, first), cells.weight.x);
+    hn::LoadInterleaved4(floats, alongY, before, first, second, behind);
+    result.slope.y = mix(first, second, cells.weight.x);
+    hn::LoadInterleaved4(floats, alongZ, before, first, second, behind);
+    result.slope.z = mix(first, second, cells.weight.x);
+    return result;
   }
 
 private:
-  // Bytes of a voxel as a power of two.
-  static constexpr int shift = kind == VoxelSource::Kind::byte ? 0 : kind == VoxelSource::Kind::half ? 1 : 2;
+  static constexpr int most = HWY_MAX_BYTES / 4;
+  static constexpr int shift = bytesOf<kind> == 1 ? 0 : bytesOf<kind> == 2 ? 1 : 2;
 
-  // The voxels beyond a cell along an axis, relative to its first one, and how many voxels a difference at
-  // either of its own spans.
-  struct Ends {
-    VI before, behind;
-    VF atFirst, atSecond; // 1 for two voxels, 2 for one: at the border the difference is one-sided
-  };
+  HWY_INLINE static std::int32_t wrapped(std::int64_t value) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(value));
+  }
 
   HWY_INLINE static VI lowOf(VF index, int dim, VF& weight) {
     const VF clampedIndex = clamped(index, 0.0f, static_cast<float>(dim - 1));
@@ -138,76 +130,71 @@ private:
     return low;
   }
 
-  HWY_INLINE static Ends endsAlong(VI low, int dim, std::int32_t stride) {
-    const auto hasBefore = hn::Gt(low, hn::Zero(ints));
-    const auto hasBehind = hn::Lt(low, hn::Set(ints, dim - 2));
-    const VI step = hn::Set(ints, stride);
-    return {hn::IfThenElseZero(hasBefore, hn::Neg(step)), hn::Add(step, hn::IfThenElseZero(hasBehind, step)),
-            hn::IfThenElse(hn::RebindMask(floats, hasBefore), all(1.0f), all(2.0f)),
-            hn::IfThenElse(hn::RebindMask(floats, hasBehind), all(1.0f), all(2.0f))};
+  HWY_INLINE static int lowAt(VI low, int lane) {
+    HWY_ALIGN std::int32_t lows[most];
+    hn::Store(low, ints, lows);
+    return lows[lane];
   }
 
-  // The difference over two voxels at the first and at the second voxel of a cell, between them.
-  HWY_INLINE static VF slope(VF before, VF first, VF second, VF behind, const Ends& ends, VF weight) {
-    const VF atFirst = hn::Mul(hn::Sub(second, before), ends.atFirst);
-    const VF atSecond = hn::Mul(hn::Sub(behind, first), ends.atSecond);
-    return mix(atFirst, atSecond, weight);
+  // Bytes of the voxel with the smallest indices, from the middle of the voxels.
+  HWY_INLINE VI offsetsOf(const Cells& cells) const {
+    const VI row = hn::Add(hn::Mul(cells.y, hn::Set(ints, m_strideY)), hn::Mul(cells.z, hn::Set(ints, m_strideZ)));
+    return hn::Sub(hn::Add(row, hn::ShiftLeft<shift>(cells.x)), hn::Set(ints, wrapped(m_half)));
   }
 
-  HWY_INLINE VF alongX(VI offset, const Cells& cells) const {
-    const Pair pair = pairAt(offset);
-    return mix(pair.first, pair.second, cells.weight.x);
+  // Cells with two voxels more on either side.
+  HWY_INLINE hn::Mask<Ints> isInner(const Cells& cells) const {
+    const VI one = hn::Set(ints, 1);
+    const VI lowest = hn::Min(hn::Min(cells.x, cells.y), cells.z);
+    const VI beyondX = hn::Sub(hn::Set(ints, m_voxels.dims.x - 2), cells.x);
+    const VI beyondY = hn::Sub(hn::Set(ints, m_voxels.dims.y - 2), cells.y);
+    const VI beyondZ = hn::Sub(hn::Set(ints, m_voxels.dims.z - 2), cells.z);
+    return hn::Not(hn::Lt(hn::Min(lowest, hn::Min(hn::Min(beyondX, beyondY), beyondZ)), one));
   }
 
-  // Four bytes from each offset on. Where some would reach beyond the voxels, those bytes read as 0: their
-  // voxels have no weight.
-  HWY_INLINE VW wordsAt(VI offset) const {
-    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(offset, hn::Set(ints, m_lastWord))))) {
-      HWY_ALIGN std::int32_t offsets[HWY_MAX_BYTES / 4];
-      HWY_ALIGN std::uint32_t result[HWY_MAX_BYTES / 4];
-      hn::Store(offset, ints, offsets);
-      for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
-        std::memcpy(&result[lane], m_middle + offsets[lane], 4);
-      return hn::Load(words, result);
-    }
-    HWY_ALIGN std::int32_t offsets[HWY_MAX_BYTES / 4];
-    HWY_ALIGN std::uint32_t result[HWY_MAX_BYTES / 4] = {};
+  // Four bytes from each offset on, of the rows (y, z), (y+1, z), (y, z+1), (y+1, z+1). Where some would
+  // reach beyond the voxels, those bytes read as 0: their voxels have no weight.
+  HWY_INLINE void wordsOf(VI offset, VW result[4]) const {
+    HWY_ALIGN std::int32_t offsets[most];
     hn::Store(offset, ints, offsets);
-    for (int lane = 0; lane < lanes(); ++lane) {
-      const std::int64_t rest = m_voxels.bytes - m_half - offsets[lane];
-      if (rest > 0)
-        std::memcpy(&result[lane], m_middle + offsets[lane],
-                    static_cast<std::size_t>(std::min<std::int64_t>(rest, 4)));
+    const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ, m_voxels.strideY + m_voxels.strideZ};
+    const VI last = hn::Add(offset, hn::Set(ints, wrapped(steps[3])));
+    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastWord))))) {
+      for (int row = 0; row < 4; ++row) {
+        HWY_ALIGN std::uint32_t read[most];
+        for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
+          std::memcpy(&read[lane], m_middle + offsets[lane] + steps[row], 4);
+        result[row] = hn::Load(words, read);
+      }
+      return;
     }
-    return hn::Load(words, result);
-  }
-
-  HWY_INLINE static VF converted(VW voxel) { return hn::ConvertTo(floats, hn::BitCast(ints, voxel)); }
-
-  HWY_INLINE Pair pairAt(VI offset) const {
-    if constexpr (kind == VoxelSource::Kind::single) {
-      const VI next = hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0);
-      return {voxelAt(offset), voxelAt(hn::Add(offset, next))};
-    } else {
-      const VW both = hn::Xor(wordsAt(offset), hn::Set(words, m_voxels.flip));
-      if constexpr (kind == VoxelSource::Kind::half)
-        return {converted(hn::And(both, hn::Set(words, 0xFFFFu))), converted(hn::ShiftRight<16>(both))};
-      else
-        return {converted(hn::And(both, hn::Set(words, 0xFFu))),
-                converted(hn::And(hn::ShiftRight<8>(both), hn::Set(words, 0xFFu)))};
+    for (int row = 0; row < 4; ++row) {
+      HWY_ALIGN std::uint32_t read[most] = {};
+      for (int lane = 0; lane < lanes(); ++lane) {
+        const std::int64_t at = offsets[lane] + steps[row];
+        const std::int64_t rest = m_voxels.bytes - m_half - at;
+        if (rest > 0)
+          std::memcpy(&read[lane], m_middle + at, static_cast<std::size_t>(std::min<std::int64_t>(rest, 4)));
+      }
+      result[row] = hn::Load(words, read);
     }
   }
 
-  HWY_INLINE VF voxelAt(VI offset) const {
-    if constexpr (kind == VoxelSource::Kind::single)
-      return hn::BitCast(floats, wordsAt(offset));
+  // The voxel at the begin of four bytes, or the one behind it.
+  template <int voxel>
+  HWY_INLINE static VF numberIn(VW word) {
+    constexpr int bits = 8 * bytesOf<kind>;
+    const VW atTop = hn::ShiftLeft<32 - bits - voxel * bits>(word);
+    if constexpr (isSigned<kind>)
+      return hn::ConvertTo(floats, hn::ShiftRight<32 - bits>(hn::BitCast(ints, atTop)));
     else
-      return pairAt(offset).first;
+      return hn::ConvertTo(floats, hn::BitCast(ints, hn::ShiftRight<32 - bits>(atTop)));
   }
 
   const VoxelSource& m_voxels;
   std::int64_t m_half; // offsets count from the middle: they reach over 4 GiB
   const unsigned char* m_middle;
+  std::int32_t m_strideY, m_strideZ;
   std::int32_t m_lastWord;
 };
 

@@ -29,9 +29,12 @@ const Level* bestLevel() {
 
 std::string chosenLevel() {
   const Level* best = bestLevel();
+  if (!best)
+    throw Error(Error::Kind::other,
+                "The CPU engine needs a processor with SSE4; draw with OpenGL on this one.");
   const char* wanted = std::getenv("LIMN_CPU_TARGET");
   if (!wanted || *wanted == '\0')
-    return best ? best->name : "no vectors";
+    return best->name;
   for (const Level& level : levels)
     if (std::string(wanted) == level.word) {
       if ((hwy::SupportedTargets() & level.target) == 0)

@@ -27,7 +27,11 @@ class Light {
 public:
   Light(const PictureTerms& terms, const Ray& ray) : m_terms(terms), m_ray(ray) {}
 
-  HWY_NOINLINE Gradients gradientsOf(const V3& gradient) const {
+  /// Of what the field gains over two voxels along each axis.
+  HWY_NOINLINE Gradients gradientsOf(const V3& slope) const {
+    const V3 gradient{hn::Mul(slope.x, all(m_terms.gradientScale.x)),
+                      hn::Mul(slope.y, all(m_terms.gradientScale.y)),
+                      hn::Mul(slope.z, all(m_terms.gradientScale.z))};
     Gradients result;
     result.modulus = hn::Sqrt(dot(gradient, gradient));
     const Mask hasLength = hn::Gt(result.modulus, hn::Zero(floats));

@@ -76,13 +76,62 @@ HWY_INLINE V3 chosen(Mask mask, const V3& yes, const V3& no) {
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-HWY_NOINLINE VF oneMinusExpNeg(VF x) {
-  return hn::Neg(hn::Expm1(floats, hn::Neg(x)));
+/// The lanes of a mask as bits, the first lowest.
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(floats, mask, bytes);
+  return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
-HWY_NOINLINE VF minusLog1mOpacity(VF a) {
+/// 2^n for whole n of -126 … 127.
+HWY_INLINE VF powerOfTwo(VF n) {
+  return hn::BitCast(floats, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(ints, n), hn::Set(ints, 127))));
+}
+
+/// 1 - exp(-x) for x >= 0, to the last bits relative to itself: (1 - s) - s (exp(r) - 1) for s = 2^-n and
+/// |r| <= ln 2 / 2. The coefficients interpolate (exp(r) - 1)/r in Chebyshev points: 1.2e-8.
+HWY_INLINE VF oneMinusExpNeg(VF x) {
+  const VF limited = hn::Min(x, all(87.0f));
+  const VF n = hn::Round(hn::Mul(limited, all(1.44269504f)));
+  // ln 2 in two parts, of which n times the first is exact.
+  const VF r = hn::MulSub(n, all(1.42860677e-6f), hn::NegMulAdd(n, all(0.693145752f), limited));
+  VF series = all(0.00139336500f);
+  for (const float next : {0.00836915567f, 0.0416664649f, 0.166665052f, 0.5f, 1.0f})
+    series = hn::MulAdd(series, r, all(next));
+  const VF s = powerOfTwo(hn::Neg(n));
+  return hn::NegMulAdd(hn::Mul(s, r), series, hn::Sub(all(1.0f), s));
+}
+
+/// A positive number as 2^exponent (1 + fraction), fraction from sqrt(1/2) - 1 to sqrt(2) - 1.
+struct Parts {
+  VF exponent, fraction;
+};
+
+HWY_INLINE Parts partsOf(VF x) {
+  const VI bits = hn::BitCast(ints, x);
+  const VI above = hn::Sub(bits, hn::Set(ints, 0x3f3504f3)); // sqrt(1/2)
+  const VI exponent = hn::ShiftRight<23>(above);
+  const VF scaledDown = hn::BitCast(floats, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  return {hn::ConvertTo(floats, exponent), hn::Sub(scaledDown, all(1.0f))};
+}
+
+/// log(1 + t)/t for t from sqrt(1/2) - 1 to sqrt(2) - 1, interpolated in Chebyshev points: 3e-8.
+HWY_INLINE VF logSeries(VF t) {
+  VF series = all(0.0853331308f);
+  for (const float next : {-0.142692582f, 0.149774013f, -0.165779929f, 0.199559334f, -0.250013522f,
+                           0.333341933f, -0.499999964f, 1.0f})
+    series = hn::MulAdd(series, t, all(next));
+  return series;
+}
+
+/// -log(1 - a) for opacities, to the last bits relative to itself.
+HWY_INLINE VF minusLog1mOpacity(VF a) {
   constexpr float largest = 1.0f - 1.0f / 16777216.0f;
-  return hn::Neg(hn::Log1p(floats, hn::Neg(clamped(a, 0.0f, largest))));
+  const VF opacity = clamped(a, 0.0f, largest);
+  const Parts parts = partsOf(hn::Sub(all(1.0f), opacity));
+  // Where 1 - a has lost digits of a, the fraction is -a itself.
+  const VF t = hn::IfThenElse(hn::Eq(parts.exponent, hn::Zero(floats)), hn::Neg(opacity), parts.fraction);
+  return hn::Neg(hn::MulAdd(parts.exponent, all(0.693147181f), hn::Mul(t, logSeries(t))));
 }
 
 /// -integral of log(1 - x s) over s in 0..1, for 0 <= x <= largestOpacity.
@@ -113,11 +162,21 @@ HWY_NOINLINE VF expNeg(VF x) {
   return hn::Exp(floats, hn::Neg(x));
 }
 
-/// base^exponent for bases above 0; 0 elsewhere.
-HWY_NOINLINE VF powerOrZero(VF base, VF exponent) {
+/// base^exponent for bases above 0 and at most 1; 0 elsewhere, and where it is below 2^-126. The coefficients
+/// interpolate 2^f for |f| <= 1/2 in Chebyshev points: 1e-7.
+HWY_INLINE VF powerOrZero(VF base, VF exponent) {
   const Mask isPositive = hn::Gt(base, hn::Zero(floats));
-  const VF safe = hn::IfThenElse(isPositive, base, all(1.0f));
-  return hn::IfThenElseZero(isPositive, hn::Exp(floats, hn::Mul(exponent, hn::Log(floats, safe))));
+  const Parts parts = partsOf(hn::IfThenElse(isPositive, base, all(1.0f)));
+  const VF ofFraction = hn::Mul(hn::Mul(parts.fraction, all(1.44269504f)), logSeries(parts.fraction));
+  const VF power = hn::Mul(exponent, hn::Add(parts.exponent, ofFraction));
+  const VF limited = hn::Max(power, all(-126.0f));
+  const VF n = hn::Round(limited);
+  const VF f = hn::Sub(limited, n);
+  VF series = all(0.00133908637f);
+  for (const float next : {0.00967603192f, 0.0555035711f, 0.240221075f, 0.693147188f, 1.0f})
+    series = hn::MulAdd(series, f, all(next));
+  return hn::IfThenElseZero(hn::And(isPositive, hn::Ge(power, all(-126.0f))),
+                            hn::Mul(series, powerOfTwo(n)));
 }
 
 HWY_INLINE VF blinnTerm(VF cosine, VF exponent) {

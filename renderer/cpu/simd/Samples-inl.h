@@ -16,13 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// The lanes of a mask as bits, the first lowest.
-HWY_INLINE std::uint32_t bitsOf(Mask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(floats, mask, bytes);
-  return bytes[0] | std::uint32_t{bytes[1]} << 8;
-}
-
 template <VoxelSource::Kind kind>
 struct Samples {
   Samples(const PictureTerms& ofPicture, const Ray& along)
@@ -88,11 +81,9 @@ struct Samples {
   /// The samples at `step`, where `wanted`.
   HWY_NOINLINE Shaded at(VF step, Mask wanted) const {
     const EffectSet& effects = terms.effects;
-    const Cells cells = field.cellsAt(indexAt(step));
-    const auto rows = field.rowsOf(cells);
     const Absorbed absorbed = effects.has(Effect::preintegration)
                                   ? absorbedOver(step, wanted)
-                                  : absorbedBy(field.scalarOf(rows, cells), wanted, true);
+                                  : absorbedBy(scalarAt(step), wanted, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))
       return result;
@@ -101,7 +92,7 @@ struct Samples {
       return result;
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (effects.has(Effect::gradient))
-      gradients = light.gradientsOf(field.gradientOf(rows, cells, terms.gradientScale));
+      gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(step), lanes()).slope);
     if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
       result.extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
     result.color = light.shaded(absorbed.color, gradients, step);
@@ -111,10 +102,8 @@ struct Samples {
   /// A surface of the isovalue, lit.
   HWY_NOINLINE glm::vec3 surfaceAt(float step) const {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
-    if (terms.effects.has(Effect::gradient)) {
-      const Cells cells = field.cellsAt(indexAt(all(step)));
-      gradients = light.gradientsOf(field.gradientOf(field.rowsOf(cells), cells, terms.gradientScale));
-    }
+    if (terms.effects.has(Effect::gradient))
+      gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(all(step)), 1).slope);
     const V3 color = light.shaded(all(terms.isoColor), gradients, all(step));
     return {hn::GetLane(color.x), hn::GetLane(color.y), hn::GetLane(color.z)};
   }

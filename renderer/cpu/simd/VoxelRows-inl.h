@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The voxels around one sample, four neighbours along x at a time: those from which its scalar and its
+// gradient are interpolated.
+#if defined(LIMN_CPU_VOXEL_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_VOXEL_ROWS_INL_H
+#undef LIMN_CPU_VOXEL_ROWS_INL_H
+#else
+#define LIMN_CPU_VOXEL_ROWS_INL_H
+#endif
+
+#include "cpu/rays/PictureTerms.h"
+#include "cpu/simd/Math-inl.h"
+
+#include <type_traits>
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+using Four = hn::FixedTag<float, 4>;
+using F4 = hn::Vec<Four>;
+inline constexpr Four four;
+
+template <VoxelSource::Kind kind>
+inline constexpr bool isSigned = kind == VoxelSource::Kind::signedByte || kind == VoxelSource::Kind::signedHalf;
+
+template <VoxelSource::Kind kind>
+inline constexpr int bytesOf = kind == VoxelSource::Kind::single ? 4
+                               : kind == VoxelSource::Kind::half || kind == VoxelSource::Kind::signedHalf ? 2
+                                                                                                           : 1;
+
+/// The type in which voxels are stored.
+template <VoxelSource::Kind kind>
+using Stored = std::conditional_t<
+    bytesOf<kind> == 4, float,
+    std::conditional_t<bytesOf<kind> == 2, std::conditional_t<isSigned<kind>, std::int16_t, std::uint16_t>,
+                       std::conditional_t<isSigned<kind>, std::int8_t, std::uint8_t>>>;
+
+template <VoxelSource::Kind kind>
+HWY_INLINE F4 rowAt(const unsigned char* first) {
+  const auto* stored = reinterpret_cast<const Stored<kind>*>(first);
+  if constexpr (kind == VoxelSource::Kind::single) {
+    return hn::LoadU(four, stored);
+  } else {
+    const hn::FixedTag<Stored<kind>, 4> narrow;
+    const hn::FixedTag<std::int32_t, 4> wide;
+    return hn::ConvertTo(four, hn::PromoteTo(wide, hn::LoadU(narrow, stored)));
+  }
+}
+
+/// The rows around a cell that has two voxels more on either side of every axis: at y, z in -1 … 2 from it,
+/// the voxels at x in -1 … 2.
+template <VoxelSource::Kind kind>
+class InnerRows {
+public:
+  InnerRows(const VoxelSource& voxels, const unsigned char* cell)
+      : m_voxels(voxels), m_before(cell - bytesOf<kind>) {}
+
+  HWY_INLINE F4 at(int y, int z) const {
+    return rowAt<kind>(m_before + y * m_voxels.strideY + z * m_voxels.strideZ);
+  }
+
+private:
+  const VoxelSource& m_voxels;
+  const unsigned char* m_before;
+};
+
+/// Likewise for any cell. Beyond the volume's border the field goes on as a line, which makes the central
+/// difference there the one-sided one; along an axis of one voxel it stays.
+template <VoxelSource::Kind kind>
+class OuterRows {
+public:
+  OuterRows(const VoxelSource& voxels, const glm::ivec3& cell) : m_voxels(voxels), m_cell(cell) {}
+
+  HWY_NOINLINE F4 at(int y, int z) const {
+    HWY_ALIGN float row[4];
+    for (int x = 0; x < 4; ++x)
+      row[x] = voxelAt(m_cell + glm::ivec3(x - 1, y, z));
+    return hn::Load(four, row);
+  }
+
+private:
+  float voxelAt(glm::ivec3 at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int last = m_voxels.dims[axis] - 1;
+      if (last == 0) {
+        at[axis] = 0;
+      } else if (at[axis] < 0 || at[axis] > last) {
+        const bool isBefore = at[axis] < 0;
+        at[axis] = isBefore ? 0 : last;
+        glm::ivec3 inner = at;
+        inner[axis] += isBefore ? 1 : -1;
+        return 2.0f * voxelAt(at) - voxelAt(inner);
+      }
+    }
+    const unsigned char* first = m_voxels.begin + std::int64_t{at.x} * bytesOf<kind> +
+                                 at.y * m_voxels.strideY + at.z * m_voxels.strideZ;
+    return static_cast<float>(*reinterpret_cast<const Stored<kind>*>(first));
+  }
+
+  const VoxelSource& m_voxels;
+  glm::ivec3 m_cell;
+};
+
+/// What the rows around a sample make at its y and z, at each of the four x: the field, and what it gains
+/// over two voxels along y and z.
+struct RowSums {
+  F4 along, slopeY, slopeZ;
+};
+
+HWY_INLINE F4 mixed(F4 a, F4 b, F4 w) {
+  return hn::MulAdd(w, hn::Sub(b, a), a);
+}
+
+template <class Rows>
+HWY_INLINE RowSums summed(const Rows& rows, F4 y, F4 z) {
+  const F4 row00 = rows.at(0, 0), row10 = rows.at(1, 0), row01 = rows.at(0, 1), row11 = rows.at(1, 1);
+  const F4 at0 = mixed(row00, row01, z);
+  const F4 at1 = mixed(row10, row11, z);
+  const F4 before = mixed(rows.at(-1, 0), rows.at(-1, 1), z);
+  const F4 behind = mixed(rows.at(2, 0), rows.at(2, 1), z);
+  RowSums sums;
+  sums.along = mixed(at0, at1, y);
+  sums.slopeY = mixed(hn::Sub(at1, before), hn::Sub(behind, at0), y);
+  const F4 slope0 = mixed(hn::Sub(row01, rows.at(0, -1)), hn::Sub(rows.at(0, 2), row00), z);
+  const F4 slope1 = mixed(hn::Sub(row11, rows.at(1, -1)), hn::Sub(rows.at(1, 2), row10), z);
+  sums.slopeZ = mixed(slope0, slope1, y);
+  return sums;
+}
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
