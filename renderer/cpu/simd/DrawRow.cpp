@@ -24,9 +24,20 @@ void drawRowHere(const PictureTerms&, int, int, int, glm::vec4*) {}
 
 template <VoxelSource::Kind kind>
 void drawRowOf(const PictureTerms& terms, int y, int fromX, int toX, glm::vec4* out) {
-  for (int x = fromX; x < toX; ++x) {
-    const std::optional<Ray> ray = rayOf(terms, x, y);
-    *out++ = ray ? Marcher<kind>(terms, *ray).pixel(x, y) : glm::vec4(0.0f);
+  const bool isPreintegrated = terms.effects.has(Effect::preintegration);
+  for (int x = fromX; x < toX; x += lanes()) {
+    Rays rays(terms, x, toX, y);
+    // Error-controlled steps walk from block to block themselves.
+    if (terms.empty.distances && !terms.local)
+      leapToFirst(terms.empty, isPreintegrated, rays);
+    for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
+      glm::vec4 pixel(0.0f);
+      if (rays.hasSamples(lane)) {
+        const Ray ray = rays.ray(lane);
+        pixel = Marcher<kind>(terms, ray).pixel();
+      }
+      *out++ = pixel;
+    }
   }
 }
 

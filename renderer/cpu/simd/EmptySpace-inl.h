@@ -9,6 +9,7 @@
 
 #include "cpu/rays/Ray.h"
 #include "cpu/simd/Math-inl.h"
+#include "cpu/simd/Rays-inl.h"
 #include "scene/steps/EmptySpace.h"
 
 #include <algorithm>
@@ -57,6 +58,58 @@ private:
   glm::vec3 m_samples{0.0f}; // per block along each axis; 0 where the ray does not follow the axis
   glm::vec3 m_still{0.0f};   // beyond all samples where the ray does not follow the axis
 };
+
+/// Lets rays begin with their first sample that does not lie in an empty block. Twin of EmptySteps for
+/// several rays: a leap waits for the distance of the one before, and those of other rays use the time.
+HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Rays& rays) {
+  const VF behind = all(isPreintegrated ? 1.0f : 0.0f);
+  const VF perBlock = all(1.0f / blockSize);
+  VF first[3], advance[3], samples[3], reaches[3], still[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    const VF stride = hn::Load(floats, rays.stride[axis].of);
+    VF start = hn::Load(floats, rays.first[axis].of);
+    if (isPreintegrated)
+      start = hn::NegMulAdd(hn::Load(floats, rays.offset.of), stride, start);
+    first[axis] = hn::Mul(start, perBlock);
+    advance[axis] = hn::Mul(stride, perBlock);
+    const Mask isStill = hn::Lt(hn::Abs(advance[axis]), all(1e-20f));
+    samples[axis] = hn::IfThenZeroElse(isStill, hn::Div(all(1.0f), hn::IfThenElse(isStill, all(1.0f), advance[axis])));
+    reaches[axis] = hn::Abs(samples[axis]);
+    still[axis] = hn::IfThenElseZero(isStill, all(60000.0f));
+  }
+  const glm::ivec3 last = empty.blocks - 1;
+  const VI blocksPerRow = hn::Set(ints, empty.blocks.x);
+  const VI rowsPerSlice = hn::Set(ints, empty.blocks.y);
+  const VF end = hn::ConvertTo(floats, hn::Load(ints, rays.to.of));
+  VF i = hn::ConvertTo(floats, hn::Load(ints, rays.from.of));
+  Mask isMoving = hn::Lt(i, end);
+  while (!hn::AllFalse(floats, isMoving)) {
+    VF p[3], block[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = hn::MulAdd(i, advance[axis], first[axis]);
+      block[axis] = clamped(hn::Floor(p[axis]), 0.0f, static_cast<float>(last[axis]));
+    }
+    const VI row = hn::Add(hn::Mul(hn::ConvertTo(ints, block[2]), rowsPerSlice), hn::ConvertTo(ints, block[1]));
+    const VI at = hn::Add(hn::Mul(row, blocksPerRow), hn::ConvertTo(ints, block[0]));
+    HWY_ALIGN std::int32_t places[HWY_MAX_BYTES / 4], distances[HWY_MAX_BYTES / 4];
+    hn::Store(at, ints, places);
+    for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
+      distances[lane] = empty.distances[places[lane]];
+    const VF distance = hn::ConvertTo(floats, hn::Load(ints, distances));
+    // Leave the cube of blocks through the face ahead on each axis, the nearest first.
+    const VF reach = hn::Sub(distance, all(0.5f));
+    VF alike = all(60000.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+      const VF toMiddle = hn::Sub(hn::Add(block[axis], all(0.5f)), p[axis]);
+      alike = hn::Min(alike, hn::Add(hn::MulAdd(toMiddle, samples[axis], still[axis]), hn::Mul(reach, reaches[axis])));
+    }
+    alike = hn::Sub(hn::Ceil(alike), behind);
+    isMoving = hn::And(isMoving, hn::And(hn::Gt(distance, hn::Zero(floats)), hn::Gt(alike, hn::Zero(floats))));
+    i = hn::IfThenElse(isMoving, hn::Add(i, alike), i);
+    isMoving = hn::And(isMoving, hn::Lt(i, end));
+  }
+  hn::Store(hn::ConvertTo(ints, hn::Min(i, end)), ints, rays.from.of);
+}
 
 } // namespace limn::cpu::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

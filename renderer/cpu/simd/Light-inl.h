@@ -143,7 +143,7 @@ private:
     VF nearest = all(1.0f); // unit length
     for (int axis = 2; axis >= 0; --axis) {
       const auto spacing = static_cast<float>(m_terms.spacing[axis]);
-      const VF at = hn::MulAdd(step, all(m_ray.strideIndex[axis]), all(m_ray.firstIndex[axis]));
+      const VF at = hn::MulAdd(step, all(m_ray.stride[axis]), all(m_ray.firstIndex[axis]));
       const VF fromLower =
           hn::Mul(hn::Sub(at, all(static_cast<float>(m_terms.cut.lower[axis]))), all(spacing));
       const VF fromUpper =
@@ -152,7 +152,7 @@ private:
       const Mask isChosen = hn::Le(nearer, nearest);
       nearest = hn::IfThenElse(isChosen, nearer, nearest);
       const Mask isTie = hn::Le(hn::Abs(hn::Sub(fromUpper, fromLower)), all(1e-3f));
-      const VF ofTie = all(m_ray.strideIndex[axis] > 0.0f ? -1.0f : 1.0f);
+      const VF ofTie = all(m_ray.stride[axis] > 0.0f ? -1.0f : 1.0f);
       const VF side =
           hn::IfThenElse(isTie, ofTie, hn::IfThenElse(hn::Lt(fromLower, fromUpper), all(-1.0f), all(1.0f)));
       V3 face = zero();

@@ -22,7 +22,7 @@ public:
   LocalMarch(const PictureTerms& terms, const Ray& ray)
       : m_terms(terms), m_local(*terms.local), m_ray(inLengths(terms, ray)), m_samples(terms, m_ray),
         m_limit(mostChange(m_local.fineness)) {
-    m_place.walk.emplace(m_local, ray.framed, ray.span);
+    m_place.walk.emplace(m_local, framedRay(terms.frame, ray.pixel.x, ray.pixel.y, terms.size), ray.span);
   }
 
   glm::vec4 gathered() {

@@ -11,6 +11,7 @@
 #include "cpu/simd/Composite-inl.h"
 #include "cpu/simd/EmptySpace-inl.h"
 #include "cpu/simd/LocalSteps-inl.h"
+#include "cpu/simd/Rays-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
 #include <bit>
@@ -23,14 +24,14 @@ class Marcher {
 public:
   Marcher(const PictureTerms& terms, const Ray& ray) : m_terms(terms), m_ray(ray), m_samples(terms, ray) {}
 
-  glm::vec4 pixel(int x, int y) const {
+  glm::vec4 pixel() const {
     const EffectSet& effects = m_terms.effects;
     if (effects.hasAny(scalarProjections))
       return classifiedOnce();
     if (effects.has(Effect::isosurface))
       return surface();
     if (effects.has(Effect::hybrid))
-      return gatheredOverSurface(x, y);
+      return gatheredOverSurface();
     return gathered();
   }
 
@@ -104,7 +105,7 @@ private:
       return -offset;
     const EmptySteps empty(m_terms.empty, m_ray, false);
     // The exit counts as the last sample.
-    for (int i = 0; i <= m_ray.count;) {
+    for (int i = m_ray.from; i <= m_ray.count;) {
       if (const int leap = empty.samplesFrom(i); leap > 0 && i + leap <= m_ray.count) {
         i += leap;
         continue;
@@ -160,15 +161,18 @@ private:
   }
 
   // Gathers what lies before the surface in steps of its own, then puts it over the surface.
-  glm::vec4 gatheredOverSurface(int x, int y) const {
+  glm::vec4 gatheredOverSurface() const {
     const std::optional<float> hit = firstHit();
     if (!hit)
       return gathered();
     const glm::vec3 behind = m_samples.surfaceAt(*hit);
-    const std::optional<Ray> before = rayUpTo(m_terms, m_ray, x, y, double(*hit) + m_ray.offset);
-    if (!before)
+    const double steps = double(*hit) + m_ray.offset;
+    const double end = m_ray.span.begin + steps * (m_ray.span.end - m_ray.span.begin) / m_ray.count;
+    const Rays rays(m_terms, m_ray.pixel.x, m_ray.pixel.x + 1, m_ray.pixel.y, end);
+    if (!rays.hasSamples(0))
       return {behind, 1.0f};
-    const glm::vec4 front = Marcher(m_terms, *before).gathered();
+    const Ray before = rays.ray(0);
+    const glm::vec4 front = Marcher(m_terms, before).gathered();
     return {glm::vec3(front) + (1.0f - front.a) * behind, 1.0f};
   }
 
