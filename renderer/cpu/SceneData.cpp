@@ -69,6 +69,7 @@ void SceneData::update(const Scene& scene) {
   }
   if (m_functionKept != scene.transferFunction) {
     m_function = tableOf(scene.transferFunction, m_volume->range());
+    m_segments = fewSegments(m_function);
     m_functionKept = scene.transferFunction;
   }
   const GradientOpacity curve = scene.gradientOpacity.value_or(GradientOpacity{});
@@ -152,6 +153,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.effects = effects;
   terms.voxels = m_voxels->source();
   terms.function = &m_function;
+  terms.segments = &m_segments;
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
   if (effects.has(Effect::localSteps))

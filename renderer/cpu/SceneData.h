@@ -56,6 +56,7 @@ private:
 
   std::optional<TransferFunction> m_functionKept;
   PiecewiseTable m_function;
+  FewSegments m_segments; // of the function
   std::optional<GradientOpacity> m_gradientOpacityKept;
   PiecewiseTable m_gradientCurve;
 

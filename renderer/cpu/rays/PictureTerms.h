@@ -31,6 +31,21 @@ struct EmptySpace {
   glm::ivec3 blocks{0};
 };
 
+/// The segments of a function that has few (scene/function/PiecewiseTable), column by column: registers hold
+/// a column, and picking from one takes no memory.
+struct FewSegments {
+  static constexpr int most = 16;
+  static constexpr int perRegister = 8;
+  int count = 0; ///< 0: the function has more than `most`
+  alignas(64) float starts[most] = {};
+  float ends[most] = {};
+  float values[4][most] = {}; ///< colour and opacity at the start
+  float slopes[4][most] = {}; ///< per unit of the argument
+};
+
+/// Column by column what the table holds row by row; without segments where they are not few.
+FewSegments fewSegments(const PiecewiseTable& table);
+
 /// Everything that the rays of a picture share, in the units of the rays: lengths in smallest spacings,
 /// scalars normalised over the volume's range, gradients in ranges per smallest spacing. Points to what its
 /// owner (SceneData) keeps.
@@ -39,6 +54,7 @@ struct PictureTerms {
   VoxelSource voxels;
   EmptySpace empty;
   const PiecewiseTable* function = nullptr;
+  const FewSegments* segments = nullptr; ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
   const LocalStepTerms* local = nullptr; ///< null: equal steps

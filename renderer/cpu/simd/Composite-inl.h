@@ -12,8 +12,6 @@
 #include "cpu/simd/EmptySpace-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
-#include <bit>
-
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
@@ -54,59 +52,83 @@ private:
                               : m_samples.absorbedBy(m_samples.scalarAt(step), isInside, !m_hasGradient);
     if (hn::AllFalse(floats, absorbed.seen))
       return;
-    HWY_ALIGN float opacities[most], reds[most] = {}, greens[most] = {}, blues[most] = {};
     // Of what the gradient does not change the share is known at once.
-    hn::Store(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), floats, opacities);
+    const VF opacities = m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction);
+    queue(step, absorbed.seen, m_steps);
+    queue(opacities, absorbed.seen, m_opacities);
     if (m_isPreintegrated || !m_hasGradient) {
-      hn::Store(absorbed.color.x, floats, reds);
-      hn::Store(absorbed.color.y, floats, greens);
-      hn::Store(absorbed.color.z, floats, blues);
+      queue(absorbed.color.x, absorbed.seen, m_reds);
+      queue(absorbed.color.y, absorbed.seen, m_greens);
+      queue(absorbed.color.z, absorbed.seen, m_blues);
     }
-    for (std::uint32_t bits = bitsOf(absorbed.seen); bits != 0 && !m_sum.hasEnded; bits &= bits - 1) {
-      const int lane = std::countr_zero(bits);
-      m_steps[m_queued] = static_cast<float>(i + lane);
-      m_opacities[m_queued] = m_changesOpacity ? opacities[lane] : taken(opacities[lane]);
-      if (m_isPreintegrated || !m_hasGradient) {
-        m_reds[m_queued] = reds[lane];
-        m_greens[m_queued] = greens[lane];
-        m_blues[m_queued] = blues[lane];
-      }
-      if (++m_queued == lanes())
-        light();
+    const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
+    const int last = m_queued + seen;
+    if (m_changesOpacity) {
+      m_queued = last;
+    } else {
+      m_queued = take(m_queued, last);
     }
+    if (m_queued < lanes())
+      return;
+    const int rest = m_queued - lanes();
+    m_queued = lanes();
+    light();
+    keepBehind(m_steps);
+    keepBehind(m_opacities);
+    if (m_isPreintegrated || !m_hasGradient) {
+      keepBehind(m_reds);
+      keepBehind(m_greens);
+      keepBehind(m_blues);
+    }
+    m_queued = rest;
+  }
+
+  // In registers and not straight into memory, which takes some processors a hundred cycles.
+  HWY_INLINE void queue(VF values, Mask wanted, float* end) {
+    hn::StoreU(hn::Compress(values, wanted), floats, end + m_queued);
+  }
+
+  // What was queued behind those that were lit.
+  HWY_INLINE static void keepBehind(float* queue) {
+    hn::Store(hn::LoadU(floats, queue + lanes()), floats, queue);
   }
 
   HWY_INLINE VF alphaOf(VF extinction) const { return oneMinusExpNeg(hn::Mul(extinction, all(m_ray.units))); }
 
-  // The share of the pixel that a sample of an opacity takes.
-  HWY_INLINE float taken(float alpha) {
-    const double share = m_sum.transmittance * alpha;
-    m_sum.transmittance -= share;
-    m_sum.hasEnded = m_sum.transmittance <= m_terms.lastTransmittance;
-    return static_cast<float>(share);
+  // Makes shares of the pixel of queued opacities, until nothing is left of the light. Returns the end of
+  // those that are something.
+  HWY_INLINE int take(int from, int to) {
+    double transmittance = m_sum.transmittance;
+    const double last = m_terms.lastTransmittance;
+    int i = from;
+    while (i < to && !m_sum.hasEnded) {
+      const double share = transmittance * m_opacities[i];
+      m_opacities[i++] = static_cast<float>(share);
+      transmittance -= share;
+      m_sum.hasEnded = transmittance <= last;
+    }
+    m_sum.transmittance = transmittance;
+    return i;
   }
 
   // Lights what is queued and adds it.
   HWY_NOINLINE void light() {
     if (m_queued == 0)
       return;
+    const Mask isQueued = hn::FirstN(floats, static_cast<std::size_t>(m_queued));
     const VF step = hn::Load(floats, m_steps);
     V3 color{hn::Load(floats, m_reds), hn::Load(floats, m_greens), hn::Load(floats, m_blues)};
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (m_hasGradient) {
       const VoxelAndSlope found = m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), m_queued);
       if (!m_isPreintegrated)
-        color = m_samples.function
-                    .at(m_samples.field.normalised(found.voxel),
-                        hn::FirstN(floats, static_cast<std::size_t>(m_queued)))
-                    .color;
+        color = m_samples.function.colorAt(m_samples.field.normalised(found.voxel),
+                                           isQueued);
       gradients = m_samples.light.gradientsOf(found.slope);
     }
     if (m_changesOpacity)
       changeOpacities(gradients);
-    for (int lane = m_queued; lane < most; ++lane)
-      m_opacities[lane] = 0.0f;
-    const VF shares = hn::Load(floats, m_opacities);
+    const VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
     const V3 lit = m_samples.light.shaded(color, gradients, step);
     m_sum.color = {hn::MulAdd(shares, lit.x, m_sum.color.x), hn::MulAdd(shares, lit.y, m_sum.color.y),
                    hn::MulAdd(shares, lit.z, m_sum.color.z)};
@@ -116,10 +138,10 @@ private:
   // Makes shares of the pixel of queued opacities that the gradient changes.
   HWY_INLINE void changeOpacities(const Gradients& gradients) {
     const VF opacity = hn::Mul(hn::Load(floats, m_opacities), m_samples.light.opacityFactor(gradients));
-    HWY_ALIGN float alphas[most] = {};
-    hn::Store(alphaOf(minusLog1mOpacity(opacity)), floats, alphas);
-    for (int lane = 0; lane < m_queued; ++lane)
-      m_opacities[lane] = m_sum.hasEnded ? 0.0f : taken(alphas[lane]);
+    hn::Store(alphaOf(minusLog1mOpacity(opacity)), floats, m_opacities);
+    const int end = take(0, m_queued);
+    for (int lane = end; lane < m_queued; ++lane)
+      m_opacities[lane] = 0.0f;
   }
 
   const PictureTerms& m_terms;
@@ -130,9 +152,10 @@ private:
   const bool m_hasGradient;
   Sum m_sum;
   int m_queued = 0;
-  HWY_ALIGN float m_steps[most] = {};
-  HWY_ALIGN float m_opacities[most] = {}; // or already shares
-  HWY_ALIGN float m_reds[most] = {}, m_greens[most] = {}, m_blues[most] = {};
+  // Room for a group behind those that are not lit yet, and for what compressing writes behind that.
+  HWY_ALIGN float m_steps[3 * most] = {};
+  HWY_ALIGN float m_opacities[3 * most] = {}; // or already shares
+  HWY_ALIGN float m_reds[3 * most] = {}, m_greens[3 * most] = {}, m_blues[3 * most] = {};
 };
 
 } // namespace limn::cpu::HWY_NAMESPACE

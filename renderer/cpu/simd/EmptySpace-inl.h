@@ -89,8 +89,8 @@ HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Ray
       p[axis] = hn::MulAdd(i, advance[axis], first[axis]);
       block[axis] = clamped(hn::Floor(p[axis]), 0.0f, static_cast<float>(last[axis]));
     }
-    const VI row = hn::Add(hn::Mul(hn::ConvertTo(ints, block[2]), rowsPerSlice), hn::ConvertTo(ints, block[1]));
-    const VI at = hn::Add(hn::Mul(row, blocksPerRow), hn::ConvertTo(ints, block[0]));
+    const VI row = hn::Add(hn::Mul(intOf(block[2]), rowsPerSlice), intOf(block[1]));
+    const VI at = hn::Add(hn::Mul(row, blocksPerRow), intOf(block[0]));
     HWY_ALIGN std::int32_t places[HWY_MAX_BYTES / 4], distances[HWY_MAX_BYTES / 4];
     hn::Store(at, ints, places);
     for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)

@@ -84,12 +84,15 @@ public:
     hn::Store(cells.weight.y, floats, ys);
     hn::Store(cells.weight.z, floats, zs);
     const std::uint32_t inner = bitsOf(hn::RebindMask(floats, isInner(cells)));
+    // Copies: the compiler cannot know that what is stored below does not change them.
+    const std::int64_t strideY = m_voxels.strideY, strideZ = m_voxels.strideZ;
+    const unsigned char* firstVoxel = m_middle - bytesOf<kind>;
     for (int lane = 0; lane < count; ++lane) {
       const F4 y = hn::Set(four, ys[lane]);
       const F4 z = hn::Set(four, zs[lane]);
       RowSums sums;
       if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
-        sums = summed(InnerRows<kind>(m_voxels, m_middle + offsets[lane]), y, z);
+        sums = summed(InnerRows<kind>{firstVoxel + offsets[lane], strideY, strideZ}, y, z);
       } else {
         const OuterRows<kind> rows(m_voxels, {lowAt(cells.x, lane), lowAt(cells.y, lane), lowAt(cells.z, lane)});
         sums = summed(rows, y, z);
@@ -125,9 +128,9 @@ private:
 
   HWY_INLINE static VI lowOf(VF index, int dim, VF& weight) {
     const VF clampedIndex = clamped(index, 0.0f, static_cast<float>(dim - 1));
-    const VI low = hn::Min(hn::ConvertTo(ints, clampedIndex), hn::Set(ints, dim > 1 ? dim - 2 : 0));
-    weight = hn::Sub(clampedIndex, hn::ConvertTo(floats, low));
-    return low;
+    const VF low = hn::Min(hn::Floor(clampedIndex), all(static_cast<float>(dim > 1 ? dim - 2 : 0)));
+    weight = hn::Sub(clampedIndex, low);
+    return intOf(low);
   }
 
   HWY_INLINE static int lowAt(VI low, int lane) {
@@ -157,13 +160,14 @@ private:
   HWY_INLINE void wordsOf(VI offset, VW result[4]) const {
     HWY_ALIGN std::int32_t offsets[most];
     hn::Store(offset, ints, offsets);
+    const unsigned char* middle = m_middle;
     const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ, m_voxels.strideY + m_voxels.strideZ};
     const VI last = hn::Add(offset, hn::Set(ints, wrapped(steps[3])));
     if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastWord))))) {
       for (int row = 0; row < 4; ++row) {
         HWY_ALIGN std::uint32_t read[most];
         for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
-          std::memcpy(&read[lane], m_middle + offsets[lane] + steps[row], 4);
+          std::memcpy(&read[lane], middle + offsets[lane] + steps[row], 4);
         result[row] = hn::Load(words, read);
       }
       return;

@@ -13,12 +13,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
-/// Colour and opacity over the unit distance.
-struct Classified {
-  V3 color;
-  VF opacity;
-};
-
 /// Means over a stretch of scalars: extinction over the unit distance, and colour weighted by it.
 struct Mean {
   V3 color;
@@ -27,59 +21,62 @@ struct Mean {
 
 class Function {
 public:
-  explicit Function(const PiecewiseTable& table)
-      : m_table(table), m_occupancy(reinterpret_cast<const float*>(table.occupancy.data())) {}
+  /// `few` may be null.
+  Function(const PiecewiseTable& table, const FewSegments* few)
+      : m_table(table), m_occupancy(reinterpret_cast<const float*>(table.occupancy.data())),
+        m_few(hn::MaxLanes(floats) == FewSegments::perRegister && few && few->count > 0 ? few : nullptr) {}
 
-  /// Which scalars may have an opacity at all.
-  HWY_INLINE Mask mayBeSeen(VF x) const {
+  /// The opacity over the unit distance, and which of the `wanted` scalars may have one at all; anything
+  /// where none has.
+  HWY_INLINE Mask opacityWhereSeen(VF x, Mask wanted, VF& opacity) const {
+    if (m_few) {
+      opacity = opacityAt(x, wanted);
+      return hn::And(wanted, hn::Gt(opacity, hn::Zero(floats)));
+    }
     // The largest opacity of a bin and the visible bins before it stand side by side.
-    return hn::Gt(hn::GatherIndex(floats, m_occupancy, hn::ShiftLeft<1>(binOf(x))), hn::Zero(floats));
+    const VF largest = hn::GatherIndex(floats, m_occupancy, hn::ShiftLeft<1>(binOf(x)));
+    const Mask seen = hn::And(wanted, hn::Gt(largest, hn::Zero(floats)));
+    opacity = hn::AllFalse(floats, seen) ? hn::Zero(floats) : opacityAt(x, seen);
+    return seen;
   }
 
-  /// The function where `wanted`; anything elsewhere. The segments of a run of samples are few: each is read
-  /// once for all of them.
-  HWY_NOINLINE Classified at(VF x, Mask wanted) const {
-    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(1e38f))));
-    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-1e38f))));
-    std::size_t segment = segmentOf(low);
-    const glm::vec4* texels = &m_table.segments[4 * segment];
+  /// The colour where `wanted`; anything elsewhere.
+  HWY_NOINLINE V3 colorAt(VF x, Mask wanted) const {
+    V3 color;
+    if (m_few) {
+      const VI segment = fewAt(x);
+      const VF within = hn::Sub(x, picked(m_few->starts, segment));
+      color.x = hn::MulAdd(within, picked(m_few->slopes[0], segment), picked(m_few->values[0], segment));
+      color.y = hn::MulAdd(within, picked(m_few->slopes[1], segment), picked(m_few->values[1], segment));
+      color.z = hn::MulAdd(within, picked(m_few->slopes[2], segment), picked(m_few->values[2], segment));
+      return clamped(color, 0.0f, 1.0f);
+    }
+    const Stretch stretch = stretchOf(x, wanted);
+    const glm::vec4* texels = stretch.texels;
     VF start = all(texels[2].x);
     V3 value{all(texels[0].r), all(texels[0].g), all(texels[0].b)};
     V3 slope{all(texels[1].r), all(texels[1].g), all(texels[1].b)};
-    VF opacity = all(texels[0].a);
-    VF opacitySlope = all(texels[1].a);
-    while (high >= texels[2].y) {
+    while (stretch.high >= texels[2].y) {
       texels += 4;
       const Mask isHere = hn::Ge(x, all(texels[2].x));
       start = hn::IfThenElse(isHere, all(texels[2].x), start);
       value = chosen(isHere, {all(texels[0].r), all(texels[0].g), all(texels[0].b)}, value);
       slope = chosen(isHere, {all(texels[1].r), all(texels[1].g), all(texels[1].b)}, slope);
-      opacity = hn::IfThenElse(isHere, all(texels[0].a), opacity);
-      opacitySlope = hn::IfThenElse(isHere, all(texels[1].a), opacitySlope);
     }
     const VF within = hn::Sub(x, start);
-    Classified result;
-    result.color = clamped({hn::MulAdd(within, slope.x, value.x), hn::MulAdd(within, slope.y, value.y),
-                            hn::MulAdd(within, slope.z, value.z)},
-                           0.0f, 1.0f);
-    result.opacity = hn::MulAdd(within, opacitySlope, opacity);
-    return result;
+    color.x = hn::MulAdd(within, slope.x, value.x);
+    color.y = hn::MulAdd(within, slope.y, value.y);
+    color.z = hn::MulAdd(within, slope.z, value.z);
+    return clamped(color, 0.0f, 1.0f);
   }
 
-  /// The opacity alone.
-  HWY_NOINLINE VF opacityAt(VF x, Mask wanted) const {
-    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(1e38f))));
-    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-1e38f))));
-    const glm::vec4* texels = &m_table.segments[4 * segmentOf(low)];
-    VF start = all(texels[2].x), opacity = all(texels[0].a), slope = all(texels[1].a);
-    while (high >= texels[2].y) {
-      texels += 4;
-      const Mask isHere = hn::Ge(x, all(texels[2].x));
-      start = hn::IfThenElse(isHere, all(texels[2].x), start);
-      opacity = hn::IfThenElse(isHere, all(texels[0].a), opacity);
-      slope = hn::IfThenElse(isHere, all(texels[1].a), slope);
-    }
-    return hn::MulAdd(hn::Sub(x, start), slope, opacity);
+  /// The opacity over the unit distance where `wanted`; anything elsewhere.
+  HWY_INLINE VF opacityAt(VF x, Mask wanted) const {
+    if (!m_few)
+      return opacityOfMany(x, wanted);
+    const VI segment = fewAt(x);
+    const VF within = hn::Sub(x, picked(m_few->starts, segment));
+    return hn::MulAdd(within, picked(m_few->slopes[3], segment), picked(m_few->values[3], segment));
   }
 
   /// Whether anything between two scalars may have an opacity.
@@ -131,6 +128,53 @@ public:
   }
 
 private:
+  // The segments of a run of samples are few among many: each is read once for all of them.
+  struct Stretch {
+    const glm::vec4* texels; ///< of the first of them
+    float high;              ///< the last scalar
+  };
+
+  HWY_INLINE Stretch stretchOf(VF x, Mask wanted) const {
+    const float low = hn::GetLane(hn::MinOfLanes(floats, hn::IfThenElse(wanted, x, all(1e38f))));
+    const float high = hn::GetLane(hn::MaxOfLanes(floats, hn::IfThenElse(wanted, x, all(-1e38f))));
+    return {&m_table.segments[4 * segmentOf(low)], high};
+  }
+
+  HWY_NOINLINE VF opacityOfMany(VF x, Mask wanted) const {
+    const Stretch stretch = stretchOf(x, wanted);
+    const glm::vec4* texels = stretch.texels;
+    VF start = all(texels[2].x), opacity = all(texels[0].a), slope = all(texels[1].a);
+    while (stretch.high >= texels[2].y) {
+      texels += 4;
+      const Mask isHere = hn::Ge(x, all(texels[2].x));
+      start = hn::IfThenElse(isHere, all(texels[2].x), start);
+      opacity = hn::IfThenElse(isHere, all(texels[0].a), opacity);
+      slope = hn::IfThenElse(isHere, all(texels[1].a), slope);
+    }
+    return hn::MulAdd(hn::Sub(x, start), slope, opacity);
+  }
+
+  // The segment of each scalar.
+  HWY_INLINE VI fewAt(VF x) const {
+    VI segment = hn::Zero(ints);
+    for (int i = 0; i + 1 < m_few->count; ++i) {
+      const auto isBehind = hn::RebindMask(ints, hn::Ge(x, all(m_few->ends[i])));
+      segment = hn::Sub(segment, hn::VecFromMask(ints, isBehind));
+    }
+    return segment;
+  }
+
+  // The number of each segment in a column.
+  HWY_INLINE VF picked(const float* column, VI segment) const {
+    const auto within = hn::IndicesFromVec(floats, hn::And(segment, hn::Set(ints, FewSegments::perRegister - 1)));
+    const VF lower = hn::TableLookupLanes(hn::Load(floats, column), within);
+    if (m_few->count <= FewSegments::perRegister)
+      return lower;
+    const VF upper = hn::TableLookupLanes(hn::Load(floats, column + FewSegments::perRegister), within);
+    const auto isUpper = hn::RebindMask(floats, hn::Gt(segment, hn::Set(ints, FewSegments::perRegister - 1)));
+    return hn::IfThenElse(isUpper, upper, lower);
+  }
+
   HWY_INLINE VI binOf(VF x) const {
     const VF place = hn::Mul(hn::Sub(x, all(m_table.domain.x)), all(m_table.domain.y));
     return hn::ConvertTo(ints, hn::Min(hn::Max(place, hn::Zero(floats)), all(m_table.domain.z)));
@@ -173,6 +217,7 @@ private:
 
   const PiecewiseTable& m_table;
   const float* m_occupancy;
+  const FewSegments* m_few; // null: look them up in the table
 };
 
 } // namespace limn::cpu::HWY_NAMESPACE

@@ -56,7 +56,7 @@ public:
       factor = all(static_cast<float>(range.atFlat));
     if (m_terms.effects.has(Effect::gradientOpacity)) {
       const Mask every = hn::Ge(gradients.modulus, hn::Zero(floats));
-      factor = hn::Mul(factor, Function(*m_terms.gradientCurve).at(gradients.modulus, every).opacity);
+      factor = hn::Mul(factor, Function(*m_terms.gradientCurve, nullptr).opacityAt(gradients.modulus, every));
     }
     return factor;
   }

@@ -83,9 +83,15 @@ HWY_INLINE std::uint32_t bitsOf(Mask mask) {
   return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 
+/// Whole numbers of 0 … 2^22 as ints: behind 2^23 they stand in the lowest bits. Cheaper than a conversion,
+/// which has to care for numbers that no int holds.
+HWY_INLINE VI intOf(VF whole) {
+  return hn::Sub(hn::BitCast(ints, hn::Add(whole, all(8388608.0f))), hn::Set(ints, 0x4B000000));
+}
+
 /// 2^n for whole n of -126 … 127.
 HWY_INLINE VF powerOfTwo(VF n) {
-  return hn::BitCast(floats, hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(ints, n), hn::Set(ints, 127))));
+  return hn::BitCast(floats, hn::ShiftLeft<23>(hn::BitCast(ints, hn::Add(n, all(8388608.0f + 127.0f)))));
 }
 
 /// 1 - exp(-x) for x >= 0, to the last bits relative to itself: (1 - s) - s (exp(r) - 1) for s = 2^-n and

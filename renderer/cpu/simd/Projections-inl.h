@@ -90,10 +90,11 @@ private:
     const float scalar = effects.has(Effect::average) ? static_cast<float>(total / m_ray.count)
                          : effects.has(Effect::mip)   ? hn::GetLane(hn::MaxOfLanes(floats, extreme))
                                                       : hn::GetLane(hn::MinOfLanes(floats, extreme));
-    const Classified material = m_samples.function.at(all(scalar), hn::FirstN(floats, 1));
-    const float opacity = hn::GetLane(material.opacity);
-    return {opacity * hn::GetLane(material.color.x), opacity * hn::GetLane(material.color.y),
-            opacity * hn::GetLane(material.color.z), opacity};
+    const Mask wanted = hn::FirstN(floats, 1);
+    const V3 color = m_samples.function.colorAt(all(scalar), wanted);
+    const float opacity = hn::GetLane(m_samples.function.opacityAt(all(scalar), wanted));
+    return {opacity * hn::GetLane(color.x), opacity * hn::GetLane(color.y), opacity * hn::GetLane(color.z),
+            opacity};
   }
 
   // Where the field first reaches the isovalue, in steps behind sample 0; absent where it stays below.

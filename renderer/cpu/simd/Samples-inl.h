@@ -19,7 +19,7 @@ namespace limn::cpu::HWY_NAMESPACE {
 template <VoxelSource::Kind kind>
 struct Samples {
   Samples(const PictureTerms& ofPicture, const Ray& along)
-      : terms(ofPicture), ray(along), field(ofPicture.voxels), function(*ofPicture.function),
+      : terms(ofPicture), ray(along), field(ofPicture.voxels), function(*ofPicture.function, ofPicture.segments),
         light(ofPicture, along) {}
 
   /// Voxel indices `step` steps behind sample 0.
@@ -41,16 +41,11 @@ struct Samples {
 
   HWY_NOINLINE Absorbed absorbedBy(VF scalar, Mask wanted, bool withColor) const {
     Absorbed absorbed;
-    absorbed.seen = hn::And(wanted, function.mayBeSeen(scalar));
+    absorbed.seen = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
     if (hn::AllFalse(floats, absorbed.seen))
       return absorbed;
-    if (withColor) {
-      const Classified material = function.at(scalar, absorbed.seen);
-      absorbed.color = material.color;
-      absorbed.opacity = material.opacity;
-    } else {
-      absorbed.opacity = function.opacityAt(scalar, absorbed.seen);
-    }
+    if (withColor)
+      absorbed.color = function.colorAt(scalar, absorbed.seen);
     absorbed.extinction = minusLog1mOpacity(absorbed.opacity);
     return absorbed;
   }

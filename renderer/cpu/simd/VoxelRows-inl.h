@@ -50,18 +50,11 @@ HWY_INLINE F4 rowAt(const unsigned char* first) {
 /// The rows around a cell that has two voxels more on either side of every axis: at y, z in -1 … 2 from it,
 /// the voxels at x in -1 … 2.
 template <VoxelSource::Kind kind>
-class InnerRows {
-public:
-  InnerRows(const VoxelSource& voxels, const unsigned char* cell)
-      : m_voxels(voxels), m_before(cell - bytesOf<kind>) {}
+struct InnerRows {
+  HWY_INLINE F4 at(int y, int z) const { return rowAt<kind>(before + y * strideY + z * strideZ); }
 
-  HWY_INLINE F4 at(int y, int z) const {
-    return rowAt<kind>(m_before + y * m_voxels.strideY + z * m_voxels.strideZ);
-  }
-
-private:
-  const VoxelSource& m_voxels;
-  const unsigned char* m_before;
+  const unsigned char* before; ///< the voxel before the cell along x
+  std::int64_t strideY, strideZ;
 };
 
 /// Likewise for any cell. Beyond the volume's border the field goes on as a line, which makes the central

@@ -61,6 +61,7 @@ std::vector<Segment> segmentsOf(const std::vector<FloatKnot>& knots) {
 
 void storeSegments(const std::vector<Segment>& segments, PiecewiseTable& table) {
   const int rows = static_cast<int>((segments.size() + segmentsPerRow - 1) / segmentsPerRow);
+  table.segmentCount = static_cast<int>(segments.size());
   table.segmentsSize = {segmentsPerRow * texelsPerSegment, rows};
   table.segments.assign(static_cast<std::size_t>(table.segmentsSize.x) * rows, glm::vec4(0.0f));
   for (std::size_t i = 0; i < segments.size(); ++i) {
