@@ -28,12 +28,17 @@ public:
   glm::vec4 gathered() {
     const EmptySteps empty(m_terms.empty, m_ray, m_isPreintegrated);
     m_sum = {zero(), 1.0, false};
+    const bool canLightGroups = m_hasGradient && !m_isPreintegrated;
+    bool isDense = false;
     for (int i = m_ray.from; i < m_ray.to && !m_sum.hasEnded;) {
       if (const int leap = empty.samplesFrom(i); leap > 0) {
         i += leap;
+        isDense = false;
         continue;
       }
-      look(i);
+      // Where nearly all of a group showed, so will the next: it is not worth the look.
+      const int seen = isDense ? lightGroup(i) : look(i);
+      isDense = canLightGroups && 4 * seen >= 3 * lanes();
       i += lanes();
     }
     light();
@@ -43,33 +48,28 @@ public:
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
 
-  // Looks at the group of samples from `i` on.
-  HWY_NOINLINE void look(int i) {
+  // Looks at the group of samples from `i` on and queues what shows. Returns how many do.
+  HWY_NOINLINE int look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
     const auto absorbed = m_isPreintegrated
                               ? m_samples.absorbedOver(step, isInside)
                               : m_samples.absorbedBy(m_samples.scalarAt(step), isInside, !m_hasGradient);
     if (hn::AllFalse(floats, absorbed.seen))
-      return;
-    // Of what the gradient does not change the share is known at once.
-    const VF opacities = m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction);
-    queue(step, absorbed.seen, m_steps);
-    queue(opacities, absorbed.seen, m_opacities);
-    if (m_isPreintegrated || !m_hasGradient) {
-      queue(absorbed.color.x, absorbed.seen, m_reds);
-      queue(absorbed.color.y, absorbed.seen, m_greens);
-      queue(absorbed.color.z, absorbed.seen, m_blues);
-    }
+      return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
-    const int last = m_queued + seen;
-    if (m_changesOpacity) {
-      m_queued = last;
-    } else {
-      m_queued = take(m_queued, last);
+    // Of what the gradient does not change the share is known at once.
+    const VF opacities = packed(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), absorbed.seen);
+    hn::StoreU(m_changesOpacity ? opacities : taken(opacities), floats, m_opacities + m_queued);
+    hn::StoreU(packed(step, absorbed.seen), floats, m_steps + m_queued);
+    if (m_isPreintegrated || !m_hasGradient) {
+      hn::StoreU(packed(absorbed.color.x, absorbed.seen), floats, m_reds + m_queued);
+      hn::StoreU(packed(absorbed.color.y, absorbed.seen), floats, m_greens + m_queued);
+      hn::StoreU(packed(absorbed.color.z, absorbed.seen), floats, m_blues + m_queued);
     }
+    m_queued += seen;
     if (m_queued < lanes())
-      return;
+      return seen;
     const int rest = m_queued - lanes();
     m_queued = lanes();
     light();
@@ -81,11 +81,52 @@ private:
       keepBehind(m_blues);
     }
     m_queued = rest;
+    return seen;
   }
 
-  // In registers and not straight into memory, which takes some processors a hundred cycles.
-  HWY_INLINE void queue(VF values, Mask wanted, float* end) {
-    hn::StoreU(hn::Compress(values, wanted), floats, end + m_queued);
+  // Lights the group of samples from `i` on as it is. Returns how many of them show.
+  HWY_NOINLINE int lightGroup(int i) {
+    light();
+    const VF step = hn::Iota(floats, static_cast<float>(i));
+    const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
+    const VoxelAndSlope found =
+        m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.count - i));
+    const VF scalar = m_samples.field.normalised(found.voxel);
+    VF opacity;
+    const Mask seen = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);
+    const int count = static_cast<int>(hn::CountTrue(floats, seen));
+    if (count == 0)
+      return 0;
+    const Gradients gradients = m_samples.light.gradientsOf(found.slope);
+    const VF alpha = m_changesOpacity ? changed(opacity, gradients) : alphaOf(minusLog1mOpacity(opacity));
+    const VF shares = taken(packed(alpha, seen));
+    const V3 lit = m_samples.light.shaded(m_samples.function.colorAt(scalar, seen), gradients, step);
+    if (count < lanes())
+      add(shares, {packed(lit.x, seen), packed(lit.y, seen), packed(lit.z, seen)}, count);
+    else
+      add(shares, lit, count);
+    return count;
+  }
+
+  // Adds the next `count` samples, each to the lane of its turn: sums do not depend on which samples were
+  // computed together.
+  HWY_INLINE void add(VF shares, V3 lit, int count) {
+    if (m_lane != 0) {
+      const VI turned = hn::And(hn::Iota(ints, lanes() - m_lane), hn::Set(ints, lanes() - 1));
+      const auto lanesThere = hn::IndicesFromVec(floats, turned);
+      shares = hn::TableLookupLanes(shares, lanesThere);
+      lit = {hn::TableLookupLanes(lit.x, lanesThere), hn::TableLookupLanes(lit.y, lanesThere),
+             hn::TableLookupLanes(lit.z, lanesThere)};
+    }
+    m_sum.color = {hn::MulAdd(shares, lit.x, m_sum.color.x), hn::MulAdd(shares, lit.y, m_sum.color.y),
+                   hn::MulAdd(shares, lit.z, m_sum.color.z)};
+    m_lane = (m_lane + count) & (lanes() - 1);
+  }
+
+  // The wanted numbers side by side, then zeros. In registers and not straight into memory, which takes some
+  // processors a hundred cycles.
+  HWY_INLINE static VF packed(VF values, Mask wanted) {
+    return hn::IfThenElseZero(hn::FirstN(floats, hn::CountTrue(floats, wanted)), hn::Compress(values, wanted));
   }
 
   // What was queued behind those that were lit.
@@ -95,20 +136,26 @@ private:
 
   HWY_INLINE VF alphaOf(VF extinction) const { return oneMinusExpNeg(hn::Mul(extinction, all(m_ray.units))); }
 
-  // Makes shares of the pixel of queued opacities, until nothing is left of the light. Returns the end of
-  // those that are something.
-  HWY_INLINE int take(int from, int to) {
+  // The shares of the pixel that the next samples take, given what each takes of the light that reaches it;
+  // 0 behind the one that leaves nothing.
+  HWY_INLINE VF taken(VF alphas) {
+    constexpr int count = hn::MaxLanes(floats);
+    HWY_ALIGN float alpha[count];
+    HWY_ALIGN float share[count];
+    hn::Store(alphas, floats, alpha);
     double transmittance = m_sum.transmittance;
     const double last = m_terms.lastTransmittance;
-    int i = from;
-    while (i < to && !m_sum.hasEnded) {
-      const double share = transmittance * m_opacities[i];
-      m_opacities[i++] = static_cast<float>(share);
-      transmittance -= share;
-      m_sum.hasEnded = transmittance <= last;
+    // Unrolled, so that they stay in registers: loading as a vector what was just stored number by number
+    // waits for all of it.
+    HWY_UNROLL(8)
+    for (int i = 0; i < count; ++i) {
+      const double taken = transmittance > last ? transmittance * alpha[i] : 0.0;
+      share[i] = static_cast<float>(taken);
+      transmittance -= taken;
     }
     m_sum.transmittance = transmittance;
-    return i;
+    m_sum.hasEnded = transmittance <= last;
+    return hn::Load(floats, share);
   }
 
   // Lights what is queued and adds it.
@@ -126,22 +173,17 @@ private:
                                            isQueued);
       gradients = m_samples.light.gradientsOf(found.slope);
     }
+    VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
     if (m_changesOpacity)
-      changeOpacities(gradients);
-    const VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));
+      shares = taken(hn::IfThenElseZero(isQueued, changed(shares, gradients)));
     const V3 lit = m_samples.light.shaded(color, gradients, step);
-    m_sum.color = {hn::MulAdd(shares, lit.x, m_sum.color.x), hn::MulAdd(shares, lit.y, m_sum.color.y),
-                   hn::MulAdd(shares, lit.z, m_sum.color.z)};
+    add(shares, lit, m_queued);
     m_queued = 0;
   }
 
-  // Makes shares of the pixel of queued opacities that the gradient changes.
-  HWY_INLINE void changeOpacities(const Gradients& gradients) {
-    const VF opacity = hn::Mul(hn::Load(floats, m_opacities), m_samples.light.opacityFactor(gradients));
-    hn::Store(alphaOf(minusLog1mOpacity(opacity)), floats, m_opacities);
-    const int end = take(0, m_queued);
-    for (int lane = end; lane < m_queued; ++lane)
-      m_opacities[lane] = 0.0f;
+  // What opacities that the gradient changes take of the light.
+  HWY_INLINE VF changed(VF opacities, const Gradients& gradients) const {
+    return alphaOf(minusLog1mOpacity(hn::Mul(opacities, m_samples.light.opacityFactor(gradients))));
   }
 
   const PictureTerms& m_terms;
@@ -152,6 +194,7 @@ private:
   const bool m_hasGradient;
   Sum m_sum;
   int m_queued = 0;
+  int m_lane = 0; // of the sum, for the next sample
   // Room for a group behind those that are not lit yet, and for what compressing writes behind that.
   HWY_ALIGN float m_steps[3 * most] = {};
   HWY_ALIGN float m_opacities[3 * most] = {}; // or already shares

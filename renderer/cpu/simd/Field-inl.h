@@ -53,20 +53,20 @@ public:
     wordsOf(offsetsOf(cells), words4);
     if constexpr (kind == VoxelSource::Kind::single)
       wordsOf(hn::Add(offsetsOf(cells), hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0)), next4);
-    VF along[4];
+    VF first[4], second[4];
     for (int row = 0; row < 4; ++row) {
-      VF first, second;
       if constexpr (kind == VoxelSource::Kind::single) {
-        first = hn::BitCast(floats, words4[row]);
-        second = hn::BitCast(floats, next4[row]);
+        first[row] = hn::BitCast(floats, words4[row]);
+        second[row] = hn::BitCast(floats, next4[row]);
       } else {
-        first = numberIn<0>(words4[row]);
-        second = numberIn<1>(words4[row]);
+        first[row] = numberIn<0>(words4[row]);
+        second[row] = numberIn<1>(words4[row]);
       }
-      along[row] = mix(first, second, cells.weight.x);
     }
-    return normalised(
-        mix(mix(along[0], along[1], cells.weight.y), mix(along[2], along[3], cells.weight.y), cells.weight.z));
+    // In the order of VoxelRows-inl.h: both give the same bits.
+    const V3& w = cells.weight;
+    return normalised(mix(mix(mix(first[0], first[2], w.z), mix(first[1], first[3], w.z), w.y),
+                          mix(mix(second[0], second[2], w.z), mix(second[1], second[3], w.z), w.y), w.x));
   }
 
   HWY_INLINE VF normalised(VF voxel) const {

@@ -11,6 +11,7 @@
 #include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
 
+#include <algorithm>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -64,30 +65,36 @@ class OuterRows {
 public:
   OuterRows(const VoxelSource& voxels, const glm::ivec3& cell) : m_voxels(voxels), m_cell(cell) {}
 
-  HWY_NOINLINE F4 at(int y, int z) const {
-    HWY_ALIGN float row[4];
-    for (int x = 0; x < 4; ++x)
-      row[x] = voxelAt(m_cell + glm::ivec3(x - 1, y, z));
-    return hn::Load(four, row);
-  }
+  HWY_NOINLINE F4 at(int y, int z) const { return rowOf(m_cell.y + y, m_cell.z + z); }
 
 private:
-  float voxelAt(glm::ivec3 at) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      const int last = m_voxels.dims[axis] - 1;
-      if (last == 0) {
-        at[axis] = 0;
-      } else if (at[axis] < 0 || at[axis] > last) {
-        const bool isBefore = at[axis] < 0;
-        at[axis] = isBefore ? 0 : last;
-        glm::ivec3 inner = at;
-        inner[axis] += isBefore ? 1 : -1;
-        return 2.0f * voxelAt(at) - voxelAt(inner);
-      }
-    }
-    const unsigned char* first = m_voxels.begin + std::int64_t{at.x} * bytesOf<kind> +
-                                 at.y * m_voxels.strideY + at.z * m_voxels.strideZ;
-    return static_cast<float>(*reinterpret_cast<const Stored<kind>*>(first));
+  // The voxel of an axis at an index or at the border before it, and the one before that.
+  static int inside(int index, int last) { return std::clamp(index, 0, last); }
+  static int inner(int index, int last) { return index < 0 ? 1 : last - 1; }
+
+  F4 rowOf(int y, int z) const {
+    const glm::ivec3 last = m_voxels.dims - 1;
+    if (last.z > 0 && (z < 0 || z > last.z))
+      return beyond(rowOf(y, inside(z, last.z)), rowOf(y, inner(z, last.z)));
+    if (last.y > 0 && (y < 0 || y > last.y))
+      return beyond(rowOf(inside(y, last.y), z), rowOf(inner(y, last.y), z));
+    const unsigned char* row =
+        m_voxels.begin + inside(y, last.y) * m_voxels.strideY + inside(z, last.z) * m_voxels.strideZ;
+    if (m_cell.x > 0 && m_cell.x + 2 <= last.x)
+      return rowAt<kind>(row + std::int64_t{m_cell.x - 1} * bytesOf<kind>);
+    HWY_ALIGN float numbers[4];
+    for (int x = -1; x < 3; ++x)
+      numbers[x + 1] = numberOf(row, m_cell.x + x, last.x);
+    return hn::Load(four, numbers);
+  }
+
+  HWY_INLINE static F4 beyond(F4 border, F4 before) { return hn::Sub(hn::Add(border, border), before); }
+
+  static float numberOf(const unsigned char* row, int x, int last) {
+    const auto* stored = reinterpret_cast<const Stored<kind>*>(row);
+    const auto border = static_cast<float>(stored[inside(x, last)]);
+    return last == 0 || (x >= 0 && x <= last) ? border
+                                              : 2.0f * border - static_cast<float>(stored[inner(x, last)]);
   }
 
   const VoxelSource& m_voxels;
