@@ -32,10 +32,10 @@ bool canStayAsStored(const Volume& volume) {
 }
 
 template <class T>
-constexpr VoxelSource::Kind kindOf = std::is_signed_v<T>
-                                         ? (sizeof(T) == 1 ? VoxelSource::Kind::signedByte
-                                                           : VoxelSource::Kind::signedHalf)
-                                         : (sizeof(T) == 1 ? VoxelSource::Kind::byte : VoxelSource::Kind::half);
+constexpr VoxelSource::Kind
+    kindOf = std::is_signed_v<T>
+                 ? (sizeof(T) == 1 ? VoxelSource::Kind::signedByte : VoxelSource::Kind::signedHalf)
+                 : (sizeof(T) == 1 ? VoxelSource::Kind::byte : VoxelSource::Kind::half);
 
 template <class T>
 VoxelSource asStored(const std::vector<T>& stored, const Volume& volume) {

@@ -59,7 +59,8 @@ private:
       return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
     // Of what the gradient does not change the share is known at once.
-    const VF opacities = packed(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), absorbed.seen);
+    const VF opacities =
+        packed(m_changesOpacity ? absorbed.opacity : alphaOf(absorbed.extinction), absorbed.seen);
     hn::StoreU(m_changesOpacity ? opacities : taken(opacities), floats, m_opacities + m_queued);
     hn::StoreU(packed(step, absorbed.seen), floats, m_steps + m_queued);
     if (m_isPreintegrated || !m_hasGradient) {
@@ -126,7 +127,8 @@ private:
   // The wanted numbers side by side, then zeros. In registers and not straight into memory, which takes some
   // processors a hundred cycles.
   HWY_INLINE static VF packed(VF values, Mask wanted) {
-    return hn::IfThenElseZero(hn::FirstN(floats, hn::CountTrue(floats, wanted)), hn::Compress(values, wanted));
+    return hn::IfThenElseZero(hn::FirstN(floats, hn::CountTrue(floats, wanted)),
+                              hn::Compress(values, wanted));
   }
 
   // What was queued behind those that were lit.
@@ -140,22 +142,34 @@ private:
   // 0 behind the one that leaves nothing.
   HWY_INLINE VF taken(VF alphas) {
     constexpr int count = hn::MaxLanes(floats);
+    const hn::CappedTag<double, 1> one;
     HWY_ALIGN float alpha[count];
     HWY_ALIGN float share[count];
     hn::Store(alphas, floats, alpha);
-    double transmittance = m_sum.transmittance;
-    const double last = m_terms.lastTransmittance;
+    auto transmittance = hn::Set(one, m_sum.transmittance);
     // Unrolled, so that they stay in registers: loading as a vector what was just stored number by number
     // waits for all of it.
     HWY_UNROLL(8)
     for (int i = 0; i < count; ++i) {
-      const double taken = transmittance > last ? transmittance * alpha[i] : 0.0;
-      share[i] = static_cast<float>(taken);
-      transmittance -= taken;
+      const auto taken = hn::Set(one, static_cast<double>(alpha[i]));
+      share[i] = static_cast<float>(hn::GetLane(hn::Mul(taken, transmittance)));
+      transmittance = hn::NegMulAdd(taken, transmittance, transmittance);
     }
-    m_sum.transmittance = transmittance;
-    m_sum.hasEnded = transmittance <= last;
-    return hn::Load(floats, share);
+    const double last = m_terms.lastTransmittance;
+    if (HWY_LIKELY(hn::GetLane(transmittance) > last)) {
+      m_sum.transmittance = hn::GetLane(transmittance);
+      return hn::Load(floats, share);
+    }
+    // As above, but with the one that leaves nothing found.
+    m_sum.hasEnded = true;
+    transmittance = hn::Set(one, m_sum.transmittance);
+    int end = 0;
+    while (end < count && hn::GetLane(transmittance) > last) {
+      const auto taken = hn::Set(one, static_cast<double>(alpha[end++]));
+      transmittance = hn::NegMulAdd(taken, transmittance, transmittance);
+    }
+    m_sum.transmittance = hn::GetLane(transmittance);
+    return hn::IfThenElseZero(hn::FirstN(floats, static_cast<std::size_t>(end)), hn::Load(floats, share));
   }
 
   // Lights what is queued and adds it.
@@ -169,8 +183,7 @@ private:
     if (m_hasGradient) {
       const VoxelAndSlope found = m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), m_queued);
       if (!m_isPreintegrated)
-        color = m_samples.function.colorAt(m_samples.field.normalised(found.voxel),
-                                           isQueued);
+        color = m_samples.function.colorAt(m_samples.field.normalised(found.voxel), isQueued);
       gradients = m_samples.light.gradientsOf(found.slope);
     }
     VF shares = hn::IfThenElseZero(isQueued, hn::Load(floats, m_opacities));

@@ -73,7 +73,8 @@ HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Ray
     first[axis] = hn::Mul(start, perBlock);
     advance[axis] = hn::Mul(stride, perBlock);
     const Mask isStill = hn::Lt(hn::Abs(advance[axis]), all(1e-20f));
-    samples[axis] = hn::IfThenZeroElse(isStill, hn::Div(all(1.0f), hn::IfThenElse(isStill, all(1.0f), advance[axis])));
+    samples[axis] =
+        hn::IfThenZeroElse(isStill, hn::Div(all(1.0f), hn::IfThenElse(isStill, all(1.0f), advance[axis])));
     reaches[axis] = hn::Abs(samples[axis]);
     still[axis] = hn::IfThenElseZero(isStill, all(60000.0f));
   }
@@ -101,10 +102,12 @@ HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Ray
     VF alike = all(60000.0f);
     for (int axis = 0; axis < 3; ++axis) {
       const VF toMiddle = hn::Sub(hn::Add(block[axis], all(0.5f)), p[axis]);
-      alike = hn::Min(alike, hn::Add(hn::MulAdd(toMiddle, samples[axis], still[axis]), hn::Mul(reach, reaches[axis])));
+      alike = hn::Min(
+          alike, hn::Add(hn::MulAdd(toMiddle, samples[axis], still[axis]), hn::Mul(reach, reaches[axis])));
     }
     alike = hn::Sub(hn::Ceil(alike), behind);
-    isMoving = hn::And(isMoving, hn::And(hn::Gt(distance, hn::Zero(floats)), hn::Gt(alike, hn::Zero(floats))));
+    isMoving =
+        hn::And(isMoving, hn::And(hn::Gt(distance, hn::Zero(floats)), hn::Gt(alike, hn::Zero(floats))));
     i = hn::IfThenElse(isMoving, hn::Add(i, alike), i);
     isMoving = hn::And(isMoving, hn::Lt(i, end));
   }

@@ -92,9 +92,10 @@ public:
       const F4 z = hn::Set(four, zs[lane]);
       RowSums sums;
       if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
-        sums = summed(InnerRows<kind>{firstVoxel + offsets[lane], strideY, strideZ}, y, z);
+        sums = summed(InnerRows<kind>(firstVoxel + offsets[lane], strideY, strideZ), y, z);
       } else {
-        const OuterRows<kind> rows(m_voxels, {lowAt(cells.x, lane), lowAt(cells.y, lane), lowAt(cells.z, lane)});
+        const OuterRows<kind> rows(m_voxels,
+                                   {lowAt(cells.x, lane), lowAt(cells.y, lane), lowAt(cells.z, lane)});
         sums = summed(rows, y, z);
       }
       hn::Store(sums.along, four, alongX + 4 * lane);
@@ -141,7 +142,8 @@ private:
 
   // Bytes of the voxel with the smallest indices, from the middle of the voxels.
   HWY_INLINE VI offsetsOf(const Cells& cells) const {
-    const VI row = hn::Add(hn::Mul(cells.y, hn::Set(ints, m_strideY)), hn::Mul(cells.z, hn::Set(ints, m_strideZ)));
+    const VI row =
+        hn::Add(hn::Mul(cells.y, hn::Set(ints, m_strideY)), hn::Mul(cells.z, hn::Set(ints, m_strideZ)));
     return hn::Sub(hn::Add(row, hn::ShiftLeft<shift>(cells.x)), hn::Set(ints, wrapped(m_half)));
   }
 
@@ -161,7 +163,8 @@ private:
     HWY_ALIGN std::int32_t offsets[most];
     hn::Store(offset, ints, offsets);
     const unsigned char* middle = m_middle;
-    const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ, m_voxels.strideY + m_voxels.strideZ};
+    const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ,
+                                   m_voxels.strideY + m_voxels.strideZ};
     const VI last = hn::Add(offset, hn::Set(ints, wrapped(steps[3])));
     if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastWord))))) {
       for (int row = 0; row < 4; ++row) {

@@ -166,7 +166,8 @@ private:
 
   // The number of each segment in a column.
   HWY_INLINE VF picked(const float* column, VI segment) const {
-    const auto within = hn::IndicesFromVec(floats, hn::And(segment, hn::Set(ints, FewSegments::perRegister - 1)));
+    const auto within =
+        hn::IndicesFromVec(floats, hn::And(segment, hn::Set(ints, FewSegments::perRegister - 1)));
     const VF lower = hn::TableLookupLanes(hn::Load(floats, column), within);
     if (m_few->count <= FewSegments::perRegister)
       return lower;

@@ -28,7 +28,7 @@ public:
   Light(const PictureTerms& terms, const Ray& ray) : m_terms(terms), m_ray(ray) {}
 
   /// Of what the field gains over two voxels along each axis.
-  HWY_NOINLINE Gradients gradientsOf(const V3& slope) const {
+  HWY_INLINE Gradients gradientsOf(const V3& slope) const {
     const V3 gradient{hn::Mul(slope.x, all(m_terms.gradientScale.x)),
                       hn::Mul(slope.y, all(m_terms.gradientScale.y)),
                       hn::Mul(slope.z, all(m_terms.gradientScale.z))};
@@ -62,7 +62,7 @@ public:
   }
 
   /// The colour of materials `step` steps behind sample 0 of the ray, lit and fogged.
-  HWY_NOINLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
+  HWY_INLINE V3 shaded(const V3& material, const Gradients& gradients, VF step) const {
     V3 color = material;
     if (m_terms.effects.has(Effect::lighting)) {
       V3 normal = zero();

@@ -94,6 +94,17 @@ HWY_INLINE VF powerOfTwo(VF n) {
   return hn::BitCast(floats, hn::ShiftLeft<23>(hn::BitCast(ints, hn::Add(n, all(8388608.0f + 127.0f)))));
 }
 
+/// a + b x
+HWY_INLINE VF line(VF x, float a, float b) {
+  return hn::MulAdd(x, all(b), all(a));
+}
+
+/// The polynomial of coefficients c0 … c5, in pairs: each waits for fewer others than one after the other.
+HWY_INLINE VF quintic(VF x, float c0, float c1, float c2, float c3, float c4, float c5) {
+  const VF square = hn::Mul(x, x);
+  return hn::MulAdd(square, hn::MulAdd(square, line(x, c4, c5), line(x, c2, c3)), line(x, c0, c1));
+}
+
 /// 1 - exp(-x) for x >= 0, to the last bits relative to itself: (1 - s) - s (exp(r) - 1) for s = 2^-n and
 /// |r| <= ln 2 / 2. The coefficients interpolate (exp(r) - 1)/r in Chebyshev points: 1.2e-8.
 HWY_INLINE VF oneMinusExpNeg(VF x) {
@@ -101,9 +112,7 @@ HWY_INLINE VF oneMinusExpNeg(VF x) {
   const VF n = hn::Round(hn::Mul(limited, all(1.44269504f)));
   // ln 2 in two parts, of which n times the first is exact.
   const VF r = hn::MulSub(n, all(1.42860677e-6f), hn::NegMulAdd(n, all(0.693145752f), limited));
-  VF series = all(0.00139336500f);
-  for (const float next : {0.00836915567f, 0.0416664649f, 0.166665052f, 0.5f, 1.0f})
-    series = hn::MulAdd(series, r, all(next));
+  const VF series = quintic(r, 1.0f, 0.5f, 0.166665052f, 0.0416664649f, 0.00836915567f, 0.00139336500f);
   const VF s = powerOfTwo(hn::Neg(n));
   return hn::NegMulAdd(hn::Mul(s, r), series, hn::Sub(all(1.0f), s));
 }
@@ -123,11 +132,12 @@ HWY_INLINE Parts partsOf(VF x) {
 
 /// log(1 + t)/t for t from sqrt(1/2) - 1 to sqrt(2) - 1, interpolated in Chebyshev points: 3e-8.
 HWY_INLINE VF logSeries(VF t) {
-  VF series = all(0.0853331308f);
-  for (const float next : {-0.142692582f, 0.149774013f, -0.165779929f, 0.199559334f, -0.250013522f,
-                           0.333341933f, -0.499999964f, 1.0f})
-    series = hn::MulAdd(series, t, all(next));
-  return series;
+  const VF square = hn::Mul(t, t);
+  const VF fourth = hn::Mul(square, square);
+  const VF low = hn::MulAdd(square, line(t, 0.333341933f, -0.250013522f), line(t, 1.0f, -0.499999964f));
+  const VF high =
+      hn::MulAdd(square, line(t, 0.149774013f, -0.142692582f), line(t, 0.199559334f, -0.165779929f));
+  return hn::MulAdd(fourth, hn::MulAdd(fourth, all(0.0853331308f), high), low);
 }
 
 /// -log(1 - a) for opacities, to the last bits relative to itself.
@@ -178,11 +188,9 @@ HWY_INLINE VF powerOrZero(VF base, VF exponent) {
   const VF limited = hn::Max(power, all(-126.0f));
   const VF n = hn::Round(limited);
   const VF f = hn::Sub(limited, n);
-  VF series = all(0.00133908637f);
-  for (const float next : {0.00967603192f, 0.0555035711f, 0.240221075f, 0.693147188f, 1.0f})
-    series = hn::MulAdd(series, f, all(next));
-  return hn::IfThenElseZero(hn::And(isPositive, hn::Ge(power, all(-126.0f))),
-                            hn::Mul(series, powerOfTwo(n)));
+  const VF series =
+      quintic(f, 1.0f, 0.693147188f, 0.240221075f, 0.0555035711f, 0.00967603192f, 0.00133908637f);
+  return hn::IfThenElseZero(hn::And(isPositive, hn::Ge(power, all(-126.0f))), hn::Mul(series, powerOfTwo(n)));
 }
 
 HWY_INLINE VF blinnTerm(VF cosine, VF exponent) {

@@ -102,7 +102,8 @@ private:
   HWY_INLINE static int atOnce() { return static_cast<int>(hn::Lanes(doubles)); }
 
   HWY_INLINE static void keep(VD values, int part, PerRay<float>& kept) {
-    hn::Store(hn::DemoteTo(hn::Rebind<float, Doubles>(), values), hn::Rebind<float, Doubles>(), kept.of + part);
+    hn::Store(hn::DemoteTo(hn::Rebind<float, Doubles>(), values), hn::Rebind<float, Doubles>(),
+              kept.of + part);
   }
 
   HWY_INLINE static void keep(const D3& values, int part, PerRay<float> kept[3]) {
@@ -141,14 +142,16 @@ private:
   // Rays `part` … `part + atOnce() - 1` of these.
   HWY_INLINE void setUp(int part) {
     const RayFrame& frame = m_terms.frame;
-    const VD cx = hn::Add(hn::Iota(doubles, static_cast<double>(m_x + part)), allOf(0.5 - m_terms.size.x / 2.0));
+    const VD cx =
+        hn::Add(hn::Iota(doubles, static_cast<double>(m_x + part)), allOf(0.5 - m_terms.size.x / 2.0));
     const double cy = m_terms.size.y / 2.0 - (m_y + 0.5);
     const VD squares = hn::MulAdd(cx, cx, allOf(cy * cy));
-    const VD length = hn::Sqrt(
-        hn::MulAdd(squares, allOf(frame.tangentPerPixel * frame.tangentPerPixel), allOf(1.0)));
+    const VD length =
+        hn::Sqrt(hn::MulAdd(squares, allOf(frame.tangentPerPixel * frame.tangentPerPixel), allOf(1.0)));
     const D3 anchor = along(allOf(frame.anchor + cy * frame.anchorY), cx, allOf(frame.anchorX));
-    const D3 direction = scaled(along(allOf(frame.direction + cy * frame.directionY), cx, allOf(frame.directionX)),
-                                hn::Div(allOf(1.0), length));
+    const D3 direction =
+        scaled(along(allOf(frame.direction + cy * frame.directionY), cx, allOf(frame.directionX)),
+               hn::Div(allOf(1.0), length));
     const VD eye = hn::Mul(allOf(-frame.anchorDistanceMm), length);
     const Spans visible = spansIn(anchor, direction, eye, m_terms.visibleBox);
     Spans span = spansIn(anchor, direction, eye, m_terms.box);
@@ -170,15 +173,14 @@ private:
                          const Spans& visible, hn::Mask<Doubles> isSeen) {
     const VD one = allOf(1.0);
     const VD length = hn::Sub(span.end, span.begin);
-    const VD wanted = hn::Ceil(
-        hn::Mul(length, allOf((1.0 - stepCountGuard) / (m_terms.stepLengths * m_terms.lengthMm))));
+    const VD wanted =
+        hn::Ceil(hn::Mul(length, allOf((1.0 - stepCountGuard) / (m_terms.stepLengths * m_terms.lengthMm))));
     const VD samples = limited(wanted, one, allOf(double(mostSamples)));
     const VD stepMm = hn::Div(length, samples);
     HWY_ALIGN double offsets[HWY_MAX_BYTES / 4];
     for (int lane = 0; lane < atOnce(); ++lane)
-      offsets[lane] = m_terms.effects.has(Effect::jitter)
-                          ? jitteredOffset(m_x + part + lane, m_y, m_terms.size.y)
-                          : 0.5;
+      offsets[lane] =
+          m_terms.effects.has(Effect::jitter) ? jitteredOffset(m_x + part + lane, m_y, m_terms.size.y) : 0.5;
     const VD before = hn::Load(doubles, offsets);
     const VD behindEntry = hn::Mul(before, stepMm);
     const D3 firstIndices = along(along(anchor, span.begin, direction), behindEntry, direction);
@@ -196,8 +198,8 @@ private:
     hn::Store(span.end, doubles, end.of + part);
     // The samples that lie in the part where something shows, one more on either side.
     const VD perStep = hn::Div(one, stepMm);
-    const VD firstSeen = hn::Sub(
-        hn::Floor(hn::MulSub(hn::Sub(visible.begin, span.begin), perStep, before)), one);
+    const VD firstSeen =
+        hn::Sub(hn::Floor(hn::MulSub(hn::Sub(visible.begin, span.begin), perStep, before)), one);
     const VD lastSeen = hn::Add(hn::Ceil(hn::MulSub(hn::Sub(visible.end, span.begin), perStep, before)), one);
     const VD fromSample = limited(firstSeen, hn::Zero(doubles), samples);
     keep(fromSample, part, from);
@@ -215,8 +217,9 @@ private:
       const VD length = hn::Sqrt(
           hn::MulAdd(middle.x, middle.x, hn::MulAdd(middle.y, middle.y, hn::Mul(middle.z, middle.z))));
       const hn::Mask<Doubles> isLong = hn::Gt(length, allOf(shortestHalfVector));
-      middle = scaled(middle, hn::IfThenElseZero(
-                                  isLong, hn::Div(allOf(1.0), hn::IfThenElse(isLong, length, allOf(1.0)))));
+      middle =
+          scaled(middle,
+                 hn::IfThenElseZero(isLong, hn::Div(allOf(1.0), hn::IfThenElse(isLong, length, allOf(1.0)))));
     }
     keep(viewer, part, toViewer);
     keep(towards, part, toLight);

@@ -19,8 +19,8 @@ namespace limn::cpu::HWY_NAMESPACE {
 template <VoxelSource::Kind kind>
 struct Samples {
   Samples(const PictureTerms& ofPicture, const Ray& along)
-      : terms(ofPicture), ray(along), field(ofPicture.voxels), function(*ofPicture.function, ofPicture.segments),
-        light(ofPicture, along) {}
+      : terms(ofPicture), ray(along), field(ofPicture.voxels),
+        function(*ofPicture.function, ofPicture.segments), light(ofPicture, along) {}
 
   /// Voxel indices `step` steps behind sample 0.
   HWY_INLINE V3 indexAt(VF step) const {
@@ -76,9 +76,8 @@ struct Samples {
   /// The samples at `step`, where `wanted`.
   HWY_NOINLINE Shaded at(VF step, Mask wanted) const {
     const EffectSet& effects = terms.effects;
-    const Absorbed absorbed = effects.has(Effect::preintegration)
-                                  ? absorbedOver(step, wanted)
-                                  : absorbedBy(scalarAt(step), wanted, true);
+    const Absorbed absorbed = effects.has(Effect::preintegration) ? absorbedOver(step, wanted)
+                                                                  : absorbedBy(scalarAt(step), wanted, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))
       return result;

@@ -22,12 +22,13 @@ using F4 = hn::Vec<Four>;
 inline constexpr Four four;
 
 template <VoxelSource::Kind kind>
-inline constexpr bool isSigned = kind == VoxelSource::Kind::signedByte || kind == VoxelSource::Kind::signedHalf;
+inline constexpr bool isSigned =
+    kind == VoxelSource::Kind::signedByte || kind == VoxelSource::Kind::signedHalf;
 
 template <VoxelSource::Kind kind>
-inline constexpr int bytesOf = kind == VoxelSource::Kind::single ? 4
+inline constexpr int bytesOf = kind == VoxelSource::Kind::single                                          ? 4
                                : kind == VoxelSource::Kind::half || kind == VoxelSource::Kind::signedHalf ? 2
-                                                                                                           : 1;
+                                                                                                          : 1;
 
 /// The type in which voxels are stored.
 template <VoxelSource::Kind kind>
@@ -51,11 +52,17 @@ HWY_INLINE F4 rowAt(const unsigned char* first) {
 /// The rows around a cell that has two voxels more on either side of every axis: at y, z in -1 … 2 from it,
 /// the voxels at x in -1 … 2.
 template <VoxelSource::Kind kind>
-struct InnerRows {
-  HWY_INLINE F4 at(int y, int z) const { return rowAt<kind>(before + y * strideY + z * strideZ); }
+class InnerRows {
+public:
+  /// Of the voxel before the cell along x.
+  HWY_INLINE InnerRows(const unsigned char* before, std::int64_t strideY, std::int64_t strideZ)
+      : m_strideY(strideY), m_slices{before - strideZ, before, before + strideZ, before + 2 * strideZ} {}
 
-  const unsigned char* before; ///< the voxel before the cell along x
-  std::int64_t strideY, strideZ;
+  HWY_INLINE F4 at(int y, int z) const { return rowAt<kind>(m_slices[z + 1] + y * m_strideY); }
+
+private:
+  std::int64_t m_strideY;
+  const unsigned char* m_slices[4];
 };
 
 /// Likewise for any cell. Beyond the volume's border the field goes on as a line, which makes the central
