@@ -77,44 +77,51 @@ public:
   /// trilinearly; 0 for the others.
   HWY_NOINLINE VoxelAndSlope voxelAndSlopeAt(const V3& index, int count) const {
     const Cells cells = cellsAt(index);
+    Sums sums;
     HWY_ALIGN std::int32_t offsets[most];
-    HWY_ALIGN float ys[most], zs[most];
-    HWY_ALIGN float alongX[4 * most], alongY[4 * most], alongZ[4 * most];
     hn::Store(offsetsOf(cells), ints, offsets);
-    hn::Store(cells.weight.y, floats, ys);
-    hn::Store(cells.weight.z, floats, zs);
-    const std::uint32_t inner = bitsOf(hn::RebindMask(floats, isInner(cells)));
     // Copies: the compiler cannot know that what is stored below does not change them.
     const std::int64_t strideY = m_voxels.strideY, strideZ = m_voxels.strideZ;
     const unsigned char* firstVoxel = m_middle - bytesOf<kind>;
-    for (int lane = 0; lane < count; ++lane) {
+    const std::uint32_t inner = bitsOf(hn::RebindMask(floats, isInner(cells)));
+    int lane = 0;
+    if constexpr (hn::MaxLanes(floats) == 8) {
+      // Two at a time where both are inside.
+      for (; lane + 1 < count && (inner >> lane & 3u) == 3u; lane += 2) {
+        const InnerPairs<kind, Floats> rows({firstVoxel + offsets[lane], strideY, strideZ},
+                                            {firstVoxel + offsets[lane + 1], strideY, strideZ});
+        const auto lanesOf =
+            hn::IndicesFromVec(floats, hn::Add(hn::Set(ints, lane), hn::ShiftRight<2>(hn::Iota(ints, 0))));
+        sums.keep(floats, lane,
+                  summed<VF>(rows, hn::TableLookupLanes(cells.weight.y, lanesOf),
+                             hn::TableLookupLanes(cells.weight.z, lanesOf)));
+      }
+    }
+    HWY_ALIGN float ys[most], zs[most];
+    hn::Store(cells.weight.y, floats, ys);
+    hn::Store(cells.weight.z, floats, zs);
+    for (; lane < count; ++lane) {
       const F4 y = hn::Set(four, ys[lane]);
       const F4 z = hn::Set(four, zs[lane]);
-      RowSums sums;
       if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
-        sums = summed(InnerRows<kind>(firstVoxel + offsets[lane], strideY, strideZ), y, z);
+        const InnerRows<kind> rows(firstVoxel + offsets[lane], strideY, strideZ);
+        sums.keep(four, lane, summed<F4>(rows, y, z));
       } else {
         const OuterRows<kind> rows(m_voxels,
                                    {lowAt(cells.x, lane), lowAt(cells.y, lane), lowAt(cells.z, lane)});
-        sums = summed(rows, y, z);
+        sums.keep(four, lane, summed<F4>(rows, y, z));
       }
-      hn::Store(sums.along, four, alongX + 4 * lane);
-      hn::Store(sums.slopeY, four, alongY + 4 * lane);
-      hn::Store(sums.slopeZ, four, alongZ + 4 * lane);
     }
-    for (int lane = count; lane < lanes(); ++lane) {
-      hn::Store(hn::Zero(four), four, alongX + 4 * lane);
-      hn::Store(hn::Zero(four), four, alongY + 4 * lane);
-      hn::Store(hn::Zero(four), four, alongZ + 4 * lane);
-    }
+    for (; lane < lanes(); ++lane)
+      sums.keep(four, lane, RowSums<F4>{hn::Zero(four), hn::Zero(four), hn::Zero(four)});
     VoxelAndSlope result;
     VF before, first, second, behind;
-    hn::LoadInterleaved4(floats, alongX, before, first, second, behind);
+    hn::LoadInterleaved4(floats, sums.along, before, first, second, behind);
     result.voxel = mix(first, second, cells.weight.x);
     result.slope.x = mix(hn::Sub(second, before), hn::Sub(behind, first), cells.weight.x);
-    hn::LoadInterleaved4(floats, alongY, before, first, second, behind);
+    hn::LoadInterleaved4(floats, sums.slopeY, before, first, second, behind);
     result.slope.y = mix(first, second, cells.weight.x);
-    hn::LoadInterleaved4(floats, alongZ, before, first, second, behind);
+    hn::LoadInterleaved4(floats, sums.slopeZ, before, first, second, behind);
     result.slope.z = mix(first, second, cells.weight.x);
     return result;
   }
@@ -122,6 +129,18 @@ public:
 private:
   static constexpr int most = HWY_MAX_BYTES / 4;
   static constexpr int shift = bytesOf<kind> == 1 ? 0 : bytesOf<kind> == 2 ? 1 : 2;
+
+  // Four numbers of each sample.
+  struct Sums {
+    template <class D>
+    HWY_INLINE void keep(D d, int lane, const RowSums<hn::Vec<D>>& sum) {
+      hn::Store(sum.along, d, along + 4 * lane);
+      hn::Store(sum.slopeY, d, slopeY + 4 * lane);
+      hn::Store(sum.slopeZ, d, slopeZ + 4 * lane);
+    }
+
+    HWY_ALIGN float along[4 * most], slopeY[4 * most], slopeZ[4 * most];
+  };
 
   HWY_INLINE static std::int32_t wrapped(std::int64_t value) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(value));

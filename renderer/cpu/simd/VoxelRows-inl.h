@@ -38,15 +38,20 @@ using Stored = std::conditional_t<
                        std::conditional_t<isSigned<kind>, std::int8_t, std::uint8_t>>>;
 
 template <VoxelSource::Kind kind>
-HWY_INLINE F4 rowAt(const unsigned char* first) {
-  const auto* stored = reinterpret_cast<const Stored<kind>*>(first);
-  if constexpr (kind == VoxelSource::Kind::single) {
-    return hn::LoadU(four, stored);
-  } else {
-    const hn::FixedTag<Stored<kind>, 4> narrow;
-    const hn::FixedTag<std::int32_t, 4> wide;
-    return hn::ConvertTo(four, hn::PromoteTo(wide, hn::LoadU(narrow, stored)));
-  }
+using StoredRow = hn::Vec<hn::FixedTag<Stored<kind>, 4>>;
+
+template <VoxelSource::Kind kind>
+HWY_INLINE StoredRow<kind> storedRowAt(const unsigned char* first) {
+  return hn::LoadU(hn::FixedTag<Stored<kind>, 4>(), reinterpret_cast<const Stored<kind>*>(first));
+}
+
+/// As many stored numbers as floats.
+template <VoxelSource::Kind kind, class D, class V>
+HWY_INLINE hn::Vec<D> asFloats(D d, V stored) {
+  if constexpr (kind == VoxelSource::Kind::single)
+    return stored;
+  else
+    return hn::ConvertTo(d, hn::PromoteTo(hn::RebindToSigned<D>(), stored));
 }
 
 /// The rows around a cell that has two voxels more on either side of every axis: at y, z in -1 … 2 from it,
@@ -58,11 +63,31 @@ public:
   HWY_INLINE InnerRows(const unsigned char* before, std::int64_t strideY, std::int64_t strideZ)
       : m_strideY(strideY), m_slices{before - strideZ, before, before + strideZ, before + 2 * strideZ} {}
 
-  HWY_INLINE F4 at(int y, int z) const { return rowAt<kind>(m_slices[z + 1] + y * m_strideY); }
+  HWY_INLINE F4 at(int y, int z) const { return asFloats<kind>(four, storedAt(y, z)); }
+
+  HWY_INLINE StoredRow<kind> storedAt(int y, int z) const {
+    return storedRowAt<kind>(m_slices[z + 1] + y * m_strideY);
+  }
 
 private:
   std::int64_t m_strideY;
   const unsigned char* m_slices[4];
+};
+
+/// The rows around two such cells, side by side.
+template <VoxelSource::Kind kind, class Eight>
+class InnerPairs {
+public:
+  HWY_INLINE InnerPairs(const InnerRows<kind>& first, const InnerRows<kind>& second)
+      : m_first(first), m_second(second) {}
+
+  HWY_INLINE hn::Vec<Eight> at(int y, int z) const {
+    const hn::Rebind<Stored<kind>, Eight> narrow;
+    return asFloats<kind>(Eight(), hn::Combine(narrow, m_second.storedAt(y, z), m_first.storedAt(y, z)));
+  }
+
+private:
+  InnerRows<kind> m_first, m_second;
 };
 
 /// Likewise for any cell. Beyond the volume's border the field goes on as a line, which makes the central
@@ -88,7 +113,7 @@ private:
     const unsigned char* row =
         m_voxels.begin + inside(y, last.y) * m_voxels.strideY + inside(z, last.z) * m_voxels.strideZ;
     if (m_cell.x > 0 && m_cell.x + 2 <= last.x)
-      return rowAt<kind>(row + std::int64_t{m_cell.x - 1} * bytesOf<kind>);
+      return asFloats<kind>(four, storedRowAt<kind>(row + std::int64_t{m_cell.x - 1} * bytesOf<kind>));
     HWY_ALIGN float numbers[4];
     for (int x = -1; x < 3; ++x)
       numbers[x + 1] = numberOf(row, m_cell.x + x, last.x);
@@ -109,27 +134,30 @@ private:
 };
 
 /// What the rows around a sample make at its y and z, at each of the four x: the field, and what it gains
-/// over two voxels along y and z.
+/// over two voxels along y and z. Of two samples where registers hold eight numbers.
+template <class V>
 struct RowSums {
-  F4 along, slopeY, slopeZ;
+  V along, slopeY, slopeZ;
 };
 
-HWY_INLINE F4 mixed(F4 a, F4 b, F4 w) {
+template <class V>
+HWY_INLINE V mixed(V a, V b, V w) {
   return hn::MulAdd(w, hn::Sub(b, a), a);
 }
 
-template <class Rows>
-HWY_INLINE RowSums summed(const Rows& rows, F4 y, F4 z) {
-  const F4 row00 = rows.at(0, 0), row10 = rows.at(1, 0), row01 = rows.at(0, 1), row11 = rows.at(1, 1);
-  const F4 at0 = mixed(row00, row01, z);
-  const F4 at1 = mixed(row10, row11, z);
-  const F4 before = mixed(rows.at(-1, 0), rows.at(-1, 1), z);
-  const F4 behind = mixed(rows.at(2, 0), rows.at(2, 1), z);
-  RowSums sums;
+/// `Rows` has the rows at y, z in -1 … 2; `y` and `z` are the weights between 0 and 1.
+template <class V, class Rows>
+HWY_INLINE RowSums<V> summed(const Rows& rows, V y, V z) {
+  const V row00 = rows.at(0, 0), row10 = rows.at(1, 0), row01 = rows.at(0, 1), row11 = rows.at(1, 1);
+  const V at0 = mixed(row00, row01, z);
+  const V at1 = mixed(row10, row11, z);
+  const V before = mixed(rows.at(-1, 0), rows.at(-1, 1), z);
+  const V behind = mixed(rows.at(2, 0), rows.at(2, 1), z);
+  RowSums<V> sums;
   sums.along = mixed(at0, at1, y);
   sums.slopeY = mixed(hn::Sub(at1, before), hn::Sub(behind, at0), y);
-  const F4 slope0 = mixed(hn::Sub(row01, rows.at(0, -1)), hn::Sub(rows.at(0, 2), row00), z);
-  const F4 slope1 = mixed(hn::Sub(row11, rows.at(1, -1)), hn::Sub(rows.at(1, 2), row10), z);
+  const V slope0 = mixed(hn::Sub(row01, rows.at(0, -1)), hn::Sub(rows.at(0, 2), row00), z);
+  const V slope1 = mixed(hn::Sub(row11, rows.at(1, -1)), hn::Sub(rows.at(1, 2), row10), z);
   sums.slopeZ = mixed(slope0, slope1, y);
   return sums;
 }
