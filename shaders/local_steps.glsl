@@ -6,7 +6,7 @@
 uniform sampler3D u_blockSteps; // distance to the nearest visible block; plain rung + 128; resolving rung
 uniform vec3 u_stepBlockOffset;
 uniform vec3 u_lastStepBlock;
-uniform float u_fineness;
+uniform float u_fineness;    // in whole rungs: what is left shortens the ladder
 uniform float u_mostChange;
 uniform float u_rung0Length;  // the step of rung 0
 uniform float u_finestLength;

@@ -23,7 +23,7 @@ Scene withoutQuality(Scene scene) {
 bool needsFinerSteps(const WithinTolerance& a, const WithinTolerance& b) {
   const auto rank = [](const WithinTolerance& found) {
     const Quality& quality = found.scene.quality;
-    return std::tuple(found.holds, -quality.fineness.value_or(0), quality.stepVoxels);
+    return std::tuple(found.holds, -quality.fineness.value_or(0.0), quality.stepVoxels);
   };
   return rank(a) < rank(b);
 }

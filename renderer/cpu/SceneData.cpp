@@ -83,7 +83,7 @@ void SceneData::update(const Scene& scene) {
 }
 
 void SceneData::updateLocalSteps(const Scene& scene) {
-  const std::optional<int> fineness = finenessOf(scene.quality);
+  const std::optional<double> fineness = finenessOf(scene.quality);
   if (!fineness)
     return;
   if (!m_facts)

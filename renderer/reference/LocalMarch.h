@@ -29,7 +29,7 @@ int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& samp
     for (double within = 0.0; within < chord;) {
       const bool hasSpentAll = spent >= mostLocalSamples;
       const double rest = chord - within;
-      const double length = hasSpentAll ? rest : pieceOf(rest, stepOfRung(rung) * terms.smallestMm);
+      const double length = hasSpentAll ? rest : pieceOf(rest, terms.stepMm(rung));
       const bool isLast = length == rest;
       const Half here = sample(isLast ? walk.exit() : walk.entry() + (within + length));
       const double change = changeOver(before, here, 0.5 * length);

@@ -43,7 +43,7 @@ struct Quality {
   /// The error wished for, in levels, > 0: error-controlled steps (LocalSteps) in place of equal ones where
   /// the projection integrates. A renderer draws with `fineness`; accuracy/Tolerance finds it for a picture.
   std::optional<double> toleranceLevels;
-  std::optional<int> fineness; ///< of error-controlled steps; absent: the one that heads commonly need
+  std::optional<double> fineness; ///< of error-controlled steps; absent: the one that heads commonly need
   bool operator==(const Quality&) const = default;
 };
 

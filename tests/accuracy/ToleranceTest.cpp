@@ -178,6 +178,9 @@ TEST_P(ToleranceOfData, holdsAgainstTheConvergedPicture) {
                   << "; true " << error.p99_9 << "\n";
         EXPECT_TRUE(found.holds) << found.sentence;
         EXPECT_LE(error.p99_9, levels);
+        // Spent, not hoarded: percentiles of the compared pictures scatter by a tenth, three of which lie
+        // between what is aimed at, 0.77 of the tolerance, and this.
+        EXPECT_GE(error.p99_9, 0.5 * levels);
         // The estimate is no less than half of the error.
         EXPECT_GE(found.estimateLevels, 0.5 * error.p99_9);
       }

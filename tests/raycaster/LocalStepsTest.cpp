@@ -17,7 +17,7 @@ namespace {
 
 constexpr glm::ivec2 pictureSize{48, 48};
 
-Scene baseScene(int fineness = 4) {
+Scene baseScene(double fineness = 4.0) {
   static const std::shared_ptr<const Volume> volume = phantomVolume({.spacingMm = 6.0});
   Scene scene = test::headScene(volume, ShadingModel::robust);
   scene.quality.earlyTermination = 0.998;
@@ -35,7 +35,7 @@ using LocalSteps = test::GlTest;
 TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
   RayCaster caster;
   for (const Variation& variation : test::switches())
-    for (const int fineness : {2, 6}) {
+    for (const double fineness : {2.0, 5.75}) {
       SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
       Scene scene = baseScene(fineness);
       variation.apply(scene);

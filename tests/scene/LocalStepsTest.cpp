@@ -63,6 +63,13 @@ TEST(LocalSteps, theLimitOfChangeFallsAsTheErrorOfHalfTheStepDoes) {
   EXPECT_DOUBLE_EQ(mostChange(2), mostChange(0) / 4.0);
 }
 
+TEST(LocalSteps, aPartOfARungShortensTheWholeLadder) {
+  EXPECT_EQ(wholeRungs(3.75), 3);
+  EXPECT_DOUBLE_EQ(ladderScale(3.0), 1.0);
+  // A whole rung is a factor of the square root of 2, so half of one its root.
+  EXPECT_DOUBLE_EQ(ladderScale(3.5), std::pow(2.0, -0.25));
+}
+
 TEST(LocalSteps, behindWhatHidesItABlockIsSampledWithTheInverseCubeRootOfTheTransmittance) {
   // 8^(1/3) = 2: two rungs; and 1/8 of that again.
   EXPECT_EQ(coarserBehind(1.0), 0);

@@ -93,7 +93,7 @@ private:
       const double rest = chord - place.within;
       piece.place = place;
       const bool hasSpentAll = m_spent + m_planned > mostLocalSamples;
-      piece.length = hasSpentAll ? rest : pieceOf(rest, stepOfRung(place.rung) * m_local.smallestMm);
+      piece.length = hasSpentAll ? rest : pieceOf(rest, m_local.stepMm(place.rung));
       piece.isLast = piece.length == rest;
       const double end =
           piece.isLast ? place.walk->exit() : place.walk->entry() + (place.within + piece.length);

@@ -130,16 +130,17 @@ void setSurface(const Setter& set, const Scene& scene) {
 }
 
 void setLocalSteps(const Setter& set, const Scene& scene, const BlockStepTexture& blocks) {
-  const std::optional<int> fineness = finenessOf(scene.quality);
+  const std::optional<double> fineness = finenessOf(scene.quality);
   if (!fineness)
     return;
   const Grid& grid = scene.volume->grid();
   set("u_stepBlockOffset", centreIndex(grid) / double(factCells));
   set("u_lastStepBlock", glm::dvec3(blocks.blocks() - 1));
-  set("u_fineness", static_cast<double>(*fineness));
+  const double scale = ladderScale(*fineness);
+  set("u_fineness", static_cast<double>(wholeRungs(*fineness)));
   set("u_mostChange", mostChange(*fineness));
-  set("u_rung0Length", stepOfRung(0));
-  set("u_finestLength", stepOfRung(finestRung));
+  set("u_rung0Length", stepOfRung(0) * scale);
+  set("u_finestLength", stepOfRung(finestRung) * scale);
 }
 
 void setSamplers(const ShaderProgram& program) {

@@ -209,7 +209,7 @@ void readTolerance(JsonFields& fields, Quality& quality) {
     return;
   if (!quality.toleranceLevels)
     fields.fail("fineness", "needs a tolerance_levels beside it");
-  fields.integer("fineness", quality.fineness.emplace(), Fineness::least, Fineness::most);
+  fields.number("fineness", quality.fineness.emplace(), {Fineness::least, Fineness::most});
 }
 
 Quality readQuality(JsonFields fields) {

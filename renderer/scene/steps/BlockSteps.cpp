@@ -145,8 +145,8 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
   return steps;
 }
 
-int rungIn(const StepRungs& block, int fineness, double transmittance) {
-  const int wanted = block.plain + fineness - coarserBehind(transmittance);
+int rungIn(const StepRungs& block, double fineness, double transmittance) {
+  const int wanted = block.plain + wholeRungs(fineness) - coarserBehind(transmittance);
   return std::clamp(std::max(wanted, static_cast<int>(block.resolving)), 0, finestRung);
 }
 

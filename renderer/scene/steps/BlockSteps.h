@@ -36,6 +36,6 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm);
 
 /// The rung with which a block is entered.
-int rungIn(const StepRungs& block, int fineness, double transmittance);
+int rungIn(const StepRungs& block, double fineness, double transmittance);
 
 } // namespace limn

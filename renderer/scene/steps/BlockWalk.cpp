@@ -12,7 +12,7 @@ std::optional<LocalStepTerms> localStepTerms(const Scene& scene) {
 }
 
 std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts) {
-  const std::optional<int> fineness = finenessOf(scene.quality);
+  const std::optional<double> fineness = finenessOf(scene.quality);
   if (!fineness)
     return std::nullopt;
   const Grid& grid = scene.volume->grid();

@@ -10,9 +10,12 @@ namespace limn {
 /// What the rays of a picture in error-controlled steps share.
 struct LocalStepTerms {
   BlockSteps steps;
-  int fineness = 0;
+  double fineness = 0.0;
   double smallestMm = 1.0;
   glm::dvec3 centre{0.0}; ///< index of the box's centre
+
+  /// The step of a rung, mm.
+  double stepMm(int rung) const { return stepOfRung(rung) * ladderScale(fineness) * smallestMm; }
 };
 
 /// The terms of a scene, of whose volume the facts may be known; absent where it is drawn in equal steps.

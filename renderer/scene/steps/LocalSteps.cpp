@@ -12,33 +12,41 @@ constexpr double muchLess = 0.25;
 
 } // namespace
 
-double stepOfRung(int rung) {
+double stepOfRung(double rung) {
   return 2.0 * std::exp2(-0.5 * rung);
 }
 
-std::optional<int> finenessOf(const Quality& quality) {
+int wholeRungs(double fineness) {
+  return static_cast<int>(std::floor(fineness));
+}
+
+double ladderScale(double fineness) {
+  return std::exp2(-(fineness - std::floor(fineness)) / rungsPerHalving);
+}
+
+std::optional<double> finenessOf(const Quality& quality) {
   if (!quality.toleranceLevels)
     return std::nullopt;
   return quality.fineness.value_or(usualFineness(*quality.toleranceLevels));
 }
 
 Quality withSteps(Quality quality, double stepVoxels) {
-  if (const std::optional<int> fineness = finenessOf(quality)) {
+  if (const std::optional<double> fineness = finenessOf(quality)) {
     const double halvings = std::log2(quality.stepVoxels / stepVoxels);
-    const int finer = *fineness + static_cast<int>(std::lround(rungsPerHalving * halvings));
+    const double finer = *fineness + rungsPerHalving * halvings;
     quality.fineness = std::clamp(finer, Fineness::least, Fineness::most);
   }
   quality.stepVoxels = stepVoxels;
   return quality;
 }
 
-int usualFineness(double toleranceLevels) {
+double usualFineness(double toleranceLevels) {
   // An error of one level at 4, and errors fall with the square of the step: one rung halves them.
   const double wanted = 4.0 - std::log2(toleranceLevels);
-  return static_cast<int>(std::clamp(std::ceil(wanted), double(Fineness::least), double(Fineness::most)));
+  return std::clamp(wanted, Fineness::least, Fineness::most);
 }
 
-double mostChange(int fineness) {
+double mostChange(double fineness) {
   return 0.075 * std::exp2(-fineness);
 }
 

@@ -13,7 +13,7 @@ namespace limn {
 
 /// The step of a rung of the ladder, in units of the smallest spacing: 2 at rung 0, shorter by √2 from each
 /// to the next.
-double stepOfRung(int rung);
+double stepOfRung(double rung);
 inline constexpr int rungsPerHalving = 2;
 
 /// 1/2048 of the smallest spacing.
@@ -24,26 +24,31 @@ inline constexpr int finestRung = 24;
 /// with one sample in each block.
 inline constexpr int mostLocalSamples = 12000;
 
-/// How many rungs finer than the facts of a block alone ask for; 2 rungs halve every step.
+/// How many rungs finer than the facts of a block alone ask for; 2 rungs halve every step. A part of a rung
+/// shortens the whole ladder by its share.
 struct Fineness {
-  static constexpr int least = 0;
-  static constexpr int most = 24;
+  static constexpr double least = 0.0;
+  static constexpr double most = 24.0;
 };
+
+/// The whole rungs of a fineness, and by what the part that is left multiplies every step, 1/√2 … 1.
+int wholeRungs(double fineness);
+double ladderScale(double fineness);
 
 /// The fineness with which a scene is drawn; absent: equal steps. A tolerance whose fineness has not been
 /// found for this picture (accuracy/Tolerance) takes the one that heads commonly need.
-std::optional<int> finenessOf(const Quality& quality);
+std::optional<double> finenessOf(const Quality& quality);
 
 /// A quality with another step; error-controlled ones change by the same ratio, as far as they can.
 Quality withSteps(Quality quality, double stepVoxels);
 
 /// The fineness that a tolerance commonly needs.
-int usualFineness(double toleranceLevels);
+double usualFineness(double toleranceLevels);
 
 /// The largest difference, from one sample to the next, of the light that a step adds to a channel of the
 /// pixel (0..1) if it is all like the one or like the other; beyond it the step is taken again with a smaller
 /// one.
-double mostChange(int fineness);
+double mostChange(double fineness);
 
 /// By how many rungs a block may be sampled more coarsely behind what leaves this transmittance: its error
 /// weighs less, and steps as the cube root of that share the samples out best.

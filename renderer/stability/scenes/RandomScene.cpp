@@ -207,7 +207,7 @@ Quality randomQuality(Dice& dice, const Recipe& recipe, const Grid& grid) {
   if (recipe.hasTolerance) {
     quality.toleranceLevels = dice.octaves(-3, 4);
     if (dice.oneIn(2))
-      quality.fineness = dice.upTo(5);
+      quality.fineness = 0.25 * dice.upTo(20);
   }
   return quality;
 }
