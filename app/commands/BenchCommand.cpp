@@ -15,6 +15,9 @@
 namespace limn {
 namespace {
 
+// The pictures whose median time stands for a point of a curve of error over time.
+constexpr int framesOfACurve = 5;
+
 struct BenchArguments {
   SourceArguments source; ///< its `source` is unused: there may be several
   std::vector<std::string> sources;
@@ -25,6 +28,7 @@ struct BenchArguments {
   std::string size;
   std::string pictures;
   int frames = 9;
+  bool equalError = false;
   bool json = false;
 };
 
@@ -133,25 +137,37 @@ void runBench(const BenchArguments& arguments) {
   const std::vector<BenchScene> scenes = allScenes(arguments, progress);
   const BenchEntries entries = entriesFor(arguments);
   std::vector<BenchRow> rows;
+  std::vector<EqualErrorRow> equalErrors;
   std::string driver;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto contenders = contendersFor(entries, scenes[i].volumePath);
     driver = contenders.front()->renderer();
     int drawn = 0;
-    const int pictures = picturesPerRow(arguments.frames) * static_cast<int>(contenders.size());
+    const int eachDraws = picturesPerRow(arguments.frames) + (arguments.equalError ? 1 : 0);
+    const int pictures = eachDraws * static_cast<int>(contenders.size());
     const auto advance = [&] {
       if (progress.report)
         progress.report((static_cast<double>(i) + static_cast<double>(++drawn) / pictures) /
                             static_cast<double>(scenes.size()),
                         "Measuring " + scenes[i].name);
     };
-    const auto more = benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, advance);
+    const PictureErrors errors(scenes[i].scene, contenders, entries.threads);
+    const auto more =
+        benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, errors, advance);
     rows.insert(rows.end(), more.begin(), more.end());
+    if (arguments.equalError) {
+      const auto compared = equalErrorRows(scenes[i].name, scenes[i].scene, contenders, errors,
+                                           std::min(arguments.frames, framesOfACurve), advance);
+      equalErrors.insert(equalErrors.end(), compared.begin(), compared.end());
+    }
     if (!arguments.pictures.empty())
       savePictures(contenders, scenes[i], arguments.pictures);
   }
   const std::string machine = machineName() + ", " + driver;
-  std::cout << (arguments.json ? benchJson(machine, rows) : benchTable(machine, rows));
+  if (arguments.json)
+    std::cout << benchJson(machine, rows, equalErrors);
+  else
+    std::cout << benchTable(machine, rows) << (equalErrors.empty() ? "" : equalErrorTable(equalErrors));
 }
 
 } // namespace
@@ -186,6 +202,8 @@ void addBenchCommand(CommandSyntax& root) {
                "the program with every effect compiled in draws the same views in turn");
   command.flag("--rivals", arguments->entries.rivals,
                "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
+  command.flag("--equal-error", arguments->equalError,
+               "also how fast each is where it errs as VTK's GPU mapper does, or else the first of them");
   command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
   command.footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");

@@ -149,7 +149,9 @@ TEST_F(CommandLine, benchPrintsTheTimesOfEveryRendererAsOneJsonObject) {
     EXPECT_GT(row["first_ms"], row["ms"]["min"]);
     EXPECT_GT(row["edit_ms"], 0.0);
     EXPECT_TRUE(row["peak_mb"].is_number());
-    EXPECT_TRUE(row["mean_error"].is_null());
+    // Half the step errs less; both hold the rounding to 8 bits, a quarter of a level on average.
+    EXPECT_GT(row["mean_error"], 0.1);
+    EXPECT_LE(row["mean_error"], json["rows"][i % 2]["mean_error"]);
     EXPECT_EQ(row.size(), 10u);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "accuracy/times/BenchRow.h"
 #include "app/measure/bench/Contender.h"
+#include "app/measure/bench/PictureErrors.h"
 
 #include <functional>
 #include <memory>
@@ -24,7 +25,7 @@ std::optional<Scene> edited(const Scene& scene, int index);
 /// what disturbs the machine disturbs all. `advance` is called after every picture and may throw.
 std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
                                 const std::vector<std::unique_ptr<Contender>>& contenders, int frames,
-                                const std::function<void()>& advance);
+                                const PictureErrors& errors, const std::function<void()>& advance);
 
 /// The pictures that benchRows draws with each contender.
 inline int picturesPerRow(int frames) {
@@ -35,6 +36,9 @@ inline int picturesPerRow(int frames) {
 /// program with all effects, drew the same views, the share of its time that each took: the median over the
 /// views.
 std::string benchTable(const std::string& machine, const std::vector<BenchRow>& rows);
+
+/// The times at equal error as a table of their own.
+std::string equalErrorTable(const std::vector<EqualErrorRow>& rows);
 
 /// Which renderers take part.
 struct BenchEntries {

@@ -38,10 +38,10 @@ double shareOf(const std::vector<double>& times, const std::vector<double>& yard
 std::string lineOf(const BenchRow& row, const BenchRow* yardstick, int sceneWidth) {
   const Timing ms = timingOf(wallTimes(row.views));
   std::string line = formatted(
-      "%-*s %9s %6.3g %-14s %8.1f %19s %8.1f %8.1f %8s %7.1f", sceneWidth, row.scene.c_str(),
+      "%-*s %9s %6.3g %-14s %8.1f %19s %8.1f %8.1f %8s %7.1f %6.2f", sceneWidth, row.scene.c_str(),
       formatted("%dx%d", row.size.x, row.size.y).c_str(), row.stepVoxels, row.program.c_str(), ms.median,
       formatted("%.1f .. %.1f", ms.least, ms.most).c_str(), timingOf(processorTimes(row.views)).median,
-      row.firstMs, row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb);
+      row.firstMs, row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb, row.meanError);
   if (yardstick)
     line += formatted("  %.3f, %.3f of %s", shareOf(wallTimes(row.views), wallTimes(yardstick->views)),
                       shareOf(processorTimes(row.views), processorTimes(yardstick->views)),
@@ -57,15 +57,29 @@ std::string benchTable(const std::string& machine, const std::vector<BenchRow>& 
     width = std::max(width, row.scene.size());
   const int sceneWidth = static_cast<int>(width);
   std::string table = machine + "\n";
-  table +=
-      formatted("%-*s %9s %6s %-14s %8s %19s %8s %8s %8s %7s  %s\n", sceneWidth, "scene", "size", "step",
-                "program", "ms", "least .. most", "cpu ms", "first", "edit", "MB", "share of ms, cpu ms");
+  table += formatted("%-*s %9s %6s %-14s %8s %19s %8s %8s %8s %7s %6s  %s\n", sceneWidth, "scene", "size",
+                     "step", "program", "ms", "least .. most", "cpu ms", "first", "edit", "MB", "error",
+                     "share of ms, cpu ms");
   for (const BenchRow& row : rows)
     table += lineOf(row, yardstickOf(row, rows), sceneWidth);
   table += "\n";
   for (const BenchRow& row : rows)
     if (!row.effects.empty())
       table += row.scene + ", " + row.program + ": " + row.effects + "\n";
+  return table;
+}
+
+std::string equalErrorTable(const std::vector<EqualErrorRow>& rows) {
+  std::size_t width = 5;
+  for (const EqualErrorRow& row : rows)
+    width = std::max(width, row.scene.size());
+  const int sceneWidth = static_cast<int>(width);
+  std::string table = formatted("%-*s %6s %-14s %8s  %s\n", sceneWidth, "scene", "error", "program", "cpu ms",
+                                "times as fast at equal error");
+  for (const EqualErrorRow& row : rows)
+    table += formatted("%-*s %6.2f %-14s %8s  %s\n", sceneWidth, row.scene.c_str(), row.meanError,
+                       row.program.c_str(), row.cpuMs ? formatted("%.1f", *row.cpuMs).c_str() : "never",
+                       row.gain ? formatted("%.1f as %s", *row.gain, row.yardstick.c_str()).c_str() : "-");
   return table;
 }
 

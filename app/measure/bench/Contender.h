@@ -29,6 +29,9 @@ public:
   /// The effects in the program that draws `scene`, in words; empty where there is no choice.
   virtual std::string effects(const Scene&) { return {}; }
 
+  /// Whether it lights both sides of a surface whatever the scene says, as VTK's mappers do.
+  virtual bool lightsBothSides() const { return false; }
+
   /// Lets go of everything made so far, then draws a first picture: upload, preparation, shader and frame.
   /// Throws Error (usage) naming what this renderer cannot draw.
   virtual FrameCost drawFirst(const Scene& scene) = 0;

@@ -33,6 +33,7 @@ public:
 
   std::string program() const override { return m_name; }
   std::string renderer() const override { return m_renderer; }
+  bool lightsBothSides() const override { return true; }
   FrameCost drawFirst(const Scene& scene) override { return cost("first", scene); }
   FrameCost draw(const Scene& scene) override { return cost("draw", scene); }
   double peakMb() override { return std::stod(asked("peak\n")); }

@@ -23,6 +23,7 @@ struct BenchRow {
   double firstMs = 0.0;         ///< upload, preparation, shader and first frame
   std::optional<double> editMs; ///< median from a moved control point to the picture; absent without points
   double peakMb = 0.0;          ///< resident above what was before the first frame
+  double meanError = 0.0;       ///< of the first view, 8-bit levels over the covered pixels
 };
 
 } // namespace limn

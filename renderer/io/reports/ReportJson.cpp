@@ -4,6 +4,7 @@
 #include "accuracy/sweep/AccuracySweep.h"
 #include "accuracy/sweep/FigureText.h"
 #include "accuracy/times/BenchRow.h"
+#include "accuracy/times/EqualError.h"
 #include "io/json/JsonFields.h"
 #include "scene/effects/EffectRows.h"
 #include "scene/volume/Volume.h"
@@ -41,7 +42,7 @@ Json toJson(const BenchRow& row) {
           {"first_ms", row.firstMs},
           {"edit_ms", row.editMs ? Json(*row.editMs) : Json()},
           {"peak_mb", row.peakMb},
-          {"mean_error", Json()}};
+          {"mean_error", row.meanError}};
 }
 
 const char* nameOf(PointRenderer renderer) {
@@ -166,11 +167,20 @@ std::string effectsJson(const std::string& renderer, const std::vector<EffectRow
   return textOf({{"renderer", renderer}, {"effects", effects}});
 }
 
-std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows) {
+std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,
+                      const std::vector<EqualErrorRow>& equalErrors) {
   Json list = Json::array();
   for (const BenchRow& row : rows)
     list.push_back(toJson(row));
-  return textOf({{"machine", machine}, {"rows", list}});
+  Json json = {{"machine", machine}, {"rows", list}};
+  for (const EqualErrorRow& row : equalErrors)
+    json["equal_error"].push_back({{"scene", row.scene},
+                                   {"program", row.program},
+                                   {"mean_error", row.meanError},
+                                   {"cpu_ms", row.cpuMs ? Json(*row.cpuMs) : Json()},
+                                   {"gain", row.gain ? Json(*row.gain) : Json()},
+                                   {"yardstick", row.yardstick}});
+  return textOf(json);
 }
 
 std::string accuracyJson(const AccuracyReport& report) {

@@ -11,6 +11,7 @@ namespace limn {
 
 struct AccuracyReport;
 struct BenchRow;
+struct EqualErrorRow;
 struct EffectRow;
 struct StabilityReport;
 class Volume;
@@ -32,8 +33,9 @@ std::string volumeJson(const VolumeFacts& facts);
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,
                         const std::vector<double>& costsMs);
 
-/// `machine` names processor and renderer.
-std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows);
+/// `machine` names processor and renderer. `equalErrors` may be empty.
+std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,
+                      const std::vector<EqualErrorRow>& equalErrors);
 
 /// Errors are null where the exact picture did not converge.
 std::string accuracyJson(const AccuracyReport& report);

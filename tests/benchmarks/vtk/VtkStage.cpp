@@ -23,15 +23,19 @@
 namespace limn {
 namespace {
 
+bool isExtreme(Projection projection) {
+  return projection == Projection::mip || projection == Projection::minip;
+}
+
 void requireDrawableByVtk(const Scene& scene) {
   const LightingTerms terms = lightingTerms(scene.shading);
   const char* beyond = nullptr;
-  if (scene.projection != Projection::composite)
-    beyond = "projections other than composite";
+  if (scene.projection != Projection::composite && !isExtreme(scene.projection))
+    beyond = "projections other than composite, MIP and MinIP";
   else if (scene.shading.model != ShadingModel::none && scene.shading.model != ShadingModel::classic)
     beyond = "the enhanced and robust models";
-  else if (terms.lightDirection || terms.twoSided)
-    beyond = "fixed or two-sided light";
+  else if (terms.lightDirection)
+    beyond = "fixed light";
   else if (scene.fog.mode != Fog::Mode::none)
     beyond = "fog";
   else if (scene.crop != CropBox{})
@@ -135,6 +139,10 @@ void VtkStage::makeVolume(const Scene& scene) {
   const auto mapper = m_kind == VtkMapper::gpu ? mapperWithStep<vtkOpenGLGPUVolumeRayCastMapper>(step)
                                                : mapperWithStep<vtkFixedPointVolumeRayCastMapper>(step);
   mapper->SetInputData(m_image);
+  if (scene.projection == Projection::mip)
+    mapper->SetBlendModeToMaximumIntensity();
+  if (scene.projection == Projection::minip)
+    mapper->SetBlendModeToMinimumIntensity();
   m_actor = vtkSmartPointer<vtkVolume>::New();
   m_actor->SetMapper(mapper);
   setLighting(*m_actor->GetProperty(), scene.shading);
