@@ -4,10 +4,12 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
+#include <new>
 #include <system_error>
-#include <vector>
 
 namespace limn {
 
@@ -31,6 +33,39 @@ int Pieces::next() {
   return piece < m_count ? piece : -1;
 }
 
+namespace {
+
+// Threads come in as long as it is open, and are waited for only once they are in: a thread that a busy
+// system starts late holds nobody up.
+class Gate {
+public:
+  bool enter() {
+    const std::lock_guard lock(m_mutex);
+    m_inside += m_isOpen ? 1 : 0;
+    return m_isOpen;
+  }
+
+  void leave() {
+    const std::lock_guard lock(m_mutex);
+    --m_inside;
+    m_left.notify_one();
+  }
+
+  void closeAndWait() {
+    std::unique_lock lock(m_mutex);
+    m_isOpen = false;
+    m_left.wait(lock, [this] { return m_inside == 0; });
+  }
+
+private:
+  std::mutex m_mutex;
+  std::condition_variable m_left;
+  int m_inside = 0;
+  bool m_isOpen = true;
+};
+
+} // namespace
+
 void shareOut(int count, const Effort& effort, const std::function<void(Pieces&)>& worker) {
   Pieces pieces(count, effort);
   std::mutex mutex;
@@ -44,19 +79,22 @@ void shareOut(int count, const Effort& effort, const std::function<void(Pieces&)
       pieces.stop();
     }
   };
-  {
-    const int all =
-        effort.threads > 0 ? effort.threads : static_cast<int>(std::thread::hardware_concurrency());
-    std::vector<std::jthread> others;
-    try {
-      others.reserve(static_cast<std::size_t>(std::max(0, std::min(all, count) - 1)));
-      while (others.size() < others.capacity())
-        others.emplace_back(work);
-    } catch (const std::system_error&) {
-      // The caller's thread takes the pieces of those that the system refuses.
-    }
-    work();
+  const auto gate = std::make_shared<Gate>();
+  const int all = effort.threads > 0 ? effort.threads : static_cast<int>(std::thread::hardware_concurrency());
+  try {
+    for (int n = 1; n < std::min(all, count); ++n)
+      std::thread([gate, &work] {
+        if (!gate->enter())
+          return;
+        work();
+        gate->leave();
+      }).detach();
+  } catch (const std::system_error&) {
+    // The caller's thread takes the pieces of those that the system refuses.
+  } catch (const std::bad_alloc&) {
   }
+  work();
+  gate->closeAndWait();
   if (failure)
     std::rethrow_exception(failure);
   if (pieces.isCancelled())

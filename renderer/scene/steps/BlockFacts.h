@@ -26,7 +26,7 @@ struct BlockFacts {
   double commonPerMm = 0.0;      ///< what the field commonly changes by at most, value/mm (steepness)
 };
 
-/// One pass over the volume, on every core: keep the result while the volume stays.
-BlockFacts blockFacts(const Volume& volume);
+/// One pass over the volume: keep the result while the volume stays. Throws Cancelled.
+BlockFacts blockFacts(const Volume& volume, const Effort& effort = {});
 
 } // namespace limn

@@ -10,12 +10,13 @@
 
 namespace limn {
 
-/// The rows of a grid of voxels along x, in pieces of work.
+/// The rows of a grid along x, in pieces of work.
 class RowPieces {
 public:
-  explicit RowPieces(const glm::ivec3& dims)
+  /// Of a grid whose elements are `voxelsEach`.
+  explicit RowPieces(const glm::ivec3& dims, int voxelsEach = 1)
       : m_height(dims.y), m_rows(std::int64_t{dims.y} * dims.z),
-        m_perPiece(std::max(1, voxelsPerPiece / dims.x)) {}
+        m_perPiece(std::max(1, voxelsPerPiece / voxelsEach / dims.x)) {}
 
   int pieces() const { return static_cast<int>((m_rows + m_perPiece - 1) / m_perPiece); }
 
