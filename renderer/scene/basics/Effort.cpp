@@ -13,11 +13,6 @@
 
 namespace limn {
 
-void stopIfCancelled(const Effort& effort) {
-  if (effort.isCancelled && effort.isCancelled())
-    throw Cancelled();
-}
-
 int Pieces::next() {
   if (std::this_thread::get_id() == m_caller) {
     if (m_effort.isCancelled && m_effort.isCancelled()) {
@@ -99,6 +94,8 @@ void shareOut(int count, const Effort& effort, const std::function<void(Pieces&)
     std::rethrow_exception(failure);
   if (pieces.isCancelled())
     throw Cancelled();
+  if (effort.report)
+    effort.report(1.0);
 }
 
 void forEachPiece(int count, const Effort& effort, const std::function<void(int)>& work) {

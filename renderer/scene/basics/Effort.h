@@ -18,9 +18,6 @@ struct Effort {
 /// So many voxels make a piece of work: even with hundreds of instructions each, it takes less than 10 ms.
 inline constexpr int voxelsPerPiece = 1 << 16;
 
-/// Throws Cancelled where the effort is to end.
-void stopIfCancelled(const Effort& effort);
-
 /// Hands out the pieces 0 … count-1 of some work, each once.
 class Pieces {
 public:
