@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/steps/EmptySpace.h"
 #include "glsl/textures/TextureBlocks.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"

@@ -4,22 +4,27 @@
 #include "scene/steps/BlockGatherer.h"
 #include "scene/volume/RowPieces.h"
 
+#include <algorithm>
+
 namespace limn {
 
-BlockRanges blockRanges(const TextureVoxels& voxels) {
-  const glm::ivec3 inner = voxels.size - 2; // without the apron
-  BlockRanges result(blocksOf(inner));
-  const glm::ivec3& blocks = result.blocks();
-  const RowPieces rows(blocks, blockSize * blockSize * blockSize);
+glm::ivec2 planesOfLayer(const glm::ivec3& size, int layer) {
+  const int first = layer * blockSize;
+  return {first, std::min(first + blockSize + 3, size.z)};
+}
+
+void gatherLayers(const float* texels, const glm::ivec3& size, int first, int end, BlockRanges& ranges) {
+  const glm::ivec3 blocks = ranges.blocks();
+  const int firstPlane = planesOfLayer(size, first).x;
+  const RowPieces rows({blocks.x, blocks.y, end - first}, blockSize * blockSize * blockSize);
   shareOut(rows.pieces(), {}, [&](Pieces& pieces) {
-    BlockGatherer<float> own(inner);
-    BlockGatherer<float> around(inner, 1);
+    BlockGatherer<float> own(size - 2);
+    BlockGatherer<float> around(size - 2, 1);
     for (int piece = pieces.next(); piece >= 0; piece = pieces.next())
-      rows.forEachRow(piece, [&](int j, int k) {
+      rows.forEachRow(piece, [&](int j, int layer) {
+        const int k = first + layer;
         const auto rowAt = [&](int x) {
-          return [&voxels, x](int y, int z) {
-            return &voxels.texels[voxelOffset(voxels.size, x, y + 1, z + 1)];
-          };
+          return [&, x](int y, int z) { return texels + voxelOffset(size, x, y + 1, z + 1 - firstPlane); };
         };
         own.gather(j, k, rowAt(1));
         around.gather(j, k, rowAt(0));
@@ -28,11 +33,16 @@ BlockRanges blockRanges(const TextureVoxels& voxels) {
           const float lowest = around.lowest(i);
           const float highest = around.highest(i);
           const float beyond = 3.0f * blockMargin * (highest - lowest);
-          result.set({i, j, k},
+          ranges.set({i, j, k},
                      {std::max(own.lowest(i) - beyond, lowest), std::min(own.highest(i) + beyond, highest)});
         }
       });
   });
+}
+
+BlockRanges blockRanges(const TextureVoxels& voxels) {
+  BlockRanges result(blocksOf(voxels.size - 2));
+  gatherLayers(voxels.texels.data(), voxels.size, 0, result.blocks().z, result);
   result.finish();
   return result;
 }
