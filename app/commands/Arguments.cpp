@@ -51,8 +51,11 @@ Progress terminalProgress(bool quiet) {
     return progress;
   progress.report = [shown = std::string()](double fraction, const std::string& what) mutable {
     char line[160];
-    std::snprintf(line, sizeof line, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
-                  fraction >= 1.0 ? "\r\033[K" : "");
+    if (fraction < 0.0)
+      std::snprintf(line, sizeof line, "\r\033[K%s", what.c_str());
+    else
+      std::snprintf(line, sizeof line, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
+                    fraction >= 1.0 ? "\r\033[K" : "");
     if (shown != line)
       std::fputs(line, stderr);
     shown = line;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/EmptySpace.h"
+#include "support/JudgedTime.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <random>
 
 namespace limn {
@@ -131,6 +133,41 @@ TEST(EmptySpaceMap, holdsWhatEveryBlockByItselfSays) {
     }
     EXPECT_GT(partly, blocks.x > 1 ? 8 : -1) << "most of them tell blocks apart";
   }
+}
+
+// A ball of tissue with a hard core in air, in which no two blocks are alike.
+BlockRanges ballOf(const glm::ivec3& blocks) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> noise(0.0f, 0.02f);
+  BlockRanges ranges(blocks);
+  for (std::size_t i = 0; i < countOf(blocks); ++i) {
+    const glm::ivec3 at = placeOf(i, blocks);
+    const glm::vec3 fromCentre = (glm::vec3(at) + 0.5f) / glm::vec3(blocks) - 0.5f;
+    const float radius = glm::length(fromCentre);
+    const float value = radius > 0.4f ? 0.0f : radius > 0.2f ? 0.26f : 0.3f + 0.5f * noise(random) / 0.02f;
+    ranges.set(at, {value, value + noise(random)});
+  }
+  ranges.finish();
+  return ranges;
+}
+
+TEST(EmptySpaceMap, anEditAt512VoxelsAlongEachAxisIsAnsweredWithinFiveMilliseconds) {
+  const BlockRanges ranges = ballOf(glm::ivec3(128));
+  EmptySpaceMap map;
+  double bestMs = 1e9;
+  for (int i = 0; i < 25; ++i) {
+    const double from = 0.2 + 0.01 * i;
+    const PiecewiseTable table =
+        tableOf(TransferFunction{1.0, {{from, glm::dvec3(1.0), 0.0}, {from + 0.1, glm::dvec3(1.0), 1.0}}},
+                {0.0, 1.0});
+    const auto start = std::chrono::steady_clock::now();
+    mapEmptySpace(ranges, {&table, {}}, map);
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+    bestMs = std::min(bestMs, ms.count());
+    EXPECT_GT(map.emptyShare, 0.2);
+    EXPECT_LT(map.emptyShare, 0.999);
+  }
+  test::judgeMs("the best of 25 edits at 512 voxels along each axis", bestMs, 5.0);
 }
 
 } // namespace
