@@ -222,7 +222,7 @@ Moduli passOver(const Stencil<T>& stencil, const Window* window, double largest,
   return all;
 }
 
-// Moduli of some voxels, each from another part of the volume, in ascending order.
+// Moduli of some voxels, each from another part of the volume.
 template <class T>
 std::vector<float> sampleOf(const Stencil<T>& stencil, const Effort& effort) {
   constexpr std::size_t most = 1 << 17;
@@ -247,24 +247,28 @@ std::vector<float> sampleOf(const Stencil<T>& stencil, const Effort& effort) {
     }
   });
   std::erase(sample, -1.0f);
-  std::sort(sample.begin(), sample.end());
   return sample;
 }
 
 // Where the percentile most likely lies.
-Window likelyWindow(const std::vector<float>& sample, double percent, std::size_t voxels) {
+Window likelyWindow(std::vector<float> sample, double percent, std::size_t voxels) {
   Window window{static_cast<std::uint32_t>(std::clamp<std::size_t>(voxels, 1 << 10, 1 << 20))};
   if (sample.size() < 1024)
     return window;
+  const auto bitsAt = [&sample](double rank) {
+    const auto at = sample.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(sample.begin(), at, sample.end());
+    return std::bit_cast<std::uint32_t>(*at);
+  };
   const auto count = static_cast<double>(sample.size());
   const double share = percent / 100.0;
   const double margin = 4.0 * std::sqrt(share * (1.0 - share) * count) + 2.0;
   const double first = std::floor(share * count - margin);
   const double last = std::ceil(share * count + margin);
   if (first >= 0.0)
-    window.first = std::bit_cast<std::uint32_t>(sample[static_cast<std::size_t>(first)]);
+    window.first = bitsAt(first);
   if (last < count)
-    window.last = std::bit_cast<std::uint32_t>(sample[static_cast<std::size_t>(last)]);
+    window.last = bitsAt(last);
   return window;
 }
 
@@ -296,8 +300,9 @@ bool narrow(Window& window, const Moduli& found, const Classes& classes, std::ui
 template <class T>
 FoundModuli found(const Stencil<T>& stencil, std::optional<double> percent, const Effort& effort) {
   const std::vector<float> sample = sampleOf(stencil, effort);
+  const double sampled = sample.empty() ? 0.0 : *std::max_element(sample.begin(), sample.end());
   // Less than the modulus that was rounded to this float.
-  const double known = sample.empty() || sample.back() < 1e-30f ? 0.0 : sample.back() * (1.0 - 1e-6);
+  const double known = sampled > 1e-30 ? sampled * (1.0 - 1e-6) : 0.0;
   if (!percent) {
     Classes none;
     return {passOver(stencil, nullptr, known, none, effort).largest, 0.0};
