@@ -75,10 +75,10 @@ void copyNormalised(const std::vector<T>& stored, const Volume& volume, const Ef
 
 // Lowest and highest normalised scalar of each block, the voxels on its faces included.
 template <class T>
-std::vector<glm::vec2> gatherBlocks(const T* voxels, const glm::ivec3& dims, const Rescale& toNormalised,
-                                    const Effort& effort) {
+UninitialisedVector<glm::vec2> gatherBlocks(const T* voxels, const glm::ivec3& dims,
+                                            const Rescale& toNormalised, const Effort& effort) {
   const glm::ivec3 blocks = blocksOf(dims);
-  std::vector<glm::vec2> result(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  UninitialisedVector<glm::vec2> result(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
   const RowPieces rows(blocks, blockSize * blockSize * blockSize);
   shareOut(rows.pieces(), effort, [&](Pieces& pieces) {
     BlockGatherer<T> gatherer(dims);

@@ -15,7 +15,7 @@ glm::vec2 joined(const glm::vec2& a, const glm::vec2& b) {
 }
 
 // Writes the ranges of a row of blocks joined with those of the rows beside it.
-void joinRows(const std::vector<glm::vec2>& ranges, const glm::ivec3& blocks, int j, int k,
+void joinRows(const UninitialisedVector<glm::vec2>& ranges, const glm::ivec3& blocks, int j, int k,
               std::vector<glm::vec2>& row) {
   std::copy_n(&ranges[voxelOffset(blocks, 0, j, k)], blocks.x, row.begin());
   for (int z = std::max(0, k - 1); z <= std::min(blocks.z - 1, k + 1); ++z)
@@ -40,11 +40,18 @@ glm::ivec3 blocksOf(const glm::ivec3& texels) {
 
 BlockRanges::BlockRanges(const glm::ivec3& blocks)
     : m_blocks(blocks), m_groups((blocks + groupSize - 1) / groupSize) {
+  m_members.resize(static_cast<std::size_t>(m_groups.x) * m_groups.y * m_groups.z);
+  m_ranges.resize(m_members.size());
   Group none;
   none.lowest.fill(std::numeric_limits<float>::infinity());
   none.highest.fill(-std::numeric_limits<float>::infinity());
-  m_members.assign(static_cast<std::size_t>(m_groups.x) * m_groups.y * m_groups.z, none);
-  m_ranges.resize(m_members.size());
+  // The outermost groups have places that no block fills.
+  for (int k = 0; k < m_groups.z; ++k)
+    for (int j = 0; j < m_groups.y; ++j) {
+      const bool isOutermost = k + 1 == m_groups.z || j + 1 == m_groups.y;
+      for (int i = isOutermost ? 0 : m_groups.x - 1; i < m_groups.x; ++i)
+        m_members[groupOffset({i, j, k})] = none;
+    }
 }
 
 glm::vec2 BlockRanges::at(const glm::ivec3& block) const {
@@ -58,17 +65,25 @@ void BlockRanges::set(const glm::ivec3& block, const glm::vec2& range) {
   group.highest[memberOf(block)] = range.y;
 }
 
-void BlockRanges::finish() {
-  for (std::size_t i = 0; i < m_members.size(); ++i)
-    m_ranges[i] = {*std::min_element(m_members[i].lowest.begin(), m_members[i].lowest.end()),
-                   *std::max_element(m_members[i].highest.begin(), m_members[i].highest.end())};
+void BlockRanges::finish(const Effort& effort) {
+  const RowPieces rows(m_groups, static_cast<int>(Group::size));
+  forEachPiece(rows.pieces(), effort, [&](int piece) {
+    rows.forEachRow(piece, [&](int j, int k) {
+      for (int i = 0; i < m_groups.x; ++i) {
+        const std::size_t group = groupOffset({i, j, k});
+        const Group& members = m_members[group];
+        m_ranges[group] = {*std::min_element(members.lowest.begin(), members.lowest.end()),
+                           *std::max_element(members.highest.begin(), members.highest.end())};
+      }
+    });
+  });
 }
 
 std::size_t BlockRanges::bytes() const {
   return m_members.size() * sizeof(Group) + m_ranges.size() * sizeof(glm::vec2);
 }
 
-BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const std::vector<glm::vec2>& own,
+BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const UninitialisedVector<glm::vec2>& own,
                                 float marginTexels, const Effort& effort) {
   BlockRanges result(blocks);
   const RowPieces rows(blocks);
@@ -90,7 +105,7 @@ BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const std::vector<glm:
       }
     });
   });
-  result.finish();
+  result.finish(effort);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Uninitialised.h"
 
 #include <glm/glm.hpp>
 
@@ -37,6 +38,7 @@ public:
   };
 
   BlockRanges() = default;
+  /// Every block must be set, then finish() called.
   explicit BlockRanges(const glm::ivec3& blocks);
 
   const glm::ivec3& blocks() const { return m_blocks; }
@@ -49,8 +51,8 @@ public:
   glm::vec2 at(const glm::ivec3& block) const;
   void set(const glm::ivec3& block, const glm::vec2& range);
 
-  /// Finds the ranges of the groups, once the blocks have theirs.
-  void finish();
+  /// Finds the ranges of the groups, once the blocks have theirs. Throws Cancelled.
+  void finish(const Effort& effort = {});
 
   std::size_t bytes() const;
 
@@ -61,14 +63,14 @@ private:
 
   glm::ivec3 m_blocks{0};
   glm::ivec3 m_groups{0};
-  std::vector<Group> m_members;
+  UninitialisedVector<Group> m_members;
   std::vector<glm::vec2> m_ranges;
 };
 
 /// From ranges of blocks by their own texels alone, x fastest: lets each stand for positions up to
 /// `marginTexels` beyond it, where the texels of neighbouring blocks weigh no more than the margin along each
 /// of three axes. Throws Cancelled.
-BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const std::vector<glm::vec2>& own,
+BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const UninitialisedVector<glm::vec2>& own,
                                 float marginTexels, const Effort& effort = {});
 
 } // namespace limn

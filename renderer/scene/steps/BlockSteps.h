@@ -19,7 +19,7 @@ struct StepRungs {
 /// The rungs of every block under one transfer function.
 struct BlockSteps {
   glm::ivec3 blocks{0};
-  std::vector<StepRungs> rungs; ///< x fastest
+  UninitialisedVector<StepRungs> rungs; ///< x fastest
   bool resolvesFunction = true; ///< false: a band of the function is narrower than the finest step can tell
 };
 
