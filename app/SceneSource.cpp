@@ -134,7 +134,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
     // Only the curve: the scene's other keys have values of their own.
-    const Preset preset = bestFitting(builtInPresets(), *opened.volume);
+    const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
     loaded.scene.transferFunction = preset.transferFunction;
     loaded.preset = preset.name;
   }
@@ -179,7 +179,7 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   loaded.volumePath = opened.path;
   loaded.read = options.read;
   loaded.scene.camera = firstView(defaultCamera(opened.volume->grid()), opened.volume->grid());
-  const Preset preset = bestFitting(builtInPresets(), *opened.volume);
+  const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset, true);
   loaded.preset = preset.name;
   return loaded;

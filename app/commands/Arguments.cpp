@@ -49,9 +49,16 @@ Progress terminalProgress(bool quiet) {
   Progress progress;
   if (quiet || !isatty(STDERR_FILENO))
     return progress;
-  progress.report = [](double fraction, const std::string& what) {
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
-                 fraction >= 1.0 ? "\r\033[K" : "");
+  progress.report = [shown = std::string()](double fraction, const std::string& what) mutable {
+    char line[160];
+    if (fraction < 0.0)
+      std::snprintf(line, sizeof line, "\r\033[K%s", what.c_str());
+    else
+      std::snprintf(line, sizeof line, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
+                    fraction >= 1.0 ? "\r\033[K" : "");
+    if (shown != line)
+      std::fputs(line, stderr);
+    shown = line;
   };
   return progress;
 }

@@ -27,7 +27,8 @@ void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, cons
 /// What the arguments ask for. Throws Error (usage) for a spacing that is not three positive numbers.
 SourceOptions sourceOptions(const SourceArguments& arguments);
 
-/// Reports to stderr while it is a terminal and `quiet` is not set.
+/// Reports to stderr while it is a terminal and `quiet` is not set; without a figure where the fraction is
+/// negative.
 Progress terminalProgress(bool quiet);
 
 /// "WxH" in pixels. Throws Error (usage).

@@ -8,7 +8,7 @@
 #include "io/reports/ReportJson.h"
 #include "raycaster/RayCaster.h"
 #include "scene/basics/Error.h"
-#include "scene/light/Gradient.h"
+#include "scene/light/ModulusSearch.h"
 #include "scene/volume/Phantom.h"
 
 #include <QString>
@@ -110,13 +110,14 @@ void runInfo(const InfoArguments& arguments) {
   if (arguments.source.source.empty())
     throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
   VolumeFacts facts;
-  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source),
-                                       terminalProgress(arguments.source.quiet));
+  const Progress progress = terminalProgress(arguments.source.quiet);
+  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source), progress);
   facts.volume = loaded.scene.volume;
   if (std::filesystem::exists(loaded.volumePath))
     facts.series = listSeries(loaded.volumePath);
-  facts.gradientMax = largestGradient(*facts.volume);
-  facts.gradientPercentile = gradientPercentile(*facts.volume, 99.5);
+  const FoundModuli gradients = findModuli(*facts.volume, 99.5, effortOf(progress, "Measuring gradients"));
+  facts.gradientMax = gradients.largest;
+  facts.gradientPercentile = gradients.percentile;
   if (arguments.json)
     std::cout << volumeJson(facts);
   else

@@ -80,8 +80,9 @@ void runRender(const RenderArguments& arguments) {
     throw Error(Error::Kind::usage,
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
   const bool isComparison = arguments.scene.model == "compare";
-  LoadedScene loaded = loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source),
-                                 terminalProgress(arguments.scene.source.quiet));
+  const Progress progress = terminalProgress(arguments.scene.source.quiet);
+  LoadedScene loaded =
+      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
@@ -93,7 +94,9 @@ void runRender(const RenderArguments& arguments) {
   if (!arguments.scene.model.empty() && !isComparison)
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   const auto start = std::chrono::steady_clock::now();
+  reportOrStop(progress, -1.0, "Drawing");
   const MadePicture picture = pictureOf(scene, arguments);
+  reportOrStop(progress, 1.0, "Drawing");
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   // The picture may travel: it names its volume without folders, and nobody.
   const std::string volume =

@@ -76,7 +76,7 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
       }
     }
     const LoadedScene scene = loadScene(path, options, progress);
-    const Histogram histogram = histogramOf(*scene.scene.volume);
+    const Histogram histogram = histogramOf(*scene.scene.volume, 1024, effortOf(progress, countingVoxels));
     deliver(job, [this, scene, histogram] {
       m_job.reset();
       emit loaded(scene, histogram);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/CurveDesk.h"
 
+#include "scene/basics/Error.h"
 #include "scene/light/GradientHistogram.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
@@ -48,16 +49,21 @@ void CurveDesk::measureGradients() {
   const bool begins = m_volume && m_panel.gradientIsShown();
   editor->setMeasuring(begins);
   m_counted = begins ? m_volume : nullptr;
+  for (std::jthread& thread : m_threads)
+    thread.request_stop();
   if (m_counted)
-    m_threads.emplace_back([this, volume = m_counted] { countGradients(volume); });
+    m_threads.emplace_back(
+        [this, volume = m_counted](const std::stop_token& stop) { countGradients(volume, stop); });
 }
 
 // On a worker thread. Only the volume asked for last counts.
-void CurveDesk::countGradients(const std::shared_ptr<const Volume>& volume) {
+void CurveDesk::countGradients(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop) {
   Histogram gradients;
   QString problem;
   try {
-    gradients = gradientHistogram(*volume);
+    gradients = gradientHistogram(*volume, 1024, {0, [&stop] { return stop.stop_requested(); }, {}});
+  } catch (const Cancelled&) {
+    return;
   } catch (const std::exception& error) {
     problem = tr("The volume's gradients cannot be counted: %1.").arg(QString::fromLocal8Bit(error.what()));
   }

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <stop_token>
 #include <thread>
 
 namespace limn {
@@ -30,7 +31,7 @@ signals:
 
 private:
   void measureGradients();
-  void countGradients(const std::shared_ptr<const Volume>& volume);
+  void countGradients(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop);
 
   CurvePanel& m_panel;
   std::shared_ptr<const Volume> m_volume;

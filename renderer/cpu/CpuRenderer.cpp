@@ -23,20 +23,20 @@ CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace)
   cpu::requireInstructionSet();
 }
 
-EffectPlan CpuRenderer::plan(const Scene& scene) {
-  m_data.update(scene);
+EffectPlan CpuRenderer::plan(const Scene& scene, const std::function<bool()>& isCancelled) {
+  m_data.update(scene, isCancelled);
   m_limitation = stepLimitation(scene, mostSamples);
   return requiredEffects(scene, m_data.facts(scene));
 }
 
 Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, EffectSet more,
                             const std::function<bool()>& isCancelled) {
-  const EffectPlan needed = plan(scene);
+  const EffectPlan needed = plan(scene, isCancelled);
   Image image(tile.size);
   if (!needed.isVisible)
     return image;
   const EffectSet effects = canonical(needed.effects.with(more));
-  const cpu::PictureTerms terms = m_data.terms(scene, size, effects);
+  const cpu::PictureTerms terms = m_data.terms(scene, size, effects, isCancelled);
   const PixelRect covered =
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
   const glm::ivec2 inTile = covered.topLeft - tile.topLeft;

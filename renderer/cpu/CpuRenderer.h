@@ -28,8 +28,8 @@ public:
   /// The picture whose light terms are not limited (DEFINITION section 4).
   Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
 
-  /// What the scene calls for and why.
-  EffectPlan plan(const Scene& scene);
+  /// What the scene calls for and why. Reads the volume where it is not the one drawn last.
+  EffectPlan plan(const Scene& scene, const std::function<bool()>& isCancelled = {});
   double steepestPerMm() { return m_data.steepestPerMm(); }
   const GradientScale& gradientScale() const { return m_data.gradientScale(); }
   double memoryMb() const { return m_data.memoryMb(); }

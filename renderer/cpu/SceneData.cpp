@@ -52,21 +52,10 @@ void setGradient(const Scene& scene, const GradientScale& scale, PictureTerms& t
 
 } // namespace
 
-void SceneData::update(const Scene& scene) {
+void SceneData::update(const Scene& scene, const std::function<bool()>& isCancelled) {
   requireDrawable(scene);
-  if (m_volume != scene.volume) {
-    m_voxels.reset();
-    m_volume.reset(); // should the new one be refused
-    m_voxels.emplace(scene.volume, m_threads);
-    m_volume = scene.volume;
-    m_steepness.reset();
-    m_gradientScales.setVolume(m_volume);
-    m_functionKept.reset();
-    m_gradientOpacityKept.reset();
-    m_emptySpaceKept.reset();
-    m_facts.reset();
-    m_localSteps.reset();
-  }
+  const Effort effort{m_threads, isCancelled, {}};
+  updateVolume(scene, effort);
   if (m_functionKept != scene.transferFunction) {
     m_function = tableOf(scene.transferFunction, m_volume->range());
     m_segments = fewSegments(m_function);
@@ -78,24 +67,40 @@ void SceneData::update(const Scene& scene) {
     m_gradientCurve = tableOf(curve, unitPerMm);
     m_gradientOpacityKept = curve;
   }
-  updateEmptySpace(scene);
-  updateLocalSteps(scene);
+  updateEmptySpace(scene, effort);
+  updateLocalSteps(scene, effort);
 }
 
-void SceneData::updateLocalSteps(const Scene& scene) {
+void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
+  if (m_volume == scene.volume)
+    return;
+  m_voxels.reset();
+  m_volume.reset(); // should the new one be refused
+  m_facts.reset();
+  m_localSteps.reset();
+  m_voxels.emplace(scene.volume, effort);
+  m_volume = scene.volume;
+  m_steepness.reset();
+  m_gradientScales.setVolume(m_volume);
+  m_functionKept.reset();
+  m_gradientOpacityKept.reset();
+  m_emptySpaceKept.reset();
+}
+
+void SceneData::updateLocalSteps(const Scene& scene, const Effort& effort) {
   const std::optional<double> fineness = finenessOf(scene.quality);
   if (!fineness)
     return;
   if (!m_facts)
-    m_facts = blockFacts(*m_volume);
+    m_facts = blockFacts(*m_volume, effort);
   if (!m_localSteps || m_localStepsFunction != scene.transferFunction) {
-    m_localSteps = localStepTerms(scene, *m_facts);
+    m_localSteps = localStepTerms(scene, *m_facts, effort);
     m_localStepsFunction = scene.transferFunction;
   }
   m_localSteps->fineness = *fineness;
 }
 
-void SceneData::updateEmptySpace(const Scene& scene) {
+void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
   if (classifiesOnce(scene.projection))
     return;
   const bool hasSurface = showsSurface(scene.projection);
@@ -107,17 +112,15 @@ void SceneData::updateEmptySpace(const Scene& scene) {
     visibility.function = &m_function;
   if (hasSurface)
     visibility.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
-  m_distances = emptyDistances(m_voxels->blocks(), visibility);
-  const auto occupied = std::count(m_distances.begin(), m_distances.end(), std::uint8_t{0});
-  m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(m_distances.size());
-  m_visibleBlocks = visibleBlocks(m_voxels->blocks().blocks, m_distances);
+  m_emptySpaceKept.reset(); // should it be cancelled
+  mapEmptySpace(m_voxels->blocks(), visibility, m_empty, effort);
   m_emptySpaceKept = key;
 }
 
 SceneFacts SceneData::facts(const Scene& scene) {
   SceneFacts facts;
   facts.canSkipEmptySpace = m_skipsEmptySpace;
-  facts.emptyShare = m_emptyShare;
+  facts.emptyShare = m_empty.emptyShare;
   facts.hasDenseFunctions = m_function.loopSteps > 0 || m_gradientCurve.loopSteps > 0;
   if (readsSteepness(scene))
     facts.steepestPerMm = steepestPerMm();
@@ -134,20 +137,21 @@ double SceneData::steepestPerMm() {
 IndexBox SceneData::visibleBox(const Scene& scene) const {
   const Grid& grid = scene.volume->grid();
   const IndexBox whole = croppedBox(grid, CropBox{});
-  if (glm::any(glm::lessThanEqual(m_visibleBlocks.upper, m_visibleBlocks.lower)))
+  if (glm::any(glm::lessThanEqual(m_empty.visible.upper, m_empty.visible.lower)))
     return {};
   const double margin = 1.0 / 64.0;
   IndexBox box = whole;
   for (int axis = 0; axis < 3; ++axis) {
-    if (m_visibleBlocks.lower[axis] > 0)
-      box.lower[axis] = m_visibleBlocks.lower[axis] * blockSize - margin - centreIndex(grid)[axis];
-    if (m_visibleBlocks.upper[axis] < m_voxels->blocks().blocks[axis])
-      box.upper[axis] = m_visibleBlocks.upper[axis] * blockSize + margin - centreIndex(grid)[axis];
+    if (m_empty.visible.lower[axis] > 0)
+      box.lower[axis] = m_empty.visible.lower[axis] * blockSize - margin - centreIndex(grid)[axis];
+    if (m_empty.visible.upper[axis] < m_voxels->blocks().blocks()[axis])
+      box.upper[axis] = m_empty.visible.upper[axis] * blockSize + margin - centreIndex(grid)[axis];
   }
   return box;
 }
 
-PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, EffectSet effects) {
+PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
+                              const std::function<bool()>& isCancelled) {
   const Grid& grid = scene.volume->grid();
   PictureTerms terms;
   terms.effects = effects;
@@ -163,7 +167,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);
   const bool skips = effects.has(Effect::emptySpaceSkipping) && !classifiesOnce(scene.projection);
   if (skips) {
-    terms.empty = {m_distances.data(), m_voxels->blocks().blocks};
+    terms.empty = {m_empty.distances.data(), m_voxels->blocks().blocks()};
     terms.visibleBox = visibleBox(scene);
   }
   terms.centre = centreIndex(grid);
@@ -174,7 +178,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
                                            beyondAll / (boxDiagonalMm(grid) / terms.lengthMm)));
   terms.lastTransmittance = asFloat(lastTransmittance(scene.quality.earlyTermination));
   if (effects.has(Effect::gradient))
-    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects));
+    m_gradientScale = m_gradientScales.of(scene.shading, usesRatio(effects), {m_threads, isCancelled, {}});
   setGradient(scene, m_gradientScale, terms);
   setFog(scene, terms);
   terms.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
@@ -183,7 +187,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
 }
 
 double SceneData::memoryMb() const {
-  return m_voxels ? static_cast<double>(m_voxels->ownBytes() + m_distances.size()) / 1e6 : 0.0;
+  return m_voxels ? static_cast<double>(m_voxels->ownBytes() + m_empty.distances.size()) / 1e6 : 0.0;
 }
 
 } // namespace limn::cpu

@@ -5,6 +5,7 @@
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/GradientScales.h"
+#include "scene/steps/EmptySpace.h"
 
 namespace limn::cpu {
 
@@ -15,8 +16,9 @@ public:
   explicit SceneData(int threads, bool skipsEmptySpace)
       : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace) {}
 
-  /// Reads the volume and tabulates the functions of the scene that is drawn from now on. Throws Error.
-  void update(const Scene& scene);
+  /// Reads the volume and tabulates the functions of the scene that is drawn from now on. Asks `isCancelled`,
+  /// which may be empty, at least every 10 ms. Throws Error; Cancelled, and then goes on from where it was.
+  void update(const Scene& scene, const std::function<bool()>& isCancelled = {});
 
   /// Facts on which the effects of the scene of the last update depend.
   SceneFacts facts(const Scene& scene);
@@ -24,8 +26,9 @@ public:
   /// The steepness of the volume of the last update; measured once.
   double steepestPerMm();
 
-  /// The terms of a picture of the scene of the last update. Points into this.
-  PictureTerms terms(const Scene& scene, const glm::ivec2& size, EffectSet effects);
+  /// The terms of a picture of the scene of the last update. Points into this. Throws Cancelled.
+  PictureTerms terms(const Scene& scene, const glm::ivec2& size, EffectSet effects,
+                     const std::function<bool()>& isCancelled = {});
 
   /// Of the picture whose terms were last asked for; meaningful where its lighting reads the gradient.
   const GradientScale& gradientScale() const { return m_gradientScale; }
@@ -42,8 +45,9 @@ private:
     bool operator==(const EmptySpaceKey&) const = default;
   };
 
-  void updateEmptySpace(const Scene& scene);
-  void updateLocalSteps(const Scene& scene);
+  void updateVolume(const Scene& scene, const Effort& effort);
+  void updateEmptySpace(const Scene& scene, const Effort& effort);
+  void updateLocalSteps(const Scene& scene, const Effort& effort);
   IndexBox visibleBox(const Scene& scene) const;
 
   int m_threads;
@@ -65,9 +69,7 @@ private:
   TransferFunction m_localStepsFunction; // whose steps they are
 
   std::optional<EmptySpaceKey> m_emptySpaceKept;
-  std::vector<std::uint8_t> m_distances;
-  BlockBox m_visibleBlocks;
-  double m_emptyShare = 0.0;
+  EmptySpaceMap m_empty;
 };
 
 } // namespace limn::cpu

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "cpu/rays/PictureTerms.h"
-#include "scene/steps/EmptySpace.h"
+#include "scene/basics/Effort.h"
+#include "scene/steps/BlockRanges.h"
 #include "scene/volume/Volume.h"
 
 #include <memory>
@@ -13,9 +14,8 @@ namespace limn::cpu {
 /// floats only where its type, or a range that is narrow beside its values, asks for it.
 class VoxelStore {
 public:
-  /// On `threads` of the processor. Throws Error (input) where the voxels take more than 4 GiB, before
-  /// anything is copied.
-  VoxelStore(std::shared_ptr<const Volume> volume, int threads);
+  /// Throws Error (input) where the voxels take more than 4 GiB, before anything is copied; Cancelled.
+  VoxelStore(std::shared_ptr<const Volume> volume, const Effort& effort);
 
   const VoxelSource& source() const { return m_source; }
   const BlockRanges& blocks() const { return m_blocks; }

@@ -106,7 +106,8 @@ VolumeParts readFolder(const fs::path& path, const Progress& progress) {
 }
 
 // Applies what the person adds, says what is not known, and makes the volume.
-std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, const ReadOptions& options) {
+std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, const ReadOptions& options,
+                                       const Progress& progress) {
   VolumeInfo& info = parts.info;
   if (options.spacingMm) {
     parts.grid.spacingMm = *options.spacingMm;
@@ -122,7 +123,7 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   requirePlausible(path, parts.grid);
   return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
-                                          std::move(info));
+                                          std::move(info), effortOf(progress, countingVoxels));
   });
 }
 
@@ -133,7 +134,9 @@ std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptio
     failReading(path, "it is no file but a device, pipe or socket", "choose a file or folder");
   if (isDicom(path))
     return readDicom(path, options, progress);
-  return finished(path, isFolder ? readFolder(path, progress) : readFile(path, progress), options);
+  const Progress reading = part(progress, 0.0, 0.95);
+  return finished(path, isFolder ? readFolder(path, reading) : readFile(path, reading), options,
+                  part(progress, 0.95, 1.0));
 }
 
 // Runs a step and turns what may go wrong in it into one sentence for `path`.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 // The shipped binary with drivers that fail. Mesa can be told to be older than it is, and a process to have
 // less memory; other drivers pass by.
@@ -81,6 +82,35 @@ TEST_F(DriverCommands, aDriverWithoutMemoryEndsInASentence) {
   EXPECT_TRUE(outcome.status == 4 || outcome.status == 1) << outcome.status << ": " << outcome.err;
   EXPECT_NE(outcome.err.find("limn: "), std::string::npos) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+// Below the least of these limits the program's own libraries find no room, above the largest all goes well.
+TEST(RefusedMemory, endsInASentenceWhereverItRunsOut) {
+  if (test::isSanitised)
+    GTEST_SKIP() << "a sanitizer maps terabytes of its own, so that no limit of addresses can be set";
+  const test::TemporaryFolder folder;
+  const std::string picture = (folder.path() / "picture.png").string();
+  const std::filesystem::path volume = folder.path() / "volume.nrrd";
+  std::ofstream(volume, std::ios::binary) << "NRRD0004\ntype: short\ndimension: 3\nsizes: 256 256 400\n"
+                                             "endian: little\nencoding: raw\n\n~~";
+  std::filesystem::resize_file(volume,
+                               2 * 256 * 256 * 400 + 100); // and zeros, which take no room on the disk
+  int refused = 0;
+  for (int mb = 150; mb <= 750; mb += 40) {
+    const std::string limit = "ulimit -v " + std::to_string(1000 * mb) + ";";
+    for (const std::string& command :
+         {"info --quiet " + volume.string(),
+          "render " + volume.string() + " --size 64x64 --quiet --engine cpu -o " + picture}) {
+      const Outcome outcome = test::runProgram(folder.path(), command, limit);
+      if (outcome.status == 0)
+        continue;
+      ++refused;
+      EXPECT_TRUE(outcome.status == 1 || outcome.status == 3) << mb << ": " << outcome.status;
+      EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << mb << ": " << outcome.err;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << mb << ": " << outcome.err;
+    }
+  }
+  EXPECT_GT(refused, 3);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "cpu/CpuRenderer.h"
 #include "scene/basics/Error.h"
 #include "scene/light/LightingTerms.h"
+#include "scene/volume/Phantom.h"
 #include "support/Heads.h"
 #include "support/RendererRules.h"
 
@@ -94,6 +95,34 @@ TEST(CpuRules, aCancelledPictureEndsWithItsNextStrip) {
     return false;
   });
   EXPECT_GT(asked, 41) << "a strip at a time of the rows that the head covers";
+}
+
+// A volume is read in pieces of 65,536 voxels; in between it can be left, and gone on with as if nothing
+// were.
+TEST(CpuRules, aCancelledPreparationEndsWithItsPieceAndSpoilsNothing) {
+  Scene scene = test::noisyPhantom(ShadingModel::robust);
+  scene.volume = phantomVolume({.spacingMm = 1.5, .noiseHu = 20.0});
+  scene.quality.toleranceLevels = 1.0;
+  scene.quality.fineness = 4;
+  const glm::ivec2 size(16, 16);
+  const PixelRect whole{{0, 0}, size};
+  int asked = 0;
+  const auto stopsAfter = [&asked](int questions) {
+    return [&asked, questions] { return asked++ == questions; };
+  };
+  const Image expected = CpuRenderer(1).draw(scene, size, whole, stopsAfter(-1));
+  const int all = asked;
+  EXPECT_GT(all, 150) << "of 55 pieces of voxels, three times over: blocks, their facts, gradients";
+  CpuRenderer renderer(1);
+  for (int after = 0; after < all; after = after * 3 / 2 + 1) {
+    asked = 0;
+    CpuRenderer fresh(1);
+    EXPECT_THROW(fresh.draw(scene, size, whole, stopsAfter(after)), Cancelled);
+    EXPECT_EQ(asked, after + 1);
+    asked = 0;
+    EXPECT_THROW(renderer.draw(scene, size, whole, stopsAfter(2)), Cancelled);
+  }
+  EXPECT_EQ(renderer.render(scene, size), expected);
 }
 
 TEST(CpuRules, whatNobodySeesIsEmpty) {

@@ -74,7 +74,7 @@ void setVolume(const Setter& set, const VolumeTexture& texture) {
   set("u_texel", texture.texel());
   set("u_blocksPerTexture", texture.blocksPerTexture());
   set("u_blockOffset", texture.blockOffset());
-  set("u_lastBlock", glm::dvec3(texture.ranges().blocks - 1));
+  set("u_lastBlock", glm::dvec3(texture.ranges().blocks() - 1));
 }
 
 void setGradient(const Setter& set, const Scene& scene, const SceneTextures& textures) {

@@ -34,8 +34,13 @@ void FunctionTexture::upload(const PiecewiseTable& table) {
 void EmptySpaceTexture::upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
-               distances.data());
+  if (blocks == m_blocks)
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, blocks.x, blocks.y, blocks.z, GL_RED, GL_UNSIGNED_BYTE,
+                    distances.data());
+  else
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, blocks.x, blocks.y, blocks.z, 0, GL_RED, GL_UNSIGNED_BYTE,
+                 distances.data());
+  m_blocks = blocks;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_3D, filter, GL_NEAREST);
@@ -84,16 +89,13 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
   if (hasSurface)
     visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
   const BlockRanges& ranges = m_volumeTexture->ranges();
-  const std::vector<std::uint8_t> distances = emptyDistances(ranges, visibility);
-  m_emptySpace.upload(ranges.blocks, distances);
-  const auto occupied = std::count(distances.begin(), distances.end(), std::uint8_t{0});
-  m_emptyShare = 1.0 - static_cast<double>(occupied) / static_cast<double>(distances.size());
-  m_visibleBlocks = visibleBlocks(ranges.blocks, distances);
+  mapEmptySpace(ranges, visibility, m_empty);
+  m_emptySpace.upload(ranges.blocks(), m_empty.distances);
   m_emptySpaceShown = key;
 }
 
 IndexBox SceneTextures::visibleBox() const {
-  if (glm::any(glm::lessThanEqual(m_visibleBlocks.upper, m_visibleBlocks.lower)))
+  if (glm::any(glm::lessThanEqual(m_empty.visible.upper, m_empty.visible.lower)))
     return {};
   const Grid& grid = m_volume->grid();
   const glm::dvec3 voxelsPerTexel(m_volumeTexture->reduction());
@@ -101,12 +103,12 @@ IndexBox SceneTextures::visibleBox() const {
     // Block 0 begins at the first texel's centre, half a texel behind the volume's face.
     return (glm::dvec3(block * blockSize) + 0.5 + margin) * voxelsPerTexel;
   };
-  glm::dvec3 lower = faceAt(m_visibleBlocks.lower, -blockMargin);
-  glm::dvec3 upper = glm::min(faceAt(m_visibleBlocks.upper, blockMargin), glm::dvec3(grid.dims));
+  glm::dvec3 lower = faceAt(m_empty.visible.lower, -blockMargin);
+  glm::dvec3 upper = glm::min(faceAt(m_empty.visible.upper, blockMargin), glm::dvec3(grid.dims));
   for (int axis = 0; axis < 3; ++axis) {
-    if (m_visibleBlocks.lower[axis] == 0)
+    if (m_empty.visible.lower[axis] == 0)
       lower[axis] = 0.0;
-    if (m_visibleBlocks.upper[axis] == m_volumeTexture->ranges().blocks[axis])
+    if (m_empty.visible.upper[axis] == m_volumeTexture->ranges().blocks()[axis])
       upper[axis] = grid.dims[axis];
   }
   // A voxel begins half an index before its centre.
@@ -134,7 +136,7 @@ void SceneTextures::update(const Scene& scene) {
 
 SceneFacts SceneTextures::facts(const Scene& scene) {
   SceneFacts facts;
-  facts.emptyShare = m_emptyShare;
+  facts.emptyShare = m_empty.emptyShare;
   facts.hasDenseFunctions = m_function.loopSteps() + m_gradientCurve.loopSteps() > 0;
   if (readsSteepness(scene))
     facts.steepestPerMm = steepestPerMm();

@@ -33,7 +33,7 @@ private:
   int m_loopSteps = 0;
 };
 
-/// The distances of emptyDistances on the graphics card.
+/// The distances of an EmptySpaceMap on the graphics card.
 class EmptySpaceTexture {
 public:
   void upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances);
@@ -42,6 +42,7 @@ public:
 
 private:
   GlTexture m_texture;
+  glm::ivec3 m_blocks{0};
 };
 
 /// What a scene needs on the graphics card and what must be measured of its volume once. Uploads and measures
@@ -107,8 +108,7 @@ private:
   std::optional<EmptySpaceKey> m_emptySpaceShown;
   EmptySpaceTexture m_emptySpace;
   BlockStepTexture m_blockSteps;
-  double m_emptyShare = 0.0;
-  BlockBox m_visibleBlocks;
+  EmptySpaceMap m_empty;
   std::optional<GradientOpacity> m_gradientOpacityShown;
   FunctionTexture m_gradientCurve;
   GradientScale m_gradientScale;

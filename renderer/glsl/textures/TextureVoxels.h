@@ -21,7 +21,10 @@ glm::ivec3 reducedDims(const glm::ivec3& dims, const glm::ivec3& reduction);
 /// Averages boxes of `reduction` voxels, normalises in double and adds the apron.
 TextureVoxels textureVoxels(const Volume& volume, const glm::ivec3& reduction);
 
-/// Rounds texels to what a fixed-point texture of so many parts holds whose 0..1 stand for `stored`.
-void quantise(TextureVoxels& voxels, const ValueRange& stored, int parts);
+/// Writes the planes z = `first` … `end`-1 of those texels to `to`, which has room for them.
+void fillPlanes(const Volume& volume, const glm::ivec3& reduction, int first, int end, float* to);
+
+/// Rounds a texel to what a fixed-point texture of so many parts holds whose 0..1 stand for `stored`.
+float quantised(float texel, const ValueRange& stored, int parts);
 
 } // namespace limn

@@ -7,6 +7,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -34,19 +35,51 @@ bool fits(const glm::ivec3& size, GLint format) {
 // What 16 bits hold (shaders/decisions/volume_wide.glsl): an extrapolated texel 2a - b lies within it.
 constexpr ValueRange wideRange{-1.0, 2.0};
 
-// Uploads into the texture bound; false where the driver has no memory for it.
-bool upload(const glm::ivec3& size, const std::vector<float>& texels, GLint format) {
-  forgetDriverErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, format, size.x, size.y, size.z, 0, GL_RED, GL_FLOAT, texels.data());
-  return glGetError() == GL_NO_ERROR;
+// Blocks are uploaded and looked at in so many layers at a time: texels are floats, and all of them at once
+// would take several times the memory of the volume.
+constexpr int layersAtATime = 4;
+
+// Turns texels into what a texture of the format holds of them; returns what is uploaded for that.
+void quantise(VolumeFormat format, std::vector<float>& texels, std::vector<float>& uploaded) {
+  for (float& texel : texels)
+    texel =
+        format == VolumeFormat::r16 ? quantised(texel, wideRange, 65535) : quantised(texel, {0.0, 1.0}, 255);
+  uploaded = texels;
+  for (float& texel : uploaded)
+    if (format == VolumeFormat::r16)
+      texel = static_cast<float>((texel - wideRange.lowest) / (wideRange.highest - wideRange.lowest));
 }
 
-bool uploadWide(const TextureVoxels& voxels, GLint format) {
+// Makes the texture that is bound and finds the ranges of its blocks; nothing where the driver has no memory.
+std::optional<BlockRanges> upload(const Volume& volume, const glm::ivec3& reduction, VolumeFormat format) {
+  const glm::ivec3 size = reducedDims(volume.grid().dims, reduction) + 2;
+  const std::size_t plane = static_cast<std::size_t>(size.x) * size.y;
+  forgetDriverErrors();
+  glTexImage3D(GL_TEXTURE_3D, 0, internalFormat(format), size.x, size.y, size.z, 0, GL_RED, GL_FLOAT,
+               nullptr);
+  if (glGetError() != GL_NO_ERROR)
+    return std::nullopt;
+  BlockRanges ranges(blocksOf(size - 2));
   std::vector<float> texels;
-  texels.reserve(voxels.texels.size());
-  for (const float texel : voxels.texels)
-    texels.push_back(static_cast<float>((texel - wideRange.lowest) / (wideRange.highest - wideRange.lowest)));
-  return upload(voxels.size, texels, format);
+  std::vector<float> stored;
+  int uploadedPlanes = 0;
+  for (int layer = 0; layer < ranges.blocks().z; layer += layersAtATime) {
+    const int endLayer = std::min(layer + layersAtATime, ranges.blocks().z);
+    const glm::ivec2 planes(planesOfLayer(size, layer).x, planesOfLayer(size, endLayer - 1).y);
+    texels.resize(plane * static_cast<std::size_t>(planes.y - planes.x));
+    fillPlanes(volume, reduction, planes.x, planes.y, texels.data());
+    if (format != VolumeFormat::r32f)
+      quantise(format, texels, stored);
+    const std::vector<float>& source = format == VolumeFormat::r32f ? texels : stored;
+    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, uploadedPlanes, size.x, size.y, planes.y - uploadedPlanes, GL_RED,
+                    GL_FLOAT, source.data() + plane * static_cast<std::size_t>(uploadedPlanes - planes.x));
+    uploadedPlanes = planes.y;
+    gatherLayers(texels.data(), size, layer, endLayer, ranges);
+  }
+  if (glGetError() != GL_NO_ERROR)
+    return std::nullopt;
+  ranges.finish();
+  return ranges;
 }
 
 // Halves the resolution along the axis that has most texels.
@@ -72,15 +105,9 @@ VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, double m
   for (;;) {
     while (isTooLarge())
       reduceLongest(m_dims, m_reduction);
-    TextureVoxels voxels = textureVoxels(volume, m_reduction);
-    if (format == VolumeFormat::r16)
-      quantise(voxels, wideRange, 65535);
-    if (format == VolumeFormat::r8)
-      quantise(voxels, {0.0, 1.0}, 255);
-    m_size = voxels.size;
-    const bool isWide = format == VolumeFormat::r16;
-    if (isWide ? uploadWide(voxels, stored) : upload(voxels.size, voxels.texels, stored)) {
-      m_ranges = blockRanges(voxels);
+    m_size = reducedDims(m_dims, m_reduction) + 2;
+    if (std::optional<BlockRanges> ranges = upload(volume, m_reduction, format)) {
+      m_ranges = std::move(*ranges);
       break;
     }
     reduceLongest(m_dims, m_reduction);

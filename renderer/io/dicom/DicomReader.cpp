@@ -139,14 +139,15 @@ std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const 
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
   DicomVoxels voxels =
-      readVoxels(series, part(progress, 0.3, geometry.needsResampling ? 0.8 : 1.0), warnings);
+      readVoxels(series, part(progress, 0.3, geometry.needsResampling ? 0.75 : 0.95), warnings);
   if (geometry.needsResampling)
-    voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.8, 1.0));
+    voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.75, 0.95));
   applySpacing(options, geometry);
   requirePlausible(path, geometry.grid);
   return naming(path, [&] {
     return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
-                                          voxels.padding, infoOf(series, geometry, warnings));
+                                          voxels.padding, infoOf(series, geometry, warnings),
+                                          effortOf(part(progress, 0.95, 1.0), countingVoxels));
   });
 }
 

@@ -22,4 +22,12 @@ Progress part(const Progress& whole, double from, double to) {
   return result;
 }
 
+Effort effortOf(const Progress& progress, const std::string& what) {
+  Effort effort;
+  effort.isCancelled = progress.isCancelled;
+  if (progress.report)
+    effort.report = [report = progress.report, what](double fraction) { report(fraction, what); };
+  return effort;
+}
+
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Effort.h"
+
 #include <functional>
 #include <string>
 
@@ -17,5 +19,11 @@ void reportOrStop(const Progress& progress, double fraction, const std::string& 
 
 /// The part of the progress that a step takes: its 0 is `from` of the whole, its 1 is `to`.
 Progress part(const Progress& whole, double from, double to);
+
+/// What is said while a volume is made of its voxels.
+inline constexpr const char* countingVoxels = "Counting values";
+
+/// Work on all cores that reports as `what`.
+Effort effortOf(const Progress& progress, const std::string& what);
 
 } // namespace limn

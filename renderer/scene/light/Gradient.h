@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Effort.h"
 #include "scene/light/Shading.h"
 #include "scene/volume/Volume.h"
 
@@ -16,11 +17,11 @@ glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& index);
 
 /// The largest gradient modulus over the eligible voxels, value/mm; 0 where none is eligible. A voxel is
 /// eligible if it and its stencil neighbours are valid.
-double largestGradient(const Volume& volume);
+double largestGradient(const Volume& volume, const Effort& effort = {});
 
 /// The nearest-rank percentile (0..100] of the gradient modulus over the eligible voxels: the exact element,
 /// rounded to float; at 100 the largest itself.
-double gradientPercentile(const Volume& volume, double percent);
+double gradientPercentile(const Volume& volume, double percent, const Effort& effort = {});
 
 /// What the field commonly changes by at most, value/mm: the 99th percentile of the gradient modulus over a
 /// lattice of at most 32 voxels along each axis. A quick look, for choosing between methods.
@@ -37,8 +38,8 @@ struct GradientScale {
 /// robust, the largest modulus otherwise.
 GradientReference resolvedReference(const Shading& shading);
 
-/// Resolves the shading's gradient reference for a volume. Costs a pass over the volume (two with a
-/// percentile): keep the result while volume, model and reference stay.
-GradientScale gradientScale(const Volume& volume, const Shading& shading);
+/// Resolves the shading's gradient reference for a volume. Costs a pass over the volume: keep the result
+/// while volume, model and reference stay.
+GradientScale gradientScale(const Volume& volume, const Shading& shading, const Effort& effort = {});
 
 } // namespace limn

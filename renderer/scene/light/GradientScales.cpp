@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/GradientScales.h"
 
+#include "scene/light/ModulusSearch.h"
+
 namespace limn {
 
 void GradientScales::setVolume(const std::shared_ptr<const Volume>& volume) {
@@ -11,20 +13,22 @@ void GradientScales::setVolume(const std::shared_ptr<const Volume>& volume) {
   m_percentiles.clear();
 }
 
-GradientScale GradientScales::of(const Shading& shading, bool usesRatio) {
-  if (!m_largest)
-    m_largest = largestGradient(*m_volume);
-  GradientScale scale{*m_largest, *m_largest};
+GradientScale GradientScales::of(const Shading& shading, bool usesRatio, const Effort& effort) {
   const GradientReference reference = resolvedReference(shading);
+  const auto* percentile = std::get_if<PercentileReference>(&reference);
+  if (percentile && usesRatio && !m_percentiles.contains(percentile->percent)) {
+    // One pass finds both.
+    const FoundModuli found = findModuli(*m_volume, percentile->percent, effort);
+    m_largest = found.largest;
+    m_percentiles.emplace(percentile->percent, found.percentile);
+  }
+  if (!m_largest)
+    m_largest = largestGradient(*m_volume, effort);
+  GradientScale scale{*m_largest, *m_largest};
   if (const auto* fixed = std::get_if<FixedReference>(&reference))
     scale.reference = fixed->valuePerMm;
-  if (const auto* percentile = std::get_if<PercentileReference>(&reference); percentile && usesRatio) {
-    auto known = m_percentiles.find(percentile->percent);
-    if (known == m_percentiles.end())
-      known = m_percentiles.emplace(percentile->percent, gradientPercentile(*m_volume, percentile->percent))
-                  .first;
-    scale.reference = known->second;
-  }
+  if (percentile && usesRatio)
+    scale.reference = m_percentiles.at(percentile->percent);
   return scale;
 }
 

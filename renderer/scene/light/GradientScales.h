@@ -16,7 +16,7 @@ public:
   void setVolume(const std::shared_ptr<const Volume>& volume);
 
   /// As limn::gradientScale; where nothing reads the ratio of moduli, a percentile is not measured for it.
-  GradientScale of(const Shading& shading, bool usesRatio);
+  GradientScale of(const Shading& shading, bool usesRatio, const Effort& effort = {});
 
 private:
   std::shared_ptr<const Volume> m_volume;

@@ -82,19 +82,19 @@ Preset fittedTo(const Preset& preset, const Histogram& histogram) {
   return fitted;
 }
 
-Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume) {
+Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort) {
   if (looksLikeHounsfield(volume)) {
     if (const Preset* preset = named(builtIn, "CT skin and bone"))
       return *preset;
   } else if (volume.info().modality == "MR") {
     if (const Preset* preset = named(builtIn, "MR head"))
-      return fittedTo(*preset, histogramOf(volume));
+      return fittedTo(*preset, histogramOf(volume, 1024, effort));
   }
   Preset automatic;
   automatic.name = "Automatic";
   automatic.modality = volume.info().modality;
   automatic.note = "Transparent background, brighter values more opaque";
-  automatic.transferFunction = automaticRamp(histogramOf(volume));
+  automatic.transferFunction = automaticRamp(histogramOf(volume, 1024, effort));
   return automatic;
 }
 

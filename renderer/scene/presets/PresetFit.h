@@ -27,6 +27,6 @@ Preset fittedTo(const Preset& preset, const Histogram& histogram);
 
 /// The preset a volume opens with: by modality and value range from `builtIn`, fitted; the automatic ramp
 /// where none suits. `builtIn` may be empty.
-Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume);
+Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort = {});
 
 } // namespace limn

@@ -2,12 +2,11 @@
 #include "scene/steps/BlockFacts.h"
 
 #include "scene/light/Gradient.h"
+#include "scene/volume/RowPieces.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 namespace limn {
 namespace {
@@ -68,23 +67,20 @@ FieldFacts factsOf(const Volume& volume, const std::vector<T>& stored, const glm
 
 } // namespace
 
-BlockFacts blockFacts(const Volume& volume) {
+BlockFacts blockFacts(const Volume& volume, const Effort& effort) {
   BlockFacts result;
   result.commonPerMm = steepness(volume);
   const glm::ivec3 cells = glm::max(volume.grid().dims - 1, glm::ivec3(1));
   const glm::ivec3 blocks = result.blocks = (cells + factCells - 1) / factCells;
   result.facts.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  const RowPieces rows(blocks, factCells * factCells * factCells);
   visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
-    std::atomic<int> next{0};
-    const auto work = [&] {
-      for (int k = next++; k < blocks.z; k = next++)
-        for (int j = 0; j < blocks.y; ++j)
-          for (int i = 0; i < blocks.x; ++i)
-            result.facts[voxelOffset(blocks, i, j, k)] = factsOf(volume, stored, {i, j, k});
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-      threads.emplace_back(work);
+    forEachPiece(rows.pieces(), effort, [&](int piece) {
+      rows.forEachRow(piece, [&](int j, int k) {
+        for (int i = 0; i < blocks.x; ++i)
+          result.facts[voxelOffset(blocks, i, j, k)] = factsOf(volume, stored, {i, j, k});
+      });
+    });
   });
   return result;
 }

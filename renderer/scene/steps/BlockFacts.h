@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Uninitialised.h"
 #include "scene/volume/Volume.h"
 
 #include <vector>
@@ -22,11 +23,11 @@ struct FieldFacts {
 /// The outermost blocks also own the half voxel before the volume's end, where the field is constant.
 struct BlockFacts {
   glm::ivec3 blocks{0};
-  std::vector<FieldFacts> facts; ///< x fastest
-  double commonPerMm = 0.0;      ///< what the field commonly changes by at most, value/mm (steepness)
+  UninitialisedVector<FieldFacts> facts; ///< x fastest
+  double commonPerMm = 0.0;              ///< what the field commonly changes by at most, value/mm (steepness)
 };
 
-/// One pass over the volume, on every core: keep the result while the volume stays.
-BlockFacts blockFacts(const Volume& volume);
+/// One pass over the volume: keep the result while the volume stays. Throws Cancelled.
+BlockFacts blockFacts(const Volume& volume, const Effort& effort = {});
 
 } // namespace limn

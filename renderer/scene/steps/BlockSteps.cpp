@@ -2,8 +2,10 @@
 #include "scene/steps/BlockSteps.h"
 
 #include "scene/steps/LocalSteps.h"
+#include "scene/volume/RowPieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 
@@ -120,28 +122,40 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
   return bandsOf(overDistance(function, smallestSpacingMm), leastBand);
 }
 
-BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm) {
+BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
+                      const Effort& effort) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
-  steps.rungs.reserve(facts.facts.size());
+  steps.rungs.resize(facts.facts.size());
   const ValueRange all = rangeOf(facts);
   const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
-  for (const FieldFacts& block : facts.facts) {
+  std::atomic<bool> resolvesFunction = true;
+  const auto rungsOf = [&](const FieldFacts& block) {
     const ValueRange values{block.range.lowest - margin, block.range.highest + margin};
     const double opacity = over.largestOpacity(values);
     StepRungs rungs;
-    if (opacity > 0.0) {
-      rungs.isEmpty = false;
-      rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), block.bendPerMm2,
-                              facts.commonPerMm, smallestSpacingMm);
-      const double bandsPerStep = 2.0 * over.bandsPerValue(values) * block.steepestPerMm * smallestSpacingMm;
-      const int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
-      steps.resolvesFunction = steps.resolvesFunction && resolving <= finestRung;
-      rungs.resolving = static_cast<std::uint8_t>(std::min(resolving, finestRung));
-    }
-    steps.rungs.push_back(rungs);
-  }
+    if (!(opacity > 0.0))
+      return rungs;
+    rungs.isEmpty = false;
+    rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), block.bendPerMm2,
+                            facts.commonPerMm, smallestSpacingMm);
+    const double bandsPerStep = 2.0 * over.bandsPerValue(values) * block.steepestPerMm * smallestSpacingMm;
+    const int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
+    if (resolving > finestRung)
+      resolvesFunction = false;
+    rungs.resolving = static_cast<std::uint8_t>(std::min(resolving, finestRung));
+    return rungs;
+  };
+  const RowPieces rows(facts.blocks);
+  forEachPiece(rows.pieces(), effort, [&](int piece) {
+    rows.forEachRow(piece, [&](int j, int k) {
+      const std::size_t first = voxelOffset(facts.blocks, 0, j, k);
+      for (std::size_t i = first; i < first + static_cast<std::size_t>(facts.blocks.x); ++i)
+        steps.rungs[i] = rungsOf(facts.facts[i]);
+    });
+  });
+  steps.resolvesFunction = resolvesFunction;
   return steps;
 }
 

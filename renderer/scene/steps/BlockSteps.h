@@ -19,7 +19,7 @@ struct StepRungs {
 /// The rungs of every block under one transfer function.
 struct BlockSteps {
   glm::ivec3 blocks{0};
-  std::vector<StepRungs> rungs; ///< x fastest
+  UninitialisedVector<StepRungs> rungs; ///< x fastest
   bool resolvesFunction = true; ///< false: a band of the function is narrower than the finest step can tell
 };
 
@@ -32,8 +32,9 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 /// values, times the largest bend of the field, in units of the smallest spacing and of what the field
 /// commonly changes over it. And a peak or valley of the function that the block's values reach gets two
 /// samples at least where the field is steepest: an estimate from finer pictures cannot see what no sample
-/// has met.
-BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm);
+/// has met. Throws Cancelled.
+BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
+                      const Effort& effort = {});
 
 /// The rung with which a block is entered.
 int rungIn(const StepRungs& block, double fineness, double transmittance);

@@ -11,13 +11,14 @@ std::optional<LocalStepTerms> localStepTerms(const Scene& scene) {
   return localStepTerms(scene, blockFacts(*scene.volume));
 }
 
-std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts) {
+std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts,
+                                             const Effort& effort) {
   const std::optional<double> fineness = finenessOf(scene.quality);
   if (!fineness)
     return std::nullopt;
   const Grid& grid = scene.volume->grid();
   const double smallest = smallestSpacingMm(grid);
-  return LocalStepTerms{blockSteps(facts, scene.transferFunction, smallest), *fineness, smallest,
+  return LocalStepTerms{blockSteps(facts, scene.transferFunction, smallest, effort), *fineness, smallest,
                         centreIndex(grid)};
 }
 

@@ -20,7 +20,8 @@ struct LocalStepTerms {
 
 /// The terms of a scene, of whose volume the facts may be known; absent where it is drawn in equal steps.
 std::optional<LocalStepTerms> localStepTerms(const Scene& scene);
-std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts);
+std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFacts& facts,
+                                             const Effort& effort = {});
 
 /// The chords of a ray in the blocks that it crosses, one after the other. Twin of shaders/local_steps.glsl,
 /// which leaps over empty blocks; here each is visited.

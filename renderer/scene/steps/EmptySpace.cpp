@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/EmptySpace.h"
 
+#include "scene/volume/Volume.h"
+
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <mutex>
 
 namespace limn {
 namespace {
@@ -10,109 +15,184 @@ namespace {
 // By this much of the volume's range may a filtered texel leave the range of its neighbours.
 constexpr float textureRounding = 1e-5f;
 
-// How many bins up to each one hold an opacity.
-std::vector<int> visibleBinsBefore(const PiecewiseTable& function) {
-  std::vector<int> before{0};
-  for (const glm::vec2& occupancy : function.occupancy)
-    before.push_back(before.back() + (occupancy.x > 0.0f ? 1 : 0));
-  return before;
+// A filter rounds: by this much of a bin may a sample fall into the neighbouring one.
+constexpr float binMargin = 0.01f;
+
+constexpr float beyondAll = std::numeric_limits<float>::infinity();
+
+// Scalars that show: a block does whose highest scalar is `first` or more and whose lowest is `last` or less.
+struct VisibleRun {
+  float first = -beyondAll;
+  float last = beyondAll;
+};
+
+// Floats in ascending order as numbers in ascending order.
+std::uint32_t orderOf(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-int binOf(const PiecewiseTable& function, float scalar, float margin) {
-  const float bin = std::floor((scalar - function.domain.x) * function.domain.y + margin);
-  return static_cast<int>(std::clamp(bin, 0.0f, function.domain.z));
+float valueAt(std::uint32_t order) {
+  return std::bit_cast<float>((order & 0x80000000u) != 0 ? order & 0x7fffffffu : ~order);
 }
 
-using Distances = std::vector<std::uint8_t>;
-
-std::uint8_t oneMore(std::uint8_t distance) {
-  return static_cast<std::uint8_t>(std::min<int>(distance + 1, farthestBlock));
-}
-
-// Writes to `to` the least of each element of a row and its neighbours.
-void leastOfThree(const std::uint8_t* from, int size, std::uint8_t* to) {
-  to[0] = from[0];
-  for (int i = 1; i < size; ++i)
-    to[i] = std::min(from[i - 1], from[i]);
-  for (int i = 0; i + 1 < size; ++i)
-    to[i] = std::min(to[i], from[i + 1]);
-}
-
-void lowerTo(const std::uint8_t* bound, int size, std::uint8_t* row) {
-  for (int i = 0; i < size; ++i)
-    row[i] = std::min(row[i], oneMore(bound[i]));
-}
-
-// Lowers each distance to one more than that of its neighbours before it in raster order (side -1) or behind
-// it (side 1): the nine of the plane there, the three of the row there, and the one in its own row.
-void lowerFrom(int side, const glm::ivec3& blocks, Distances& distances) {
-  const auto rowAt = [&](int j, int k) { return &distances[voxelOffset(blocks, 0, j, k)]; };
-  Distances threes(static_cast<std::size_t>(blocks.x) * blocks.y); // of each row of the plane before
-  Distances three(static_cast<std::size_t>(blocks.x));
-  for (int n = 0; n < blocks.z; ++n) {
-    const int k = side < 0 ? n : blocks.z - 1 - n;
-    if (n > 0)
-      for (int j = 0; j < blocks.y; ++j)
-        leastOfThree(rowAt(j, k + side), blocks.x, &threes[voxelOffset(blocks, 0, j, 0)]);
-    for (int m = 0; m < blocks.y; ++m) {
-      const int j = side < 0 ? m : blocks.y - 1 - m;
-      std::uint8_t* row = rowAt(j, k);
-      for (int near = std::max(0, j - 1); n > 0 && near <= std::min(blocks.y - 1, j + 1); ++near)
-        lowerTo(&threes[voxelOffset(blocks, 0, near, 0)], blocks.x, row);
-      if (m > 0) {
-        leastOfThree(rowAt(j + side, k), blocks.x, three.data());
-        lowerTo(three.data(), blocks.x, row);
-      }
-      for (int l = 1; l < blocks.x; ++l) {
-        const int x = side < 0 ? l : blocks.x - 1 - l;
-        row[x] = std::min(row[x], oneMore(row[x + side]));
-      }
-    }
+// The smallest float of which `holds` is true; of larger ones it must be, too.
+template <class Predicate>
+float firstThat(Predicate&& holds) {
+  std::uint32_t below = orderOf(-beyondAll);
+  std::uint32_t found = orderOf(beyondAll);
+  while (found - below > 1) {
+    const std::uint32_t middle = below + (found - below) / 2;
+    (holds(valueAt(middle)) ? found : below) = middle;
   }
+  return valueAt(found);
+}
+
+// The runs of bins that hold an opacity. The first and the last bin have no outer end.
+std::vector<VisibleRun> runsOf(const PiecewiseTable& function) {
+  const auto placeOf = [domain = function.domain](float scalar) { return (scalar - domain.x) * domain.y; };
+  const auto isVisible = [&](std::size_t bin) { return function.occupancy[bin].x > 0.0f; };
+  const std::size_t bins = function.occupancy.size();
+  std::vector<VisibleRun> runs;
+  for (std::size_t bin = 0; bin < bins; ++bin) {
+    if (!isVisible(bin))
+      continue;
+    VisibleRun run;
+    const auto begin = static_cast<float>(bin);
+    if (bin > 0)
+      run.first = firstThat([&](float scalar) { return placeOf(scalar) + binMargin >= begin; });
+    while (bin + 1 < bins && isVisible(bin + 1))
+      ++bin;
+    const auto end = static_cast<float>(bin + 1);
+    if (bin + 1 < bins)
+      run.last = std::nextafter(firstThat([&](float scalar) { return !(placeOf(scalar) - binMargin < end); }),
+                                -beyondAll);
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+// In ascending order, those that overlap as one.
+std::vector<VisibleRun> runsOf(const Visibility& visibility) {
+  std::vector<VisibleRun> runs;
+  if (visibility.function)
+    runs = runsOf(*visibility.function);
+  if (visibility.isovalue)
+    // A ray that enters the volume at or above the isovalue is hit where it enters, so a block beyond it is
+    // not empty; no ray goes on behind one.
+    runs.push_back(
+        {firstThat([&](float scalar) { return *visibility.isovalue <= scalar + textureRounding; })});
+  std::sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<VisibleRun> apart;
+  for (const VisibleRun& run : runs)
+    if (!apart.empty() && run.first <= apart.back().last)
+      apart.back().last = std::max(apart.back().last, run.last);
+    else
+      apart.push_back(run);
+  return apart;
+}
+
+// The blocks of which something may show, of some.
+struct Census {
+  std::int64_t occupied = 0;
+  BlockBox box{glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(0)};
+
+  // Counts a row of 0 and `farthestBlock`.
+  void addRow(const std::uint8_t* row, int size, int j, int k) {
+    const auto* first = static_cast<const std::uint8_t*>(std::memchr(row, 0, static_cast<std::size_t>(size)));
+    if (!first)
+      return;
+    const std::uint8_t* end = row + size;
+    while (end[-1] != 0)
+      --end;
+    int empty = 0;
+    for (const std::uint8_t* block = first; block != end; ++block)
+      empty += *block & 1;
+    occupied += end - first - empty;
+    box.lower = glm::min(box.lower, glm::ivec3(first - row, j, k));
+    box.upper = glm::max(box.upper, glm::ivec3(end - row, j + 1, k + 1));
+  }
+
+  void add(const Census& other) {
+    box = {glm::min(box.lower, other.box.lower), glm::max(box.upper, other.box.upper)};
+    occupied += other.occupied;
+  }
+};
+
+// Which of the blocks of a group show: 0 for those that may, otherwise `farthestBlock`.
+using Flags = std::array<std::uint8_t, BlockRanges::Group::size>;
+
+Flags flagsOf(const BlockRanges::Group& group, const VisibleRun* begin, const VisibleRun* end) {
+  Flags flags;
+  flags.fill(farthestBlock);
+  for (const VisibleRun* run = begin; run != end; ++run)
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+      const bool isOutside = int(group.highest[i] < run->first) | int(group.lowest[i] > run->last);
+      flags[i] = isOutside ? flags[i] : std::uint8_t{0};
+    }
+  return flags;
+}
+
+Flags flagsOf(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, const glm::ivec3& group) {
+  const glm::vec2& all = ranges.groupRange(group.x, group.y, group.z);
+  const auto begin = std::lower_bound(runs.begin(), runs.end(), all.x,
+                                      [](const VisibleRun& run, float lowest) { return run.last < lowest; });
+  auto end = begin;
+  while (end != runs.end() && end->first <= all.y)
+    ++end;
+  if (begin != end && begin->first <= all.x && begin->last >= all.y) { // around every block
+    Flags flags;
+    flags.fill(0);
+    return flags;
+  }
+  return flagsOf(ranges.group(group.x, group.y, group.z), runs.data() + (begin - runs.begin()),
+                 runs.data() + (end - runs.begin()));
+}
+
+// Classifies the blocks of a row of groups.
+void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, int groupY, int groupZ,
+                    std::vector<std::uint8_t>& distances, Census& census) {
+  const glm::ivec3& blocks = ranges.blocks();
+  const glm::ivec2 first = glm::ivec2(groupY, groupZ) * groupSize;
+  const glm::ivec2 count = glm::min(glm::ivec2(groupSize), glm::ivec2(blocks.y, blocks.z) - first);
+  for (int i = 0; i < ranges.groups().x; ++i) {
+    const Flags flags = flagsOf(ranges, runs, {i, groupY, groupZ});
+    const int width = std::min(groupSize, blocks.x - i * groupSize);
+    for (int k = 0; k < count.y; ++k)
+      for (int j = 0; j < count.x; ++j) {
+        std::uint8_t* to = &distances[voxelOffset(blocks, i * groupSize, first.x + j, first.y + k)];
+        const std::uint8_t* from = &flags[voxelOffset(glm::ivec3(groupSize), 0, j, k)];
+        if (width == groupSize)
+          std::memcpy(to, from, groupSize);
+        else
+          std::copy_n(from, width, to);
+      }
+  }
+  for (int k = first.y; k < first.y + count.y; ++k)
+    for (int j = first.x; j < first.x + count.x; ++j)
+      census.addRow(&distances[voxelOffset(blocks, 0, j, k)], blocks.x, j, k);
 }
 
 } // namespace
 
-void spreadDistances(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances) {
-  // Two passes in opposite order: chessboard metric, exact.
-  lowerFrom(-1, blocks, distances);
-  lowerFrom(1, blocks, distances);
-}
-
-std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility) {
-  std::vector<int> before;
-  if (visibility.function)
-    before = visibleBinsBefore(*visibility.function);
-  std::vector<std::uint8_t> distances;
-  distances.reserve(ranges.ranges.size());
-  for (const glm::vec2& range : ranges.ranges) {
-    bool isEmpty = true;
-    if (visibility.function) {
-      // A filter rounds: the neighbouring bin may be the one that a sample falls into.
-      const int first = binOf(*visibility.function, range.x, -0.01f);
-      const int last = binOf(*visibility.function, range.y, 0.01f);
-      isEmpty = before[static_cast<std::size_t>(last) + 1] == before[static_cast<std::size_t>(first)];
-    }
-    if (visibility.isovalue)
-      // A ray that enters the volume at or above the isovalue is hit where it enters, so a block beyond it is
-      // not empty; no ray goes on behind one.
-      isEmpty = isEmpty && *visibility.isovalue > range.y + textureRounding;
-    distances.push_back(isEmpty ? farthestBlock : std::uint8_t{0});
-  }
-  spreadDistances(ranges.blocks, distances);
-  return distances;
-}
-
-BlockBox visibleBlocks(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
-  BlockBox box{blocks, glm::ivec3(0)};
-  for (int k = 0; k < blocks.z; ++k)
-    for (int j = 0; j < blocks.y; ++j)
-      for (int i = 0; i < blocks.x; ++i)
-        if (distances[voxelOffset(blocks, i, j, k)] == 0) {
-          box.lower = glm::min(box.lower, glm::ivec3(i, j, k));
-          box.upper = glm::max(box.upper, glm::ivec3(i, j, k) + 1);
-        }
-  return glm::any(glm::lessThanEqual(box.upper, box.lower)) ? BlockBox{} : box;
+void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, EmptySpaceMap& map,
+                   const Effort& effort) {
+  const std::vector<VisibleRun> runs = runsOf(visibility);
+  const glm::ivec3& blocks = ranges.blocks();
+  map.distances.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  Census census;
+  std::mutex mutex;
+  forEachPiece(ranges.groups().z, effort, [&](int k) {
+    Census own;
+    for (int j = 0; j < ranges.groups().y; ++j)
+      classifyGroups(ranges, runs, j, k, map.distances, own);
+    spreadWithinPlanes(blocks, k * groupSize, std::min((k + 1) * groupSize, blocks.z), map.distances);
+    const std::lock_guard lock(mutex);
+    census.add(own);
+  });
+  spreadAcrossPlanes(blocks, map.distances);
+  map.emptyShare = 1.0 - static_cast<double>(census.occupied) / static_cast<double>(map.distances.size());
+  map.visible = census.occupied > 0 ? census.box : BlockBox{};
 }
 
 } // namespace limn

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <mutex>
 #include <numeric>
 #include <type_traits>
 
@@ -36,22 +38,39 @@ Histogram emptyHistogram(const Volume& volume, int mostBins) {
 
 } // namespace
 
-Histogram histogramOf(const Volume& volume, int mostBins) {
+Histogram histogramOf(const Volume& volume, int mostBins, const Effort& effort) {
   assert(mostBins > 0);
   Histogram histogram = emptyHistogram(volume, mostBins);
   const int bins = static_cast<int>(histogram.counts.size());
   const double width = histogram.range.highest - histogram.range.lowest;
   const double binsPerValue = width > 0.0 ? bins / width : 0.0;
   const Rescale rescale = volume.rescale();
-  const std::vector<bool>& invalid = volume.invalidMask();
+  const auto binOf = [&](auto stored) {
+    const double value = rescale.slope * static_cast<double>(stored) + rescale.intercept;
+    const int bin = static_cast<int>((value - histogram.range.lowest) * binsPerValue);
+    return static_cast<std::size_t>(std::clamp(bin, 0, bins - 1));
+  };
+  const StoredCounts& known = volume.storedCounts();
+  for (std::size_t i = 0; i < known.counts.size(); ++i)
+    histogram.counts[binOf(known.first + static_cast<int>(i))] += known.counts[i];
+  if (!known.counts.empty())
+    return histogram;
+  const VoxelMask& invalid = volume.invalidMask();
+  std::mutex mutex;
   visitVoxels(volume, [&](const auto& stored) {
-    for (std::size_t i = 0; i < stored.size(); ++i) {
-      if (!invalid.empty() && invalid[i])
-        continue;
-      const double value = rescale.slope * static_cast<double>(stored[i]) + rescale.intercept;
-      const int bin = static_cast<int>((value - histogram.range.lowest) * binsPerValue);
-      ++histogram.counts[static_cast<std::size_t>(std::clamp(bin, 0, bins - 1))];
-    }
+    const std::size_t pieceCount = (stored.size() + voxelsPerPiece - 1) / voxelsPerPiece;
+    shareOut(static_cast<int>(pieceCount), effort, [&](Pieces& pieces) {
+      std::vector<std::uint64_t> own(histogram.counts.size(), 0);
+      for (int piece = pieces.next(); piece >= 0; piece = pieces.next()) {
+        const std::size_t first = static_cast<std::size_t>(piece) * voxelsPerPiece;
+        for (std::size_t i = first; i < std::min(first + voxelsPerPiece, stored.size()); ++i)
+          if (invalid.empty() || !invalid[i])
+            ++own[binOf(stored[i])];
+      }
+      const std::lock_guard lock(mutex);
+      std::transform(own.begin(), own.end(), histogram.counts.begin(), histogram.counts.begin(),
+                     std::plus<>());
+    });
   });
   return histogram;
 }

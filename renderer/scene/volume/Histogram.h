@@ -17,8 +17,8 @@ struct Histogram {
 
 /// Counts every valid voxel of `volume` once, in at most `mostBins` > 0 bins from the lowest to the highest
 /// scalar. Bins of integer data are centred on values and hold equally many of them each, so that no comb
-/// appears; a constant volume has one bin.
-Histogram histogramOf(const Volume& volume, int mostBins = 1024);
+/// appears; a constant volume has one bin. Costs a pass over voxels of more than 16 bits, of others none.
+Histogram histogramOf(const Volume& volume, int mostBins = 1024, const Effort& effort = {});
 
 double binWidth(const Histogram& histogram);
 

@@ -5,10 +5,8 @@
 #include "scene/volume/PhantomParts.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 namespace limn {
 namespace {
@@ -87,25 +85,11 @@ std::shared_ptr<const Volume> phantomVolume(const PhantomSpec& spec,
                                             const std::function<bool()>& isCancelled) {
   const Grid grid = gridOf(spec);
   std::vector<std::int16_t> voxels(static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z);
-  std::atomic<int> nextSlice{0};
-  std::atomic<bool> stopped{false};
-  const auto work = [&] {
-    for (int k = nextSlice++; k < grid.dims.z && !stopped; k = nextSlice++) {
-      for (int j = 0; j < grid.dims.y; ++j)
-        for (int i = 0; i < grid.dims.x; ++i)
-          voxels[voxelOffset(grid.dims, i, j, k)] = sampleAt(spec, grid, i, j, k);
-      if (isCancelled && isCancelled())
-        stopped = true;
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned n = 1; n < std::max(1u, std::thread::hardware_concurrency()); ++n)
-      workers.emplace_back(work);
-    work();
-  }
-  if (stopped)
-    throw Cancelled();
+  forEachPiece(grid.dims.z, {0, isCancelled, {}}, [&](int k) {
+    for (int j = 0; j < grid.dims.y; ++j)
+      for (int i = 0; i < grid.dims.x; ++i)
+        voxels[voxelOffset(grid.dims, i, j, k)] = sampleAt(spec, grid, i, j, k);
+  });
   VolumeInfo info;
   info.format = "Built-in head phantom";
   info.modality = "CT";

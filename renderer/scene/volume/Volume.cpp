@@ -2,11 +2,9 @@
 #include "scene/volume/Volume.h"
 
 #include "scene/basics/Error.h"
+#include "scene/volume/ValidVoxels.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <type_traits>
 
 namespace limn {
 namespace {
@@ -14,54 +12,15 @@ namespace {
 // Differences, sums and gradients of scalars must be numbers, too.
 constexpr double largestScalar = 1e300;
 
-struct Sanitised {
-  ValueRange range;
-  std::size_t invalidVoxels = 0;
-  std::vector<bool> invalid;
-};
-
-template <class T>
-bool isInvalid(T stored, const std::optional<PaddingRange>& padding) {
-  if constexpr (std::is_floating_point_v<T>)
-    if (!std::isfinite(stored))
-      return true;
-  return padding && stored >= padding->first && stored <= padding->last;
-}
-
-// Finds the valid voxels and replaces the others by the stored value of the smallest valid scalar.
-template <class T>
-Sanitised sanitise(std::vector<T>& stored, const Rescale& rescale,
-                   const std::optional<PaddingRange>& padding) {
-  Sanitised result;
-  T smallest = std::numeric_limits<T>::max();
-  T largest = std::numeric_limits<T>::lowest();
-  for (std::size_t i = 0; i < stored.size(); ++i) {
-    if (isInvalid(stored[i], padding)) {
-      if (result.invalid.empty())
-        result.invalid.resize(stored.size(), false);
-      result.invalid[i] = true;
-      ++result.invalidVoxels;
-      continue;
-    }
-    smallest = std::min(smallest, stored[i]);
-    largest = std::max(largest, stored[i]);
-  }
-  if (result.invalidVoxels == stored.size())
-    throw Error(Error::Kind::input, "The volume holds no valid voxel: every value is NaN, infinite or "
-                                    "declared padding; check that the right series was chosen.");
-  const bool rising = rescale.slope >= 0.0;
-  const T replacement = rising ? smallest : largest;
-  if (result.invalidVoxels > 0)
-    for (std::size_t i = 0; i < stored.size(); ++i)
-      if (result.invalid[i])
-        stored[i] = replacement;
-  const double atSmallest = rescale.slope * static_cast<double>(smallest) + rescale.intercept;
-  const double atLargest = rescale.slope * static_cast<double>(largest) + rescale.intercept;
-  result.range = rising ? ValueRange{atSmallest, atLargest} : ValueRange{atLargest, atSmallest};
-  if (!(result.range.lowest >= -largestScalar && result.range.highest <= largestScalar))
+// Of scalars, from those of stored values.
+ValueRange rangeOf(const ValidVoxels& voxels, const Rescale& rescale) {
+  const double a = rescale.slope * voxels.smallest + rescale.intercept;
+  const double b = rescale.slope * voxels.largest + rescale.intercept;
+  const ValueRange range = rescale.slope >= 0.0 ? ValueRange{a, b} : ValueRange{b, a};
+  if (!(range.lowest >= -largestScalar && range.highest <= largestScalar))
     throw Error(Error::Kind::input, "The volume's values are not finite or beyond 1e300 after rescaling; its "
                                     "slope, its intercept or its voxels are damaged.");
-  return result;
+  return range;
 }
 
 void requireUsableGrid(const Grid& grid, std::size_t voxels) {
@@ -82,14 +41,14 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
 } // namespace
 
 Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding,
-               VolumeInfo info)
+               VolumeInfo info, const Effort& effort)
     : m_grid(grid), m_stored(std::move(stored)), m_rescale(rescale), m_info(std::move(info)) {
   requireUsableGrid(m_grid, voxelCount());
-  Sanitised sanitised =
-      std::visit([&](auto& voxels) { return sanitise(voxels, m_rescale, padding); }, m_stored);
-  m_range = sanitised.range;
-  m_invalidVoxels = sanitised.invalidVoxels;
-  m_invalid = std::move(sanitised.invalid);
+  ValidVoxels valid = sanitise(m_stored, m_rescale, padding, effort);
+  m_range = rangeOf(valid, m_rescale);
+  m_invalidVoxels = valid.invalidVoxels;
+  m_invalid = std::move(valid.invalid);
+  m_counts = std::move(valid.counts);
 }
 
 std::size_t Volume::voxelCount() const {

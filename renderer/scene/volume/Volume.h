@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Effort.h"
 #include "scene/volume/Grid.h"
+#include "scene/volume/VoxelMask.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +40,12 @@ struct ValueRange {
   bool operator==(const ValueRange&) const = default;
 };
 
+/// How many valid voxels have each stored value, from the lowest to the highest.
+struct StoredCounts {
+  int first = 0; ///< the lowest
+  std::vector<std::uint64_t> counts;
+};
+
 /// Who the volume shows. Lives in memory only: no file, log or picture may contain it.
 struct PatientLabel {
   std::string name;
@@ -63,8 +71,9 @@ public:
   /// Takes the stored voxels and sanitises them: NaN, ±Inf and declared padding are replaced by the voxel
   /// of the smallest valid scalar, counted, and remembered.
   /// Throws Error (input) where the array does not match `grid.dims`, where a dimension or spacing is not
-  /// positive and finite, where no voxel is valid, or where a scalar lies beyond ±1e300.
-  Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info);
+  /// positive and finite, where no voxel is valid, or where a scalar lies beyond ±1e300; Cancelled.
+  Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info,
+         const Effort& effort = {});
 
   const Grid& grid() const { return m_grid; }
   const VoxelArray& stored() const { return m_stored; }
@@ -77,8 +86,11 @@ public:
   std::size_t voxelCount() const;
   std::size_t invalidVoxels() const { return m_invalidVoxels; }
 
-  /// One flag per voxel, true where the file's value was invalid; empty where all are valid.
-  const std::vector<bool>& invalidMask() const { return m_invalid; }
+  /// Set where the file's value was invalid; empty where all are valid.
+  const VoxelMask& invalidMask() const { return m_invalid; }
+
+  /// Of voxels stored in 8 or 16 bits, counted by the pass that found their range; empty otherwise.
+  const StoredCounts& storedCounts() const { return m_counts; }
 
   /// The scalar of voxel (i, j, k). Slow (a type dispatch per call): for bulk work use visitVoxels.
   double value(const glm::ivec3& index) const;
@@ -90,7 +102,8 @@ private:
   VolumeInfo m_info;
   ValueRange m_range;
   std::size_t m_invalidVoxels = 0;
-  std::vector<bool> m_invalid;
+  VoxelMask m_invalid;
+  StoredCounts m_counts;
 };
 
 /// Position of voxel (i, j, k) in the stored array.

@@ -10,34 +10,39 @@ namespace {
 class Word {
 public:
   explicit Word(const DicomHeader& header)
-      : m_format(header.format), m_padding(header.padding),
-        m_shift(header.format.highBit + 1 - header.format.bitsStored),
-        m_mask((std::uint64_t{1} << header.format.bitsStored) - 1) {}
+      : m_padding(header.padding), m_shift(header.format.highBit + 1 - header.format.bitsStored),
+        m_mask((std::int64_t{1} << header.format.bitsStored) - 1),
+        m_wordSign(signOf(header.format, header.format.bitsAllocated)),
+        m_storedSign(signOf(header.format, header.format.bitsStored)) {}
 
-  double value(std::uint32_t word, DicomUnpackNotes& notes) const {
-    const double whole = withSign(word, m_format.bitsAllocated);
-    const std::uint64_t bits = (word >> m_shift) & m_mask;
-    const double stored = withSign(bits, m_format.bitsStored);
+  std::int64_t value(std::int64_t word, DicomUnpackNotes& notes) const {
+    const std::int64_t whole = withSign(word, m_wordSign);
+    const std::int64_t bits = (word >> m_shift) & m_mask;
+    const std::int64_t stored = withSign(bits, m_storedSign);
     if (stored == whole)
       return stored;
-    if (m_padding && whole >= m_padding->first && whole <= m_padding->last)
+    const auto number = static_cast<double>(whole);
+    if (m_padding && number >= m_padding->first && number <= m_padding->last)
       return whole;
     // A negative number without its sign repeated above the stored bits loses nothing.
-    if ((static_cast<std::uint64_t>(word) >> m_shift) != bits)
+    if (word >> m_shift != bits)
       notes.ignoredBits = true;
     return stored;
   }
 
 private:
-  double withSign(std::uint64_t bits, int count) const {
-    const bool isNegative = m_format.isSigned && (bits >> (count - 1) & 1);
-    return static_cast<double>(bits) - (isNegative ? std::ldexp(1.0, count) : 0.0);
+  // The bit that holds the sign of so many; 0 where there is none.
+  static std::int64_t signOf(const DicomPixelFormat& format, int bits) {
+    return format.isSigned ? std::int64_t{1} << (bits - 1) : 0;
   }
 
-  const DicomPixelFormat& m_format;
+  static std::int64_t withSign(std::int64_t bits, std::int64_t sign) { return (bits ^ sign) - sign; }
+
   const std::optional<PaddingRange>& m_padding;
   int m_shift;
-  std::uint64_t m_mask;
+  std::int64_t m_mask;
+  std::int64_t m_wordSign;
+  std::int64_t m_storedSign;
 };
 
 template <class Raw>
@@ -61,11 +66,12 @@ void unpackWords(const DicomHeader& header, const DicomRawFrame& raw, T* out, Di
   const bool isYbr = raw.photometric.rfind("YBR_FULL", 0) == 0;
   const bool isPalette = header.format.photometric == "PALETTE COLOR";
   const auto at = [&](std::size_t index) { return word.value(wordAt<Raw>(raw.bytes.data(), index), notes); };
+  const auto numberAt = [&](std::size_t index) { return static_cast<double>(at(index)); };
   for (std::size_t i = 0; i < pixels; ++i) {
     if (header.format.samples == 3)
-      out[i] = static_cast<T>(luminance(at(3 * i), at(3 * i + 1), at(3 * i + 2), isYbr));
+      out[i] = static_cast<T>(luminance(numberAt(3 * i), numberAt(3 * i + 1), numberAt(3 * i + 2), isYbr));
     else if (isPalette)
-      out[i] = static_cast<T>(header.palette->valueOf(at(i)));
+      out[i] = static_cast<T>(header.palette->valueOf(numberAt(i)));
     else
       out[i] = static_cast<T>(at(i));
   }

@@ -40,20 +40,30 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
   const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t perStep =
       std::min<std::uint64_t>(bytesPerStep / sizeof(Stored) / components, layout.count);
-  std::vector<Stored> samples(perStep * components);
+  const auto read = [&](Stored* samples, std::size_t done, std::size_t step) {
+    const std::size_t wanted = step * components * sizeof(Stored);
+    const std::size_t got = bytes(reinterpret_cast<unsigned char*>(samples), wanted);
+    if (got < wanted)
+      failShort(file, done + got / (components * sizeof(Stored)), layout.count);
+    if (swap)
+      swapBytes(samples, step * components);
+  };
+  std::vector<Stored> samples;
   std::vector<Kept<Stored>> voxels;
   voxels.reserve(certain);
   while (voxels.size() < layout.count) {
     reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
                  "Reading voxels");
-    const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - voxels.size());
-    const std::size_t wanted = step * components * sizeof(Stored);
-    const std::size_t got = bytes(reinterpret_cast<unsigned char*>(samples.data()), wanted);
-    if (got < wanted)
-      failShort(file, voxels.size() + got / (components * sizeof(Stored)), layout.count);
-    if (swap)
-      swapBytes(samples.data(), step * components);
     const std::size_t first = voxels.size();
+    const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - first);
+    if constexpr (std::is_same_v<Stored, Kept<Stored>>)
+      if (components == 1) { // where they stay
+        growBy(voxels, step, layout.count);
+        read(voxels.data() + first, first, step);
+        continue;
+      }
+    samples.resize(step * components);
+    read(samples.data(), first, step);
     growBy(voxels, step, layout.count);
     for (std::size_t i = 0; i < step; ++i)
       voxels[first + i] = keptValue(samples.data() + i * components, layout.components);

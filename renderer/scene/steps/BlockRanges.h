@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/Effort.h"
+#include "scene/basics/Uninitialised.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <vector>
+
+namespace limn {
+
+/// Cells along each edge of a block.
+inline constexpr int blockSize = 4;
+
+/// Blocks along each edge of a group.
+inline constexpr int groupSize = 4;
+
+/// By this many texels may a position computed in float lie on the wrong side of a block's face: a hundred
+/// times what coordinates of a texture of 2048 texels lose to rounding.
+inline constexpr float blockMargin = 1.0f / 128.0f;
+
+/// How many blocks have so many texel centres along each axis.
+glm::ivec3 blocksOf(const glm::ivec3& texels);
+
+/// The scalars that samples in each block of 4³ cells between texel centres can take. Neighbours share the
+/// texels on their common face; the range stands for positions up to a margin of texels beyond the block, so
+/// that rounding there steps over nothing. The outermost blocks also own the half texel before the volume's
+/// end, where the field is constant.
+class BlockRanges {
+public:
+  /// The ranges of 4³ blocks, which lie together in memory: whoever asks for one asks for the others.
+  struct Group {
+    static constexpr std::size_t size = std::size_t{groupSize} * groupSize * groupSize;
+    std::array<float, size> lowest;  ///< x fastest; +∞ beyond the last block
+    std::array<float, size> highest; ///< -∞ beyond the last block
+  };
+
+  BlockRanges() = default;
+  /// Every block must be set, then finish() called.
+  explicit BlockRanges(const glm::ivec3& blocks);
+
+  const glm::ivec3& blocks() const { return m_blocks; }
+  const glm::ivec3& groups() const { return m_groups; }
+  const Group& group(int i, int j, int k) const { return m_members[groupOffset({i, j, k})]; }
+
+  /// Lowest and highest of all blocks of a group.
+  const glm::vec2& groupRange(int i, int j, int k) const { return m_ranges[groupOffset({i, j, k})]; }
+
+  glm::vec2 at(const glm::ivec3& block) const;
+  void set(const glm::ivec3& block, const glm::vec2& range);
+
+  /// Finds the ranges of the groups, once the blocks have theirs. Throws Cancelled.
+  void finish(const Effort& effort = {});
+
+  std::size_t bytes() const;
+
+private:
+  std::size_t groupOffset(const glm::ivec3& group) const {
+    return (static_cast<std::size_t>(group.z) * m_groups.y + group.y) * m_groups.x + group.x;
+  }
+
+  glm::ivec3 m_blocks{0};
+  glm::ivec3 m_groups{0};
+  UninitialisedVector<Group> m_members;
+  std::vector<glm::vec2> m_ranges;
+};
+
+/// From ranges of blocks by their own texels alone, x fastest: lets each stand for positions up to
+/// `marginTexels` beyond it, where the texels of neighbouring blocks weigh no more than the margin along each
+/// of three axes. Throws Cancelled.
+BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const UninitialisedVector<glm::vec2>& own,
+                                float marginTexels, const Effort& effort = {});
+
+} // namespace limn
