@@ -16,6 +16,7 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
@@ -31,6 +32,7 @@
 namespace limn {
 
 Centre::Centre(QMainWindow& window) {
+  const OpenGlOffer openGl = openGlOffer();
   auto* centre = new QWidget(&window);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
@@ -39,7 +41,9 @@ Centre::Centre(QMainWindow& window) {
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  view = new CompareView({makeRayCasterEngine, [] { return makeCpuEngine(); }}, centre);
+  view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
+                          [] { return makeCpuEngine(); }},
+                         ViewEngine::driver, centre);
   column->addWidget(view, 1);
   window.setCentralWidget(centre);
 }

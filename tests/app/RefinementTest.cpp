@@ -123,7 +123,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   ASSERT_TRUE(idle());
   EXPECT_GT(statedLevels(), 0.0) << statusText().toStdString();
   EXPECT_TRUE(statusText().contains(QStringLiteral("step 1/2 voxel"))) << statusText().toStdString();
-  EXPECT_TRUE(statusText().endsWith(QStringLiteral("GLSL")));
+  EXPECT_TRUE(statusText().endsWith(QStringLiteral("OpenGL")));
   EXPECT_TRUE(labelSays(QStringLiteral("of 255 levels"))) << "where everybody can read it";
   Scene moved = scene();
   moved.camera = orbited(moved.camera, 0.3, 0.0);
@@ -178,7 +178,7 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   EXPECT_EQ(partSaying("ms")->x(), place);
   status.resize(status.minimumSizeHint());
   EXPECT_NE(partSaying("not resolved"), nullptr);
-  EXPECT_EQ(partSaying("GLSL"), nullptr);
+  EXPECT_EQ(partSaying("OpenGL"), nullptr);
 }
 
 } // namespace

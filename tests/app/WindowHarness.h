@@ -15,6 +15,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolBar>
@@ -53,6 +54,8 @@ protected:
   CurvePanel& curves() const { return *window->findChild<CurvePanel*>(); }
   SavingDesk& saving() const { return *window->findChild<SavingDesk*>(); }
   void setLayout(CompareLayout layout) { window->findChild<ComparisonDesk*>()->setLayout(layout); }
+  /// The widget with the OpenGL context, while the driver draws.
+  QOpenGLWidget& canvas() { return *view().findChild<QOpenGLWidget*>(); }
   PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
   int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
 
