@@ -32,6 +32,10 @@ private:
 // Tiles are handed to the driver, which cannot be called back: whoever draws asks for small ones.
 class RayCasterEngine final : public DrawingEngine {
 public:
+  explicit RayCasterEngine(double mostVolumeMb)
+      : m_caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {},
+                 {mostVolumeMb, false}) {}
+
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled&) override {
     m_caster.draw(scene, size, tile);
@@ -59,7 +63,11 @@ private:
 } // namespace
 
 std::unique_ptr<DrawingEngine> makeRayCasterEngine() {
-  return std::make_unique<RayCasterEngine>();
+  return makeRayCasterEngineWithin(anyMb);
+}
+
+std::unique_ptr<DrawingEngine> makeRayCasterEngineWithin(double mostVolumeMb) {
+  return std::make_unique<RayCasterEngine>(mostVolumeMb);
 }
 
 } // namespace limn

@@ -30,10 +30,13 @@ namespace limn::test {
 /// The program's window on settings, presets and files of a folder of its own.
 class WindowHarness : public testing::Test {
 protected:
-  WindowHarness() {
+  /// `engine` draws: with OpenGL unless a test is about the choice, which depends on the machine.
+  explicit WindowHarness(EngineSetting engine = EngineSetting::openGl) {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));
     QCoreApplication::setApplicationName(QStringLiteral("limn"));
-    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    const UserFolders folders = UserFolders::below(folder.path());
+    Settings(folders.settings).setEngine(engine);
+    window = std::make_unique<MainWindow>(folders);
     window->resize(900, 640);
     // Pictures rest at the scene's own step unless a test is about what comes after.
     window->view().setRefinesAtRest(false);

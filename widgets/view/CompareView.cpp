@@ -2,10 +2,7 @@
 #include "widgets/view/CompareView.h"
 
 #include "widgets/view/PictureOrders.h"
-#include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/drawing/DriverDrawing.h"
-#include "widgets/view/drawing/ProcessorDrawing.h"
-#include "widgets/view/failure/DriverRecovery.h"
+#include "widgets/view/drawing/EngineSwitch.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -19,26 +16,26 @@
 namespace limn {
 
 CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* parent)
-    : QWidget(parent), m_engines(std::move(engines)), m_engine(engine), m_recovery(new DriverRecovery(this)),
-      m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
+    : QWidget(parent), m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(tr("Drag to rotate, middle drag to pan, right drag or wheel to zoom"));
+  m_engines = new EngineSwitch(std::move(engines), engine, orders(), *this);
 
   ViewInput::Facts facts;
   facts.shown = [this] { return overlaySource(); };
-  facts.scaleOfSide = [this](int side) { return m_drawing->gradientScaleOf(side); };
+  facts.scaleOfSide = [this](int side) { return m_engines->drawing().gradientScaleOf(side); };
   m_input = new ViewInput(this, facts);
 
-  connectRecovery();
+  connectEngines();
   connectInput();
-  draw(m_engines.driver ? m_engine : ViewEngine::processor);
+  arrangeParts();
 }
 
 ViewOrders CompareView::orders() {
   ViewOrders orders;
-  orders.canDraw = [this] { return isVisible() && m_shown.scene.volume && !m_recovery->hasFailed(); };
+  orders.canDraw = [this] { return isVisible() && m_shown.scene.volume; };
   orders.request = [this] { return requestOf(m_shown, geometry()); };
   orders.arrangement = [this] { return arrangementOf(m_shown, geometry()); };
   orders.background = [this] { return m_shown.scene.image.background; };
@@ -49,69 +46,22 @@ ViewOrders CompareView::orders() {
   return orders;
 }
 
-ViewDrawing* CompareView::makeDriverDrawing() {
-  auto* drawing = new DriverDrawing(m_engines.driver, orders(), *m_recovery, *this);
-  connect(m_recovery, &DriverRecovery::rebuildNeeded, drawing, [this, drawing](bool isLost) {
-    drawing->rebuild(isLost);
-    m_recovery->retry();
-    redraw();
-  });
-  connect(drawing, &DriverDrawing::contextRefused, this, [this] {
-    const QString problem = openGlOffer().problem;
-    m_recovery->giveUp(
-        problem.isEmpty()
-            ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
-            : problem);
-  });
-  return drawing;
-}
-
-ViewDrawing* CompareView::makeProcessorDrawing() {
-  auto* drawing = new ProcessorDrawing(m_engines.processor, orders(), *this);
-  connect(drawing, &ProcessorDrawing::failed, m_recovery, &DriverRecovery::fail);
-  return drawing;
-}
-
-void CompareView::draw(ViewEngine engine) {
-  delete m_drawing;
-  m_engine = engine;
-  m_drawing = engine == ViewEngine::driver ? makeDriverDrawing() : makeProcessorDrawing();
-  m_drawing->setRefines(m_refines);
-  if (m_movingMs)
-    m_drawing->setMovingMs(*m_movingMs);
-  connect(m_drawing, &ViewDrawing::stateChanged, this, [this] { emit pictureStateChanged(pictureState()); });
-  connect(m_drawing, &ViewDrawing::effectsChanged, this, &CompareView::effectsChanged);
-  connect(m_drawing, &ViewDrawing::timesChanged, this, &CompareView::effectTimesChanged);
-  connect(m_drawing, &ViewDrawing::completed, m_recovery, &DriverRecovery::noteSuccess);
-  connect(m_drawing, &ViewDrawing::restFailed, this, &CompareView::errorOccurred);
-  connect(m_recovery, &DriverRecovery::stopped, m_drawing, &ViewDrawing::stop);
-  m_drawing->canvas().lower();
-  arrangeParts();
-  m_drawing->canvas().show();
-  redraw();
-}
-
-void CompareView::setEngine(ViewEngine engine, const QString& reason) {
-  if (!(engine == ViewEngine::driver ? m_engines.driver : m_engines.processor))
-    return;
-  m_engineReason = reason;
-  if (engine == m_engine)
-    return emit pictureStateChanged(pictureState());
-  m_driverFailure.clear();
-  m_panels->setFailure({}, {});
-  m_recovery->forget();
-  draw(engine);
-}
-
-void CompareView::connectRecovery() {
-  connect(m_recovery, &DriverRecovery::givenUp, this, &CompareView::giveUpDriver);
-  connect(m_recovery, &DriverRecovery::restored, this, &CompareView::graphicsRestored);
+void CompareView::connectEngines() {
+  connect(m_engines, &EngineSwitch::replaced, this, &CompareView::arrangeParts);
+  connect(m_engines, &EngineSwitch::replaced, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::redrawNeeded, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::stateChanged, this, &CompareView::pictureStateChanged);
+  connect(m_engines, &EngineSwitch::effectsChanged, this, &CompareView::effectsChanged);
+  connect(m_engines, &EngineSwitch::timesChanged, this, &CompareView::effectTimesChanged);
+  connect(m_engines, &EngineSwitch::restored, this, &CompareView::graphicsRestored);
+  connect(m_engines, &EngineSwitch::engineChanged, this, &CompareView::engineChanged);
+  connect(m_engines, &EngineSwitch::errorOccurred, this, &CompareView::errorOccurred);
   // Slots are called in the order in which they were connected.
-  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::updatePanels);
-  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::errorOccurred);
-  connect(m_panels, &PanelStack::retryRequested, m_recovery, &DriverRecovery::retry);
+  connect(m_engines, &EngineSwitch::failed, this, &CompareView::updatePanels);
+  connect(m_engines, &EngineSwitch::failed, this, &CompareView::errorOccurred);
+  connect(m_panels, &PanelStack::retryRequested, m_engines, &EngineSwitch::retry);
   connect(m_panels, &PanelStack::retryRequested, this, &CompareView::redraw);
-  connect(m_panels, &PanelStack::driverRetryRequested, this, &CompareView::retryDriver);
+  connect(m_panels, &PanelStack::driverRetryRequested, m_engines, &EngineSwitch::retryDriver);
 }
 
 void CompareView::connectInput() {
@@ -135,28 +85,27 @@ void CompareView::connectInput() {
 
 // What draws asks this for what to show.
 CompareView::~CompareView() {
-  delete m_drawing;
+  delete m_engines;
 }
 
 void CompareView::setScene(const Scene& scene) {
-  const Scene& shown = m_shown.scene;
-  if (scene == shown)
+  const Scene before = m_shown.scene;
+  if (scene == before)
     return;
-  const bool otherVolume = scene.volume != shown.volume;
-  Scene asShown = scene;
-  asShown.camera = shown.camera;
-  if (otherVolume) {
-    m_recovery->forget();
-    m_drawing->forget();
+  // What draws may ask for it from now on.
+  m_shown.scene = scene;
+  if (scene.volume != before.volume) {
+    m_engines->forget();
     m_input->forget();
   }
-  if (asShown != shown) // more than the camera: what failed may work now
-    m_recovery->retry();
-  if (scene.projection != shown.projection)
-    m_drawing->forgetSpeed();
-  if (scene.shading != shown.shading)
+  Scene asBefore = scene;
+  asBefore.camera = before.camera;
+  if (asBefore != before) // more than the camera: what failed may work now
+    m_engines->retry();
+  if (scene.projection != before.projection)
+    m_engines->drawing().forgetSpeed();
+  if (scene.shading != before.shading)
     m_labels->wake();
-  m_shown.scene = scene;
   redraw();
 }
 
@@ -192,17 +141,15 @@ void CompareView::setSwapped(bool swapped) {
 }
 
 void CompareView::setRefinesAtRest(bool refines) {
-  m_refines = refines;
-  m_drawing->setRefines(refines);
+  m_engines->setRefines(refines);
 }
 
 void CompareView::setMovingMs(double ms) {
-  m_movingMs = ms;
-  m_drawing->setMovingMs(ms);
+  m_engines->setMovingMs(ms);
 }
 
 void CompareView::measureEffects() {
-  m_drawing->measureEffects();
+  m_engines->drawing().measureEffects();
 }
 
 void CompareView::setOverlayVisible(bool visible) {
@@ -228,32 +175,36 @@ void CompareView::clearLoading() {
   updatePanels();
 }
 
+void CompareView::setEngine(ViewEngine engine, const QString& reason) {
+  m_engines->choose(engine, reason);
+}
+
+ViewEngine CompareView::engine() const {
+  return m_engines->engine();
+}
+
 PictureState CompareView::pictureState() const {
-  PictureState state = m_drawing->state();
-  state.engine = m_engine;
-  state.engineReason = m_driverFailure.isEmpty() ? m_engineReason : m_driverFailure;
-  state.driverHasFailed = !m_driverFailure.isEmpty();
-  return state;
+  return m_engines->state();
 }
 
 QImage CompareView::currentPicture(int side) {
-  const std::optional<RestingPicture> resting = m_drawing->resting(side);
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
   return resting ? resting->bytes : QImage();
 }
 
 std::optional<Image> CompareView::restingImage(int side) {
-  const std::optional<RestingPicture> resting = m_drawing->resting(side);
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
   return resting ? std::optional(*resting->image) : std::nullopt;
 }
 
 Scene CompareView::sceneOfRestingImage(int side) const {
-  const std::optional<RestingPicture> resting = m_drawing->resting(side);
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
   const Scene scene = sceneOfSide(side);
   return resting ? withStep(scene, resting->stepVoxels) : scene;
 }
 
 ViewGeometry CompareView::geometry() const {
-  return {m_shown.layout, m_shown.wipe, m_drawing->canvas().size(), devicePixelRatioF()};
+  return {m_shown.layout, m_shown.wipe, m_engines->drawing().canvas().size(), devicePixelRatioF()};
 }
 
 OverlaySource CompareView::overlaySource() const {
@@ -263,14 +214,14 @@ OverlaySource CompareView::overlaySource() const {
 }
 
 void CompareView::redraw() {
-  m_drawing->restart();
+  m_engines->drawing().restart();
   if (!m_shown.scene.volume)
-    m_drawing->forgetEffects();
+    m_engines->drawing().forgetEffects();
   updatePanels();
 }
 
 void CompareView::repaintOverlay() {
-  m_drawing->canvas().update();
+  m_engines->drawing().canvas().update();
 }
 
 void CompareView::moveWipe(double fraction) {
@@ -283,15 +234,16 @@ void CompareView::showOtherParts() {
   if (m_shown.layout == CompareLayout::wipe && !pictureState().resting)
     redraw();
   else
-    m_drawing->arrangeAnew();
+    m_engines->drawing().arrangeAnew();
 }
 
 void CompareView::updatePanels() {
-  m_panels->arrange(m_shown.scene.volume != nullptr, m_recovery->sentence());
+  m_panels->arrange(m_shown.scene.volume != nullptr, m_engines->problem());
 }
 
 void CompareView::arrangeParts() {
-  m_drawing->canvas().setGeometry(0, 0, width(), height() - m_panels->takenBelow());
+  m_panels->setFailure(m_engines->driverFailure(), m_engines->failureDetails());
+  m_engines->drawing().canvas().setGeometry(0, 0, width(), height() - m_panels->takenBelow());
   updatePanels();
 }
 
@@ -306,31 +258,12 @@ void CompareView::showEvent(QShowEvent* event) {
   if (!pictureState().resting)
     redraw();
   else
-    m_drawing->resume();
+    m_engines->drawing().resume();
 }
 
 void CompareView::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  m_drawing->stop();
-}
-
-void CompareView::giveUpDriver() {
-  if (m_engine != ViewEngine::driver) // another was chosen meanwhile
-    return;
-  const QString sentence = m_recovery->sentence();
-  if (!m_engines.processor)
-    return m_recovery->fail(sentence);
-  m_driverFailure = sentence;
-  m_panels->setFailure(sentence, m_recovery->details());
-  m_recovery->forget();
-  draw(ViewEngine::processor);
-  emit errorOccurred(sentence);
-  emit engineChanged(m_engine);
-}
-
-void CompareView::retryDriver() {
-  setEngine(ViewEngine::driver, m_engineReason);
-  emit engineChanged(m_engine);
+  m_engines->drawing().stop();
 }
 
 void CompareView::lookFrom(StandardView view) {

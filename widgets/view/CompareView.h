@@ -18,10 +18,9 @@
 
 namespace limn {
 
-class DriverRecovery;
+class EngineSwitch;
 class LabelFade;
 class PanelStack;
-class ViewDrawing;
 class ViewInput;
 struct EffectTimes;
 struct OverlaySource;
@@ -49,7 +48,7 @@ public:
 
   /// Lets an engine draw, for a reason that is told with the pictures; nothing happens where there is none.
   void setEngine(ViewEngine engine, const QString& reason);
-  ViewEngine engine() const { return m_engine; }
+  ViewEngine engine() const;
 
   void setCompareLayout(CompareLayout layout);
   CompareLayout compareLayout() const { return m_shown.layout; }
@@ -131,7 +130,7 @@ signals:
   void effectTimesChanged(const limn::EffectTimes& times);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
-  /// The processor took over from a driver that failed, or gave back to one that is tried again.
+  /// The processor took over from a driver that failed or has no room for the volume, or gave back to it.
   void engineChanged(limn::ViewEngine engine);
   /// Drawing had failed, and works again.
   void graphicsRestored(const QString& sentence);
@@ -156,12 +155,9 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
-  void connectRecovery();
-  void connectInput();
-  void draw(ViewEngine engine);
   ViewOrders orders();
-  ViewDrawing* makeDriverDrawing();
-  ViewDrawing* makeProcessorDrawing();
+  void connectEngines();
+  void connectInput();
   void arrangeParts();
   ViewGeometry geometry() const;
   OverlaySource overlaySource() const;
@@ -171,21 +167,12 @@ private:
   void setSwapped(bool swapped);
   void updatePanels();
   void repaintOverlay();
-  void giveUpDriver();
-  void retryDriver();
   void offerModels(int position);
 
   Comparison m_shown;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
-  bool m_refines = true;
-  std::optional<double> m_movingMs; ///< where it was set
-  DrawingEngines m_engines;
-  ViewEngine m_engine;
-  QString m_engineReason;
-  QString m_driverFailure; ///< why the processor draws in the driver's place
-  ViewDrawing* m_drawing = nullptr;
-  DriverRecovery* m_recovery;
+  EngineSwitch* m_engines;
   ViewInput* m_input;
   PanelStack* m_panels;
   LabelFade* m_labels;

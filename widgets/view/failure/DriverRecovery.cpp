@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/failure/DriverRecovery.h"
 
+#include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
 
 #include <QTimer>
@@ -14,6 +15,13 @@ void DriverRecovery::guard(const std::function<void()>& work) {
     forgetDriverErrors(); // those of Qt's painter
     work();
     requireHealthyDriver("drawing the picture");
+  } catch (const VolumeTooLarge& error) {
+    m_sentence = QString::fromStdString(error.what());
+    emit stopped();
+    QTimer::singleShot(0, this, [this] {
+      if (hasFailed()) // otherwise something else is to be shown
+        emit tooLarge();
+    });
   } catch (const DriverError& error) {
     failDriver(QString::fromStdString(error.what()), QString::fromStdString(error.details()));
   } catch (const Error& error) {

@@ -47,6 +47,7 @@ signals:
   void stopped();                  ///< nothing must be drawn until it is told to
   void rebuildNeeded(bool isLost); ///< of the pictures, and of the context where that `isLost`
   void givenUp();                  ///< the driver, for the reason in `sentence`
+  void tooLarge();                 ///< the volume for the driver, as `sentence` says
   void failed(const QString& sentence);
   void restored(const QString& sentence);
 
