@@ -6,7 +6,7 @@
 #include "engine/DrawingEngine.h"
 #include "gl/PictureTarget.h"
 #include "glsl/PicturePresenter.h"
-#include "widgets/view/pictures/FinishedPicture.h"
+#include "widgets/view/pictures/TileSchedule.h"
 
 namespace limn {
 namespace {
@@ -33,6 +33,9 @@ public:
     glFinish();
   }
   Image read() const override { return m_target.read(); }
+  FinishedPicture finished(const glm::dvec3& background) const override {
+    return limn::finished(std::make_shared<const Image>(read()), background);
+  }
   bool isEmpty() const override { return m_target.isEmpty(); }
   unsigned texture() const override { return m_target.texture(); }
 
@@ -60,6 +63,8 @@ class GlScreen final : public PictureScreen {
 public:
   std::unique_ptr<PictureSheet> makeSheet() override { return std::make_unique<GlSheet>(); }
   std::unique_ptr<FinishedSheet> makeFinishedSheet() override { return std::make_unique<GlFinishedSheet>(); }
+
+  double stripMs() const override { return TileSchedule::usualMs; }
 
   // Qt's painter leaves its own state behind.
   void reset() override {

@@ -2,8 +2,8 @@
 #include "widgets/view/pictures/MemoryScreen.h"
 
 #include "engine/DrawingEngine.h"
+#include "scene/PictureFigures.h"
 #include "scene/Scene.h"
-#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QPainter>
 
@@ -45,6 +45,11 @@ public:
 
   void lend(const std::function<void()>& work) override { work(); }
   Image read() const override { return m_image; }
+  FinishedPicture finished(const glm::dvec3&) const override {
+    QImage bytes = m_bytes.copy();
+    bytes.reinterpretAsFormat(QImage::Format_RGBA8888);
+    return {std::make_shared<const Image>(m_image), bytes, contrastOf(m_image)};
+  }
   bool isEmpty() const override { return m_image.size.x == 0; }
   const QImage& bytes() const override { return m_bytes; }
 
@@ -91,6 +96,10 @@ public:
   std::unique_ptr<FinishedSheet> makeFinishedSheet() override {
     return std::make_unique<MemoryFinishedSheet>();
   }
+
+  // Drawing ends where something else is asked for, so that strips need not be short; each ends with threads
+  // that wait for the last one.
+  double stripMs() const override { return 50.0; }
 
   void clear(const glm::ivec2& size, const glm::dvec3& background) override {
     m_frame = QImage(size.x, size.y, frameFormat);

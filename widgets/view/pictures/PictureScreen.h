@@ -3,6 +3,7 @@
 
 #include "engine/PixelRect.h"
 #include "scene/basics/Image.h"
+#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QImage>
 
@@ -12,7 +13,6 @@
 namespace limn {
 
 class DrawingEngine;
-struct FinishedPicture;
 struct Scene;
 
 /// Pixels that a screen can show: those that it made room for.
@@ -34,6 +34,8 @@ public:
   virtual void lend(const std::function<void()>& work) = 0;
 
   virtual Image read() const = 0;
+  /// Reads the whole picture back as everybody wants it, over a background.
+  virtual FinishedPicture finished(const glm::dvec3& background) const = 0;
   virtual bool isEmpty() const = 0;
 };
 
@@ -50,6 +52,9 @@ public:
 
   virtual std::unique_ptr<PictureSheet> makeSheet() = 0;
   virtual std::unique_ptr<FinishedSheet> makeFinishedSheet() = 0;
+
+  /// The time that a strip of a picture should take, ms: short where it holds up others.
+  virtual double stripMs() const = 0;
 
   /// Comes before pieces of drawing: others may have drawn in between.
   virtual void reset() {}

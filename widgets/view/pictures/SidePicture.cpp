@@ -19,7 +19,7 @@ double timedMs(Work&& work) {
 }
 
 // A picture coarser than this is bettered once before the full one is drawn, at about a seventh of its cost.
-constexpr int veryCoarse = 5;
+constexpr int veryCoarse = 6;
 constexpr int middleLevel = 3;
 
 // The columns of a picture of `size` pixels that are seen, and one more to each side for smoothing.
@@ -33,14 +33,14 @@ PixelRect seenPart(const glm::ivec2& size, const Columns& seen) {
 
 SidePicture::SidePicture(PictureScreen& screen)
     : m_coarse(screen.makeSheet()), m_middle(screen.makeSheet()), m_full(screen.makeSheet()),
-      m_finishedSheet(screen.makeFinishedSheet()) {}
+      m_finishedSheet(screen.makeFinishedSheet()), m_stripMs(screen.stripMs()) {}
 
 void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_scene = scene;
   m_size = size;
   m_pass = 0;
   m_hasMiddlePass = false;
-  m_schedule = TileSchedule(size);
+  m_schedule = TileSchedule(size, m_stripMs);
   m_finished = false;
   m_picture = {};
   m_finer.reset();
@@ -65,7 +65,7 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   } else if (level >= veryCoarse) {
     m_pass = middleLevel;
     m_hasMiddlePass = true;
-    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size));
+    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size), m_stripMs);
   }
   return ms;
 }
@@ -87,7 +87,7 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   m_coarseQuality = quality;
   m_coarseMs = m_schedule.spentMs();
   m_pass = 0;
-  m_schedule = TileSchedule(m_size);
+  m_schedule = TileSchedule(m_size, m_stripMs);
 }
 
 double SidePicture::fraction() const {
@@ -119,8 +119,7 @@ const ShownPixels& SidePicture::coarserPixels() const {
 }
 
 void SidePicture::finish() {
-  adopt(limn::finished(std::make_shared<const Image>(m_full->read()), m_scene.image.background),
-        m_scene.quality.stepVoxels);
+  adopt(m_full->finished(m_scene.image.background), m_scene.quality.stepVoxels);
   m_finishedRowMs = m_schedule.rowMs();
 }
 
@@ -136,7 +135,7 @@ void SidePicture::beginFiner(double stepVoxels) {
   std::vector<double> expectedMs = m_finishedRowMs;
   for (double& ms : expectedMs)
     ms *= m_finishedStepVoxels / stepVoxels;
-  m_finer = Finer{stepVoxels, TileSchedule(m_size, std::move(expectedMs))};
+  m_finer = Finer{stepVoxels, TileSchedule(m_size, m_stripMs, std::move(expectedMs))};
 }
 
 bool SidePicture::prepareFiner(DrawingEngine& engine, double stepVoxels) {

@@ -100,6 +100,7 @@ private:
   bool m_finished = false;
   std::unique_ptr<PictureSheet> m_coarse, m_middle, m_full;
   std::unique_ptr<FinishedSheet> m_finishedSheet;
+  double m_stripMs;
   FinishedPicture m_picture;
   double m_finishedStepVoxels = 0.0;
   std::vector<double> m_finishedRowMs; ///< what each of its rows took

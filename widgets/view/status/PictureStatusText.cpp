@@ -17,10 +17,10 @@ QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
-// "1/4", "3/16", "0.3": fractions of powers of two, which are exact.
+// "1/4", "5/16", "0.3": fractions of powers of two, which are exact.
 QString fractionText(double value) {
   for (double denominator = 2.0; denominator <= 1024.0 && value < 1.0; denominator *= 2.0)
-    for (const double numerator : {1.0, 3.0})
+    for (const double numerator : {1.0, 3.0, 5.0})
       if (value * denominator == numerator)
         return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
   return exactNumber(value);

@@ -81,6 +81,30 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
             std::min(255.0, differenceGain * std::abs(qRed(one) - qRed(other))));
 }
 
+double meanOf(const QImage& image) {
+  double sum = 0.0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      sum += qGray(image.pixel(x, y));
+  return sum / (double(image.width()) * image.height());
+}
+
+// Fewer pixels and larger steps change details, not how bright the picture is. Eyes notice about 2 %.
+TEST(PicturesInMemory, noQualityWhileMovingIsBrighterOrDarkerThanThePictureAtRest) {
+  constexpr glm::ivec2 size{320, 240};
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  const PixelRect whole{{0, 0}, size};
+  std::vector<double> means;
+  for (int level = 0; level < InteractionQuality::levelCount; ++level) {
+    pictures.want({phantomWith(ShadingModel::classic)}, size);
+    pictures.drawCoarsely(level, {});
+    pictures.show({CompareLayout::single, {whole}, size, 0, false}, glm::dvec3(0.0));
+    means.push_back(meanOf(pictures.frame()));
+  }
+  for (const double mean : means)
+    EXPECT_NEAR(mean, means[0], 0.02 * means[0]);
+}
+
 TEST_F(PicturesWithoutWindow, anotherRequestDropsWhatIsFinished) {
   Pictures pictures(makeRayCasterEngine(), makeGlScreen());
   std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
