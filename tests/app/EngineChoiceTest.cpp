@@ -2,6 +2,8 @@
 #include "app/engines/EngineChoice.h"
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
+#include "app/engines/RealRenderers.h"
+#include "cpu/CpuRenderer.h"
 #include "scene/basics/Error.h"
 #include "scene/view/FirstView.h"
 #include "scene/volume/Phantom.h"
@@ -75,6 +77,23 @@ TEST(EngineTrial, drawsWithBothAndEndsWhenItIsCancelled) {
   EXPECT_GT(trial.times.processorMs, 0.0);
   EXPECT_FALSE(trial.renderer.empty());
   EXPECT_THROW(tryEngines(scene, [] { return true; }), Cancelled);
+}
+
+TEST(RealRenderers, withoutOpenGlTheProcessorCastsTheRaysAndNothingElseIsOffered) {
+  Scene scene;
+  scene.volume = phantomVolume({16.0, 0.0, 1});
+  scene.camera = defaultCamera(scene.volume->grid());
+  scene.transferFunction.points = {{-300, {0.9, 0.6, 0.5}, 0.0}, {300, {1.0, 0.95, 0.85}, 0.5}};
+  RealRenderers renderers(1, {}, RaysBy::processor);
+  EXPECT_EQ(renderers.render(scene, {40, 30}), CpuRenderer(1).render(scene, {40, 30}));
+  EXPECT_TRUE(renderers.name().starts_with("CPU engine"));
+  OperatingPoint point;
+  EXPECT_TRUE(renderers.canDraw(point));
+  point.gradients = GradientSource::precomputed;
+  EXPECT_FALSE(renderers.canDraw(point));
+  point = {};
+  point.renderer = PointRenderer::slices;
+  EXPECT_FALSE(renderers.canDraw(point));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "app/engines/PictureMaker.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/effects/EffectTimes.h"
 
 #include <QMenu>
 
@@ -80,6 +82,23 @@ TEST_F(EngineWindow, bothAreTriedOnceTheFirstPictureRestsAndTheFasterDraws) {
   const ViewEngine faster = times->processorMs < times->openGlMs ? ViewEngine::processor : ViewEngine::driver;
   ASSERT_TRUE(test::waitUntil([&] { return view().engine() == faster && view().pictureState().resting; }));
   EXPECT_TRUE(view().pictureState().engineReason.contains(QStringLiteral("trial")));
+}
+
+TEST_F(EngineWindow, whatItCostsIsMeasuredWithTheEngineThatDraws) {
+  window->resize(800, 560); // small pictures converge soon
+  ASSERT_TRUE(open(QStringLiteral("phantom:20")));
+  ASSERT_TRUE(rest());
+  EffectTimes times;
+  QObject::connect(&view(), &CompareView::effectTimesChanged, [&](const EffectTimes& told) { times = told; });
+  view().measureEffects();
+  ASSERT_TRUE(test::waitUntil([&] { return !times.costs.empty(); }));
+  EXPECT_EQ(times.method, QStringLiteral("timed by the clock"));
+  AccuracyPanel& panel = *window->findChild<AccuracyPanel*>();
+  emit panel.measureRequested();
+  ASSERT_TRUE(test::waitUntil([&] { return panel.work() == AccuracyWork::none; }));
+  ASSERT_TRUE(panel.measured()) << messages().sentence().toStdString();
+  EXPECT_TRUE(panel.measured()->report.renderer.starts_with("CPU engine"))
+      << panel.measured()->report.renderer;
 }
 
 TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {

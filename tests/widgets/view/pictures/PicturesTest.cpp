@@ -128,7 +128,7 @@ TEST_F(PicturesWithoutWindow, whatIsDoneAtRestEndsWithEveryEngine) {
     const std::unique_ptr<Pictures> made = make();
     Pictures& pictures = *made;
     finish(pictures, bothModels());
-    const bool tells = pictures.engine().compiledPrograms() > 0;
+    const bool tells = !pictures.engine().name().starts_with("reference");
     pictures.rest().measureCosts(1);
     while (pictures.workAtRest(false, 5.0) != RestTurn::nothing) {
     }
