@@ -23,6 +23,8 @@ bool hasDisplay() {
 }
 
 void grabAndQuit(MainWindow& window, const QString& path) {
+  // Paint what is due, at once.
+  window.repaint();
   // What the screen shows, where the platform lets us see it (it does not under Wayland).
   QPixmap picture = window.screen()->grabWindow(window.winId());
   if (picture.isNull())
