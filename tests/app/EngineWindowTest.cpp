@@ -109,5 +109,33 @@ TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {
   EXPECT_EQ(Settings(settingsFile()).engine(), EngineSetting::automatic);
 }
 
+// CTest runs this on Qt's offscreen platform, which makes no OpenGL context: the state of a machine without a
+// driver.
+class WindowWithoutOpenGl : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    if (QGuiApplication::platformName() != QLatin1String("offscreen"))
+      GTEST_SKIP() << "needs Qt's offscreen platform; CTest runs it so as limn_window_without_opengl";
+    WindowHarness::SetUp();
+  }
+};
+
+TEST_F(WindowWithoutOpenGl, everythingWorksAndTheMenuSaysWhyTheProcessorDraws) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_EQ(view().findChild<QOpenGLWidget*>(), nullptr);
+  const QAction* openGl = window->findChild<QAction*>(QStringLiteral("engine-gl"));
+  EXPECT_FALSE(openGl->isEnabled());
+  EXPECT_TRUE(openGl->toolTip().contains(QStringLiteral("no OpenGL 3.0")));
+  EXPECT_TRUE(openGl->isChecked()) << "what was chosen elsewhere is kept";
+  dragAPoint();
+  EXPECT_EQ(undo().count(), 1);
+  ASSERT_TRUE(rest());
+  saving().writePicture(pathTo("saved.png"));
+  const LoadedScene inside = loadScene((folder.path() / "saved.png").string(), {}, {});
+  EXPECT_EQ(inside.scene.transferFunction, scene().transferFunction);
+}
+
 } // namespace
 } // namespace limn
