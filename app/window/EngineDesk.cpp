@@ -16,8 +16,9 @@ constexpr std::size_t mostVoxelsTried = std::size_t{1} << 27;
 
 EngineFacts factsOf(EngineSetting setting, Settings& settings, const OpenGlOffer& openGl) {
   EngineFacts facts{setting, openGl.problem.toStdString(), openGl.renderer.toStdString(), std::nullopt};
+  const std::string machine = machineWith(facts.renderer);
   if (facts.problem.empty() && setting == EngineSetting::automatic)
-    facts.times = settings.engineMemory().recall(machineWith(facts.renderer));
+    facts.times = settings.engineMemory().recall(machine);
   return facts;
 }
 

@@ -18,7 +18,7 @@ namespace limn {
 class CompareView;
 class Settings;
 
-/// The engine that draws at first.
+/// The engine that draws at first. Throws Error (usage) as makeCpuEngine does.
 EngineChoice firstEngine(Settings& settings, const OpenGlOffer& openGl);
 
 /// Which engine draws the window: the one chosen in the menu or, where that is left open, the faster. Which
