@@ -103,6 +103,19 @@ TEST(OnProcessor, itsStateTellsTheErrorOfThePictureAndItsEffects) {
   EXPECT_TRUE(host.view.pictureState().renderer.startsWith(QStringLiteral("CPU engine")));
 }
 
+TEST(OnProcessor, whatChangesWhileTheViewIsHiddenIsDrawnOnceItIsSeen) {
+  ProcessorHost host;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  host.view.hide();
+  host.scene.camera = orbited(host.scene.camera, 0.4, 0.0);
+  host.view.setScene(host.scene);
+  EXPECT_FALSE(host.view.pictureState().resting);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
+}
+
 TEST(OnProcessor, closingTheVolumeLeavesTheBackground) {
   ProcessorHost host;
   ASSERT_TRUE(host.show());
