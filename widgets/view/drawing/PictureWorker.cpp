@@ -5,6 +5,8 @@
 #include "scene/basics/Error.h"
 #include "widgets/view/pictures/MemoryScreen.h"
 
+#include <utility>
+
 namespace limn {
 namespace {
 
@@ -38,10 +40,15 @@ void PictureWorker::ask(PictureOrder order) {
   m_isInterrupted = true;
   m_next = std::move(order);
   if (isTaken)
-    QMetaObject::invokeMethod(this, &PictureWorker::take, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, &PictureWorker::begin, Qt::QueuedConnection);
 }
 
-void PictureWorker::take() {
+std::optional<PictureDelivery> PictureWorker::take() {
+  const std::lock_guard lock(m_mutex);
+  return std::exchange(m_delivery, std::nullopt);
+}
+
+void PictureWorker::begin() {
   PictureOrder next;
   {
     const std::lock_guard lock(m_mutex);
@@ -108,7 +115,14 @@ void PictureWorker::deliver() {
     if (const SidePicture* resting = m_loop.resting(side))
       delivery.resting.push_back(restingPicture(*resting));
   }
-  emit delivered(delivery);
+  bool isTaken = false;
+  {
+    const std::lock_guard lock(m_mutex);
+    isTaken = !m_delivery;
+    m_delivery = std::move(delivery);
+  }
+  if (isTaken)
+    emit delivered();
 }
 
 } // namespace limn

@@ -27,7 +27,7 @@ struct PictureDelivery {
 };
 
 /// Draws pictures with an engine that computes in memory, in the event loop of a thread of its own, where it
-/// must be moved to before the first order. All but `ask` and `interrupt` is called there.
+/// must be moved to before the first order. All but `ask`, `take` and `interrupt` is called there.
 class PictureWorker : public QObject {
   Q_OBJECT
 
@@ -38,6 +38,8 @@ public:
   /// From any thread: asks for pictures instead of whatever was asked for before. What is being drawn at rest
   /// is dropped; a coarse picture is drawn to its end, so that there is something to see.
   void ask(PictureOrder order);
+  /// From any thread: what there is of the order, if that is more than was taken before.
+  std::optional<PictureDelivery> take();
   /// From any thread: ends what is being drawn at rest.
   void interrupt() { m_isInterrupted = true; }
 
@@ -51,7 +53,7 @@ public:
   void setMovingMs(double ms) { m_loop.setMovingMs(ms); }
 
 signals:
-  void delivered(const limn::PictureDelivery& delivery);
+  void delivered(); ///< there is something to take
   void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
   void timesChanged(const limn::EffectTimes& times);
   void completed();
@@ -59,7 +61,7 @@ signals:
   void failed(const QString& sentence); ///< nothing is drawn until it is asked anew
 
 private:
-  void take();
+  void begin();
   void guard(const PictureContext::Work& work);
   void show();
   void deliver();
@@ -72,7 +74,8 @@ private:
 
   std::atomic<bool> m_isInterrupted = false;
   std::mutex m_mutex;
-  std::optional<PictureOrder> m_next; ///< guarded
+  std::optional<PictureOrder> m_next;        ///< guarded
+  std::optional<PictureDelivery> m_delivery; ///< guarded
 };
 
 } // namespace limn

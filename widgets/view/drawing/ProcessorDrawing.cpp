@@ -124,10 +124,13 @@ void ProcessorDrawing::setMovingMs(double ms) {
 }
 
 // Pictures of an earlier order are shown, too: while something moves there are no others.
-void ProcessorDrawing::receive(const PictureDelivery& delivery) {
-  const bool isLast = delivery.number == m_number;
-  const PictureState state = isLast ? delivery.state : stale(delivery.state);
-  m_delivery = delivery;
+void ProcessorDrawing::receive() {
+  std::optional<PictureDelivery> delivery = m_worker->take();
+  if (!delivery)
+    return;
+  const bool isLast = delivery->number == m_number;
+  const PictureState state = isLast ? delivery->state : stale(delivery->state);
+  m_delivery = std::move(*delivery);
   if (!isLast)
     m_delivery.resting.clear();
   m_canvas->update();

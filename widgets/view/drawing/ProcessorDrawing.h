@@ -39,7 +39,7 @@ private:
   class Canvas;
   void askSoon();
   void ask();
-  void receive(const PictureDelivery& delivery);
+  void receive();
   void paint(QPainter& painter);
 
   ViewOrders m_orders;

@@ -23,7 +23,11 @@ protected:
   Worker() {
     QObject::connect(
         worker, &PictureWorker::delivered, &receiver,
-        [this](const PictureDelivery& delivery) { deliveries.push_back(delivery); }, Qt::QueuedConnection);
+        [this] {
+          if (std::optional<PictureDelivery> delivery = worker->take())
+            deliveries.push_back(std::move(*delivery));
+        },
+        Qt::QueuedConnection);
     QObject::connect(
         worker, &PictureWorker::failed, &receiver, [this](const QString& text) { sentence = text; },
         Qt::QueuedConnection);
