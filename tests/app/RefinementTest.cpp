@@ -64,8 +64,9 @@ protected:
     const QString out = pathTo("rendered.exr");
     QProcess program;
     program.start(QString::fromStdString(test::programPath()),
-                  {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
-                   QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
+                  {QStringLiteral("render"), scene, QStringLiteral("--engine"), QStringLiteral("gl"),
+                   QStringLiteral("--step"), statedStep(), QStringLiteral("--model"),
+                   QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
     EXPECT_TRUE(program.waitForFinished(-1));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
