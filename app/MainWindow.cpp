@@ -30,7 +30,7 @@
 
 namespace limn {
 
-Centre::Centre(QMainWindow& window) {
+Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine) {
   auto* centre = new QWidget(&window);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
@@ -39,18 +39,23 @@ Centre::Centre(QMainWindow& window) {
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  view = new CompareView({makeRayCasterEngine, [] { return makeCpuEngine(); }}, centre);
+  view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
+                          [] { return makeCpuEngine(); }},
+                         engine, centre);
   column->addWidget(view, 1);
   window.setCentralWidget(centre);
 }
 
 MainWindow::MainWindow(UserFolders folders, QWidget* parent)
     : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings), m_session(this),
-      m_document(m_session), m_centre(*this), m_docks(*this, m_panels),
-      m_notes(*statusBar(), *m_centre.messages), m_pictures(*m_centre.view, *statusBar(), this),
-      m_status(*statusBar()), m_actions(*this, m_session.undoStack()),
-      m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
+      m_document(m_session),
+      m_centre(*this, m_openGl,
+               firstEngine(m_settings, m_openGl).isProcessor ? ViewEngine::processor : ViewEngine::driver),
+      m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
+      m_pictures(*m_centre.view, *statusBar(), this), m_status(*statusBar()),
+      m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_comparison(m_session, *m_centre.view, m_actions, this),
+      m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
       m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),

@@ -17,6 +17,7 @@
 #include "app/window/CropBoxDesk.h"
 #include "app/window/CurveDesk.h"
 #include "app/window/Docks.h"
+#include "app/window/EngineDesk.h"
 #include "app/window/StatusTexts.h"
 
 #include <QMainWindow>
@@ -28,7 +29,8 @@ class MessageBar;
 
 /// What stands in the middle of the window: the picture below what there is to say.
 struct Centre {
-  explicit Centre(QMainWindow& window);
+  /// The view draws with `engine` at first, never with OpenGL that the computer does not offer.
+  Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine);
 
   MessageBar* recovery; ///< offers what an earlier window left behind
   MessageBar* unsafe;   ///< says so as long as the session cannot be kept
@@ -87,6 +89,7 @@ private:
   Settings m_settings;
   Session m_session;
   OpenDocument m_document;
+  OpenGlOffer m_openGl = openGlOffer();
   Centre m_centre;
   Panels m_panels;
   Docks m_docks;
@@ -96,6 +99,7 @@ private:
   Actions m_actions;
   ChangingMenus m_menus;
   ComparisonDesk m_comparison;
+  EngineDesk m_engines;
   CropBoxDesk m_cropBox;
   CurveDesk m_curves;
   PresetDesk m_presets;

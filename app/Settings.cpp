@@ -11,6 +11,7 @@
 #include <QRandomGenerator>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -23,6 +24,8 @@ const std::string themeKey = "theme";
 const std::string refineKey = "refineAtRest";
 const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
+const std::string engineKey = "engine";
+const std::string trialPrefix = "trial/";
 const std::string recentPrefix = "recent/";
 const std::string volumePrefix = "volume/";
 const std::string pathSuffix = "/path";
@@ -74,6 +77,18 @@ QString laterThanAll(const std::vector<RecentEntry>& latestFirst) {
 void forget(SettingsDocument& values, const std::string& name) {
   for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
     values.erase(recentPrefix + name + suffix);
+}
+
+constexpr std::pair<EngineSetting, const char*> engineWords[] = {
+    {EngineSetting::automatic, "auto"}, {EngineSetting::openGl, "gl"}, {EngineSetting::processor, "cpu"}};
+
+// "41.20 12.70": with OpenGL and with the processor, ms.
+std::optional<EngineTimes> readTimes(const QString& text) {
+  const QStringList parts = text.split(QLatin1Char(' '));
+  if (parts.size() != 2)
+    return std::nullopt;
+  const EngineTimes times{parts[0].toDouble(), parts[1].toDouble()};
+  return times.openGlMs > 0.0 && times.processorMs > 0.0 ? std::optional(times) : std::nullopt;
 }
 
 QString written(bool flag) {
@@ -235,6 +250,28 @@ bool Settings::refinesAtRest() const {
 
 void Settings::setRefinesAtRest(bool refines) {
   set(refineKey, written(refines));
+}
+
+EngineSetting Settings::engine() const {
+  const QString word = text(engineKey);
+  for (const auto& [setting, name] : engineWords)
+    if (word == QLatin1String(name))
+      return setting;
+  return EngineSetting::automatic;
+}
+
+void Settings::setEngine(EngineSetting engine) {
+  for (const auto& [setting, name] : engineWords)
+    if (setting == engine)
+      set(engineKey, QLatin1String(name));
+}
+
+EngineMemory Settings::engineMemory() {
+  return {[this](const std::string& machine) { return readTimes(text(trialPrefix + machine)); },
+          [this](const std::string& machine, const EngineTimes& times) {
+            set(trialPrefix + machine,
+                QStringLiteral("%1 %2").arg(times.openGlMs, 0, 'f', 2).arg(times.processorMs, 0, 'f', 2));
+          }};
 }
 
 bool Settings::patientIsShown() const {

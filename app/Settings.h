@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/UserFolders.h"
+#include "app/engines/EngineChoice.h"
 #include "io/scenefile/SettingsFile.h"
 
 #include <QByteArray>
@@ -57,6 +58,13 @@ public:
   /// Whether resting pictures go on to smaller steps; true at first.
   bool refinesAtRest() const;
   void setRefinesAtRest(bool refines);
+
+  /// Automatic at first.
+  EngineSetting engine() const;
+  void setEngine(EngineSetting engine);
+
+  /// The outcome of trials on this machine and others that share the file. Valid while this lives.
+  EngineMemory engineMemory();
 
   bool patientIsShown() const;
   void setPatientIsShown(bool shown);

@@ -9,7 +9,6 @@
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
-#include <QMessageBox>
 #include <QScreen>
 #include <QTimer>
 
@@ -24,6 +23,8 @@ bool hasDisplay() {
 }
 
 void grabAndQuit(MainWindow& window, const QString& path) {
+  // Paint what is due, at once.
+  window.repaint();
   // What the screen shows, where the platform lets us see it (it does not under Wayland).
   QPixmap picture = window.screen()->grabWindow(window.winId());
   if (picture.isNull())
@@ -55,9 +56,13 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   }
   QObject::connect(&window.view(), &CompareView::pictureStateChanged, &window,
                    [&window, path](const PictureState& state) {
-                     // The labels and panels catch up before the picture is taken.
-                     if ((state.resting || state.processorIsDone) && window.view().scene().volume)
-                       QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });
+                     // The labels and panels catch up before the picture is taken; where that changes its
+                     // size, it is drawn anew.
+                     if (state.resting && window.view().scene().volume)
+                       QTimer::singleShot(0, &window, [&window, path] {
+                         if (window.view().pictureState().resting)
+                           grabAndQuit(window, path);
+                       });
                    });
 }
 
@@ -72,11 +77,6 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   const QString theme =
       arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
   applyTheme(application, themeNamed(theme));
-  if (const QString problem = openGlProblem(); !problem.isEmpty()) {
-    if (arguments.screenshot.empty()) // someone is watching
-      QMessageBox::critical(nullptr, QStringLiteral("Limn"), problem);
-    throw Error(Error::Kind::openGl, problem.toStdString());
-  }
   MainWindow window;
   window.show();
   if (arguments.screenshot.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/Actions.h"
 
+#include "app/engines/EngineChoice.h"
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
@@ -26,6 +27,7 @@ Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window
   makeViews();
   makeViewActions();
   makeThemes();
+  makeEngines();
   makeOtherActions();
 }
 
@@ -158,6 +160,18 @@ void Actions::makeThemes() {
   add("system", tr("Follow the system"));
   add("light", tr("Light"));
   add("dark", tr("Dark"));
+}
+
+void Actions::makeEngines() {
+  engines = new QActionGroup(&m_window);
+  const auto add = [this](EngineSetting setting, const char* name, const QString& text, const QString& tip) {
+    addChoice(*engines, QStringLiteral("engine-") + QLatin1String(name), static_cast<int>(setting),
+              {.text = text, .toolTip = tip, .isCheckable = true});
+  };
+  add(EngineSetting::automatic, "auto", tr("&Automatic"), {});
+  add(EngineSetting::openGl, "gl", tr("&OpenGL"), {});
+  add(EngineSetting::processor, "cpu", tr("&Processor"),
+      tr("Draws with the vector instructions of the processor; needs no graphics card."));
 }
 
 void Actions::makeOtherActions() {

@@ -48,7 +48,8 @@ public:
   QAction* refineAtRest = nullptr;
   QAction* pictureAndCurveOnly = nullptr;
   QAction* patientInTitle = nullptr;
-  QActionGroup* themes = nullptr; ///< data: the word in the settings
+  QActionGroup* themes = nullptr;  ///< data: the word in the settings
+  QActionGroup* engines = nullptr; ///< data: EngineSetting as int
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
@@ -67,6 +68,7 @@ private:
   void makeViews();
   void makeViewActions();
   void makeThemes();
+  void makeEngines();
   void makeOtherActions();
 
   QWidget& m_window;

@@ -49,6 +49,9 @@ QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>
   menu->addActions(panels);
   menu->addAction(actions.pictureAndCurveOnly);
   menu->addSeparator();
+  QMenu* engines = menu->addMenu(QObject::tr("&Engine"));
+  engines->addActions(actions.engines->actions());
+  engines->setToolTipsVisible(true);
   menu->addAction(actions.patientInTitle);
   menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
   return views;

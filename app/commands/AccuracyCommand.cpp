@@ -68,14 +68,16 @@ void writeReport(const AccuracyReport& report, const std::filesystem::path& fold
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const std::string& name, const Scene& scene, const AccuracyArguments& arguments,
                               const Progress& progress) {
-  RealRenderers renderers(arguments.threads);
+  const RaysBy rays = raysAtHand();
+  RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const double end = arguments.isQuick ? 1.0 : 0.7;
   const ConvergedPicture converged =
       convergedPicture(scene, size, renderers.precisely(), part(progress, 0.0, 0.3).report);
   AccuracyReport report = measureAccuracy(name, scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
                                           converged, renderers, part(progress, 0.3, end).report);
-  if (!arguments.isQuick)
+  // Decisions are those of the textures.
+  if (!arguments.isQuick && rays == RaysBy::openGl)
     report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, 1.0).report);
   return report;
 }

@@ -2,11 +2,12 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
+#include "app/engines/RealRenderers.h"
+#include "cpu/CpuCosts.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
 #include "io/reports/ReportJson.h"
-#include "raycaster/EffectCosts.h"
-#include "raycaster/RayCaster.h"
+#include "raycaster/CasterCosts.h"
 #include "scene/PictureFigures.h"
 
 #include <cstdio>
@@ -33,20 +34,22 @@ struct Report {
   Overflow overflow;
 };
 
-Report measuredReport(RayCaster& caster, const Scene& scene, int frames, const Progress& progress) {
+// Draws with a ray caster or a CPU engine, and `drawing` with the same.
+template <class Renderer>
+Report measuredReport(Renderer& renderer, CostedDrawing& drawing, const std::string& name, const Scene& scene,
+                      int frames, const Progress& progress) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  const FloatTarget target(size);
-  Report report{rendererName(), effectRows(scene, caster.plan(scene)), {}, 0.0, {}, {}};
+  Report report{name, effectRows(scene, renderer.plan(scene)), {}, 0.0, {}, {}};
   EffectCosts costs(scene, size, report.rows, frames);
-  while (costs.step(caster))
+  while (costs.step(drawing))
     if (progress.report)
       progress.report(costs.fraction(), "Measuring the effects");
   if (progress.report)
     progress.report(1.0, "Measuring the effects");
   report.costs = costs.costs();
   report.wholeMs = costs.wholeMs();
-  report.method = costs.method();
-  report.overflow = overflowOf(caster.renderUnlimited(scene, size));
+  report.method = drawing.method();
+  report.overflow = overflowOf(renderer.renderUnlimited(scene, size));
   return report;
 }
 
@@ -83,7 +86,23 @@ void printTable(const Report& report, const Scene& scene, int frames) {
               100.0 * report.overflow.share, report.overflow.meanOvershoot);
 }
 
-void printShader(RayCaster& caster, const Scene& scene) {
+Report reportWithOpenGl(const Scene& scene, int frames, const Progress& progress) {
+  const HeadlessContext context;
+  RayCaster caster;
+  CasterCosts drawing(caster);
+  const FloatTarget target({scene.image.width, scene.image.height});
+  return measuredReport(caster, drawing, rendererName(), scene, frames, progress);
+}
+
+Report reportOnProcessor(const Scene& scene, int frames, const Progress& progress) {
+  CpuRenderer renderer;
+  CpuCosts drawing(renderer);
+  return measuredReport(renderer, drawing, renderer.name(), scene, frames, progress);
+}
+
+void printShader(const Scene& scene) {
+  const HeadlessContext context;
+  RayCaster caster;
   const std::string text = caster.fragmentShader(scene);
   if (text.empty())
     throw Error(Error::Kind::usage, "Nothing of the volume can be seen, so there is no shader; give the "
@@ -98,11 +117,10 @@ void runEffects(const EffectsArguments& arguments) {
   Scene scene = adjusted(loaded.scene, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
-  const HeadlessContext context;
-  RayCaster caster;
   if (arguments.shader)
-    return printShader(caster, scene);
-  const Report report = measuredReport(caster, scene, arguments.frames, progress);
+    return printShader(scene);
+  const Report report = raysAtHand() == RaysBy::openGl ? reportWithOpenGl(scene, arguments.frames, progress)
+                                                       : reportOnProcessor(scene, arguments.frames, progress);
   if (arguments.json) {
     printJson(report);
     if (!source.quiet)

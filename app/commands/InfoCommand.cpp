@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
+#include "app/Settings.h"
 #include "app/commands/Arguments.h"
+#include "app/engines/ProcessCost.h"
+#include "cpu/CpuRenderer.h"
 #include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
@@ -18,7 +21,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <thread>
 
 namespace limn {
 namespace {
@@ -92,14 +94,23 @@ void printSystemInfo() {
   std::printf("Qt          %s\n", qVersion());
   std::printf("system      %s, %s\n", QSysInfo::prettyProductName().toUtf8().constData(),
               QSysInfo::currentCpuArchitecture().toUtf8().constData());
-  std::printf("processors  %u\n", std::thread::hardware_concurrency());
+  std::printf("processor   %s\n", machineName().c_str());
+  std::printf("CPU engine  %s\n", CpuRenderer().name().c_str());
+  Settings settings;
+  EngineFacts engines;
+  engines.setting = settings.engine();
   try {
     const HeadlessContext context;
     printDriver(driverFacts());
     printTrial();
+    engines.renderer = rendererName();
+    engines.times = settings.engineMemory().recall(machineWith(engines.renderer));
   } catch (const Error& error) {
     std::printf("OpenGL      none: %s\n", error.what());
+    engines.problem = "There is no OpenGL.";
   }
+  const EngineChoice choice = chosenEngine(engines);
+  std::printf("draws       %s: %s\n", choice.isProcessor ? "processor" : "OpenGL", choice.reason.c_str());
 }
 
 void runInfo(const InfoArguments& arguments) {

@@ -3,6 +3,7 @@
 
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
+#include "app/Settings.h"
 #include "app/commands/SceneArguments.h"
 #include "app/engines/PictureMaker.h"
 #include "glsl/textures/GraphicsMemory.h"
@@ -39,34 +40,38 @@ Scene withModel(Scene scene, ShadingModel model) {
 }
 
 MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
+  Settings settings;
+  const EngineMemory memory = settings.engineMemory();
   const PictureEngine engine = chosen(engines, arguments.engine, "--engine");
   const glm::ivec2 size(scene.image.width, scene.image.height);
   if (arguments.scene.model != "compare")
-    return makePictures({scene}, size, engine, arguments.threads, arguments.textureMb).front();
+    return makePictures({scene}, size, engine, arguments.threads, arguments.textureMb, memory).front();
   const glm::ivec2 half(size.x / 2, size.y);
   if (half.x < 1)
     throw Error(Error::Kind::usage, "A comparison needs a picture at least two pixels wide; see --size.");
   std::vector<MadePicture> pair =
       makePictures({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half,
-                   engine, arguments.threads, arguments.textureMb);
+                   engine, arguments.threads, arguments.textureMb, memory);
   pair.front().image = sideBySide(pair[0].image, pair[1].image);
   return std::move(pair.front());
 }
 
-void printFigures(const Scene& scene, const RenderArguments& arguments) {
+void printFigures(const Scene& scene, PictureEngine engine, int threads) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  const PictureFigures figures =
-      measureFigures(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
+  const PictureFigures figures = measureFigures(scene, size, engine, threads);
   std::printf("contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of "
               "what lies at or above %g%s can be seen\n",
               figures.contrast, 100.0 * figures.overflow.share, figures.overflow.meanOvershoot,
               100.0 * figures.visibleShare, scene.isovalue, looksLikeHounsfield(*scene.volume) ? " HU" : "");
 }
 
-void writeSamples(const Scene& scene, const RenderArguments& arguments) {
+// The CPU engine counts none: where it was not asked for, the reference does, which takes the same ones.
+void writeSamples(const MadePicture& picture, const RenderArguments& arguments) {
+  const Scene& scene = picture.scene;
   const glm::ivec2 size(scene.image.width, scene.image.height);
+  const bool isOpen = arguments.engine == "auto" && picture.drawnBy == PictureEngine::cpu;
   const std::vector<int> samples =
-      countSamples(scene, size, chosen(engines, arguments.engine, "--engine"), arguments.threads);
+      countSamples(scene, size, isOpen ? PictureEngine::reference : picture.drawnBy, arguments.threads);
   writeImage(arguments.samplesSpent, pictureOfSamples(samples, size), glm::dvec3(0.0), {});
   const SampleFigures figures = figuresOf(samples);
   char line[128];
@@ -102,9 +107,9 @@ void runRender(const RenderArguments& arguments) {
   const std::string volume =
       shareableName(QString::fromStdString(loaded.volumePath), *scene.volume).toStdString();
   if (arguments.printsFigures)
-    printFigures(scene, arguments);
+    printFigures(scene, picture.drawnBy, arguments.threads);
   if (!arguments.samplesSpent.empty())
-    writeSamples(picture.scene, arguments);
+    writeSamples(picture, arguments);
   writeImage(arguments.out, picture.image, scene.image.background,
              sceneToJson(isComparison ? scene : picture.scene, volume));
   if (arguments.scene.source.quiet)
@@ -131,9 +136,10 @@ void addRenderCommand(CommandSyntax& root) {
   addSceneArguments(command, arguments->scene,
                     "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
   command.option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr").required();
-  command.option("--engine", arguments->engine,
-                 "auto, gl (ray caster), slices (view-aligned slices blended front to back), "
-                 "slices-back-to-front, cpu, or reference (double precision, slow)");
+  command.option(
+      "--engine", arguments->engine,
+      "auto (the faster of gl and cpu), gl (ray caster), slices (view-aligned slices blended front to back), "
+      "slices-back-to-front, cpu, or reference (double precision, slow)");
   command
       .option("--threads", arguments->threads,
               "threads of the CPU engine and the reference (default: every core)")
@@ -145,8 +151,8 @@ void addRenderCommand(CommandSyntax& root) {
                  "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
   command
       .option("--texture-mb", arguments->textureMb,
-              "the most that the volume may take on the graphics card, MB; a larger one is shown with fewer "
-              "voxels (default: what the driver takes; --engine auto or gl)")
+              "the most that the volume may take on the graphics card, MB; a larger one is drawn by the "
+              "processor (--engine auto) or with fewer voxels (--engine gl; default: what the driver takes)")
       .within(1.0, 1e6);
   command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command.runs([arguments] { runRender(*arguments); });

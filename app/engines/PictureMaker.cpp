@@ -2,6 +2,7 @@
 #include "app/engines/PictureMaker.h"
 
 #include "accuracy/Tolerance.h"
+#include "app/engines/EngineTrial.h"
 #include "cpu/CpuRenderer.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
@@ -15,13 +16,19 @@
 namespace limn {
 namespace {
 
+// Who draws, for programs and for people.
+struct Drawer {
+  PictureEngine engine;
+  std::string name;
+};
+
 // Draws a scene with the steps that keep its tolerance.
 MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
-                       const std::string& engine) {
+                       const Drawer& by) {
   if (!needsSteps(scene))
-    return {draw(scene, size), scene, engine, {}};
+    return {draw(scene, size), scene, by.engine, by.name, {}};
   const WithinTolerance found = withinTolerance(scene, size, draw, control);
-  MadePicture picture{draw(found.scene, size), found.scene, engine, {}};
+  MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}};
   picture.notes.push_back("The picture is " + describe(found) + ".");
   if (!found.holds)
     picture.notes.push_back(found.sentence);
@@ -30,13 +37,13 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
 
 template <class Renderer>
 std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
-                                  const glm::ivec2& size, StepControl control, const std::string& engine) {
+                                  const glm::ivec2& size, StepControl control, const Drawer& by) {
   std::vector<MadePicture> pictures;
   const DrawScene draw = [&](const Scene& scene, const glm::ivec2& pixels) {
     return renderer.render(scene, pixels);
   };
   for (const Scene& scene : scenes) {
-    MadePicture picture = makeWithin(scene, size, draw, control, engine);
+    MadePicture picture = makeWithin(scene, size, draw, control, by);
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
     pictures.push_back(std::move(picture));
@@ -45,19 +52,19 @@ std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& 
 }
 
 std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size,
-                                    PictureEngine engine, double textureMb) {
+                                    PictureEngine engine, const VolumeRoom& room) {
   const HeadlessContext context;
   if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront) {
     SliceRenderer slices(engine == PictureEngine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
-    return makeWith(slices, scenes, size, StepControl::equal, rendererName());
+    return makeWith(slices, scenes, size, StepControl::equal, {engine, rendererName()});
   }
-  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, textureMb);
-  return makeWith(caster, scenes, size, StepControl::local, rendererName());
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, room);
+  return makeWith(caster, scenes, size, StepControl::local, {PictureEngine::gl, rendererName()});
 }
 
 std::vector<MadePicture> makeWithCpu(const std::vector<Scene>& scenes, const glm::ivec2& size, int threads) {
   CpuRenderer renderer(threads);
-  return makeWith(renderer, scenes, size, StepControl::local, renderer.name());
+  return makeWith(renderer, scenes, size, StepControl::local, {PictureEngine::cpu, renderer.name()});
 }
 
 std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
@@ -67,8 +74,29 @@ std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, con
     return toImage(renderReference(scene, pixels, threads));
   };
   for (const Scene& scene : scenes)
-    pictures.push_back(makeWithin(scene, size, draw, StepControl::local, "reference (double precision)"));
+    pictures.push_back(makeWithin(scene, size, draw, StepControl::local,
+                                  {PictureEngine::reference, "reference (double precision)"}));
   return pictures;
+}
+
+// The context of the question is gone before a picture makes its own.
+std::string nameOfDriver() {
+  const HeadlessContext context;
+  return rendererName();
+}
+
+bool processorIsFaster(const Scene& scene, const EngineMemory& memory) {
+  EngineFacts facts;
+  facts.renderer = nameOfDriver();
+  const std::string machine = machineWith(facts.renderer);
+  if (memory.recall)
+    facts.times = memory.recall(machine);
+  if (!facts.times) {
+    facts.times = tryEngines(scene, {}).times;
+    if (memory.remember)
+      memory.remember(machine, *facts.times);
+  }
+  return chosenEngine(facts).isProcessor;
 }
 
 // Draws a scene whole, or without limits to its light.
@@ -111,20 +139,25 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Pictur
 }
 
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
-                                      PictureEngine engine, int threads, double textureMb) {
+                                      PictureEngine engine, int threads, double textureMb,
+                                      const EngineMemory& memory) {
   if (engine == PictureEngine::reference)
     return makeWithReference(scenes, size, threads);
   if (engine == PictureEngine::cpu)
     return makeWithCpu(scenes, size, threads);
+  if (engine != PictureEngine::automatic)
+    return makeWithGl(scenes, size, engine, {textureMb, true});
   try {
-    return makeWithGl(scenes, size, engine, textureMb);
+    if (!processorIsFaster(scenes.front(), memory))
+      return makeWithGl(scenes, size, engine, {textureMb, false});
   } catch (const Error& error) {
-    if (engine != PictureEngine::automatic || error.kind() != Error::Kind::openGl)
+    if (error.kind() != Error::Kind::openGl)
       throw;
     std::vector<MadePicture> pictures = makeWithCpu(scenes, size, threads);
     pictures.front().notes.push_back(std::string(error.what()) + " The CPU engine drew the picture instead.");
     return pictures;
   }
+  return makeWithCpu(scenes, size, threads);
 }
 
 std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/engines/EngineChoice.h"
 #include "glsl/textures/GraphicsMemory.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
@@ -12,23 +13,27 @@
 
 namespace limn {
 
-/// Which renderer draws a picture. `automatic` is the GLSL ray caster, or the CPU engine where there is no
-/// OpenGL; slices are blended front to back unless named otherwise.
+/// Which renderer draws a picture. `automatic` is the faster of the GLSL ray caster and the CPU engine, the
+/// latter where there is no OpenGL; slices are blended front to back unless named otherwise.
 enum class PictureEngine { automatic, gl, slices, slicesBackToFront, cpu, reference };
 
 /// A picture and what was noteworthy about making it.
 struct MadePicture {
   Image image;
   Scene scene;                    ///< with which it was drawn
+  PictureEngine drawnBy;          ///< never `automatic`
   std::string engine;             ///< renderer string, or "reference (double precision)"
   std::vector<std::string> notes; ///< one sentence each
 };
 
 /// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core. A scene
 /// with a tolerance gets the steps that keep it, where it does not have them already (accuracy/Tolerance).
-/// The ray caster's volume takes at most `textureMb` on the graphics card. Throws Error.
+/// The ray caster's volume takes at most `textureMb` on the graphics card: a larger one is drawn with fewer
+/// voxels, or by the CPU engine where that may be chosen. Which engine is the faster is asked of `memory`,
+/// and found by a trial where it does not know. Throws Error.
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
-                                      PictureEngine engine, int threads, double textureMb = anyMb);
+                                      PictureEngine engine, int threads, double textureMb = anyMb,
+                                      const EngineMemory& memory = {});
 
 /// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
 /// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
@@ -38,11 +43,12 @@ struct PictureFigures {
   double visibleShare = 0.0; ///< 0..1
 };
 
-/// Draws what the figures need (scene/PictureFigures.h). Throws Error.
+/// Draws what the figures need (scene/PictureFigures.h) with the ray caster, the CPU engine or the reference.
+/// Throws Error.
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
-/// of equal ones. `automatic` is OpenGL. Throws Error, of kind usage for engines that count none.
+/// of equal ones. Throws Error, of kind usage for engines that count none.
 std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads);
 
 /// Two pictures of one height side by side.

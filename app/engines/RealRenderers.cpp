@@ -3,16 +3,21 @@
 
 #include "accuracy/Tolerance.h"
 #include "app/engines/ProcessCost.h"
+#include "cpu/CpuEngine.h"
 #include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
+#include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -27,7 +32,8 @@ Decisions decisionsFor(const OperatingPoint& point) {
 } // namespace
 
 struct RealRenderers::Parts {
-  HeadlessContext context;
+  std::optional<HeadlessContext> context; ///< absent: the processor casts the rays
+  std::unique_ptr<DrawingEngine> processor;
   int threads = 0;
   std::function<bool()> isCancelled;
   std::optional<RayCaster> rays;
@@ -41,6 +47,7 @@ struct RealRenderers::Parts {
 
   void draw(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
+  Image whole(const Scene& scene, const glm::ivec2& size);
   Scene withSteps(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   double peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void forget();
@@ -64,6 +71,12 @@ void RealRenderers::Parts::draw(const Scene& scene, const OperatingPoint& point,
 }
 
 void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
+  if (!context) {
+    if (!processor)
+      processor = makeCpuEngine();
+    picture = processor->draw(scene, size, {{0, 0}, size}, isCancelled);
+    return;
+  }
   if (!target || targetSize != size) {
     target.reset();
     target.emplace(size);
@@ -83,6 +96,17 @@ void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& po
   glFinish();
 }
 
+// A picture beside those that are measured.
+Image RealRenderers::Parts::whole(const Scene& scene, const glm::ivec2& size) {
+  if (context) {
+    if (!rays)
+      rays.emplace();
+    return rays->render(scene, size);
+  }
+  drawRays(scene, {}, size);
+  return *std::exchange(picture, std::nullopt);
+}
+
 // The steps that keep the point's tolerance, found when the scene is first drawn at it.
 Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& point,
                                       const glm::ivec2& size) {
@@ -92,11 +116,7 @@ Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& 
   }
   auto known = withinTolerances.find(*point.toleranceLevels);
   if (known == withinTolerances.end()) {
-    if (!rays)
-      rays.emplace();
-    const auto draw = [this](const Scene& tried, const glm::ivec2& pixels) {
-      return rays->render(tried, pixels);
-    };
+    const auto draw = [this](const Scene& tried, const glm::ivec2& pixels) { return whole(tried, pixels); };
     const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw);
     known = withinTolerances.emplace(*point.toleranceLevels, found.scene).first;
   }
@@ -109,7 +129,9 @@ void RealRenderers::Parts::forget() {
   raysWithStoredGradients.reset();
   slices.reset();
   target.reset();
-  glFinish();
+  processor.reset();
+  if (context)
+    glFinish();
 }
 
 double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
@@ -123,12 +145,32 @@ double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& po
   return peakResidentMb() - before;
 }
 
-RealRenderers::RealRenderers(int threads, std::function<bool()> isCancelled)
+RaysBy raysAtHand() {
+  try {
+    const HeadlessContext context;
+    return RaysBy::openGl;
+  } catch (const Error&) {
+    return RaysBy::processor;
+  }
+}
+
+RealRenderers::RealRenderers(int threads, std::function<bool()> isCancelled, RaysBy rays)
     : m_parts(std::make_unique<Parts>()) {
+  if (rays == RaysBy::openGl)
+    m_parts->context.emplace();
   m_parts->threads = threads;
   m_parts->isCancelled = std::move(isCancelled);
 }
 RealRenderers::~RealRenderers() = default;
+
+bool RealRenderers::canDraw(const OperatingPoint& point) const {
+  return m_parts->context || point.renderer == PointRenderer::reference ||
+         (point.renderer == PointRenderer::rays && point.gradients != GradientSource::precomputed);
+}
+
+std::string RealRenderers::name() const {
+  return m_parts->context ? rendererName() : makeCpuEngine()->name();
+}
 
 SweepRenderers RealRenderers::forSweep() {
   Parts& parts = *m_parts;
@@ -152,9 +194,7 @@ DrawPrecisely RealRenderers::precisely() {
 }
 
 Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {
-  m_parts->picture.reset();
-  m_parts->drawRays(scene, {}, size);
-  return readBack(size);
+  return m_parts->whole(scene, size);
 }
 
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,
@@ -162,12 +202,15 @@ AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, cons
                                RealRenderers& renderers, const ReportProgress& progress) {
   AccuracyReport report;
   report.scene = name;
-  report.renderer = rendererName();
+  report.renderer = renderers.name();
   report.machine = machineName();
   report.size = size;
   report.smallestSpacingMm = smallestSpacingMm(scene.volume->grid());
   report.reference = converged.facts;
-  measurePoints(report, scene, points, converged.pixels, renderers.forSweep(), progress);
+  std::vector<OperatingPoint> drawable;
+  std::ranges::copy_if(points, std::back_inserter(drawable),
+                       [&](const OperatingPoint& point) { return renderers.canDraw(point); });
+  measurePoints(report, scene, drawable, converged.pixels, renderers.forSweep(), progress);
   return report;
 }
 

@@ -8,21 +8,34 @@
 
 namespace limn {
 
-/// The program's own renderers for a sweep, in an OpenGL context of their own that belongs to the thread
+/// Which engine casts rays.
+enum class RaysBy { openGl, processor };
+
+/// OpenGL where there is a context without display to be had on this thread, otherwise the processor.
+RaysBy raysAtHand();
+
+/// The program's own renderers for a sweep, with OpenGL in a context of their own. They belong to the thread
 /// that made them: every call, the end included, comes from it. Textures and programs are kept from one
 /// picture to the next, as in the window.
 class RealRenderers {
 public:
-  /// `threads` of the reference, 0: every core. `isCancelled` may be empty; where it returns true, the
-  /// reference ends with Cancelled. Throws Error (openGl).
-  explicit RealRenderers(int threads = 0, std::function<bool()> isCancelled = {});
+  /// `threads` of the reference, 0: every core. `isCancelled` may be empty; where it returns true, what the
+  /// processor draws ends with Cancelled. Throws Error (openGl).
+  explicit RealRenderers(int threads = 0, std::function<bool()> isCancelled = {},
+                         RaysBy rays = RaysBy::openGl);
   ~RealRenderers();
+
+  /// Whether a point can be drawn: without OpenGL there are neither slices nor stored gradients.
+  bool canDraw(const OperatingPoint& point) const;
+
+  /// Who casts the rays, for people.
+  std::string name() const;
 
   /// Valid while this lives.
   SweepRenderers forSweep();
   DrawPrecisely precisely();
 
-  /// A picture of a scene as it is, drawn by the ray caster.
+  /// A picture of a scene as it is, drawn with rays.
   Image render(const Scene& scene, const glm::ivec2& size);
 
 private:
@@ -30,7 +43,8 @@ private:
   std::unique_ptr<Parts> m_parts;
 };
 
-/// Measures error and time of the points of a scene against its converged picture, which is known already;
+/// Measures error and time of those points of a scene that the renderers can draw against its converged
+/// picture, which is known already;
 /// everything else of the report but the decisions is filled in. Where the picture did not converge the
 /// points keep their times and have no errors to be told.
 AccuracyReport measureAccuracy(const std::string& name, const Scene& scene, const glm::ivec2& size,

@@ -91,10 +91,16 @@ void AccuracyDesk::connectMeasurer() {
   });
 }
 
+// What is measured is what the window does.
+AccuracyMeasurer& AccuracyDesk::measurer() {
+  m_measurer.setRays(m_with.view.engine() == ViewEngine::driver ? RaysBy::openGl : RaysBy::processor);
+  return m_measurer;
+}
+
 void AccuracyDesk::measure() {
   const Scene scene = m_with.view.sceneOfSide(measuredSide());
   const QString name = tr("%1, %2").arg(suggestedName(m_with.document), sideTitle(scene));
-  m_measurer.measure(name, scene, measuredSize());
+  measurer().measure(name, scene, measuredSize());
   setWork(AccuracyWork::measuring);
 }
 
@@ -106,7 +112,7 @@ void AccuracyDesk::findSteps(const Quality& quality, const Gesture& gesture) {
     scenes.back().quality = quality;
   }
   m_toleranceGesture = gesture;
-  m_measurer.findSteps(scenes, shownSize());
+  measurer().findSteps(scenes, shownSize());
   setWork(AccuracyWork::findingSteps);
 }
 
@@ -123,7 +129,7 @@ void AccuracyDesk::showMap(bool shown) {
   if (!shown)
     return;
   m_compared = m_with.view.sceneOfSide(measuredSide());
-  m_measurer.compare(m_with.view.sceneOfRestingImage(measuredSide()), measuredSize());
+  measurer().compare(m_with.view.sceneOfRestingImage(measuredSide()), measuredSize());
   setWork(AccuracyWork::comparing);
 }
 

@@ -47,6 +47,7 @@ public:
 private:
   void connectPanel();
   void connectMeasurer();
+  AccuracyMeasurer& measurer();
   void measure();
   void findSteps(const Quality& quality, const Gesture& gesture);
   void useSteps(const WithinTolerance& found);

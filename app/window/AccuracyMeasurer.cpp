@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/AccuracyMeasurer.h"
 
-#include "app/engines/RealRenderers.h"
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"
 
@@ -33,9 +32,10 @@ bool needsFinerSteps(const WithinTolerance& a, const WithinTolerance& b) {
 /// One piece of work on its thread.
 class AccuracyMeasurer::Job {
 public:
-  Job(AccuracyMeasurer& owner, std::shared_ptr<Work> work, std::shared_ptr<const Exact> exact)
+  Job(AccuracyMeasurer& owner, std::shared_ptr<Work> work, std::shared_ptr<const Exact> exact, RaysBy rays)
       : m_owner(owner), m_work(std::move(work)), m_exact(std::move(exact)),
-        m_renderers(0, [this] { return m_work->isCancelled.load(); }) {}
+        m_renderers(
+            0, [this] { return m_work->isCancelled.load(); }, rays) {}
 
   RealRenderers& renderers() { return m_renderers; }
 
@@ -160,7 +160,7 @@ void AccuracyMeasurer::start(Task task) {
   cancel();
   m_work = std::make_shared<Work>();
   m_thread = std::jthread(
-      [this, work = m_work, exact = m_exact, task = std::move(task)](std::jthread before) {
+      [this, work = m_work, exact = m_exact, rays = m_rays, task = std::move(task)](std::jthread before) {
         if (before.joinable())
           before.join();
         const auto fail = [&](const QString& sentence) {
@@ -170,7 +170,7 @@ void AccuracyMeasurer::start(Task task) {
           });
         };
         try {
-          Job job(*this, work, exact);
+          Job job(*this, work, exact, rays);
           task(job);
         } catch (const Cancelled&) { // nobody waits for it
         } catch (const std::exception& error) {

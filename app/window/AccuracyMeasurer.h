@@ -3,6 +3,7 @@
 
 #include "accuracy/Tolerance.h"
 #include "accuracy/sweep/ConvergedPicture.h"
+#include "app/engines/RealRenderers.h"
 #include "widgets/accuracy/map/ComparedPicture.h"
 #include "widgets/accuracy/points/PointUse.h"
 
@@ -16,15 +17,18 @@
 namespace limn {
 
 /// Measures error and time of scenes, where they differ from the exact picture and what steps keep a
-/// tolerance, on a worker thread with
-/// an OpenGL context of its own. One piece of work at a time: new work ends what runs. Signals come on the
-/// thread the measurer lives in; of ended work nothing more is told.
+/// tolerance, on a worker thread, with OpenGL in a context of its own or on the processor. One piece of work
+/// at a time: new work ends what runs. Signals come on the thread the measurer lives in; of ended work
+/// nothing more is told.
 class AccuracyMeasurer : public QObject {
   Q_OBJECT
 
 public:
   explicit AccuracyMeasurer(QObject* parent = nullptr);
   ~AccuracyMeasurer() override;
+
+  /// Which engine draws in work that is begun from now on; OpenGL at first.
+  void setRays(RaysBy rays) { m_rays = rays; }
 
   /// Measures the points that the window offers for a scene, which people call `name`.
   void measure(const QString& name, const Scene& scene, const glm::ivec2& size);
@@ -64,6 +68,7 @@ private:
   template <class Task>
   void start(Task task);
 
+  RaysBy m_rays = RaysBy::openGl;
   std::shared_ptr<Work> m_work;
   std::shared_ptr<const Exact> m_exact;
   std::jthread m_thread; ///< of the last work; it waits for the one before

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuEngine.h"
 
-#include "cpu/CpuRenderer.h"
+#include "cpu/CpuCosts.h"
 
 namespace limn {
 namespace {
@@ -18,7 +18,9 @@ public:
     return m_renderer.renderUnlimited(scene, size);
   }
   bool prepare(const Scene&, const glm::ivec2&) override { return false; }
-  std::unique_ptr<EffectMeasurement> measureEffects(const Scene&, const glm::ivec2&) override { return {}; }
+  std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
+    return measurementOf(std::make_unique<CpuCosts>(m_renderer), scene, size, m_renderer.plan(scene));
+  }
 
   DrawingFacts facts(const Scene& scene) override {
     DrawingFacts facts;

@@ -15,6 +15,10 @@ namespace {
 // Threads take strips of so many pixels of a row.
 constexpr int stripWidth = 64;
 
+EffectSet withMore(EffectSet needed, EffectSet more) {
+  return canonical(needed.with(more));
+}
+
 } // namespace
 
 CpuRenderer::CpuRenderer(int threads, EmptySpace emptySpace)
@@ -29,13 +33,13 @@ EffectPlan CpuRenderer::plan(const Scene& scene, const std::function<bool()>& is
   return requiredEffects(scene, m_data.facts(scene));
 }
 
-Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, EffectSet more,
-                            const std::function<bool()>& isCancelled) {
+Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
+                            EffectSet others, const std::function<bool()>& isCancelled) {
   const EffectPlan needed = plan(scene, isCancelled);
   Image image(tile.size);
   if (!needed.isVisible)
     return image;
-  const EffectSet effects = canonical(needed.effects.with(more));
+  const EffectSet effects = choose(needed.effects, others);
   const cpu::PictureTerms terms = m_data.terms(scene, size, effects, isCancelled);
   const PixelRect covered =
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
@@ -56,15 +60,20 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
 
 Image CpuRenderer::draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                         const std::function<bool()>& isCancelled) {
-  return drawWith(scene, size, tile, {}, isCancelled);
+  return drawWith(scene, size, tile, withMore, {}, isCancelled);
 }
 
 Image CpuRenderer::render(const Scene& scene, const glm::ivec2& size) {
-  return drawWith(scene, size, {{0, 0}, size}, {}, {});
+  return drawWith(scene, size, {{0, 0}, size}, withMore, {}, {});
+}
+
+Image CpuRenderer::drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size,
+                               const PixelRect& tile) {
+  return drawWith(scene, size, tile, leavingOut, leftOut, {});
 }
 
 Image CpuRenderer::renderUnlimited(const Scene& scene, const glm::ivec2& size) {
-  return drawWith(scene, size, {{0, 0}, size}, {Effect::unlimited}, {});
+  return drawWith(scene, size, {{0, 0}, size}, withMore, {Effect::unlimited}, {});
 }
 
 std::string CpuRenderer::name() const {

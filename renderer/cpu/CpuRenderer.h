@@ -25,6 +25,9 @@ public:
 
   Image render(const Scene& scene, const glm::ivec2& size);
 
+  /// The same without some effects, and without what cannot be had without them, to measure what they cost.
+  Image drawWithout(EffectSet leftOut, const Scene& scene, const glm::ivec2& size, const PixelRect& tile);
+
   /// The picture whose light terms are not limited (DEFINITION section 4).
   Image renderUnlimited(const Scene& scene, const glm::ivec2& size);
 
@@ -41,8 +44,9 @@ public:
   std::string name() const;
 
 private:
-  Image drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, EffectSet more,
-                 const std::function<bool()>& isCancelled);
+  using Choose = EffectSet (*)(EffectSet needed, EffectSet others);
+  Image drawWith(const Scene& scene, const glm::ivec2& size, const PixelRect& tile, Choose choose,
+                 EffectSet others, const std::function<bool()>& isCancelled);
 
   int m_threads;
   cpu::SceneData m_data;

@@ -43,7 +43,7 @@ struct RayCaster::Parts {
   bool compilesAllEffects = false;
   std::optional<EffectSet> leftOut;
 
-  Parts(const Decisions& chosen, double mostVolumeMb);
+  Parts(const Decisions& chosen, const VolumeRoom& room);
   EffectPlan plan(const Scene& scene);
   void measure(const Scene& scene, EffectSet effects);
   EffectSet programFor(EffectSet needed, Content content) const;
@@ -55,8 +55,8 @@ struct RayCaster::Parts {
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
 
-RayCaster::Parts::Parts(const Decisions& chosen, double mostVolumeMb)
-    : decisions(chosen), textures(chosen, mostVolumeMb), decisionTextures(chosen), programs(chosen) {
+RayCaster::Parts::Parts(const Decisions& chosen, const VolumeRoom& room)
+    : decisions(chosen), textures(chosen, room), decisionTextures(chosen), programs(chosen) {
   const SavedState saved;
   const float triangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
   glBindVertexArray(vertexArray.name());
@@ -157,9 +157,9 @@ void RayCaster::Parts::tryOut(EffectSet effects, const Scene& scene, const glm::
 }
 
 RayCaster::RayCaster(EmptySpace emptySpace, Programs programs, const Decisions& decisions,
-                     double mostVolumeMb) {
+                     const VolumeRoom& room) {
   requireOpenGl3();
-  m_parts = std::make_unique<Parts>(decisions, mostVolumeMb);
+  m_parts = std::make_unique<Parts>(decisions, room);
   m_parts->skipsEmptySpace = emptySpace == EmptySpace::skipped;
   m_parts->compilesAllEffects = programs == Programs::allEffects;
 }

@@ -30,10 +30,10 @@ public:
   /// picture bit for bit, slower. Tests and benchmarks compare the two.
   enum class Programs { specialised, allEffects };
 
-  /// Down-samples volumes that would take more than `mostVolumeMb` (10⁶ bytes) on the graphics card. Throws
-  /// Error (openGl) where the driver lacks what drawing needs, naming it.
+  /// `room`: what volumes may take on the graphics card. Throws Error (openGl) where the driver lacks what
+  /// drawing needs, naming it.
   explicit RayCaster(EmptySpace emptySpace = EmptySpace::skipped, Programs programs = Programs::specialised,
-                     const Decisions& decisions = {}, double mostVolumeMb = anyMb);
+                     const Decisions& decisions = {}, const VolumeRoom& room = {});
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;

@@ -2,36 +2,19 @@
 #include "raycaster/RayCasterEngine.h"
 
 #include "gl/HeadlessContext.h"
-#include "raycaster/EffectCosts.h"
+#include "raycaster/CasterCosts.h"
 #include "raycaster/RayCaster.h"
 
 namespace limn {
 namespace {
 
-class Measurement final : public EffectMeasurement {
-public:
-  Measurement(RayCaster& caster, const Scene& scene, const glm::ivec2& size)
-      : m_caster(caster), m_costs(scene, size, effectRows(scene, caster.plan(scene))) {}
-
-  void step() override { m_costs.step(m_caster); }
-
-  EffectFigures figures() const override {
-    EffectFigures figures{m_costs.isComplete(), m_costs.fraction(), {}, 0.0, m_costs.method()};
-    if (figures.isComplete) {
-      figures.costs = m_costs.costs();
-      figures.wholeMs = m_costs.wholeMs();
-    }
-    return figures;
-  }
-
-private:
-  RayCaster& m_caster;
-  EffectCosts m_costs;
-};
-
 // Tiles are handed to the driver, which cannot be called back: whoever draws asks for small ones.
 class RayCasterEngine final : public DrawingEngine {
 public:
+  explicit RayCasterEngine(double mostVolumeMb)
+      : m_caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {},
+                 {mostVolumeMb, false}) {}
+
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled&) override {
     m_caster.draw(scene, size, tile);
@@ -42,7 +25,7 @@ public:
   }
   bool prepare(const Scene& scene, const glm::ivec2& size) override { return m_caster.warmUp(scene, size); }
   std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
-    return std::make_unique<Measurement>(m_caster, scene, size);
+    return measurementOf(std::make_unique<CasterCosts>(m_caster), scene, size, m_caster.plan(scene));
   }
   DrawingFacts facts(const Scene& scene) override { return m_caster.facts(scene); }
   GradientScale gradientScale() const override { return m_caster.gradientScale(); }
@@ -59,7 +42,11 @@ private:
 } // namespace
 
 std::unique_ptr<DrawingEngine> makeRayCasterEngine() {
-  return std::make_unique<RayCasterEngine>();
+  return makeRayCasterEngineWithin(anyMb);
+}
+
+std::unique_ptr<DrawingEngine> makeRayCasterEngineWithin(double mostVolumeMb) {
+  return std::make_unique<RayCasterEngine>(mostVolumeMb);
 }
 
 } // namespace limn

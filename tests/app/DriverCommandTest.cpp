@@ -29,6 +29,17 @@ protected:
   std::filesystem::path file(const std::string& name) const { return folder.path() / name; }
   std::string picture() const { return file("picture.png").string(); }
 
+  // Puts other times in the place of those of the one trial that there was.
+  void rememberTrial(const std::string& times) const {
+    const std::filesystem::path settings = file(".config") / "limn" / "settings.json";
+    std::string text = test::bytesOfFile(settings);
+    ASSERT_NE(text.find("\"trial/"), std::string::npos) << text;
+    const std::size_t key = text.find("\"trial/");
+    const std::size_t from = text.find("\": \"", key) + 4;
+    text.replace(from, text.find('"', from) - from, times);
+    test::writeBytes(settings, text);
+  }
+
   test::TemporaryFolder folder;
 };
 
@@ -64,6 +75,43 @@ TEST_F(DriverCommands, aVolumeThatMayTakeLessIsShownWithFewerVoxelsAndSaysSo) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("too large for the graphics memory that it may take"), std::string::npos)
       << outcome.err;
+}
+
+TEST_F(DriverCommands, whatATrialHasShownIsRememberedAndTaken) {
+  const Outcome first = run("", "render phantom:8 --size 32x32 -o " + picture());
+  EXPECT_EQ(first.status, 0) << first.err;
+  rememberTrial("50.00 1.00");
+  EXPECT_NE(run("", "render phantom:8 --size 32x32 -o " + picture()).err.find("CPU engine"),
+            std::string::npos);
+  EXPECT_NE(run("", "info --system").out.find("draws       processor: In a trial"), std::string::npos);
+  rememberTrial("1.00 50.00");
+  EXPECT_EQ(run("", "render phantom:8 --size 32x32 -o " + picture()).err.find("CPU engine"),
+            std::string::npos);
+  EXPECT_NE(run("", "info --system").out.find("draws       OpenGL: In a trial"), std::string::npos);
+}
+
+TEST_F(DriverCommands, aVolumeThatMayTakeLessGoesToTheProcessorWhereTheEngineIsLeftOpen) {
+  ASSERT_EQ(run("", scene + "-o " + picture()).status, 0);
+  rememberTrial("1.00 50.00");
+  const Outcome outcome = run("", "render phantom:2 --size 32x32 --texture-mb 1 -o " + picture());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("too large for the graphics memory that it may take. The CPU engine drew"),
+            std::string::npos)
+      << outcome.err;
+  ASSERT_EQ(run("", "render phantom:2 --size 32x32 --engine cpu -o " + file("cpu.png").string()).status, 0);
+  EXPECT_EQ(test::bytesOfFile(picture()), test::bytesOfFile(file("cpu.png")));
+}
+
+TEST_F(DriverCommands, withoutOpenGlEverythingThatIsAskedForIsThere) {
+  const Outcome outcome = run("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent",
+                              "render phantom:8 --size 32x32 --figures --samples-spent " +
+                                  file("samples.png").string() + " -o " + picture());
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("contrast"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(std::filesystem::exists(file("samples.png")));
+  const Outcome info = run("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent", "info --system");
+  EXPECT_EQ(info.status, 0);
+  EXPECT_NE(info.out.find("draws       processor: There is no OpenGL."), std::string::npos) << info.out;
 }
 
 TEST_F(DriverCommands, aLimitThatAnEngineDoesNotKnowIsRefused) {

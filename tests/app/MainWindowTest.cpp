@@ -98,7 +98,7 @@ TEST_F(MainWindowTest, theRestingPictureIsThatOfTheSavedScene) {
   saving().writeScene(pathTo("scene.json"));
   LoadedScene saved = loadScene((folder.path() / "scene.json").string(), {}, {});
   saved.scene.shading.model = view().sceneOfSide(0).shading.model;
-  view().doneCurrent(); // makes room for the command line's context
+  canvas().doneCurrent(); // makes room for the command line's context
   const auto made = makePictures({saved.scene}, shown->size, PictureEngine::gl, 1);
   EXPECT_TRUE(made.front().image == *shown);
 }

@@ -68,7 +68,7 @@ protected:
   void moveUntilShown(TrackSlider& slider, const QPoint& to) {
     bool isShown = false;
     const auto connection =
-        QObject::connect(&view(), &QOpenGLWidget::frameSwapped, [&isShown] { isShown = true; });
+        QObject::connect(&canvas(), &QOpenGLWidget::frameSwapped, [&isShown] { isShown = true; });
     QTest::mouseEvent(QTest::MouseMove, &slider, Qt::NoButton, {}, to);
     EXPECT_TRUE(test::waitUntil([&] { return isShown; }));
     QObject::disconnect(connection);

@@ -64,8 +64,9 @@ protected:
     const QString out = pathTo("rendered.exr");
     QProcess program;
     program.start(QString::fromStdString(test::programPath()),
-                  {QStringLiteral("render"), scene, QStringLiteral("--step"), statedStep(),
-                   QStringLiteral("--model"), QLatin1String(nameOf(model)), QStringLiteral("--size"),
+                  {QStringLiteral("render"), scene, QStringLiteral("--engine"), QStringLiteral("gl"),
+                   QStringLiteral("--step"), statedStep(), QStringLiteral("--model"),
+                   QLatin1String(nameOf(model)), QStringLiteral("--size"),
                    QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
     EXPECT_TRUE(program.waitForFinished(-1));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
@@ -123,7 +124,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   ASSERT_TRUE(idle());
   EXPECT_GT(statedLevels(), 0.0) << statusText().toStdString();
   EXPECT_TRUE(statusText().contains(QStringLiteral("step 1/2 voxel"))) << statusText().toStdString();
-  EXPECT_TRUE(statusText().endsWith(QStringLiteral("GLSL")));
+  EXPECT_TRUE(statusText().endsWith(QStringLiteral("OpenGL")));
   EXPECT_TRUE(labelSays(QStringLiteral("of 255 levels"))) << "where everybody can read it";
   Scene moved = scene();
   moved.camera = orbited(moved.camera, 0.3, 0.0);
@@ -178,7 +179,7 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   EXPECT_EQ(partSaying("ms")->x(), place);
   status.resize(status.minimumSizeHint());
   EXPECT_NE(partSaying("not resolved"), nullptr);
-  EXPECT_EQ(partSaying("GLSL"), nullptr);
+  EXPECT_EQ(partSaying("OpenGL"), nullptr);
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolBar>
@@ -29,10 +30,13 @@ namespace limn::test {
 /// The program's window on settings, presets and files of a folder of its own.
 class WindowHarness : public testing::Test {
 protected:
-  WindowHarness() {
+  /// `engine` draws: with OpenGL unless a test is about the choice, which depends on the machine.
+  explicit WindowHarness(EngineSetting engine = EngineSetting::openGl) {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));
     QCoreApplication::setApplicationName(QStringLiteral("limn"));
-    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    const UserFolders folders = UserFolders::below(folder.path());
+    Settings(folders.settings).setEngine(engine);
+    window = std::make_unique<MainWindow>(folders);
     window->resize(900, 640);
     // Pictures rest at the scene's own step unless a test is about what comes after.
     window->view().setRefinesAtRest(false);
@@ -53,6 +57,8 @@ protected:
   CurvePanel& curves() const { return *window->findChild<CurvePanel*>(); }
   SavingDesk& saving() const { return *window->findChild<SavingDesk*>(); }
   void setLayout(CompareLayout layout) { window->findChild<ComparisonDesk*>()->setLayout(layout); }
+  /// The widget with the OpenGL context, while the driver draws.
+  QOpenGLWidget& canvas() { return *view().findChild<QOpenGLWidget*>(); }
   PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }
   int compiledPrograms() { return loop().pictures()->engine().compiledPrograms(); }
 

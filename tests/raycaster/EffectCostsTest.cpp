@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "raycaster/EffectCosts.h"
 #include "gl/FloatTarget.h"
+#include "raycaster/CasterCosts.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
@@ -38,10 +38,11 @@ TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
   const Image before = caster.render(scene, size);
   const FloatTarget target(size);
   const std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
+  CasterCosts drawing(caster);
   EffectCosts costs(scene, size, rows, 5);
   EXPECT_EQ(costs.fraction(), 0.0);
   int steps = 1;
-  while (costs.step(caster)) {
+  while (costs.step(drawing)) {
     ++steps;
     for (const auto& cost : costs.costs())
       EXPECT_FALSE(cost) << "told before all is measured";
@@ -56,7 +57,7 @@ TEST_F(EffectCostsOnADriver, areMeasuredOfWhatIsOnAndChangeNoPicture) {
   // The whole picture and one without each effect to compile, then five pairs for each.
   EXPECT_EQ(steps, measured + 1 + 5 * 2 * measured);
   EXPECT_GT(costs.wholeMs(), 0.0);
-  EXPECT_FALSE(costs.method().empty());
+  EXPECT_FALSE(drawing.method().empty());
   EXPECT_EQ(caster.render(scene, size), before);
 }
 
@@ -65,9 +66,10 @@ TEST_F(EffectCostsOnADriver, timeTheWholePictureWhereNothingIsOn) {
   scene.transferFunction.points.clear();
   RayCaster caster;
   const FloatTarget target(size);
+  CasterCosts drawing(caster);
   EffectCosts costs(scene, size, effectRows(scene, caster.plan(scene)), 5);
   int steps = 1;
-  while (costs.step(caster))
+  while (costs.step(drawing))
     ++steps;
   EXPECT_EQ(steps, 6);
   EXPECT_GT(costs.wholeMs(), 0.0);
@@ -83,8 +85,9 @@ TEST_F(EffectCostsOnADriver, areBelowZeroWhereAnEffectSavesTime) {
   std::vector<EffectRow> rows = effectRows(scene, caster.plan(scene));
   for (EffectRow& row : rows)
     row.isOn = row.name == "crop";
+  CasterCosts drawing(caster);
   EffectCosts costs(scene, size, rows, 9);
-  while (costs.step(caster)) {
+  while (costs.step(drawing)) {
   }
   const auto crop = std::find_if(rows.begin(), rows.end(), [](const EffectRow& row) { return row.isOn; });
   EXPECT_LT(costs.costs()[static_cast<std::size_t>(crop - rows.begin())]->ms, 0.0);

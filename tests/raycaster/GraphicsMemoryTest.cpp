@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drivers that have too little memory or refuse a program.
+#include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "raycaster/ProgramCache.h"
@@ -23,7 +24,7 @@ TEST_F(GraphicsMemory, aVolumeThatMayTakeLessIsShownDownSampledAndSaysSo) {
   RayCaster free;
   const Image whole = free.render(scene, pictureSize);
   EXPECT_EQ(free.limitation(), "");
-  RayCaster limited(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, 0.25);
+  RayCaster limited(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {0.25, true});
   const Image reduced = limited.render(scene, pictureSize);
   EXPECT_LE(limited.volumeMb(), 0.25);
   EXPECT_NE(limited.limitation().find("48×58×68"), std::string::npos) << limited.limitation();
@@ -40,13 +41,28 @@ TEST_F(GraphicsMemory, aVolumeThatMayTakeLessIsShownDownSampledAndSaysSo) {
 
 TEST_F(GraphicsMemory, noRoomAtAllIsRefusedInASentence) {
   const Scene scene = test::headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::none);
-  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, 1e-6);
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {1e-6, true});
   try {
     caster.render(scene, pictureSize);
     FAIL() << "a volume fits into a byte";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), Error::Kind::openGl);
   }
+}
+
+TEST_F(GraphicsMemory, whatMayNotBeReducedIsRefusedWholeAndTheNextVolumeIsDrawn) {
+  Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::classic);
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {0.25, false});
+  try {
+    caster.render(scene, pictureSize);
+    FAIL() << "0.84 MB fit into a quarter of one";
+  } catch (const VolumeTooLarge& error) {
+    EXPECT_STREQ(error.what(),
+                 "The volume of 48×58×68 voxels is too large for the graphics memory that it may take.");
+  }
+  scene.volume = phantomVolume({.spacingMm = 16.0});
+  EXPECT_EQ(caster.render(scene, pictureSize), RayCaster().render(scene, pictureSize));
+  EXPECT_EQ(caster.limitation(), "");
 }
 
 // Sources that the driver refuses where they step over empty space.

@@ -2,72 +2,66 @@
 #include "widgets/view/CompareView.h"
 
 #include "widgets/view/PictureOrders.h"
-#include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/failure/DriverRecovery.h"
+#include "widgets/view/drawing/EngineSwitch.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
 #include "widgets/view/panels/ModelMenu.h"
 #include "widgets/view/panels/PanelStack.h"
 
-#include <QCoreApplication>
 #include <QKeyEvent>
-#include <QOpenGLContext>
 
 #include <algorithm>
 
 namespace limn {
 
-CompareView::CompareView(DrawingEngines engines, QWidget* parent)
-    : QOpenGLWidget(parent), m_recovery(new DriverRecovery(std::move(engines.processor), this)),
-      m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
-  setFormat(limnSurfaceFormat());
+CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* parent)
+    : QWidget(parent), m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("3D view"));
   setAccessibleDescription(tr("Drag to rotate, middle drag to pan, right drag or wheel to zoom"));
-
-  PictureContext context;
-  context.canDraw = [this] { return isVisible() && m_shown.scene.volume && !m_recovery->hasFailed(); };
-  context.makeCurrent = [this] { makeCurrent(); };
-  context.doneCurrent = [this] { doneCurrent(); };
-  context.guard = [this](const PictureContext::Work& work) { m_recovery->guard(work); };
-  m_loop = new PictureLoop(std::move(engines.driver), context, this);
+  m_engines = new EngineSwitch(std::move(engines), engine, orders(), *this);
 
   ViewInput::Facts facts;
   facts.shown = [this] { return overlaySource(); };
-  facts.scaleOfSide = [this](int side) { return m_loop->gradientScaleOf(side); };
+  facts.scaleOfSide = [this](int side) { return m_engines->drawing().gradientScaleOf(side); };
   m_input = new ViewInput(this, facts);
 
-  connectPictures();
-  connectRecovery();
+  connectEngines();
   connectInput();
+  arrangeParts();
 }
 
-void CompareView::connectPictures() {
-  connect(m_loop, &PictureLoop::stateChanged, this, &CompareView::pictureStateChanged);
-  connect(m_loop, &PictureLoop::effectsChanged, this, &CompareView::effectsChanged);
-  connect(m_loop, &PictureLoop::timesChanged, this, &CompareView::effectTimesChanged);
-  connect(m_loop, &PictureLoop::showNeeded, this, qOverload<>(&QWidget::update));
-  connect(m_loop, &PictureLoop::completed, m_recovery, &DriverRecovery::noteSuccess);
-  connect(m_loop, &PictureLoop::restFailed, this, &CompareView::errorOccurred);
+ViewOrders CompareView::orders() {
+  ViewOrders orders;
+  orders.canDraw = [this] { return isVisible() && m_shown.scene.volume; };
+  orders.request = [this] { return requestOf(m_shown, geometry()); };
+  orders.arrangement = [this] { return arrangementOf(m_shown, geometry()); };
+  orders.background = [this] { return m_shown.scene.image.background; };
+  orders.geometry = [this] { return geometry(); };
+  orders.overlay = [this] {
+    return m_overlayVisible ? std::optional(overlayOf(overlaySource())) : std::nullopt;
+  };
+  return orders;
 }
 
-void CompareView::connectRecovery() {
-  connect(m_recovery, &DriverRecovery::stopped, m_loop, &PictureLoop::stop);
-  connect(m_recovery, &DriverRecovery::rebuildNeeded, this, &CompareView::rebuildGraphics);
-  connect(m_recovery, &DriverRecovery::givenUp, this, &CompareView::giveUpDriver);
-  connect(m_recovery, &DriverRecovery::restored, this, &CompareView::graphicsRestored);
-  connect(m_recovery, &DriverRecovery::stateChanged, this, &CompareView::pictureStateChanged);
+void CompareView::connectEngines() {
+  connect(m_engines, &EngineSwitch::replaced, this, &CompareView::arrangeParts);
+  connect(m_engines, &EngineSwitch::replaced, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::redrawNeeded, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::stateChanged, this, &CompareView::pictureStateChanged);
+  connect(m_engines, &EngineSwitch::effectsChanged, this, &CompareView::effectsChanged);
+  connect(m_engines, &EngineSwitch::timesChanged, this, &CompareView::effectTimesChanged);
+  connect(m_engines, &EngineSwitch::restored, this, &CompareView::graphicsRestored);
+  connect(m_engines, &EngineSwitch::engineChanged, this, &CompareView::engineChanged);
+  connect(m_engines, &EngineSwitch::errorOccurred, this, &CompareView::errorOccurred);
   // Slots are called in the order in which they were connected.
-  connect(m_recovery, &DriverRecovery::drawn, m_panels, &PanelStack::setPictures);
-  connect(m_recovery, &DriverRecovery::drawn, this, &CompareView::updatePanels);
-  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::updatePanels);
-  connect(m_recovery, &DriverRecovery::failed, this, &CompareView::errorOccurred);
-  connect(m_panels, &PanelStack::retryRequested, m_recovery, &DriverRecovery::retry);
+  connect(m_engines, &EngineSwitch::failed, this, &CompareView::updatePanels);
+  connect(m_engines, &EngineSwitch::failed, this, &CompareView::errorOccurred);
+  connect(m_panels, &PanelStack::retryRequested, m_engines, &EngineSwitch::retry);
   connect(m_panels, &PanelStack::retryRequested, this, &CompareView::redraw);
-  connect(m_panels, &PanelStack::driverRetryRequested, m_recovery, &DriverRecovery::forget);
-  connect(m_panels, &PanelStack::driverRetryRequested, this, &CompareView::redraw);
+  connect(m_panels, &PanelStack::driverRetryRequested, m_engines, &EngineSwitch::retryDriver);
 }
 
 void CompareView::connectInput() {
@@ -82,39 +76,36 @@ void CompareView::connectInput() {
   connect(m_input, &ViewInput::windowPresetRequested, this, &CompareView::windowPresetRequested);
   connect(m_input, &ViewInput::shortcutListRequested, this, &CompareView::shortcutListRequested);
   connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
-  connect(m_labels, &LabelFade::changed, this, qOverload<>(&QWidget::update));
+  connect(m_labels, &LabelFade::changed, this, &CompareView::repaintOverlay);
   connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
   connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
   connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
   connect(m_panels, &PanelStack::loadingCancelled, this, &CompareView::loadingCancelled);
 }
 
+// What draws asks this for what to show.
 CompareView::~CompareView() {
-  releasePictures();
-  // The base class destroys the context after this class is gone.
-  if (context())
-    disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CompareView::releasePictures);
+  delete m_engines;
 }
 
 void CompareView::setScene(const Scene& scene) {
-  const Scene& shown = m_shown.scene;
-  if (scene == shown)
+  const Scene before = m_shown.scene;
+  if (scene == before)
     return;
-  const bool otherVolume = scene.volume != shown.volume;
-  Scene asShown = scene;
-  asShown.camera = shown.camera;
-  if (otherVolume) {
-    m_recovery->forget();
-    m_loop->forget();
+  // What draws may ask for it from now on.
+  m_shown.scene = scene;
+  if (scene.volume != before.volume) {
+    m_engines->forget();
     m_input->forget();
   }
-  if (asShown != shown && !m_recovery->processorState()) // more than the camera: what failed may work now
-    m_recovery->retry();
-  if (scene.projection != shown.projection)
-    m_loop->forgetSpeed();
-  if (scene.shading != shown.shading)
+  Scene asBefore = scene;
+  asBefore.camera = before.camera;
+  if (asBefore != before) // more than the camera: what failed may work now
+    m_engines->retry();
+  if (scene.projection != before.projection)
+    m_engines->drawing().forgetSpeed();
+  if (scene.shading != before.shading)
     m_labels->wake();
-  m_shown.scene = scene;
   redraw();
 }
 
@@ -150,20 +141,20 @@ void CompareView::setSwapped(bool swapped) {
 }
 
 void CompareView::setRefinesAtRest(bool refines) {
-  m_loop->setRefines(refines);
+  m_engines->setRefines(refines);
 }
 
 void CompareView::setMovingMs(double ms) {
-  m_loop->setMovingMs(ms);
+  m_engines->setMovingMs(ms);
 }
 
 void CompareView::measureEffects() {
-  m_loop->measureEffects();
+  m_engines->drawing().measureEffects();
 }
 
 void CompareView::setOverlayVisible(bool visible) {
   m_overlayVisible = visible;
-  update();
+  repaintOverlay();
 }
 
 void CompareView::setCropBoxVisible(bool visible) {
@@ -171,7 +162,7 @@ void CompareView::setCropBoxVisible(bool visible) {
     return;
   m_cropBoxVisible = visible;
   m_input->forgetFace();
-  update();
+  repaintOverlay();
 }
 
 void CompareView::setLoading(double fraction, const QString& text) {
@@ -184,25 +175,36 @@ void CompareView::clearLoading() {
   updatePanels();
 }
 
-const PictureState& CompareView::pictureState() const {
-  const std::optional<PictureState>& onProcessor = m_recovery->processorState();
-  return onProcessor ? *onProcessor : m_loop->state();
+void CompareView::setEngine(ViewEngine engine, const QString& reason) {
+  m_engines->choose(engine, reason);
+}
+
+ViewEngine CompareView::engine() const {
+  return m_engines->engine();
+}
+
+PictureState CompareView::pictureState() const {
+  return m_engines->state();
 }
 
 QImage CompareView::currentPicture(int side) {
-  const SidePicture* resting = m_loop->resting(side);
-  return resting ? resting->picture().bytes : QImage();
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
+  return resting ? resting->bytes : QImage();
 }
 
 std::optional<Image> CompareView::restingImage(int side) {
-  const SidePicture* resting = m_loop->resting(side);
-  return resting ? std::optional(*resting->picture().image) : std::nullopt;
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
+  return resting ? std::optional(*resting->image) : std::nullopt;
 }
 
 Scene CompareView::sceneOfRestingImage(int side) const {
-  const SidePicture* resting = m_loop->resting(side);
+  const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
   const Scene scene = sceneOfSide(side);
-  return resting ? withStep(scene, resting->finishedStepVoxels()) : scene;
+  return resting ? withStep(scene, resting->stepVoxels) : scene;
+}
+
+ViewGeometry CompareView::geometry() const {
+  return {m_shown.layout, m_shown.wipe, m_engines->drawing().canvas().size(), devicePixelRatioF()};
 }
 
 OverlaySource CompareView::overlaySource() const {
@@ -212,13 +214,14 @@ OverlaySource CompareView::overlaySource() const {
 }
 
 void CompareView::redraw() {
-  m_loop->restart();
+  m_engines->drawing().restart();
   if (!m_shown.scene.volume)
-    m_loop->forgetEffects();
+    m_engines->drawing().forgetEffects();
   updatePanels();
-  if (m_recovery->processorState())
-    drawOnProcessor();
-  update();
+}
+
+void CompareView::repaintOverlay() {
+  m_engines->drawing().canvas().update();
 }
 
 void CompareView::moveWipe(double fraction) {
@@ -231,92 +234,36 @@ void CompareView::showOtherParts() {
   if (m_shown.layout == CompareLayout::wipe && !pictureState().resting)
     redraw();
   else
-    update();
+    m_engines->drawing().arrangeAnew();
 }
 
 void CompareView::updatePanels() {
-  m_panels->arrange(m_shown.scene.volume != nullptr, m_recovery->sentence(),
-                    m_recovery->processorState().has_value());
+  m_panels->arrange(m_shown.scene.volume != nullptr, m_engines->problem());
 }
 
-void CompareView::initializeGL() {
-  // The context may be replaced when the view moves to another window.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &CompareView::releasePictures,
-          Qt::UniqueConnection);
-  m_loop->forgetSpeed();
-}
-
-void CompareView::releasePictures() {
-  if (!m_loop->pictures())
-    return;
-  m_loop->stop();
-  makeCurrent();
-  m_loop->release(!context()->isValid() || QOpenGLContext::currentContext() != context());
-  doneCurrent();
-}
-
-void CompareView::paintGL() {
-  const bool hasVolume = m_shown.scene.volume != nullptr;
-  if (hasVolume && !m_recovery->hasFailed())
-    m_recovery->guard([this] { m_loop->drawIfStale(requestOf(m_shown, geometry())); });
-  const glm::dvec3 background = m_shown.scene.image.background;
-  if (m_loop->pictures() && hasVolume && !m_recovery->hasFailed()) {
-    m_loop->pictures()->show(arrangementOf(m_shown, geometry()), defaultFramebufferObject(), background);
-    if (m_overlayVisible)
-      paintOverlayInContext(overlayOf(overlaySource()), geometry());
-  } else {
-    clearTo(background);
-  }
-  m_loop->noteShown();
+void CompareView::arrangeParts() {
+  m_panels->setFailure(m_engines->driverFailure(), m_engines->failureDetails());
+  m_engines->drawing().canvas().setGeometry(0, 0, width(), height() - m_panels->takenBelow());
+  updatePanels();
 }
 
 void CompareView::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
-  updatePanels();
-}
-
-void CompareView::showEvent(QShowEvent* event) {
-  QOpenGLWidget::showEvent(event);
-  // Without OpenGL paintGL() is never called; the window would stay black.
-  QTimer::singleShot(0, this, [this] {
-    if (!isVisible() || isValid())
-      return;
-    const QString problem = openGlProblem();
-    m_recovery->fail(problem.isEmpty()
-                         ? tr("The graphics driver gives this window no OpenGL context; restart the program.")
-                         : problem);
-  });
-  if (!pictureState().resting)
-    redraw();
-  else
-    m_loop->resume();
-}
-
-// Qt makes a widget's context anew when its window changes, and tells the widget of it in this way, too where
-// the window itself has lost its device.
-void CompareView::rebuildGraphics(bool isLost) {
-  if (isLost) {
-    QEvent windowChanged(QEvent::WindowChangeInternal);
-    QCoreApplication::sendEvent(this, &windowChanged);
-  } else {
-    releasePictures();
-  }
-  m_recovery->retry();
+  QWidget::resizeEvent(event);
+  arrangeParts();
   redraw();
 }
 
-void CompareView::giveUpDriver() {
-  releasePictures();
-  m_panels->setReason(m_recovery->sentence(), m_recovery->details());
-  updatePanels();
-  emit errorOccurred(m_recovery->sentence());
-  if (m_shown.scene.volume)
-    drawOnProcessor();
+void CompareView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!pictureState().resting)
+    redraw();
+  else
+    m_engines->drawing().resume();
 }
 
-void CompareView::drawOnProcessor() {
-  const glm::ivec2 size = deviceSize(geometry());
-  m_recovery->drawOnProcessor(scenesOfSides(), {size.x / pictureCount(m_shown.layout), size.y});
+void CompareView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  m_engines->drawing().stop();
 }
 
 void CompareView::lookFrom(StandardView view) {
@@ -357,7 +304,7 @@ void CompareView::wheelEvent(QWheelEvent* event) {
 
 void CompareView::keyPressEvent(QKeyEvent* event) {
   if (!m_input->obey(commandOf(*event)))
-    QOpenGLWidget::keyPressEvent(event);
+    QWidget::keyPressEvent(event);
 }
 
 void CompareView::keyReleaseEvent(QKeyEvent* event) {
@@ -365,21 +312,21 @@ void CompareView::keyReleaseEvent(QKeyEvent* event) {
     m_input->stopReading();
   if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
     setSwapped(false);
-  QOpenGLWidget::keyReleaseEvent(event);
+  QWidget::keyReleaseEvent(event);
 }
 
 void CompareView::enterEvent(QEnterEvent* event) {
-  QOpenGLWidget::enterEvent(event);
+  QWidget::enterEvent(event);
   m_input->enter();
 }
 
 void CompareView::leaveEvent(QEvent* event) {
-  QOpenGLWidget::leaveEvent(event);
+  QWidget::leaveEvent(event);
   m_input->leave();
 }
 
 void CompareView::focusOutEvent(QFocusEvent* event) {
-  QOpenGLWidget::focusOutEvent(event);
+  QWidget::focusOutEvent(event);
   setSwapped(false);
 }
 

@@ -8,40 +8,47 @@
 #include "widgets/view/Comparison.h"
 #include "widgets/view/ViewGeometry.h"
 #include "widgets/view/gestures/Probe.h"
+#include "widgets/view/pictures/PictureState.h"
 
 #include <QImage>
-#include <QOpenGLWidget>
+#include <QWidget>
 
 #include <optional>
 #include <vector>
 
 namespace limn {
 
-class DriverRecovery;
+class EngineSwitch;
 class LabelFade;
 class PanelStack;
-class PictureLoop;
 class ViewInput;
 struct EffectTimes;
 struct OverlaySource;
-struct PictureState;
+struct ViewOrders;
 
 /// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
 /// engine, one copy of the volume. Draws coarsely while something moves and strip by strip to full quality at
 /// rest (pictures/); at rest the picture is bit for bit what the command line writes for the same scene and
 /// size. It changes no scene: it asks, through its signals, and is given the answer through setScene().
-/// When the graphics driver fails, everything in it is made anew; when that fails too, the processor draws
-/// (recovery/).
-class CompareView : public QOpenGLWidget {
+/// The graphics driver draws, or the processor (drawing/). When the driver fails, everything in it is made
+/// anew; when that fails too, the processor draws (failure/).
+class CompareView : public QWidget {
   Q_OBJECT
 
 public:
-  explicit CompareView(DrawingEngines engines, QWidget* parent = nullptr);
+  /// `engine` draws at first. One that `engines` lacks is never asked; without OpenGL (openGlOffer) there
+  /// must be no `engines.driver`.
+  explicit CompareView(DrawingEngines engines, ViewEngine engine = ViewEngine::driver,
+                       QWidget* parent = nullptr);
   ~CompareView() override;
 
   /// Shows a scene; an equal one changes nothing. Without a volume the view invites to open one.
   void setScene(const Scene& scene);
   const Scene& scene() const { return m_shown.scene; }
+
+  /// Lets an engine draw, for a reason that is told with the pictures; nothing happens where there is none.
+  void setEngine(ViewEngine engine, const QString& reason);
+  ViewEngine engine() const;
 
   void setCompareLayout(CompareLayout layout);
   CompareLayout compareLayout() const { return m_shown.layout; }
@@ -77,7 +84,7 @@ public:
   void setLoading(double fraction, const QString& text);
   void clearLoading();
 
-  const PictureState& pictureState() const;
+  PictureState pictureState() const;
 
   /// The picture of side 0 or 1 over the background as shown at rest; null before it is complete.
   QImage currentPicture(int side);
@@ -123,6 +130,8 @@ signals:
   void effectTimesChanged(const limn::EffectTimes& times);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
+  /// The processor took over from a driver that failed or has no room for the volume, or gave back to it.
+  void engineChanged(limn::ViewEngine engine);
   /// Drawing had failed, and works again.
   void graphicsRestored(const QString& sentence);
   void openFolderRequested();
@@ -131,11 +140,9 @@ signals:
   void loadingCancelled();
 
 protected:
-  void initializeGL() override;
-  void resizeGL(int, int) override { redraw(); }
-  void paintGL() override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -148,27 +155,24 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
-  void connectPictures();
-  void connectRecovery();
+  ViewOrders orders();
+  void connectEngines();
   void connectInput();
-  ViewGeometry geometry() const { return {m_shown.layout, m_shown.wipe, size(), devicePixelRatioF()}; }
+  void arrangeParts();
+  ViewGeometry geometry() const;
   OverlaySource overlaySource() const;
   void redraw();
   void showOtherParts();
   void moveWipe(double fraction);
   void setSwapped(bool swapped);
   void updatePanels();
-  void releasePictures();
-  void rebuildGraphics(bool isLost);
-  void giveUpDriver();
-  void drawOnProcessor();
+  void repaintOverlay();
   void offerModels(int position);
 
   Comparison m_shown;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
-  PictureLoop* m_loop;
-  DriverRecovery* m_recovery;
+  EngineSwitch* m_engines;
   ViewInput* m_input;
   PanelStack* m_panels;
   LabelFade* m_labels;

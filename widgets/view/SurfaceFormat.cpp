@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 
 namespace limn {
 
@@ -19,7 +20,7 @@ QSurfaceFormat limnSurfaceFormat() {
   return format;
 }
 
-QString openGlProblem() {
+OpenGlOffer openGlOffer() {
   QOffscreenSurface surface;
   surface.setFormat(limnSurfaceFormat());
   surface.create();
@@ -27,13 +28,17 @@ QString openGlProblem() {
   context.setFormat(limnSurfaceFormat());
   const bool isMade = context.create() && surface.isValid() && context.makeCurrent(&surface);
   const auto version = isMade ? context.format().version() : qMakePair(0, 0);
+  OpenGlOffer offer;
+  if (version >= qMakePair(3, 0) && !context.isOpenGLES())
+    offer.renderer =
+        QString::fromLatin1(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+  else
+    offer.problem = QObject::tr(
+        "This computer offers the program no OpenGL 3.0, so the processor draws; to have the graphics "
+        "card draw, install or update its driver.");
   if (isMade)
     context.doneCurrent();
-  if (version >= qMakePair(3, 0) && !context.isOpenGLES())
-    return {};
-  return QObject::tr(
-      "This computer offers the program no OpenGL 3.0, so no volume can be drawn; install or update the "
-      "driver of the graphics card (on Linux without one, the package libgl1-mesa-dri).");
+  return offer;
 }
 
 } // namespace limn

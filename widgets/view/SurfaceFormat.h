@@ -11,8 +11,14 @@ namespace limn {
 /// depth buffer, no multisampling. The program may also make it the default format before its first window.
 QSurfaceFormat limnSurfaceFormat();
 
-/// One sentence where this computer offers the program no OpenGL 3.0, empty where it does. Ask before making
-/// a view: a window with a QOpenGLWidget crashes inside Qt where no context can be made.
-QString openGlProblem();
+/// What this computer offers the windows of the program.
+struct OpenGlOffer {
+  QString problem;  ///< one sentence where there is no OpenGL 3.0; empty where there is
+  QString renderer; ///< the driver's name of what draws
+};
+
+/// Tries, on the thread of the windows. Ask before making a view that draws with OpenGL: a window with a
+/// QOpenGLWidget crashes inside Qt where no context can be made.
+OpenGlOffer openGlOffer();
 
 } // namespace limn

@@ -62,7 +62,7 @@ void SceneTextures::updateVolume(const Scene& scene) {
   m_gradientOpacityShown.reset();
   m_steepness.reset();
   m_gradientScales.setVolume(nullptr);
-  m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_mostVolumeMb);
+  m_volumeTexture.emplace(*scene.volume, m_decisions.volume, m_room);
   m_volume = scene.volume;
   m_gradientScales.setVolume(m_volume);
 }

@@ -50,9 +50,8 @@ private:
 class SceneTextures {
 public:
   /// Of the decisions those count that concern the volume's format and where the function shows.
-  /// `mostVolumeMb` is the most that the volume may take (VolumeTexture).
-  explicit SceneTextures(const Decisions& decisions = {}, double mostVolumeMb = anyMb)
-      : m_decisions(decisions), m_mostVolumeMb(mostVolumeMb) {}
+  explicit SceneTextures(const Decisions& decisions = {}, const VolumeRoom& room = {})
+      : m_decisions(decisions), m_room(room) {}
 
   /// Uploads volume and functions; changes texture bindings.
   void update(const Scene& scene);
@@ -99,7 +98,7 @@ private:
   void updateEmptySpace(const Scene& scene);
 
   Decisions m_decisions;
-  double m_mostVolumeMb;
+  VolumeRoom m_room;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
   std::optional<TransferFunction> m_functionShown;

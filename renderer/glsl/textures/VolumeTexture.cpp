@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glsl/textures/VolumeTexture.h"
 
+#include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
 #include "glsl/textures/TextureBlocks.h"
 
@@ -82,6 +83,10 @@ std::optional<BlockRanges> upload(const Volume& volume, const glm::ivec3& reduct
   return ranges;
 }
 
+std::string times(const glm::ivec3& v) {
+  return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
+}
+
 // Halves the resolution along the axis that has most texels.
 void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
   const glm::ivec3 reduced = reducedDims(dims, reduction);
@@ -94,23 +99,23 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
 
 } // namespace
 
-VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, double mostMb)
-    : m_format(format), m_mostMb(mostMb), m_dims(volume.grid().dims) {
+VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, const VolumeRoom& room)
+    : m_format(format), m_room(room), m_dims(volume.grid().dims) {
   const GLint stored = internalFormat(format);
   const auto isTooLarge = [&] {
     const glm::ivec3 size = reducedDims(m_dims, m_reduction) + 2;
-    return static_cast<double>(bytesOf(size, format)) > 1e6 * mostMb || !fits(size, stored);
+    return static_cast<double>(bytesOf(size, format)) > 1e6 * room.mostMb || !fits(size, stored);
   };
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   for (;;) {
     while (isTooLarge())
-      reduceLongest(m_dims, m_reduction);
+      reduce();
     m_size = reducedDims(m_dims, m_reduction) + 2;
     if (std::optional<BlockRanges> ranges = upload(volume, m_reduction, format)) {
       m_ranges = std::move(*ranges);
       break;
     }
-    reduceLongest(m_dims, m_reduction);
+    reduce();
   }
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
@@ -129,16 +134,22 @@ std::size_t VolumeTexture::bytes() const {
   return bytesOf(m_size, m_format);
 }
 
+void VolumeTexture::reduce() {
+  if (!m_room.mayReduce)
+    throw VolumeTooLarge(tooLarge() + '.');
+  reduceLongest(m_dims, m_reduction);
+}
+
+std::string VolumeTexture::tooLarge() const {
+  const bool isOwnLimit = static_cast<double>(bytesOf(m_dims + 2, m_format)) > 1e6 * m_room.mostMb;
+  return "The volume of " + times(m_dims) + " voxels is too large for the graphics " +
+         (isOwnLimit ? "memory that it may take" : "driver");
+}
+
 std::string VolumeTexture::limitation() const {
   if (m_reduction == glm::ivec3(1))
     return {};
-  const auto times = [](const glm::ivec3& v) {
-    return std::to_string(v.x) + "×" + std::to_string(v.y) + "×" + std::to_string(v.z);
-  };
-  const bool isOwnLimit = static_cast<double>(bytesOf(m_dims + 2, m_format)) > 1e6 * m_mostMb;
-  return "The volume of " + times(m_dims) + " voxels is too large for the graphics " +
-         (isOwnLimit ? "memory that it may take" : "driver") + " and is shown with " + times(m_size - 2) +
-         ".";
+  return tooLarge() + " and is shown with " + times(m_size - 2) + ".";
 }
 
 } // namespace limn

@@ -11,13 +11,13 @@
 namespace limn {
 
 /// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it or it would
-/// take more than it may.
+/// take more than it may, and where that is allowed.
 class VolumeTexture {
 public:
-  /// `mostMb` (10⁶ bytes, > 0) is the most that it may take. Throws Error (openGl) where even a small texture
-  /// is refused.
+  /// Throws Error (openGl) where even a small texture is refused, VolumeTooLarge where the whole one is and
+  /// nothing less may be shown.
   explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f,
-                         double mostMb = anyMb);
+                         const VolumeRoom& room = {});
 
   unsigned name() const { return m_texture.name(); }
 
@@ -48,9 +48,12 @@ public:
   std::string limitation() const;
 
 private:
+  std::string tooLarge() const;
+  void reduce();
+
   GlTexture m_texture;
   VolumeFormat m_format;
-  double m_mostMb;
+  VolumeRoom m_room;
   glm::ivec3 m_dims;
   glm::ivec3 m_size{0};
   glm::ivec3 m_reduction{1};

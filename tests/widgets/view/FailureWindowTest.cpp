@@ -3,7 +3,7 @@
 #include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
 #include "support/BrokenDriver.h"
-#include "widgets/view/panels/ReferencePanel.h"
+#include "widgets/view/panels/FailureBar.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QClipboard>
@@ -20,17 +20,18 @@ namespace {
 
 using test::ViewHost;
 
-Image drawnByReference(const Scene& scene, const glm::ivec2& size) {
-  return toImage(renderReference(scene, size, 1));
+QImage drawnByReference(const Scene& scene, const QImage& shown) {
+  const glm::ivec2 size(shown.width(), shown.height());
+  return overBackground(toImage(renderReference(scene, size, 1)), scene.image.background);
 }
 
 // A view at rest whose processor can draw.
 struct RestingHost : ViewHost {
   RestingHost() : ViewHost({400, 240}, [] { return makeReferenceEngine(1); }) { showPhantom(12.0); }
-  bool isOnProcessor() {
-    return test::waitUntil([this] { return view.pictureState().processorIsDone; });
+  bool restOnProcessor() {
+    return test::waitUntil([this] { return drawsOnProcessor() && view.pictureState().resting; });
   }
-  const ReferencePanel& panel() { return *view.findChild<ReferencePanel*>(); }
+  const FailureBar& bar() { return *view.findChild<FailureBar*>(); }
 };
 
 TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
@@ -42,7 +43,7 @@ TEST(DriverFailure, afterAResetTheContextIsMadeAnewAndThePictureIsTheSame) {
   // The new context knows nothing of the reset.
   auto reset = std::make_unique<test::ResetDriver>();
   bool isMadeAnew = false;
-  QObject::connect(host.view.context(), &QOpenGLContext::aboutToBeDestroyed, &host.view, [&] {
+  QObject::connect(host.canvas().context(), &QOpenGLContext::aboutToBeDestroyed, &host.view, [&] {
     isMadeAnew = true;
     reset.reset();
   });
@@ -64,9 +65,9 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   ASSERT_TRUE(host.rest());
   const std::optional<Image> before = host.view.restingImage(0);
   QSignalSpy restored(&host.view, &CompareView::graphicsRestored);
-  host.view.makeCurrent();
+  host.canvas().makeCurrent();
   test::forgetRayCasterPrograms();
-  host.view.doneCurrent();
+  host.canvas().doneCurrent();
   host.scene.transferFunction.points[2].opacity = 0.4;
   host.view.setScene(host.scene);
   ASSERT_TRUE(test::waitUntil([&] { return restored.count() == 1; }));
@@ -77,53 +78,51 @@ TEST(DriverFailure, whatTheDriverForgotIsMadeAnew) {
   EXPECT_TRUE(host.errors.empty());
 }
 
-TEST(DriverFailure, whereEveryShaderIsRefusedTheReferenceDrawsAndSaysWhy) {
+TEST(DriverFailure, whereEveryShaderIsRefusedTheProcessorDrawsAndSaysWhy) {
   RestingHost host;
   auto refused = std::make_unique<test::BrokenShaders>();
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(host.isOnProcessor());
-  EXPECT_TRUE(host.drawsOnProcessor());
+  ASSERT_TRUE(host.restOnProcessor());
   ASSERT_EQ(host.errors.size(), 1u);
-  EXPECT_EQ(host.view.pictureState().driverFailure, host.errors[0]);
-  EXPECT_TRUE(host.panel().isVisible());
+  EXPECT_EQ(host.view.pictureState().engine, ViewEngine::processor);
+  EXPECT_EQ(host.view.pictureState().engineReason, host.errors[0]);
+  EXPECT_TRUE(host.bar().isVisible());
   EXPECT_TRUE(
       host.view.findChild<QLabel*>(QStringLiteral("failureReason"))->text().startsWith(host.errors[0]));
 
-  // The picture is the reference's, bit for bit.
-  ASSERT_EQ(host.panel().pictures().size(), 1u);
-  const QImage& shown = host.panel().pictures()[0];
-  const glm::ivec2 size(shown.width(), shown.height());
-  EXPECT_EQ(shown, overBackground(drawnByReference(host.scene, size), host.scene.image.background));
+  // The picture is the engine's, bit for bit, in all pixels above the bar.
+  const QImage shown = host.view.currentPicture(0);
+  EXPECT_EQ(shown.height(), host.bar().y());
+  EXPECT_EQ(shown, drawnByReference(host.scene, shown));
 
   // What the driver wrote can be copied.
   QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("copyFailure")), Qt::LeftButton);
   EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(QStringLiteral("a line of a test")));
 
-  // Edits reach the picture, and the driver's recovery is taken up.
-  host.scene.camera = orbited(host.scene.camera, 0.5, 0.0);
-  host.view.setScene(host.scene);
-  EXPECT_FALSE(host.view.pictureState().processorIsDone);
-  ASSERT_TRUE(host.isOnProcessor());
-  EXPECT_EQ(host.panel().pictures()[0],
-            overBackground(drawnByReference(host.scene, size), host.scene.image.background));
+  // Drags reach the picture, and the driver's recovery is taken up.
+  host.drag({100, 60}, {160, 80});
+  EXPECT_GT(host.cameraEdits, 0);
+  EXPECT_FALSE(host.view.pictureState().resting);
+  ASSERT_TRUE(host.restOnProcessor());
+  EXPECT_EQ(host.view.currentPicture(0), drawnByReference(host.scene, shown));
   refused.reset();
   QTest::mouseClick(host.view.findChild<QPushButton*>(QStringLiteral("retryGraphics")), Qt::LeftButton);
   ASSERT_TRUE(host.rest());
   EXPECT_FALSE(host.drawsOnProcessor());
-  EXPECT_FALSE(host.panel().isVisible());
+  EXPECT_FALSE(host.bar().isVisible());
   EXPECT_EQ(host.errors.size(), 1u);
 }
 
-TEST(DriverFailure, bothSidesOfAComparisonAreDrawnByTheReference) {
+TEST(DriverFailure, bothSidesOfAComparisonAreDrawnByTheProcessor) {
   RestingHost host;
   host.view.setCompareLayout(CompareLayout::sideBySide);
   const test::BrokenShaders refused;
   ASSERT_TRUE(host.show());
-  ASSERT_TRUE(host.isOnProcessor());
-  EXPECT_EQ(host.panel().pictures().size(), 2u);
+  ASSERT_TRUE(host.restOnProcessor());
+  EXPECT_FALSE(host.view.currentPicture(1).isNull());
 }
 
-TEST(DriverFailure, withoutAReferenceTheSentenceStandsAlone) {
+TEST(DriverFailure, withoutAProcessorTheSentenceStandsAlone) {
   ViewHost host;
   host.showPhantom(12.0);
   const test::BrokenShaders refused;

@@ -67,13 +67,14 @@ TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {
 TEST(OpenGlProblem, isSaidWhereThereIsNoOpenGl) {
   if (QGuiApplication::platformName() != QLatin1String("offscreen"))
     GTEST_SKIP() << "needs Qt's offscreen platform; CTest runs it so as limn_view_without_opengl";
-  EXPECT_TRUE(openGlProblem().contains(QStringLiteral("OpenGL 3.0")));
+  EXPECT_TRUE(openGlOffer().problem.contains(QStringLiteral("OpenGL 3.0")));
 }
 
 TEST(OpenGlProblem, isNoneWhereViewsWork) {
   if (QGuiApplication::platformName() == QLatin1String("offscreen"))
     GTEST_SKIP() << "Qt's offscreen platform has no OpenGL";
-  EXPECT_EQ(openGlProblem(), QString());
+  EXPECT_EQ(openGlOffer().problem, QString());
+  EXPECT_FALSE(openGlOffer().renderer.isEmpty());
 }
 
 TEST(Panels, loadingShowsItsProgressAndCanBeCancelled) {

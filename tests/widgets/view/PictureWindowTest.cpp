@@ -46,9 +46,9 @@ TEST(Picture, atRestIsBitForBitWhatTheCommandLineWrites) {
   host.view.setOverlayVisible(false);
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
-  const QImage shown = colours(host.view.grabFramebuffer());
+  const QImage shown = colours(host.grabFramebuffer());
   const QImage kept = colours(host.view.currentPicture(0));
-  host.view.doneCurrent(); // makes room for the command line's context
+  host.canvas().doneCurrent(); // makes room for the command line's context
   const QImage expected = pictureFromFile(host.scene, host.view.size());
   EXPECT_EQ(shown, expected);
   EXPECT_EQ(kept, expected);
@@ -66,7 +66,7 @@ TEST(Picture, sideBySideShowsTwoModelsFromOneScene) {
   EXPECT_EQ(left.size(), QSize(199, 240)); // (400 - 2) / 2
   EXPECT_EQ(left.size(), right.size());
   EXPECT_NE(left, right);
-  const QImage shown = colours(host.view.grabFramebuffer());
+  const QImage shown = colours(host.grabFramebuffer());
   EXPECT_EQ(shown.copy(0, 0, 199, 240), colours(left));
   EXPECT_EQ(shown.copy(201, 0, 199, 240), colours(right));
   EXPECT_EQ(host.view.sceneOfSide(0).shading.model, ShadingModel::classic);
@@ -80,13 +80,13 @@ TEST(Picture, spaceSwapsTheSidesWhileHeld) {
   host.showPhantom();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
-  const QImage before = colours(host.view.grabFramebuffer());
+  const QImage before = colours(host.grabFramebuffer());
   QTest::keyPress(&host.view, Qt::Key_Space);
-  const QImage swapped = colours(host.view.grabFramebuffer());
+  const QImage swapped = colours(host.grabFramebuffer());
   QTest::keyRelease(&host.view, Qt::Key_Space);
   EXPECT_EQ(swapped.copy(0, 0, 199, 240), before.copy(201, 0, 199, 240));
   EXPECT_EQ(swapped.copy(201, 0, 199, 240), before.copy(0, 0, 199, 240));
-  EXPECT_EQ(colours(host.view.grabFramebuffer()), before);
+  EXPECT_EQ(colours(host.grabFramebuffer()), before);
 }
 
 TEST(Picture, theWipeShowsEachSidesPartOfItsPicture) {
@@ -97,7 +97,7 @@ TEST(Picture, theWipeShowsEachSidesPartOfItsPicture) {
   host.showPhantom();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
-  const QImage shown = colours(host.view.grabFramebuffer());
+  const QImage shown = colours(host.grabFramebuffer());
   EXPECT_EQ(shown.copy(0, 0, 100, 240), colours(host.view.currentPicture(0)).copy(0, 0, 100, 240));
   EXPECT_EQ(shown.copy(100, 0, 300, 240), colours(host.view.currentPicture(1)).copy(100, 0, 300, 240));
 }
@@ -112,10 +112,10 @@ TEST(Picture, theDifferenceOfEqualSidesIsBlack) {
   ASSERT_TRUE(host.rest());
   QImage black(400, 240, QImage::Format_RGB888);
   black.fill(Qt::black);
-  EXPECT_EQ(colours(host.view.grabFramebuffer()), black);
+  EXPECT_EQ(colours(host.grabFramebuffer()), black);
   host.view.setModels(ShadingModel::classic, ShadingModel::enhanced);
   ASSERT_TRUE(host.rest());
-  EXPECT_NE(colours(host.view.grabFramebuffer()), black);
+  EXPECT_NE(colours(host.grabFramebuffer()), black);
 }
 
 TEST(Picture, editingTheTransferFunctionCompilesNoShader) {
@@ -164,10 +164,10 @@ TEST(Picture, carriesItsOverlayIntoAGrabbedWindow) {
   host.showPhantom();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
-  const QImage shown = colours(host.view.grabFramebuffer());
+  const QImage shown = colours(host.grabFramebuffer());
   EXPECT_EQ(colours(host.view.grab().toImage()), shown);
   host.view.setOverlayVisible(false);
-  EXPECT_NE(colours(host.view.grabFramebuffer()), shown);
+  EXPECT_NE(colours(host.grabFramebuffer()), shown);
 }
 
 TEST(Picture, isNeverEmptyWhileItRefines) {
@@ -176,8 +176,8 @@ TEST(Picture, isNeverEmptyWhileItRefines) {
   host.showPhantom(2.0);
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] { return !host.view.pictureState().sides.empty(); }));
-  const QColor background = host.view.grabFramebuffer().pixelColor(1, 1);
-  const auto showsTheHead = [&] { return host.view.grabFramebuffer().pixelColor(200, 120) != background; };
+  const QColor background = host.grabFramebuffer().pixelColor(1, 1);
+  const auto showsTheHead = [&] { return host.grabFramebuffer().pixelColor(200, 120) != background; };
   for (int turn = 0; turn < 5; ++turn) {
     EXPECT_TRUE(showsTheHead());
     host.scene.camera = orbited(host.scene.camera, 0.1, 0.0);

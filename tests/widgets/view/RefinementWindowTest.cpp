@@ -58,7 +58,7 @@ TEST(Refinement, halvesTheStepUntilHalfALevelOrTheSmallestAndShowsThatVeryPictur
   const Scene asShown = host.view.sceneOfRestingImage(0);
   EXPECT_EQ(asShown.quality.stepVoxels, side.stepVoxels);
   EXPECT_EQ(host.view.scene().quality.stepVoxels, 0.5) << "the step that the user chose";
-  host.view.doneCurrent(); // makes room for the other context
+  host.canvas().doneCurrent(); // makes room for the other context
   ASSERT_TRUE(shown);
   EXPECT_TRUE(rendered(asShown, {240, 160}) == *shown);
 }
@@ -75,7 +75,7 @@ TEST(Refinement, takesBothSidesToOneStep) {
   const std::optional<Image> right = host.view.restingImage(1);
   const Scene asShown = host.view.sceneOfRestingImage(1);
   EXPECT_EQ(asShown.shading.model, ShadingModel::enhanced);
-  host.view.doneCurrent();
+  host.canvas().doneCurrent();
   EXPECT_TRUE(rendered(asShown, right->size) == *right);
 }
 
@@ -86,7 +86,7 @@ TEST(Refinement, showsTheNewRowsAboveTheOldPictureWhileItDraws) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] { return host.view.pictureState().refinementFraction > 0.3; }));
   const QImage before = host.view.currentPicture(0);
-  const QImage shown = host.view.grabFramebuffer();
+  const QImage shown = host.grabFramebuffer();
   ASSERT_FALSE(before.isNull()) << "the last complete picture can be saved all the time";
   // The lowest rows are those of the last complete picture.
   const QRect lowest(0, 290, 300, 10);

@@ -8,6 +8,7 @@
 #include "widgets/view/CompareView.h"
 #include "widgets/view/pictures/PictureLoop.h"
 
+#include <QOpenGLWidget>
 #include <QTest>
 #include <QWindow>
 
@@ -22,8 +23,9 @@ namespace limn::test {
 class ViewHost {
 public:
   /// Pictures rest at the scene's own step unless a test is about what comes after.
-  explicit ViewHost(const QSize& size = {400, 240}, MakeEngine processor = {})
-      : view({makeRayCasterEngine, std::move(processor)}) {
+  explicit ViewHost(const QSize& size = {400, 240}, MakeEngine processor = {},
+                    ViewEngine engine = ViewEngine::driver)
+      : view({makeRayCasterEngine, std::move(processor)}, engine) {
     view.resize(size);
     view.setRefinesAtRest(false);
     QObject::connect(&view, &CompareView::cameraEdited, [this](const Camera& camera) {
@@ -65,10 +67,15 @@ public:
     return test::waitUntil([this] { return view.pictureState().resting; });
   }
 
-  const PictureLoop& loop() const { return *view.findChild<PictureLoop*>(); }
+  PictureLoop& loop() const { return *view.findChild<PictureLoop*>(); }
   bool isIdle() const { return loop().isIdle(); }
   int compiledPrograms() const { return loop().pictures()->engine().compiledPrograms(); }
-  bool drawsOnProcessor() const { return !view.pictureState().driverFailure.isEmpty(); }
+  bool drawsOnProcessor() const { return view.pictureState().driverHasFailed; }
+
+  /// The widget with the OpenGL context, while the driver draws.
+  QOpenGLWidget& canvas() const { return *view.findChild<QOpenGLWidget*>(); }
+  /// What is seen, without panels.
+  QImage grabFramebuffer() const { return canvas().grabFramebuffer(); }
 
   void press(const QPoint& at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {}) {
     QTest::mousePress(view.windowHandle(), button, keys, at);

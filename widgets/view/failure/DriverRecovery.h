@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view/failure/ProcessorDrawing.h"
-#include "widgets/view/pictures/PictureState.h"
-
-#include <QImage>
 #include <QObject>
+#include <QString>
 
 #include <functional>
-#include <optional>
-#include <vector>
 
 namespace limn {
 
 /// What happens when drawing fails. Where the graphics driver is to blame, everything in it is made anew;
-/// when that has failed too often in a row, it is given up and the processor draws. Anything else is said.
+/// when that has failed too often in a row, it is given up. Anything else is said.
 /// Knows no window: what is to be done there it asks for through its signals, which but for `stopped` come in
 /// turns of the event loop of their own.
 class DriverRecovery : public QObject {
@@ -24,12 +19,14 @@ public:
   /// Failures of the driver in a row before it is given up.
   static constexpr int mostFailures = 3;
 
-  /// `processor` makes what draws when the driver does not; empty: then nothing does.
-  explicit DriverRecovery(MakeEngine processor, QObject* parent = nullptr);
+  using QObject::QObject;
 
   /// Does work with the OpenGL context current, lost or not; catches what it throws and asks the driver
   /// whether it is well.
   void guard(const std::function<void()>& work);
+
+  /// The driver cannot be used at all.
+  void giveUp(const QString& sentence);
 
   /// Drawing failed, and trying again would help nothing.
   void fail(const QString& sentence);
@@ -41,36 +38,25 @@ public:
 
   /// Drawing may be tried again; failures go on being counted.
   void retry() { m_sentence.clear(); }
-  /// The same, as if nothing had ever failed; the processor stops.
+  /// The same, as if nothing had ever failed.
   void forget();
   /// Pictures are complete: what failed before works.
   void noteSuccess();
-
-  /// Lets the processor draw the scenes in pictures of `size`, after the driver was given up. Nothing happens
-  /// where it cannot.
-  void drawOnProcessor(const std::vector<Scene>& scenes, const glm::ivec2& size);
-
-  /// What is told of the pictures while the processor draws them; absent while it does not.
-  const std::optional<PictureState>& processorState() const { return m_onProcessor; }
 
 signals:
   void stopped();                  ///< nothing must be drawn until it is told to
   void rebuildNeeded(bool isLost); ///< of the pictures, and of the context where that `isLost`
   void givenUp();                  ///< the driver, for the reason in `sentence`
+  void tooLarge();                 ///< the volume for the driver, as `sentence` says
   void failed(const QString& sentence);
   void restored(const QString& sentence);
-  void drawn(const std::vector<QImage>& pictures); ///< by the processor, one for each scene
-  void stateChanged(const limn::PictureState& state);
 
 private:
   void failDriver(const QString& sentence, const QString& details);
-  void showDrawn(const std::vector<QImage>& pictures, bool isComplete);
 
-  ProcessorDrawing m_processor;
   QString m_sentence;
   QString m_details;
   int m_failures = 0; ///< of the driver, in a row
-  std::optional<PictureState> m_onProcessor;
 };
 
 } // namespace limn

@@ -16,7 +16,7 @@ static_assert(overlayMargin == 3 * unit);
 const QColor plateColor(0, 0, 0, 160);
 const QColor textColor(255, 255, 255);
 const QColor quietColor(214, 218, 224);
-const QColor accentColor(77, 163, 255);
+const QColor markColor(77, 163, 255);
 
 QFont titleFont(const QFont& font) {
   QFont bold(font);
@@ -154,13 +154,13 @@ void paintScaleBar(QPainter& painter, const ScaleMark& mark) {
 void paintProgress(QPainter& painter, double fraction, const QRectF& view) {
   const QRectF line(view.left(), view.bottom() - 2.0, view.width(), 2.0);
   painter.fillRect(line, QColor(0, 0, 0, 120));
-  painter.fillRect(QRectF(line.topLeft(), QSizeF(line.width() * fraction, line.height())), accentColor);
+  painter.fillRect(QRectF(line.topLeft(), QSizeF(line.width() * fraction, line.height())), markColor);
 }
 
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = hovered ? accentColor : QColor(255, 255, 255, 220);
+  const QColor color = hovered ? markColor : QColor(255, 255, 255, 220);
   painter.fillRect(QRectF(x - 1.5, view.top(), 3.0, view.height()), QColor(0, 0, 0, 140));
   painter.fillRect(QRectF(x - 0.5, view.top(), 1.0, view.height()), color);
   const QPointF centre(x, view.center().y());

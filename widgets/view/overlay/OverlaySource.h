@@ -31,7 +31,7 @@ struct ReadValue {
 struct OverlaySource {
   const Comparison& comparison;
   ViewGeometry geometry;
-  const PictureState& state;
+  PictureState state;
   QFont font;
   double labelOpacity = 1.0; ///< of the numbers beside the titles
   Hovered hovered;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/PanelStack.h"
 
-#include "widgets/view/panels/ReferencePanel.h"
+#include "widgets/view/panels/FailureBar.h"
 #include "widgets/view/panels/ViewPanels.h"
 
 namespace limn {
 
 PanelStack::PanelStack(QWidget* view)
     : QObject(view), m_view(view), m_empty(new EmptyPanel(view)), m_message(new MessagePanel(view)),
-      m_loading(new LoadingPanel(view)), m_reference(new ReferencePanel(view)) {
+      m_loading(new LoadingPanel(view)), m_failure(new FailureBar(view)) {
   m_message->hide();
   m_loading->hide();
   connect(m_empty, &EmptyPanel::openFolderRequested, this, &PanelStack::openFolderRequested);
@@ -16,22 +16,28 @@ PanelStack::PanelStack(QWidget* view)
   connect(m_empty, &EmptyPanel::sampleRequested, this, &PanelStack::sampleRequested);
   connect(m_message, &MessagePanel::retryRequested, this, &PanelStack::retryRequested);
   connect(m_loading, &LoadingPanel::cancelled, this, &PanelStack::loadingCancelled);
-  connect(m_reference, &ReferencePanel::retryRequested, this, &PanelStack::driverRetryRequested);
+  connect(m_failure, &FailureBar::retryRequested, this, &PanelStack::driverRetryRequested);
 }
 
-void PanelStack::arrange(bool hasVolume, const QString& sentence, bool onProcessor) {
+int PanelStack::takenBelow() const {
+  return m_failure->hasReason() ? m_failure->heightForWidth(m_view->width()) : 0;
+}
+
+void PanelStack::arrange(bool hasVolume, const QString& sentence) {
   const QRect whole = m_view->rect();
   m_empty->setGeometry(whole);
   m_message->setGeometry(whole);
   const int height = m_loading->sizeHint().height();
   m_loading->setGeometry(0, whole.height() - height, whole.width(), height);
-  const bool showsReference = onProcessor && !m_reference->pictures().empty();
-  m_reference->cover(whole);
-  m_reference->showParts(showsReference);
+  const int below = takenBelow();
+  m_failure->setGeometry(0, whole.height() - below, whole.width(), below);
+  m_failure->setVisible(below > 0);
   m_message->setSentence(sentence);
-  m_message->setVisible(!sentence.isEmpty() && !showsReference);
+  m_message->setVisible(!sentence.isEmpty());
   m_empty->setVisible(sentence.isEmpty() && !hasVolume);
-  m_loading->raise();
+  for (QWidget* panel : {static_cast<QWidget*>(m_message), static_cast<QWidget*>(m_empty),
+                         static_cast<QWidget*>(m_failure), static_cast<QWidget*>(m_loading)})
+    panel->raise();
 }
 
 void PanelStack::setLoading(double fraction, const QString& text) {
@@ -43,13 +49,8 @@ void PanelStack::clearLoading() {
   m_loading->hide();
 }
 
-void PanelStack::setReason(const QString& sentence, const QString& details) {
-  m_reference->setReason(sentence, details);
-  m_reference->setPictures({});
-}
-
-void PanelStack::setPictures(const std::vector<QImage>& pictures) {
-  m_reference->setPictures(pictures);
+void PanelStack::setFailure(const QString& sentence, const QString& details) {
+  m_failure->setReason(sentence, details);
 }
 
 } // namespace limn

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QImage>
 #include <QObject>
-
-#include <vector>
 
 class QWidget;
 
 namespace limn {
 
 class EmptyPanel;
+class FailureBar;
 class LoadingPanel;
 class MessagePanel;
-class ReferencePanel;
 
-/// What covers the pictures of a view where there is nothing to show, where drawing failed, where the
-/// processor draws, and while something loads.
+/// What covers the pictures of a view where there is nothing to show, where drawing failed, and while
+/// something loads; and what stands below them where the driver failed.
 class PanelStack : public QObject {
   Q_OBJECT
 
@@ -24,16 +21,19 @@ public:
   explicit PanelStack(QWidget* view);
 
   /// Lays everything over the view as it is now and shows what applies: `sentence` says why nothing is drawn
-  /// and is empty where it is; `onProcessor`: pictures of the processor stand in, once there are some.
-  void arrange(bool hasVolume, const QString& sentence, bool onProcessor);
+  /// and is empty where it is.
+  void arrange(bool hasVolume, const QString& sentence);
 
   /// `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
 
-  /// Why the processor draws, and what the driver wrote; no pictures are there yet.
-  void setReason(const QString& sentence, const QString& details);
-  void setPictures(const std::vector<QImage>& pictures);
+  /// Why the processor draws in the driver's place, and what the driver wrote; an empty sentence: it does
+  /// not.
+  void setFailure(const QString& sentence, const QString& details);
+
+  /// What the panels below the pictures take of the view's height, logical pixels.
+  int takenBelow() const;
 
 signals:
   void openFolderRequested();
@@ -48,7 +48,7 @@ private:
   EmptyPanel* m_empty;
   MessagePanel* m_message;
   LoadingPanel* m_loading;
-  ReferencePanel* m_reference;
+  FailureBar* m_failure;
 };
 
 } // namespace limn

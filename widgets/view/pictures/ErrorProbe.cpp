@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/pictures/ErrorProbe.h"
 
+#include "engine/DrawingEngine.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/RestWork.h"
-#include "widgets/view/pictures/TileDrawing.h"
 
 #include <cmath>
 
@@ -50,7 +48,7 @@ bool ErrorProbe::step(DrawingEngine& engine) {
 
 ErrorProbe::Measured ErrorProbe::measure(DrawingEngine& engine, const Scene& scene) {
   const double step = scene.quality.stepVoxels;
-  m_target.resize(m_size);
+  m_sheet->resize(m_size);
   const Image shown = draw(engine, withStep(scene, step));
   const Image half = draw(engine, withStep(scene, step / 2.0));
   const Image quarter = draw(engine, withStep(scene, step / 4.0));
@@ -60,8 +58,8 @@ ErrorProbe::Measured ErrorProbe::measure(DrawingEngine& engine, const Scene& sce
 }
 
 Image ErrorProbe::draw(DrawingEngine& engine, const Scene& scene) {
-  drawTile(engine, scene, {{0, 0}, m_size}, m_target);
-  return m_target.read();
+  m_sheet->draw(engine, scene, {{0, 0}, m_size});
+  return m_sheet->read();
 }
 
 std::optional<ErrorEstimate> ErrorProbe::estimate(int side, double stepVoxels) const {

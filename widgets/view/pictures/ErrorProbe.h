@@ -2,9 +2,10 @@
 #pragma once
 
 #include "accuracy/ErrorEstimate.h"
-#include "gl/PictureTarget.h"
 #include "scene/Scene.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,9 +15,11 @@ class DrawingEngine;
 
 /// Estimates the error of the pictures from small ones of the same camera, whose rays are a fair sample of
 /// theirs: drawn at the step shown, at its half and at its quarter. Cheap enough for pictures that move.
-/// Needs the view's OpenGL context current.
+/// Lives where its screen does.
 class ErrorProbe {
 public:
+  explicit ErrorProbe(PictureScreen& screen) : m_sheet(screen.makeSheet()) {}
+
   /// The pixels on the longer side of a small picture.
   static constexpr int longest = 64;
 
@@ -49,7 +52,7 @@ private:
 
   std::vector<Side> m_sides;
   glm::ivec2 m_size{1};
-  PictureTarget m_target;
+  std::unique_ptr<PictureSheet> m_sheet;
 };
 
 } // namespace limn

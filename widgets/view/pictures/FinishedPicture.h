@@ -12,11 +12,14 @@ namespace limn {
 /// A picture over a background as 8 bits (Format_RGBA8888, opaque), rounded as picture files are.
 QImage overBackground(const Image& picture, const glm::dvec3& background);
 
+/// The same into a part of an image of four bytes a pixel, red first.
+void putOverBackground(const Image& picture, const glm::dvec3& background, QImage& bytes,
+                       const glm::ivec2& topLeft);
+
 /// A complete picture of a side as everybody wants it: as drawn, and as shown and saved.
 struct FinishedPicture {
   std::shared_ptr<const Image> image;
-  QImage bytes;   ///< over the background, rounded as a file is
-  QImage upwards; ///< the same with rows from bottom to top, as OpenGL wants them
+  QImage bytes; ///< over the background, rounded as a file is
   double contrast = 0.0;
 };
 

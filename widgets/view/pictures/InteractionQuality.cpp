@@ -15,6 +15,7 @@ constexpr std::array<QualityLevel, InteractionQuality::levelCount> levels{{{1.0,
                                                                            {0.75, 2.0},
                                                                            {0.5, 2.0},
                                                                            {0.375, 2.0},
+                                                                           {0.3125, 2.0},
                                                                            {0.25, 3.0},
                                                                            {0.1875, 4.0},
                                                                            {0.125, 4.0}}};

@@ -21,7 +21,7 @@ class InteractionQuality {
 public:
   /// The drawing time of one frame aimed at unless set otherwise, ms: with showing it, 15 frames per second.
   static constexpr double usualTargetMs = 40.0;
-  static constexpr int levelCount = 8;
+  static constexpr int levelCount = 9;
 
   void setTargetMs(double ms) { m_targetMs = ms; } ///< > 0
   double targetMs() const { return m_targetMs; }

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/PictureLoop.h"
 
+#include "scene/basics/Error.h"
+
 #include <exception>
 
 namespace limn {
 namespace {
 
-constexpr int idleMs = 150;               // from the last coarse picture to the first strip
-constexpr double budgetMs = 30.0;         // of drawing in one turn of the event loop
-constexpr double restBudgetMs = 20.0;     // of drawing what nobody waits for
 constexpr int showEveryMs = 200;          // while refining: showing costs as much as a turn of it
 constexpr int waitMs = 4;                 // for another thread
 constexpr double timeBetweenProbes = 9.0; // in times of one
 
 } // namespace
 
-PictureLoop::PictureLoop(MakeEngine makeEngine, PictureContext context, QObject* parent)
-    : QObject(parent), m_makeEngine(std::move(makeEngine)), m_context(std::move(context)) {
-  for (QTimer* timer : {&m_idleTimer, &m_refineTimer, &m_restTimer, &m_probeTimer})
+PictureLoop::PictureLoop(MakePictures makePictures, PictureContext context, PicturePace pace, QObject* parent)
+    : QObject(parent), m_makePictures(std::move(makePictures)), m_context(std::move(context)), m_pace(pace) {
+  for (QTimer* timer : {&m_idleTimer, &m_refineTimer, &m_restTimer, &m_probeTimer}) {
+    timer->setParent(this); // they go along to another thread
     timer->setSingleShot(true);
-  m_idleTimer.setInterval(idleMs);
+  }
+  m_idleTimer.setInterval(pace.idleMs);
   connect(&m_idleTimer, &QTimer::timeout, this, &PictureLoop::refine);
   connect(&m_refineTimer, &QTimer::timeout, this, &PictureLoop::refine);
   connect(&m_restTimer, &QTimer::timeout, this, &PictureLoop::workAtRest);
@@ -61,7 +62,7 @@ void PictureLoop::release(bool isLost) {
 
 void PictureLoop::drawIfStale(const PictureRequest& request) {
   if (!m_pictures) {
-    m_pictures = std::make_unique<Pictures>(m_makeEngine());
+    m_pictures = m_makePictures();
     m_isStale = true;
   }
   if (!m_isStale)
@@ -98,7 +99,7 @@ void PictureLoop::refine() {
     return;
   bool isComplete = false;
   m_context.makeCurrent();
-  m_context.guard([&] { isComplete = m_pictures->refine(budgetMs); });
+  m_context.guard([&] { isComplete = m_pictures->refine(m_pace.budgetMs); });
   m_context.doneCurrent();
   updateState();
   if (isComplete || m_sinceShown.elapsed() >= showEveryMs)
@@ -158,6 +159,8 @@ void PictureLoop::probeError() {
     return m_context.doneCurrent();
   try {
     didSomething = m_pictures->probeError();
+  } catch (const Cancelled&) {
+    // Something else is to be shown.
   } catch (const std::exception& error) {
     // The picture stays; only the estimate of its error is missing.
     emit restFailed(QString::fromStdString(error.what()));
@@ -191,7 +194,9 @@ RestTurn PictureLoop::restTurn() {
     return turn;
   }
   try {
-    turn = m_pictures->workAtRest(m_refines, restBudgetMs);
+    turn = m_pictures->workAtRest(m_refines, m_pace.restBudgetMs);
+  } catch (const Cancelled&) {
+    // Something else is to be shown.
   } catch (const std::exception& error) {
     // The picture is complete: it stays, only what was to be measured or refined is missing.
     m_pictures->giveUpRefinement();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/DrawingEngines.h"
 #include "widgets/effects/EffectTimes.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -27,13 +26,22 @@ struct PictureRequest {
   QString lastName;            ///< what the last picture is called
 };
 
-/// What the pictures need of those in whose OpenGL context they live.
+using MakePictures = std::function<std::unique_ptr<Pictures>()>;
+
+/// What the pictures need of those who own their thread, and the OpenGL context current there, if any.
 struct PictureContext {
   using Work = std::function<void()>;
   std::function<bool()> canDraw; ///< seen, something to show, and nothing has failed
   std::function<void()> makeCurrent;
   std::function<void()> doneCurrent;
   std::function<void(const Work&)> guard; ///< does the work; where it fails, that is theirs to mend
+};
+
+/// How pictures share the turns of their event loop with others.
+struct PicturePace {
+  int idleMs = 150;           ///< from the last coarse picture to the first strip
+  double budgetMs = 30.0;     ///< of drawing in one turn
+  double restBudgetMs = 20.0; ///< of drawing what nobody waits for
 };
 
 /// Brings pictures from coarse to exact, a piece in each turn of the event loop: a coarse picture at once,
@@ -43,7 +51,8 @@ class PictureLoop : public QObject {
   Q_OBJECT
 
 public:
-  PictureLoop(MakeEngine makeEngine, PictureContext context, QObject* parent = nullptr);
+  PictureLoop(MakePictures makePictures, PictureContext context, PicturePace pace = {},
+              QObject* parent = nullptr);
 
   /// Something else is to be shown: what was drawn is stale. Until `drawIfStale` nothing is drawn.
   void restart();
@@ -54,7 +63,8 @@ public:
   void resume() { m_restTimer.start(0); }
   /// Does nothing more until the next picture is drawn.
   void stop();
-  /// Drops everything that lives in the context, which is current; where it `isLost`, all died with it.
+  /// Drops the pictures; an OpenGL context that they live in is current; where it `isLost`, they died with
+  /// it.
   void release(bool isLost);
   /// There is nothing to tell the effects of.
   void forgetEffects();
@@ -74,7 +84,7 @@ public:
   void setMovingMs(double ms) { m_quality.setTargetMs(ms); }
   double movingMs() const { return m_quality.targetMs(); }
 
-  const Pictures* pictures() const { return m_pictures.get(); } ///< null while there is nothing to show
+  Pictures* pictures() { return m_pictures.get(); } ///< null while there is nothing to show
   const PictureState& state() const { return m_state; }
   const SidePicture* resting(int side) const; ///< null before it is complete
   /// The gradient moduli with which a side was lit; empty before it was drawn.
@@ -104,9 +114,10 @@ private:
   void tellEffects(const std::vector<EffectRow>& rows, const QString& picture);
   void showTimes(const EffectTimes& times);
 
-  MakeEngine m_makeEngine;
+  MakePictures m_makePictures;
   PictureContext m_context;
-  std::unique_ptr<Pictures> m_pictures; ///< lives with the OpenGL context
+  PicturePace m_pace;
+  std::unique_ptr<Pictures> m_pictures;
   InteractionQuality m_quality;
   bool m_isStale = true; ///< something changed since the last coarse picture
   bool m_refines = true;

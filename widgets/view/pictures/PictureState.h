@@ -20,6 +20,9 @@ enum class RefinementEnd {
   failed
 };
 
+/// Which of its two engines draws a view.
+enum class ViewEngine { driver, processor };
+
 /// How far one picture of the view is.
 struct SideState {
   ShadingModel model = ShadingModel::classic;
@@ -44,10 +47,11 @@ struct PictureState {
   bool refines = false; ///< strips of a smaller step are being drawn
   double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
-  QString renderer;                           ///< the driver's name of what draws
-  QString limitation;    ///< one sentence where the driver could not take the whole volume
-  QString driverFailure; ///< why the processor draws; empty where the driver draws
-  bool processorIsDone = false;
+  QString renderer;                           ///< what draws, by its own name
+  QString limitation; ///< one sentence where less than the whole volume, or fewer samples, are drawn
+  ViewEngine engine = ViewEngine::driver;
+  QString engineReason;         ///< one sentence: why this engine draws; may be empty
+  bool driverHasFailed = false; ///< and the processor draws in its place
   bool operator==(const PictureState&) const = default;
 };
 

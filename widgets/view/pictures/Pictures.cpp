@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/pictures/Pictures.h"
 
 #include "engine/DrawingEngine.h"
@@ -11,28 +9,16 @@
 namespace limn {
 namespace {
 
-// Qt's painter leaves its own state behind.
-void resetState() {
-  glDisable(GL_BLEND);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_CULL_FACE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
-}
-
 double msSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace
 
-Pictures::Pictures(std::unique_ptr<DrawingEngine> engine) : m_engine(std::move(engine)) {}
+Pictures::Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen)
+    : m_engine(std::move(engine)),
+      m_screen(std::move(screen)), m_sides{SidePicture(*m_screen), SidePicture(*m_screen)}, m_rest(*m_screen),
+      m_probe(*m_screen) {}
 
 Pictures::~Pictures() = default;
 
@@ -57,12 +43,12 @@ void Pictures::noteShown() {
 }
 
 bool Pictures::probeError() {
-  resetState();
+  m_screen->reset();
   return m_probe.step(*m_engine);
 }
 
 RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
-  resetState();
+  m_screen->reset();
   if (m_rest.step(*m_engine) || m_probe.step(*m_engine))
     return RestTurn::worked;
   if (!refines)
@@ -110,19 +96,13 @@ PictureState Pictures::state() const {
 }
 
 std::vector<EffectRow> Pictures::effectRowsOf(int side) {
-  resetState();
+  m_screen->reset();
   const Scene& scene = m_sides[side].scene();
   return effectRows(scene, m_engine->facts(scene).plan);
 }
 
-void clearTo(const glm::dvec3& background) {
-  glClearColor(static_cast<float>(background.r), static_cast<float>(background.g),
-               static_cast<float>(background.b), 1.0f);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
-  resetState();
+  m_screen->reset();
   double ms = 0.0;
   for (int i = 0; i < m_count; ++i)
     ms += m_sides[i].drawCoarsely(*m_engine, level, seen[i]);
@@ -131,7 +111,7 @@ double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
 }
 
 bool Pictures::refine(double budgetMs) {
-  resetState();
+  m_screen->reset();
   const auto start = std::chrono::steady_clock::now();
   // Draw at least one strip, then as many as the budget is likely to hold.
   for (SidePicture* side = leastComplete(); side; side = leastComplete()) {
@@ -159,12 +139,9 @@ SidePicture* Pictures::leastComplete() {
   return least == end || least->complete() ? nullptr : &*least;
 }
 
-void Pictures::show(const Arrangement& arrangement, unsigned framebuffer,
-                    const glm::dvec3& background) const {
-  resetState();
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glViewport(0, 0, arrangement.size.x, arrangement.size.y);
-  clearTo(background);
+void Pictures::show(const Arrangement& arrangement, const glm::dvec3& background) {
+  m_screen->reset();
+  m_screen->clear(arrangement.size, background);
   if (m_count == 0 || static_cast<int>(arrangement.places.size()) != m_count)
     return;
   if (arrangement.layout == CompareLayout::difference)
@@ -177,24 +154,22 @@ void Pictures::show(const Arrangement& arrangement, unsigned framebuffer,
       part.size.x = position == 0 ? arrangement.wipeColumn : arrangement.size.x - arrangement.wipeColumn;
     }
     const int side = arrangement.swapped ? m_count - 1 - position : position;
-    m_sides[side].show(m_presenter, {arrangement.size.y, place, part});
+    m_sides[side].show(*m_screen, place, part);
   }
 }
 
-void Pictures::showDifference(const Arrangement& arrangement, const glm::dvec3& background) const {
+void Pictures::showDifference(const Arrangement& arrangement, const glm::dvec3& background) {
   const SidePicture& left = m_sides[0];
   const SidePicture& right = m_sides[1];
   const PixelRect place = arrangement.places[0];
   const int done = std::min(left.rowsDone(), right.rowsDone());
-  PicturePresenter::Placement placement{arrangement.size.y, place, place};
-  placement.part.size.y = done;
   if (done > 0)
-    m_presenter.showDifference(left.finerTexture(), right.finerTexture(), placement, background,
-                               differenceGain);
-  placement.part = {{place.topLeft.x, place.topLeft.y + done}, {place.size.x, place.size.y - done}};
+    m_screen->showDifference(left.finerPixels(), right.finerPixels(), place,
+                             {place.topLeft, {place.size.x, done}}, background, differenceGain);
   if (done < place.size.y && left.hasCoarser() && right.hasCoarser())
-    m_presenter.showDifference(left.coarserTexture(), right.coarserTexture(), placement, background,
-                               differenceGain);
+    m_screen->showDifference(left.coarserPixels(), right.coarserPixels(), place,
+                             {{place.topLeft.x, place.topLeft.y + done}, {place.size.x, place.size.y - done}},
+                             background, differenceGain);
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "scene/view/CompareLayout.h"
 #include "widgets/view/pictures/ErrorProbe.h"
+#include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/pictures/Refinement.h"
 #include "widgets/view/pictures/RestWork.h"
@@ -19,11 +20,11 @@ namespace limn {
 
 /// One or two pictures on their way from coarse to exact, and what puts them on the screen: one engine for
 /// both, so that the volume is uploaded once, strips that fit into a turn of the event loop, and what is done
-/// once they rest. Needs the same OpenGL context current for every call, construction and destruction.
+/// once they rest. Everything comes from one thread; where engine or screen live on the graphics card, their
+/// OpenGL context is current for every call, construction and destruction.
 class Pictures {
 public:
-  /// Throws Error (openGl).
-  explicit Pictures(std::unique_ptr<DrawingEngine> engine);
+  Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen);
   ~Pictures();
 
   /// Asks for pictures of these scenes (one or two), all of one size.
@@ -57,13 +58,16 @@ public:
   struct Arrangement {
     CompareLayout layout = CompareLayout::single;
     std::vector<PixelRect> places; ///< one per picture, y down
-    glm::ivec2 size{0};            ///< of the framebuffer
+    glm::ivec2 size{0};            ///< of the screen
     int wipeColumn = 0;
     bool swapped = false; ///< left and right exchanged
   };
 
-  /// Draws the arrangement into framebuffer `framebuffer`.
-  void show(const Arrangement& arrangement, unsigned framebuffer, const glm::dvec3& background) const;
+  /// Shows the arrangement on the screen.
+  void show(const Arrangement& arrangement, const glm::dvec3& background);
+
+  /// What was shown last, where the screen is in memory.
+  QImage frame() const { return m_screen->frame(); }
 
   /// What is shown at the moment.
   PictureState state() const;
@@ -76,11 +80,11 @@ private:
   std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
   SideState stateOf(int index) const;
   void noteShown();
-  void showDifference(const Arrangement& arrangement, const glm::dvec3& background) const;
+  void showDifference(const Arrangement& arrangement, const glm::dvec3& background);
   SidePicture* leastComplete();
 
   std::unique_ptr<DrawingEngine> m_engine;
-  PicturePresenter m_presenter;
+  std::unique_ptr<PictureScreen> m_screen;
   std::array<SidePicture, 2> m_sides;
   RestWork m_rest;
   ErrorProbe m_probe;
@@ -89,8 +93,5 @@ private:
   QString m_limitation;                         ///< of the scenes at their own step
   int m_count = 0;
 };
-
-/// Fills the framebuffer bound with a background.
-void clearTo(const glm::dvec3& background);
 
 } // namespace limn

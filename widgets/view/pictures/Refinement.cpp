@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/pictures/Refinement.h"
 
 #include "accuracy/ErrorEstimate.h"
-#include "widgets/view/pictures/TileDrawing.h"
+#include "engine/DrawingEngine.h"
 
 #include <QThreadPool>
 

@@ -22,7 +22,7 @@ enum class RestTurn {
 
 /// Brings resting pictures closer to the exact ones: draws them anew with half the step, again and again, all
 /// sides with the same one, until they lie within half a level or nothing is gained any more. Each pass is
-/// compared with the one before it, beside the event loop. Needs the view's OpenGL context current.
+/// compared with the one before it, beside the event loop. Lives where the pictures' screen does.
 class Refinement {
 public:
   /// The smallest step drawn. By then the 99.9th percentile of the CT head lies near half a level with every

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/pictures/RestWork.h"
 
 #include <algorithm>
@@ -37,10 +35,8 @@ bool RestWork::warmUp(DrawingEngine& engine) {
   for (Side& side : m_sides) {
     if (side.isWarm)
       continue;
-    m_target.resize(warmUpSize);
-    m_target.bind();
-    side.isWarm = !engine.prepare(side.scene, warmUpSize);
-    glFinish();
+    m_sheet->resize(warmUpSize);
+    m_sheet->lend([&] { side.isWarm = !engine.prepare(side.scene, warmUpSize); });
     return true;
   }
   return false;
@@ -74,9 +70,8 @@ bool RestWork::measureCosts(DrawingEngine& engine) {
     m_costSide.reset();
   if (!m_costs || m_costs->figures().isComplete)
     return false;
-  m_target.resize(measuredSize());
-  m_target.bind();
-  m_costs->step();
+  m_sheet->resize(measuredSize());
+  m_sheet->lend([this] { m_costs->step(); });
   return true;
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "engine/DrawingEngine.h"
-#include "gl/PictureTarget.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
 #include "widgets/effects/EffectTimes.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include <memory>
 #include <optional>
@@ -15,9 +15,11 @@ namespace limn {
 
 /// What is done while the pictures rest, in pieces that each fit into a turn of the event loop: programs are
 /// compiled before a slider needs them, then figures of the pictures are measured, then, on request, what
-/// each effect costs. Draws into pictures of its own. Needs the view's OpenGL context current.
+/// each effect costs. Draws into pictures of its own. Lives where its screen does.
 class RestWork {
 public:
+  explicit RestWork(PictureScreen& screen) : m_sheet(screen.makeSheet()) {}
+
   /// The scenes at rest; forgets everything measured of others.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
@@ -50,7 +52,7 @@ private:
   glm::ivec2 m_size{0};
   std::optional<int> m_costSide;
   std::unique_ptr<EffectMeasurement> m_costs;
-  PictureTarget m_target;
+  std::unique_ptr<PictureSheet> m_sheet;
 };
 
 /// A picture of the same shape with at most `longest` pixels on its longer side.

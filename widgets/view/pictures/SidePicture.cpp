@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <epoxy/gl.h> // before any OpenGL header of Qt
-
 #include "widgets/view/pictures/SidePicture.h"
 
-#include "widgets/view/pictures/TileDrawing.h"
+#include "engine/DrawingEngine.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,17 +11,15 @@
 namespace limn {
 namespace {
 
-// Wait for the drawing to end: a software renderer only then does the work.
 template <class Work>
 double timedMs(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
-  glFinish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 // A picture coarser than this is bettered once before the full one is drawn, at about a seventh of its cost.
-constexpr int veryCoarse = 5;
+constexpr int veryCoarse = 6;
 constexpr int middleLevel = 3;
 
 // The columns of a picture of `size` pixels that are seen, and one more to each side for smoothing.
@@ -35,12 +31,16 @@ PixelRect seenPart(const glm::ivec2& size, const Columns& seen) {
 
 } // namespace
 
+SidePicture::SidePicture(PictureScreen& screen)
+    : m_coarse(screen.makeSheet()), m_middle(screen.makeSheet()), m_full(screen.makeSheet()),
+      m_finishedSheet(screen.makeFinishedSheet()), m_stripMs(screen.stripMs()) {}
+
 void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_scene = scene;
   m_size = size;
   m_pass = 0;
   m_hasMiddlePass = false;
-  m_schedule = TileSchedule(size);
+  m_schedule = TileSchedule(size, m_stripMs);
   m_finished = false;
   m_picture = {};
   m_finer.reset();
@@ -48,15 +48,14 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
 
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {
   const QualityLevel quality = InteractionQuality::levelAt(level);
-  PictureTarget& target = level == 0 ? m_full : m_coarse;
+  PictureSheet& target = level == 0 ? *m_full : *m_coarse;
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = withQualityLevel(m_scene, quality);
   target.resize(size);
   // Draw one pixel first: uploads and compilation are no measure of the frames to come.
-  drawTile(engine, scene, {size / 2, {1, 1}}, target);
-  glFinish();
+  target.draw(engine, scene, {size / 2, {1, 1}});
   const PixelRect part = level == 0 ? PixelRect{{0, 0}, size} : seenPart(size, seen);
-  const double ms = timedMs([&] { drawTile(engine, scene, part, target); });
+  const double ms = timedMs([&] { target.draw(engine, scene, part); });
   m_coarseQuality = quality;
   m_coarseMs = ms;
   m_gradientScale = engine.gradientScale();
@@ -66,18 +65,18 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   } else if (level >= veryCoarse) {
     m_pass = middleLevel;
     m_hasMiddlePass = true;
-    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size));
+    m_schedule = TileSchedule(sizeAt(InteractionQuality::levelAt(m_pass), m_size), m_stripMs);
   }
   return ms;
 }
 
 void SidePicture::drawStrip(DrawingEngine& engine) {
   const QualityLevel quality = InteractionQuality::levelAt(m_pass);
-  PictureTarget& target = m_pass == 0 ? m_full : m_middle;
+  PictureSheet& target = m_pass == 0 ? *m_full : *m_middle;
   const glm::ivec2 size = sizeAt(quality, m_size);
   const Scene scene = withQualityLevel(m_scene, quality);
   target.resize(size);
-  m_schedule.finished(timedMs([&] { drawTile(engine, scene, m_schedule.next(), target); }));
+  m_schedule.finished(timedMs([&] { target.draw(engine, scene, m_schedule.next()); }));
   if (!m_schedule.complete())
     return;
   if (m_pass == 0) {
@@ -88,7 +87,7 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   m_coarseQuality = quality;
   m_coarseMs = m_schedule.spentMs();
   m_pass = 0;
-  m_schedule = TileSchedule(m_size);
+  m_schedule = TileSchedule(m_size, m_stripMs);
 }
 
 double SidePicture::fraction() const {
@@ -107,22 +106,26 @@ int SidePicture::rowsDone() const {
   return static_cast<int>(std::max(0, m_schedule.rowsDone() - 1) * rowHeight);
 }
 
-unsigned SidePicture::finerTexture() const {
+const ShownPixels& SidePicture::finerPixels() const {
   if (m_finished && !m_finer)
-    return m_bytesTexture.texture();
-  return m_pass == 0 ? m_full.texture() : m_middle.texture();
+    return *m_finishedSheet;
+  return m_pass == 0 ? *m_full : *m_middle;
+}
+
+const ShownPixels& SidePicture::coarserPixels() const {
+  if (m_finer)
+    return *m_finishedSheet;
+  return *m_coarse;
 }
 
 void SidePicture::finish() {
-  adopt(limn::finished(std::make_shared<const Image>(m_full.read()), m_scene.image.background),
-        m_scene.quality.stepVoxels);
+  adopt(m_full->finished(m_scene.image.background), m_scene.quality.stepVoxels);
   m_finishedRowMs = m_schedule.rowMs();
 }
 
 void SidePicture::adopt(FinishedPicture picture, double stepVoxels) {
-  m_bytesTexture.upload(m_size, picture.upwards.constBits());
+  m_finishedSheet->set(picture);
   m_picture = std::move(picture);
-  m_picture.upwards = QImage();
   m_finishedStepVoxels = stepVoxels;
   m_finished = true;
 }
@@ -132,7 +135,7 @@ void SidePicture::beginFiner(double stepVoxels) {
   std::vector<double> expectedMs = m_finishedRowMs;
   for (double& ms : expectedMs)
     ms *= m_finishedStepVoxels / stepVoxels;
-  m_finer = Finer{stepVoxels, TileSchedule(m_size, std::move(expectedMs))};
+  m_finer = Finer{stepVoxels, TileSchedule(m_size, m_stripMs, std::move(expectedMs))};
 }
 
 bool SidePicture::prepareFiner(DrawingEngine& engine, double stepVoxels) {
@@ -140,15 +143,14 @@ bool SidePicture::prepareFiner(DrawingEngine& engine, double stepVoxels) {
   if (engine.facts(scene).isReady)
     return false;
   // One pixel in the middle, which is drawn again before the strips reach it.
-  drawTile(engine, scene, {m_size / 2, {1, 1}}, m_full);
-  glFinish();
+  m_full->draw(engine, scene, {m_size / 2, {1, 1}});
   return true;
 }
 
 void SidePicture::drawFinerStrip(DrawingEngine& engine) {
   const Scene scene = withStep(m_scene, m_finer->stepVoxels);
   TileSchedule& schedule = m_finer->schedule;
-  schedule.finished(timedMs([&] { drawTile(engine, scene, schedule.next(), m_full); }));
+  schedule.finished(timedMs([&] { m_full->draw(engine, scene, schedule.next()); }));
 }
 
 void SidePicture::adoptFiner(FinishedPicture picture) {
@@ -162,17 +164,14 @@ std::optional<double> SidePicture::contrast() const {
   return m_finished ? std::optional(m_picture.contrast) : std::nullopt;
 }
 
-void SidePicture::show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const {
-  const PixelRect part = placement.part;
+void SidePicture::show(PictureScreen& screen, const PixelRect& place, const PixelRect& part) const {
+  const glm::dvec3& background = m_scene.image.background;
   const int done = rowsDone();
-  if (done > 0) {
-    placement.part.size.y = done;
-    presenter.show(finerTexture(), placement, m_scene.image.background);
-  }
-  if (done < part.size.y && hasCoarser()) {
-    placement.part = {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}};
-    presenter.show(coarserTexture(), placement, m_scene.image.background);
-  }
+  if (done > 0)
+    screen.show(finerPixels(), place, {part.topLeft, {part.size.x, done}}, background);
+  if (done < part.size.y && hasCoarser())
+    screen.show(coarserPixels(), place,
+                {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}}, background);
 }
 
 double SidePicture::shownStepVoxels() const {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/PictureTarget.h"
-#include "glsl/PicturePresenter.h"
 #include "scene/light/Gradient.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 #include "widgets/view/pictures/InteractionQuality.h"
+#include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/TileSchedule.h"
 
 #include <optional>
@@ -22,10 +21,12 @@ struct Columns {
 
 /// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
 /// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full
-/// one as 8 bits. On request it is then replaced, again strip by strip, by pictures of smaller steps. Needs
-/// the same OpenGL context current for every call that draws and for its end.
+/// one as 8 bits. On request it is then replaced, again strip by strip, by pictures of smaller steps. Lives
+/// where its screen does.
 class SidePicture {
 public:
+  explicit SidePicture(PictureScreen& screen);
+
   /// Asks for another picture; what was being drawn is dropped, what is shown stays until something newer is.
   void want(const Scene& scene, const glm::ivec2& size);
 
@@ -54,18 +55,18 @@ public:
   void drawFinerStrip(DrawingEngine& engine);
   const TileSchedule& finerSchedule() const { return m_finer->schedule; }
   /// The picture of the step begun, once its schedule is complete; waits for the drawing to end.
-  Image readFiner() const { return m_full.read(); }
+  Image readFiner() const { return m_full->read(); }
   void adoptFiner(FinishedPicture picture);
 
   /// Shows `part` of the picture at `place`.
-  void show(const PicturePresenter& presenter, PicturePresenter::Placement placement) const;
+  void show(PictureScreen& screen, const PixelRect& place, const PixelRect& part) const;
 
-  /// The textures to show: the finer one for the rows [0, rowsDone) of the full size, the coarser one, where
-  /// there is one, below.
+  /// What to show: the finer pixels for the rows [0, rowsDone) of the full size, the coarser ones, where
+  /// there are some, below.
   int rowsDone() const;
-  unsigned finerTexture() const;
-  unsigned coarserTexture() const { return m_finer ? m_bytesTexture.texture() : m_coarse.texture(); }
-  bool hasCoarser() const { return m_finer || !m_coarse.isEmpty(); }
+  const ShownPixels& finerPixels() const;
+  const ShownPixels& coarserPixels() const;
+  bool hasCoarser() const { return m_finer || !m_coarse->isEmpty(); }
 
   const Scene& scene() const { return m_scene; }
   const glm::ivec2& size() const { return m_size; }
@@ -97,8 +98,9 @@ private:
   GradientScale m_gradientScale;
   std::optional<double> m_completeMs;
   bool m_finished = false;
-  PictureTarget m_coarse, m_middle, m_full;
-  ByteTexture m_bytesTexture;
+  std::unique_ptr<PictureSheet> m_coarse, m_middle, m_full;
+  std::unique_ptr<FinishedSheet> m_finishedSheet;
+  double m_stripMs;
   FinishedPicture m_picture;
   double m_finishedStepVoxels = 0.0;
   std::vector<double> m_finishedRowMs; ///< what each of its rows took

@@ -16,9 +16,11 @@ constexpr double unevenness = 2.0;
 
 } // namespace
 
-TileSchedule::TileSchedule(const glm::ivec2& size, std::vector<double> expectedMs)
-    : m_size(size), m_expectedMs(std::move(expectedMs)),
-      m_rowMs(static_cast<std::size_t>(std::max(0, size.y)), 0.0), m_columns(size.x) {
+TileSchedule::TileSchedule(const glm::ivec2& size, double targetMs, std::vector<double> expectedMs)
+    : m_size(size), m_targetMs(targetMs), m_expectedMs(std::move(expectedMs)),
+      m_rowMs(static_cast<std::size_t>(std::max(0, size.y)), 0.0),
+      m_rows(static_cast<int>(firstRows * targetMs / usualMs)), m_columns(size.x), m_recentMs(targetMs),
+      m_recentExpectedMs(targetMs) {
   assert(m_expectedMs.empty() || m_expectedMs.size() == m_rowMs.size());
   if (!m_expectedMs.empty())
     chooseFromExpected();
@@ -77,16 +79,20 @@ void TileSchedule::finished(double ms) {
   m_expectedMs.empty() ? chooseFromLast() : chooseFromExpected();
 }
 
+int TileSchedule::mostRowsNow() const {
+  return static_cast<int>(mostRows * m_targetMs / usualMs);
+}
+
 // Strips end where a multiple of the least height is left below them: OpenGL's rows count from there.
 int TileSchedule::alignedRows(double rows) const {
-  const int wanted = static_cast<int>(std::clamp<double>(rows, leastRows, mostRows));
+  const int wanted = static_cast<int>(std::clamp<double>(rows, leastRows, mostRowsNow()));
   const int below = m_size.y - m_rowsDone - wanted;
   return wanted - (below > 0 ? (leastRows - below % leastRows) % leastRows : 0);
 }
 
 // The height of a strip stays until it is done.
 void TileSchedule::chooseFromLast() {
-  const double pixels = std::min(targetMs / m_pixelMs, 2.0 * m_rows * m_columns);
+  const double pixels = std::min(m_targetMs / m_pixelMs, 2.0 * m_rows * m_columns);
   if (m_columnsDone == 0)
     m_rows = alignedRows(pixels / m_size.x);
   m_columns =
@@ -98,12 +104,12 @@ void TileSchedule::chooseFromExpected() {
   const int left = m_size.y - m_rowsDone;
   if (m_columnsDone == 0) {
     int rows = std::min(leastRows, left);
-    while (rows < std::min(mostRows, left) && expectedMs(m_rowsDone, rows + 1) <= targetMs)
+    while (rows < std::min(mostRowsNow(), left) && expectedMs(m_rowsDone, rows + 1) <= m_targetMs)
       ++rows;
     m_rows = alignedRows(rows);
   }
   const double whole = expectedMs(m_rowsDone, std::min(m_rows, left));
-  const double columns = whole > targetMs ? m_size.x * targetMs / (unevenness * whole) : m_size.x;
+  const double columns = whole > m_targetMs ? m_size.x * m_targetMs / (unevenness * whole) : m_size.x;
   m_columns = static_cast<int>(std::clamp<double>(columns, std::min(leastColumns, m_size.x), m_size.x));
 }
 

@@ -17,10 +17,10 @@ QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
-// "1/4", "3/16", "0.3": fractions of powers of two, which are exact.
+// "1/4", "5/16", "0.3": fractions of powers of two, which are exact.
 QString fractionText(double value) {
   for (double denominator = 2.0; denominator <= 1024.0 && value < 1.0; denominator *= 2.0)
-    for (const double numerator : {1.0, 3.0})
+    for (const double numerator : {1.0, 3.0, 5.0})
       if (value * denominator == numerator)
         return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
   return exactNumber(value);
@@ -144,19 +144,13 @@ QString numbersText(const PictureState& state, const Scene& scene) {
                  .arg(estimate.mean, 0, 'g', 2)
                  .arg(estimate.order, 0, 'f', 2);
   }
-  parts << state.renderer;
+  parts << state.renderer << state.engineReason;
   parts.removeAll(QString());
   return parts.join(QLatin1Char('\n'));
 }
 
-// Nobody measured the small picture; it is exact in each of its pixels.
-PictureStatusText processorText(const PictureState& state) {
-  PictureStatusText text;
-  text.estimate = state.processorIsDone ? QObject::tr("drawn by the processor")
-                                        : QObject::tr("the processor is drawing…");
-  text.engine = QObject::tr("CPU engine");
-  text.toolTip = state.driverFailure;
-  return text;
+QString engineText(const PictureState& state) {
+  return state.engine == ViewEngine::driver ? QObject::tr("OpenGL") : QObject::tr("processor");
 }
 
 } // namespace
@@ -177,8 +171,6 @@ QString PictureStatusText::line() const {
 }
 
 PictureStatusText pictureStatusText(const PictureState& state, const Scene& scene) {
-  if (!state.driverFailure.isEmpty())
-    return processorText(state);
   if (state.sides.empty())
     return {};
   PictureStatusText text;
@@ -188,7 +180,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   for (const SideState& side : state.sides)
     ms += side.shownMs;
   text.time = timeText(ms);
-  text.engine = QObject::tr("GLSL");
+  text.engine = engineText(state);
   QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
   lines.removeAll(QString());
   text.toolTip = lines.join(QLatin1Char('\n'));

@@ -16,7 +16,7 @@ struct PictureStatusText {
   QString estimate; ///< "within 0.7 of 255 levels"
   QString step;     ///< "refined, step 1/16 voxel"
   QString time;     ///< "23 ms"
-  QString engine;   ///< "GLSL"
+  QString engine;   ///< "OpenGL" or "processor"
   QString toolTip;  ///< the same for who wants to know exactly, several lines
   bool operator==(const PictureStatusText&) const = default;
 

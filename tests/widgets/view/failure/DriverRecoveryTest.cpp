@@ -2,12 +2,7 @@
 #include "widgets/view/failure/DriverRecovery.h"
 
 #include "gl/DriverHealth.h"
-#include "reference/ReferenceEngine.h"
-#include "reference/ReferenceIntegrator.h"
-#include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
-#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QCoreApplication>
 
@@ -25,17 +20,14 @@ protected:
     QObject::connect(&recovery, &DriverRecovery::givenUp, [this] { ++givenUp; });
     QObject::connect(&recovery, &DriverRecovery::failed, [this] { ++failures; });
     QObject::connect(&recovery, &DriverRecovery::restored, [this] { ++restored; });
-    QObject::connect(&recovery, &DriverRecovery::drawn,
-                     [this](const std::vector<QImage>& pictures) { drawn = pictures; });
   }
   void failDriver() {
     recovery.guard([] { throw DriverError("The driver refused a shader.", "a line of a test"); });
     QCoreApplication::processEvents();
   }
 
-  DriverRecovery recovery{[] { return makeReferenceEngine(1); }};
+  DriverRecovery recovery;
   int stops = 0, rebuilds = 0, givenUp = 0, failures = 0, restored = 0;
-  std::vector<QImage> drawn;
 };
 
 TEST_F(Recovery, whatWorksIsLeftAlone) {
@@ -65,6 +57,13 @@ TEST_F(Recovery, aDriverIsGivenUpOnlyAfterItFailedThreeTimesInARow) {
   EXPECT_EQ(failures, 0) << "whoever gives up says why";
 }
 
+TEST_F(Recovery, aDriverThatCannotBeUsedAtAllIsGivenUpAtOnce) {
+  recovery.giveUp(QStringLiteral("There is no context."));
+  EXPECT_EQ(givenUp, 1);
+  EXPECT_EQ(stops, 1);
+  EXPECT_EQ(recovery.sentence(), QStringLiteral("There is no context."));
+}
+
 TEST_F(Recovery, aCompletePictureEndsTheCount) {
   for (int time = 0; time < 2; ++time) {
     failDriver();
@@ -91,28 +90,6 @@ TEST_F(Recovery, whatIsNotTheDriversFaultIsSaidAtOnce) {
   EXPECT_EQ(rebuilds, 0);
   recovery.retry();
   EXPECT_FALSE(recovery.hasFailed());
-}
-
-TEST_F(Recovery, theProcessorDrawsThePictureOfTheDefinition) {
-  const Scene scene = headScene(phantomVolume({12.0, 0.0, 1}), ShadingModel::classic);
-  recovery.fail(QStringLiteral("The driver is gone."));
-  recovery.drawOnProcessor({scene}, {120, 60});
-  ASSERT_TRUE(recovery.processorState());
-  EXPECT_EQ(recovery.processorState()->driverFailure, QStringLiteral("The driver is gone."));
-  while (!recovery.processorState()->processorIsDone)
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  ASSERT_EQ(drawn.size(), 1u);
-  EXPECT_EQ(drawn[0], overBackground(toImage(renderReference(scene, {120, 60}, 1)), scene.image.background));
-  recovery.forget();
-  EXPECT_FALSE(recovery.processorState());
-  EXPECT_FALSE(recovery.hasFailed());
-}
-
-TEST(RecoveryWithoutProcessor, drawsNothing) {
-  DriverRecovery recovery{MakeEngine()};
-  recovery.fail(QStringLiteral("The driver is gone."));
-  recovery.drawOnProcessor({Scene()}, {120, 60});
-  EXPECT_FALSE(recovery.processorState());
 }
 
 } // namespace

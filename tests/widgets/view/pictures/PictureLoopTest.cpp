@@ -6,6 +6,7 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
+#include "widgets/view/pictures/GlScreen.h"
 
 #include <QCoreApplication>
 
@@ -35,7 +36,8 @@ protected:
         canDraw = false;
       }
     };
-    loop = std::make_unique<PictureLoop>(makeRayCasterEngine, context);
+    loop = std::make_unique<PictureLoop>(
+        [] { return std::make_unique<Pictures>(makeRayCasterEngine(), makeGlScreen()); }, context);
     loop->setRefines(false);
     QObject::connect(loop.get(), &PictureLoop::showNeeded, [this] {
       if (canDraw)

@@ -28,13 +28,14 @@ std::string lineOf(const PictureState& state) {
 }
 
 TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
-  EXPECT_EQ(lineOf(resting({sideWithin(0.74)})), "within 0.7 of 255 levels · step 1/4 voxel · 12 ms · GLSL");
+  EXPECT_EQ(lineOf(resting({sideWithin(0.74)})),
+            "within 0.7 of 255 levels · step 1/4 voxel · 12 ms · OpenGL");
   EXPECT_EQ(lineOf({}), "") << "no picture";
 }
 
 TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
   EXPECT_EQ(lineOf(resting({sideWithin(12.4), sideWithin(3.0)})),
-            "within 12 of 255 levels · step 1/4 voxel · 23 ms · GLSL");
+            "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
 }
 
 TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {

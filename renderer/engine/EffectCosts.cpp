@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "raycaster/EffectCosts.h"
-
-#include <epoxy/gl.h>
+#include "engine/EffectCosts.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,13 +7,26 @@
 namespace limn {
 namespace {
 
-// Draws whole pictures again, whatever happens.
-struct LeftOut {
-  LeftOut(RayCaster& ofCaster, EffectSet effects) : caster(ofCaster) { caster.leaveOut(effects); }
-  ~LeftOut() { caster.leaveOut(std::nullopt); }
-  LeftOut(const LeftOut&) = delete;
-  LeftOut& operator=(const LeftOut&) = delete;
-  RayCaster& caster;
+class Measurement final : public EffectMeasurement {
+public:
+  Measurement(std::unique_ptr<CostedDrawing> drawing, const Scene& scene, const glm::ivec2& size,
+              const EffectPlan& plan)
+      : m_drawing(std::move(drawing)), m_costs(scene, size, effectRows(scene, plan)) {}
+
+  void step() override { m_costs.step(*m_drawing); }
+
+  EffectFigures figures() const override {
+    EffectFigures figures{m_costs.isComplete(), m_costs.fraction(), {}, 0.0, m_drawing->method()};
+    if (figures.isComplete) {
+      figures.costs = m_costs.costs();
+      figures.wholeMs = m_costs.wholeMs();
+    }
+    return figures;
+  }
+
+private:
+  std::unique_ptr<CostedDrawing> m_drawing;
+  EffectCosts m_costs;
 };
 
 } // namespace
@@ -58,15 +69,6 @@ EffectCosts::EffectCosts(const Scene& scene, const glm::ivec2& size, const std::
   }
 }
 
-void EffectCosts::draw(RayCaster& caster, const Variant& variant) const {
-  for (int y = 0; y < m_size.y; y += RayCaster::tileSize)
-    for (int x = 0; x < m_size.x; x += RayCaster::tileSize) {
-      const glm::ivec2 corner(x, y);
-      caster.draw(variant.scene, m_size,
-                  {corner, glm::min(glm::ivec2(RayCaster::tileSize), m_size - corner)});
-    }
-}
-
 int EffectCosts::frameCount() const {
   const int rows = static_cast<int>(m_variants.size()) - 1;
   return rows + 1 + m_frames * (rows > 0 ? 2 * rows : 1);
@@ -83,7 +85,7 @@ EffectCosts::Turn EffectCosts::turnAt(int measured) const {
   return {static_cast<std::size_t>(1 + pair % rows), isFirst == wholeIsFirst};
 }
 
-bool EffectCosts::step(RayCaster& caster) {
+bool EffectCosts::step(CostedDrawing& drawing) {
   if (isComplete())
     return false;
   const int count = static_cast<int>(m_variants.size());
@@ -91,15 +93,13 @@ bool EffectCosts::step(RayCaster& caster) {
   const Turn turn = isMeasured ? turnAt(m_next - count) : Turn{static_cast<std::size_t>(m_next), false};
   Variant& variant = m_variants[turn.variant];
   const Variant& drawn = turn.isWhole ? m_variants.front() : variant;
-  const LeftOut leftOut(caster, drawn.leftOut);
-  // What another scene needs on the graphics card is uploaded outside the measured time.
-  caster.draw(drawn.scene, m_size, {m_size / 2, {1, 1}});
-  if (m_next == 0) {
-    m_timer.emplace();
-    m_timer->calibrate([&] { draw(caster, drawn); });
-  } else if (isMeasured) {
-    (turn.isWhole ? variant.wholeMs : variant.ms).push_back(m_timer->measureMs([&] { draw(caster, drawn); }));
-  }
+  const auto draw = [&] { drawing.draw(drawn.scene, drawn.leftOut, m_size, {{0, 0}, m_size}); };
+  // What another scene needs is made ready outside the measured time.
+  drawing.draw(drawn.scene, drawn.leftOut, m_size, {m_size / 2, {1, 1}});
+  if (m_next == 0)
+    drawing.calibrate(draw);
+  else if (isMeasured)
+    (turn.isWhole ? variant.wholeMs : variant.ms).push_back(drawing.measureMs(draw));
   ++m_next;
   return !isComplete();
 }
@@ -124,6 +124,11 @@ double EffectCosts::wholeMs() const {
     for (const Variant& variant : m_variants)
       all.insert(all.end(), variant.wholeMs.begin(), variant.wholeMs.end());
   return medianOf(all);
+}
+
+std::unique_ptr<EffectMeasurement> measurementOf(std::unique_ptr<CostedDrawing> drawing, const Scene& scene,
+                                                 const glm::ivec2& size, const EffectPlan& plan) {
+  return std::make_unique<Measurement>(std::move(drawing), scene, size, plan);
 }
 
 } // namespace limn

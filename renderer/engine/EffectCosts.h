@@ -1,29 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gl/GpuTimer.h"
-#include "raycaster/RayCaster.h"
+#include "engine/DrawingEngine.h"
+#include "scene/Scene.h"
 #include "scene/effects/EffectRows.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace limn {
 
+/// What draws the pictures whose times are compared, and tells what drawing takes.
+class CostedDrawing {
+public:
+  using Work = std::function<void()>;
+  virtual ~CostedDrawing() = default;
+
+  /// Draws a tile of a picture of `size` pixels without some effects, and what cannot be had without them.
+  virtual void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) = 0;
+
+  /// Comes first: draws a typical picture to find out how time is measured honestly.
+  virtual void calibrate(const Work& work) = 0;
+
+  /// The time of `work`, which draws, until all of it is drawn, ms.
+  virtual double measureMs(const Work& work) = 0;
+
+  /// How the time is measured, a phrase; empty before `calibrate`.
+  virtual std::string method() const = 0;
+};
+
 /// Measures what each effect of a picture costs by leaving it out: a whole picture and one without a row's
 /// effects are drawn one after the other, in turn for all rows, after one pixel each that compiles and
 /// uploads. So what else the machine does weighs on both sides of a difference alike. A frame at a time, so
-/// that a window stays awake. Needs the same context current for every step and for its end.
+/// that a window stays awake.
 class EffectCosts {
 public:
   /// `rows` are those of the scene's plan; what is off costs nothing and is not measured. A crop box is
   /// measured against the whole volume, a surface against the composite.
   EffectCosts(const Scene& scene, const glm::ivec2& size, const std::vector<EffectRow>& rows, int frames = 7);
 
-  /// Draws the next frame into the bound framebuffer, which has room for `size` pixels. False when none is
-  /// left. The caster draws whole pictures again when this returns.
-  bool step(RayCaster& caster);
+  /// Draws the next frame, with the same drawing each time. False when none is left.
+  bool step(CostedDrawing& drawing);
 
   bool isComplete() const { return m_next == frameCount(); }
   double fraction() const; ///< of the frames, 0..1
@@ -33,9 +53,6 @@ public:
 
   /// The median time of the whole picture, ms; 0 before all is measured.
   double wholeMs() const;
-
-  /// How the time was measured, a phrase; empty before the first step.
-  std::string method() const { return m_timer ? m_timer->description() : std::string(); }
 
   const glm::ivec2& size() const { return m_size; }
   int frames() const { return m_frames; }
@@ -55,15 +72,17 @@ private:
   };
   int frameCount() const;
   Turn turnAt(int measured) const;
-  void draw(RayCaster& caster, const Variant& variant) const;
 
   std::vector<Variant> m_variants;         ///< the whole picture first
   std::vector<std::size_t> m_variantOfRow; ///< 0: not measured
   glm::ivec2 m_size{0};
   int m_frames = 0;
   int m_next = 0;
-  std::optional<GpuTimer> m_timer;
 };
+
+/// Measures the effects of a picture's plan with what draws it.
+std::unique_ptr<EffectMeasurement> measurementOf(std::unique_ptr<CostedDrawing> drawing, const Scene& scene,
+                                                 const glm::ivec2& size, const EffectPlan& plan);
 
 /// The middle of the values (the mean of both for an even number); 0 for none.
 double medianOf(std::vector<double> values);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engines/EngineChoice.h"
+
+#include "app/engines/ProcessCost.h"
+#include "cpu/CpuRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace limn {
+namespace {
+
+// Drivers that compute on the processor what a graphics card would.
+bool isSoftware(const std::string& renderer) {
+  constexpr std::array names{"llvmpipe", "softpipe", "swrast", "Software Rasterizer", "SWR"};
+  return std::ranges::any_of(names,
+                             [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
+std::string trialSentence(const EngineTimes& times) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "In a trial on this computer a small picture took %.1f ms with OpenGL and %.1f ms with the "
+                "processor.",
+                times.openGlMs, times.processorMs);
+  return text;
+}
+
+} // namespace
+
+std::string machineWith(const std::string& renderer) {
+  return renderer + "; " + machineName() + "; " + CpuRenderer().name();
+}
+
+EngineChoice chosenEngine(const EngineFacts& facts) {
+  if (!facts.problem.empty())
+    return {true, false, facts.problem};
+  if (facts.setting != EngineSetting::automatic)
+    return {facts.setting == EngineSetting::processor, false, "Chosen in View ▸ Engine."};
+  if (facts.times)
+    return {facts.times->processorMs < facts.times->openGlMs, false, trialSentence(*facts.times)};
+  if (isSoftware(facts.renderer))
+    return {true, true,
+            "The graphics driver has no card and draws on the processor itself, where the CPU engine is "
+            "likely to be faster."};
+  return {false, true, "A graphics card is likely to be faster than the processor."};
+}
+
+} // namespace limn

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace limn {
+
+/// Which engine draws, as chosen by the user.
+enum class EngineSetting { automatic, openGl, processor };
+
+/// What the same small pictures took with each engine, ms.
+struct EngineTimes {
+  double openGlMs = 0.0;
+  double processorMs = 0.0;
+  bool operator==(const EngineTimes&) const = default;
+};
+
+/// Where the outcome of trials is kept between runs, by machine.
+struct EngineMemory {
+  std::function<std::optional<EngineTimes>(const std::string& machine)> recall;
+  std::function<void(const std::string& machine, const EngineTimes& times)> remember;
+};
+
+/// What decides which engine is the faster: a driver (by its name of what draws), and this processor with the
+/// instructions that the CPU engine uses. Throws Error (usage) as makeCpuEngine does.
+std::string machineWith(const std::string& renderer);
+
+/// What there is to choose from.
+struct EngineFacts {
+  EngineSetting setting = EngineSetting::automatic;
+  std::string problem;              ///< why there is no OpenGL, a sentence; empty where there is
+  std::string renderer;             ///< the driver's name of what draws
+  std::optional<EngineTimes> times; ///< of a trial, if there was one
+};
+
+struct EngineChoice {
+  bool isProcessor = false;
+  bool isGuess = false; ///< a trial may decide otherwise
+  std::string reason;   ///< one sentence
+};
+
+/// The engine that draws: the one asked for where there is OpenGL, the faster where none is asked for, and
+/// until that is known the one that is likely to be.
+EngineChoice chosenEngine(const EngineFacts& facts);
+
+} // namespace limn

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/CpuRenderer.h"
+#include "engine/EffectCosts.h"
+
+namespace limn {
+
+/// Lets the CPU engine draw what is measured; the clock tells its time.
+class CpuCosts : public CostedDrawing {
+public:
+  explicit CpuCosts(CpuRenderer& renderer) : m_renderer(renderer) {}
+
+  void draw(const Scene& scene, EffectSet leftOut, const glm::ivec2& size, const PixelRect& tile) override {
+    m_renderer.drawWithout(leftOut, scene, size, tile);
+  }
+  void calibrate(const Work&) override {}
+  double measureMs(const Work& work) override;
+  std::string method() const override { return "timed by the clock"; }
+
+private:
+  CpuRenderer& m_renderer;
+};
+
+} // namespace limn

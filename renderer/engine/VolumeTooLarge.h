@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/Error.h"
+
+namespace limn {
+
+/// An engine has no room for the whole volume, and was told not to draw less. The driver is well: it may draw
+/// other volumes, and another engine this one.
+class VolumeTooLarge : public Error {
+public:
+  explicit VolumeTooLarge(const std::string& sentence) : Error(Kind::openGl, sentence) {}
+};
+
+} // namespace limn

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/engines/PictureMaker.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/effects/EffectTimes.h"
+
+#include <QMenu>
+
+// Which engine draws the program's window: as chosen in the menu, as remembered, or as a trial has shown.
+
+namespace limn {
+namespace {
+
+class EngineWindow : public test::WindowHarness {
+protected:
+  EngineWindow() : WindowHarness(EngineSetting::processor) {}
+
+  // A window that is opened with these settings.
+  void openAnew(EngineSetting setting, const std::optional<EngineTimes>& times) {
+    window.reset();
+    std::filesystem::remove(settingsFile());
+    Settings settings(settingsFile());
+    settings.setEngine(setting);
+    if (times)
+      settings.engineMemory().remember(machine(), *times);
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    window->view().setRefinesAtRest(false);
+    window->resize(900, 640);
+    window->show();
+    ASSERT_TRUE(test::waitUntilExposed(*window));
+  }
+  std::filesystem::path settingsFile() const { return UserFolders::below(folder.path()).settings; }
+  static std::string machine() { return machineWith(openGlOffer().renderer.toStdString()); }
+  QAction* entry(const char* name) const {
+    return window->findChild<QAction*>(QStringLiteral("engine-") + QLatin1String(name));
+  }
+};
+
+TEST_F(EngineWindow, theOneChosenInTheMenuDrawsAndIsRemembered) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_TRUE(entry("cpu")->isChecked());
+  EXPECT_TRUE(labelSays(QStringLiteral("processor")));
+  const auto shown = view().restingImage(0);
+  EXPECT_TRUE(makePictures({view().sceneOfSide(0)}, shown->size, PictureEngine::cpu, 1).front().image ==
+              *shown);
+
+  entry("gl")->trigger();
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().engine(), ViewEngine::driver);
+  EXPECT_TRUE(entry("gl")->isChecked());
+  EXPECT_FALSE(entry("cpu")->isChecked());
+  EXPECT_TRUE(labelSays(QStringLiteral("OpenGL")));
+  EXPECT_EQ(Settings(settingsFile()).engine(), EngineSetting::openGl);
+}
+
+TEST_F(EngineWindow, whatATrialHasShownIsTakenWithoutAnother) {
+  openAnew(EngineSetting::automatic, EngineTimes{100.0, 1.0});
+  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_EQ(entry("auto")->text(), QStringLiteral("&Automatic: processor"));
+  EXPECT_TRUE(entry("auto")->toolTip().contains(QStringLiteral("1.0 ms with the processor")))
+      << entry("auto")->toolTip().toStdString();
+  openAnew(EngineSetting::automatic, EngineTimes{1.0, 100.0});
+  EXPECT_EQ(view().engine(), ViewEngine::driver);
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(Settings(settingsFile()).engineMemory().recall(machine()), (EngineTimes{1.0, 100.0}));
+  EXPECT_EQ(view().engine(), ViewEngine::driver);
+}
+
+TEST_F(EngineWindow, bothAreTriedOnceTheFirstPictureRestsAndTheFasterDraws) {
+  openAnew(EngineSetting::automatic, std::nullopt);
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  std::optional<EngineTimes> times;
+  ASSERT_TRUE(test::waitUntil([&] {
+    times = Settings(settingsFile()).engineMemory().recall(machine());
+    return times.has_value();
+  }));
+  const ViewEngine faster = times->processorMs < times->openGlMs ? ViewEngine::processor : ViewEngine::driver;
+  ASSERT_TRUE(test::waitUntil([&] { return view().engine() == faster && view().pictureState().resting; }));
+  EXPECT_TRUE(view().pictureState().engineReason.contains(QStringLiteral("trial")));
+}
+
+TEST_F(EngineWindow, whatItCostsIsMeasuredWithTheEngineThatDraws) {
+  window->resize(800, 560); // small pictures converge soon
+  ASSERT_TRUE(open(QStringLiteral("phantom:20")));
+  ASSERT_TRUE(rest());
+  EffectTimes times;
+  QObject::connect(&view(), &CompareView::effectTimesChanged, [&](const EffectTimes& told) { times = told; });
+  view().measureEffects();
+  ASSERT_TRUE(test::waitUntil([&] { return !times.costs.empty(); }));
+  EXPECT_EQ(times.method, QStringLiteral("timed by the clock"));
+  AccuracyPanel& panel = *window->findChild<AccuracyPanel*>();
+  emit panel.measureRequested();
+  ASSERT_TRUE(test::waitUntil([&] { return panel.work() == AccuracyWork::none; }));
+  ASSERT_TRUE(panel.measured()) << messages().sentence().toStdString();
+  EXPECT_TRUE(panel.measured()->report.renderer.starts_with("CPU engine"))
+      << panel.measured()->report.renderer;
+}
+
+TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {
+  openAnew(EngineSetting::automatic, std::nullopt);
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  window.reset();
+  EXPECT_EQ(Settings(settingsFile()).engine(), EngineSetting::automatic);
+}
+
+// CTest runs this on Qt's offscreen platform, which makes no OpenGL context: the state of a machine without a
+// driver.
+class WindowWithoutOpenGl : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    if (QGuiApplication::platformName() != QLatin1String("offscreen"))
+      GTEST_SKIP() << "needs Qt's offscreen platform; CTest runs it so as limn_window_without_opengl";
+    WindowHarness::SetUp();
+  }
+};
+
+TEST_F(WindowWithoutOpenGl, everythingWorksAndTheMenuSaysWhyTheProcessorDraws) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_EQ(view().findChild<QOpenGLWidget*>(), nullptr);
+  const QAction* openGl = window->findChild<QAction*>(QStringLiteral("engine-gl"));
+  EXPECT_FALSE(openGl->isEnabled());
+  EXPECT_TRUE(openGl->toolTip().contains(QStringLiteral("no OpenGL 3.0")));
+  EXPECT_TRUE(openGl->isChecked()) << "what was chosen elsewhere is kept";
+  dragAPoint();
+  EXPECT_EQ(undo().count(), 1);
+  ASSERT_TRUE(rest());
+  saving().writePicture(pathTo("saved.png"));
+  const LoadedScene inside = loadScene((folder.path() / "saved.png").string(), {}, {});
+  EXPECT_EQ(inside.scene.transferFunction, scene().transferFunction);
+}
+
+} // namespace
+} // namespace limn
