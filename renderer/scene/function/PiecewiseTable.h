@@ -31,9 +31,9 @@ struct PiecewiseTable {
       occupancy;                   ///< the largest opacity in each bin, margins included; visible bins before
   std::vector<glm::vec4> segments; ///< rows of 256 segments
   int segmentCount = 0;
-  glm::ivec2 segmentsSize{0};      ///< in texels
-  glm::vec3 domain{0.0f};          ///< first x, bins per unit of x, index of the last bin
-  int loopSteps = 0;               ///< the most knots beyond two in a bin, which a lookup loops over
+  glm::ivec2 segmentsSize{0}; ///< in texels
+  glm::vec3 domain{0.0f};     ///< first x, bins per unit of x, index of the last bin
+  int loopSteps = 0;          ///< the most knots beyond two in a bin, which a lookup loops over
 };
 
 /// Tabulates knots of ascending x for arguments in `limits`; no knots make the zero function.
