@@ -8,10 +8,11 @@ namespace limn {
 /// Takes the pieces of a ray one after the other, with a sample at either end of each. `sample(place)` gives
 /// what lies there, `changeOver(before, here, halfMm)` how much the light that the two halves of a piece add
 /// to a channel of the pixel (0..1) differs, as if either were the whole; `add(half, halfMm)` composites one
-/// and gives the transmittance behind it; `isEnd()` ends the ray. Returns how many samples were taken.
+/// and gives the transmittance behind it; `isEnd()` ends the ray. Behind `most` samples each block gets one.
+/// Returns how many samples were taken.
 template <class Half, class Sample, class Change, class Add, class IsEnd>
 int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& sample, const Change& changeOver,
-                 const Add& add, const IsEnd& isEnd) {
+                 const Add& add, const IsEnd& isEnd, int most = mostLocalSamples) {
   const double limit = mostChange(terms.fineness);
   int rung = 0;
   double transmittance = 1.0;
@@ -27,7 +28,7 @@ int marchLocally(const LocalStepTerms& terms, BlockWalk walk, const Sample& samp
     rung = std::max(rung, blockRung);
     const double chord = walk.exit() - walk.entry();
     for (double within = 0.0; within < chord;) {
-      const bool hasSpentAll = spent >= mostLocalSamples;
+      const bool hasSpentAll = spent >= most;
       const double rest = chord - within;
       const double length = hasSpentAll ? rest : pieceOf(rest, terms.stepMm(rung));
       const bool isLast = length == rest;

@@ -174,8 +174,11 @@ private:
       add(piece, lengthMm, sum);
       return sum.a;
     };
-    m_count = marchLocally<Piece>(*m_terms.local, BlockWalk(*m_terms.local, m_ray, m_span), sample, change,
-                                  addPiece, [&] { return isEnd(sum); });
+    // Who may take more equal samples than a driver can may do so here.
+    const int most = m_terms.mostSamples > mostSamples ? m_terms.mostSamples : mostLocalSamples;
+    m_count = marchLocally<Piece>(
+        *m_terms.local, BlockWalk(*m_terms.local, m_ray, m_span), sample, change, addPiece,
+        [&] { return isEnd(sum); }, most);
     return sum;
   }
 

@@ -167,8 +167,13 @@ TEST_P(ToleranceOfData, holdsAgainstTheConvergedPicture) {
   const DrawScene gl = [&](const Scene& scene, const glm::ivec2& s) { return caster.render(scene, s); };
   for (const ShadingModel model : GetParam().models) {
     const Scene scene = sceneOf(test::sharedFolder() / path, model);
-    const ConvergedPicture converged = convergedPicture(scene, size, redraw);
+    // In equal steps, which share nothing with what is judged.
+    const ConvergedPicture converged = convergedPicture(scene, size, redraw, {}, StepControl::equal);
     ASSERT_TRUE(converged.facts.converged);
+    // Error-controlled steps lead to the same picture, as exactly as equal ones know it.
+    const ConvergedPicture local = convergedPicture(scene, size, redraw);
+    EXPECT_TRUE(local.facts.converged);
+    EXPECT_LE(imageError(local.pixels, converged.pixels).p99_9, leastP99_9(converged.facts));
     for (const double levels : {1.0, 0.5})
       for (const bool isPrecise : {false, true}) {
         const DrawScene draw = isPrecise ? DrawScene(drawPrecisely) : gl;

@@ -65,7 +65,7 @@ TEST(ReferenceIntegrator, anyNumberOfThreadsGivesTheSamePicture) {
 
 TEST(ReferenceIntegrator, stopsWhenItsCallerAsks) {
   int questions = 0;
-  EXPECT_THROW(renderReference(smallPhantom(), {40, 30}, 2, [&questions] { return ++questions > 3; }),
+  EXPECT_THROW(renderReference(smallPhantom(), {40, 30}, 1, [&questions] { return ++questions > 3; }),
                Cancelled);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/Tolerance.h"
 #include "accuracy/sweep/OperatingPoint.h"
 
 #include <cstdint>
@@ -22,13 +23,16 @@ struct ConvergedPicture {
   ReferenceFacts facts;
 };
 
-/// The picture against which errors are measured (DEFINITION section 9): no early termination, the step
+/// The picture against which errors are measured (DEFINITION section 9): no early termination, all steps
 /// halved for the pixels that still change until the last halving changes the 99.9th percentile by at most
-/// 0.15 level and the mean by at most 0.005. Begins at 1/4 voxel or at the scene's step, whichever is
-/// smaller; `facts.converged` is false where that was not reached at a step of 1/1024 voxel or, from a finer
-/// one, by four halvings.
+/// 0.15 level and the mean by at most 0.005. Error-controlled steps, which get there with a hundredth of the
+/// samples, begin at fineness 6 and end at a tenth of that mean. Equal ones, which everything else gets that
+/// adds no samples up, begin at 1/4 voxel or at the scene's step, whichever is smaller. `facts.converged` is
+/// false where that was not reached at the finest ladder, at a step of 1/1024 voxel or, from a finer one, by
+/// four halvings.
 ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, const DrawPrecisely& draw,
-                                  const ReportProgress& report = {});
+                                  const ReportProgress& report = {},
+                                  StepControl control = StepControl::local);
 
 /// The smallest errors that can be told from none against a picture: three times its own last change. Smaller
 /// ones are to be printed as "< x".

@@ -45,11 +45,13 @@ std::string meanText(const ImageError& error, const ReferenceFacts& reference) {
 
 std::string referenceSentence(const ReferenceFacts& reference) {
   const std::string step =
-      std::string("1/") + std::to_string(std::lround(1.0 / reference.stepVoxels)) + " voxel";
+      reference.fineness
+          ? "with error-controlled steps of fineness " + threeDigits(*reference.fineness)
+          : "at a step of 1/" + std::to_string(std::lround(1.0 / reference.stepVoxels)) + " voxel";
   if (!reference.converged)
-    return "Not converged: at a step of " + step + " the exact picture still changed by " +
+    return "Not converged: " + step + " the exact picture still changed by " +
            threeDigits(reference.lastChangeLevels) + " levels (99.9th percentile), so no error is told.";
-  return "Errors are measured against a picture in double precision at a step of " + step +
+  return "Errors are measured against a picture in double precision " + step +
          ", whose last halving changed it by " + threeDigits(reference.lastChangeLevels) +
          " levels (99.9th percentile; mean " + threeDigits(reference.lastMeanChange) + ").";
 }

@@ -53,9 +53,10 @@ struct MeasuredPoint {
 /// How far the picture itself has converged that errors are measured against (DEFINITION section 9).
 struct ReferenceFacts {
   bool converged = false;
-  double stepVoxels = 0.0;       ///< the last step
-  double lastChangeLevels = 0.0; ///< 99.9th percentile of the change by the last halving
-  double lastMeanChange = 0.0;   ///< mean of that change, levels
+  double stepVoxels = 0.0;        ///< the last step; of error-controlled ones that of the fineness itself
+  std::optional<double> fineness; ///< of error-controlled steps
+  double lastChangeLevels = 0.0;  ///< 99.9th percentile of the change by the last halving
+  double lastMeanChange = 0.0;    ///< mean of that change, levels
   bool operator==(const ReferenceFacts&) const = default;
 };
 

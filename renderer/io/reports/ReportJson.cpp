@@ -96,6 +96,7 @@ Json decisionOf(const DecisionCost& cost, bool isKnown) {
 Json referenceOf(const ReferenceFacts& facts) {
   return {{"converged", facts.converged},
           {"step_voxels", facts.stepVoxels},
+          {"fineness", facts.fineness ? Json(*facts.fineness) : Json()},
           {"last_change_levels", facts.lastChangeLevels},
           {"last_mean_change_levels", facts.lastMeanChange},
           {"least_p99_9", leastP99_9(facts)},
