@@ -10,7 +10,11 @@ namespace {
 // Pixels by which a corner may be misplaced, in float as in double.
 constexpr double margin = 1.0;
 
-// Where a point is seen, pixels from the picture's centre, y up; nothing where it is not before the eye.
+// Beyond so many pixels differences of positions are rounded by a part of one.
+constexpr double mostPixels = 0x1p47;
+
+// Where a point is seen, pixels from the picture's centre, y up; nothing where it is not before the eye, or
+// the eye so far that rounding decides.
 std::optional<glm::dvec2> seenAt(const Camera& camera, const CameraBasis& basis, const glm::dvec3& world,
                                  double height) {
   const glm::dvec3 fromEye = world - camera.position;
@@ -19,6 +23,8 @@ std::optional<glm::dvec2> seenAt(const Camera& camera, const CameraBasis& basis,
   if (isPerspective && !(depth > 1e-6 * glm::length(fromEye)))
     return std::nullopt;
   const double pixelsPerMm = height / (2.0 * halfHeight(camera) * (isPerspective ? depth : 1.0));
+  if (!(pixelsPerMm * glm::length(fromEye) < mostPixels))
+    return std::nullopt;
   return pixelsPerMm * glm::dvec2(glm::dot(fromEye, basis.right), glm::dot(fromEye, basis.up));
 }
 

@@ -139,19 +139,29 @@ private:
     return span;
   }
 
+  HWY_INLINE static VD affine(double a, VD x, double b, double c) {
+    return hn::Add(hn::Add(allOf(a), hn::Mul(x, allOf(b))), allOf(c));
+  }
+
+  // a + x b + c
+  HWY_INLINE static D3 affine(const glm::dvec3& a, VD x, const glm::dvec3& b, const glm::dvec3& c) {
+    return {affine(a.x, x, b.x, c.x), affine(a.y, x, b.y, c.y), affine(a.z, x, b.z, c.z)};
+  }
+
   // Rays `part` … `part + atOnce() - 1` of these.
   HWY_INLINE void setUp(int part) {
     const RayFrame& frame = m_terms.frame;
+    // In the order of framedRay() and without joined multiply-adds: a ray in a face is inside or outside by
+    // its last bit.
     const VD cx =
         hn::Add(hn::Iota(doubles, static_cast<double>(m_x + part)), allOf(0.5 - m_terms.size.x / 2.0));
     const double cy = m_terms.size.y / 2.0 - (m_y + 0.5);
-    const VD squares = hn::MulAdd(cx, cx, allOf(cy * cy));
-    const VD length =
-        hn::Sqrt(hn::MulAdd(squares, allOf(frame.tangentPerPixel * frame.tangentPerPixel), allOf(1.0)));
-    const D3 anchor = along(allOf(frame.anchor + cy * frame.anchorY), cx, allOf(frame.anchorX));
-    const D3 direction =
-        scaled(along(allOf(frame.direction + cy * frame.directionY), cx, allOf(frame.directionX)),
-               hn::Div(allOf(1.0), length));
+    const VD tangent = allOf(frame.tangentPerPixel);
+    const VD squares = hn::Add(hn::Mul(cx, cx), allOf(cy * cy));
+    const VD length = hn::Sqrt(hn::Add(allOf(1.0), hn::Mul(hn::Mul(squares, tangent), tangent)));
+    const D3 anchor = affine(frame.anchor, cx, frame.anchorX, cy * frame.anchorY);
+    const D3 direction = scaled(affine(frame.direction, cx, frame.directionX, cy * frame.directionY),
+                                hn::Div(allOf(1.0), length));
     const VD eye = hn::Mul(allOf(-frame.anchorDistanceMm), length);
     const Spans visible = spansIn(anchor, direction, eye, m_terms.visibleBox);
     Spans span = spansIn(anchor, direction, eye, m_terms.box);
