@@ -95,7 +95,7 @@ std::vector<std::uint64_t> countsOfAll(std::vector<T>& stored, const Effort& eff
 template <class T>
 Extremes<T> extremesOf(std::vector<std::uint64_t> counts, const std::optional<PaddingRange>& padding,
                        StoredCounts& valid) {
-  constexpr auto lowest = static_cast<int>(std::numeric_limits<T>::lowest());
+  constexpr int lowest = std::is_signed_v<T> ? -(1 << (8 * sizeof(T) - 1)) : 0;
   Extremes<T> all;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto value = static_cast<T>(static_cast<int>(i) + lowest);
@@ -108,9 +108,9 @@ Extremes<T> extremesOf(std::vector<std::uint64_t> counts, const std::optional<Pa
     }
   }
   if (all.smallest <= all.largest) {
-    valid.first = static_cast<int>(all.smallest);
-    valid.counts.assign(counts.begin() + (all.smallest - lowest),
-                        counts.begin() + (all.largest - lowest) + 1);
+    const int first = all.smallest - lowest;
+    valid.first = lowest + first;
+    valid.counts.assign(counts.begin() + first, counts.begin() + (all.largest - lowest) + 1);
   }
   return all;
 }
