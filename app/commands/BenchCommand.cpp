@@ -151,9 +151,11 @@ void runBench(const BenchArguments& arguments) {
                             static_cast<double>(scenes.size()),
                         "Measuring " + scenes[i].name);
     };
+    auto more = benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, advance);
+    // Only now: an exact picture drawn before would warm the process up for the first ones.
     const PictureErrors errors(scenes[i].scene, contenders, entries.threads);
-    const auto more =
-        benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, errors, advance);
+    for (std::size_t k = 0; k < contenders.size(); ++k)
+      more[k].meanError = errors.meanError(*contenders[k], scenes[i].scene);
     rows.insert(rows.end(), more.begin(), more.end());
     if (arguments.equalError) {
       const auto compared = equalErrorRows(scenes[i].name, scenes[i].scene, contenders, errors,

@@ -25,7 +25,7 @@ std::optional<Scene> edited(const Scene& scene, int index) {
 
 std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
                                 const std::vector<std::unique_ptr<Contender>>& contenders, int frames,
-                                const PictureErrors& errors, const std::function<void()>& advance) {
+                                const std::function<void()>& advance) {
   std::vector<BenchRow> rows;
   const auto drawn = [&advance](const FrameCost& cost) {
     advance();
@@ -42,7 +42,6 @@ std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
     row.scene = name;
     row.size = {scene.image.width, scene.image.height};
     row.stepVoxels = scene.quality.stepVoxels;
-    row.meanError = errors.meanError(*contender, scene);
     rows.push_back(row);
   }
   for (int i = 0; i < frames; ++i)

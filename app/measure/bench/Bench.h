@@ -25,7 +25,7 @@ std::optional<Scene> edited(const Scene& scene, int index);
 /// what disturbs the machine disturbs all. `advance` is called after every picture and may throw.
 std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
                                 const std::vector<std::unique_ptr<Contender>>& contenders, int frames,
-                                const PictureErrors& errors, const std::function<void()>& advance);
+                                const std::function<void()>& advance);
 
 /// The pictures that benchRows draws with each contender.
 inline int picturesPerRow(int frames) {
