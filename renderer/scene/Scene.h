@@ -3,6 +3,7 @@
 
 #include "scene/function/TransferFunction.h"
 #include "scene/light/Shading.h"
+#include "scene/regions/Region.h"
 #include "scene/view/Camera.h"
 #include "scene/volume/Volume.h"
 
@@ -65,6 +66,7 @@ struct Scene {
   std::optional<GradientOpacity> gradientOpacity;
   Fog fog;
   CropBox crop;
+  Region keep;
   Projection projection = Projection::composite;
   double isovalue = 300.0;
   Quality quality;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/regions/Region.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+
+bool isRestricting(const Region& region) {
+  return region.labels && std::any_of(region.weights.begin(), region.weights.end(),
+                                      [](double weight) { return weight != 1.0; });
+}
+
+Region bodyRegion(const glm::ivec3& dims, std::vector<std::uint8_t> places) {
+  const std::vector<Label> labels{{0, "Table and holder", glm::dvec3(0.5)}, {1, "Body", glm::dvec3(1.0)}};
+  return {Region::Kind::body, {}, std::make_shared<const LabelMap>(dims, std::move(places), labels), {0, 1}};
+}
+
+double weightAt(const Region& region, const glm::dvec3& index) {
+  if (!region.labels)
+    return 1.0;
+  const LabelMap& map = *region.labels;
+  const glm::ivec3& dims = map.dims();
+  const glm::dvec3 p = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(dims - 1));
+  const glm::ivec3 low = glm::min(glm::ivec3(p), glm::max(dims - 2, 0));
+  const glm::dvec3 share = p - glm::dvec3(low);
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
+    const glm::dvec3 weight = glm::mix(1.0 - share, share, glm::bvec3(side));
+    const glm::ivec3 at = glm::min(low + side, dims - 1);
+    const std::size_t voxel = (static_cast<std::size_t>(at.z) * dims.y + at.y) * dims.x + at.x;
+    sum += weight.x * weight.y * weight.z * region.weights[map.placeAt(voxel)];
+  }
+  return sum;
+}
+
+void sharesOf(const Region& region, std::size_t first, std::size_t count, std::uint16_t* out) {
+  std::vector<std::uint16_t> shares(region.weights.size());
+  std::transform(region.weights.begin(), region.weights.end(), shares.begin(),
+                 [](double weight) { return static_cast<std::uint16_t>(std::lround(65535.0 * weight)); });
+  std::visit(
+      [&](const auto& places) {
+        for (std::size_t i = 0; i < count; ++i)
+          out[i] = shares[places[first + i]];
+      },
+      region.labels->places());
+}
+
+} // namespace limn
