@@ -7,6 +7,7 @@
 #include "app/window/MessageBar.h"
 #include "cpu/CpuEngine.h"
 #include "raycaster/RayCasterEngine.h"
+#include "scene/framing/Framing.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -258,8 +259,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     return;
   LoadedScene shown = loaded;
   if (!loaded.hasOwnCamera)
-    shown.scene.camera =
-        framed(loaded.scene.camera, loaded.scene.volume->grid(), m_centre.view->pictureAspect());
+    shown.scene.camera = framedCamera(loaded.scene, m_centre.view->pictureAspect());
   m_document.open(shown, request, histogram);
   m_curves.showVolume(loaded.scene.volume, histogram);
   m_panels.properties->foldUnused();

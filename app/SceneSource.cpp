@@ -4,6 +4,7 @@
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/framing/Framing.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/view/FirstView.h"
 #include "scene/volume/Phantom.h"
@@ -167,7 +168,8 @@ std::string absoluteSource(const std::string& source) {
   return (path.has_filename() ? path : path.parent_path()).string();
 }
 
-LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
+static LoadedScene loadUnframed(const std::string& source, const SourceOptions& options,
+                                const Progress& progress) {
   if (const std::optional<std::string> text = sceneText(source))
     return looksLikeSession(*text) ? loadSession(source, options, progress)
                                    : loadDocument(readSceneFile(source), options, progress);
@@ -182,6 +184,15 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset, true);
   loaded.preset = preset.name;
+  return loaded;
+}
+
+LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
+  LoadedScene loaded = loadUnframed(source, options, progress);
+  const ImageSettings& image = loaded.scene.image;
+  if (!loaded.hasOwnCamera)
+    loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
+                                       effortOf(progress, "Finding what is visible"));
   return loaded;
 }
 

@@ -86,7 +86,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
   const LoadedScene loaded =
       loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
-  Scene scene = adjusted(loaded.scene, arguments.scene);
+  Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   const AccuracyReport report = measuredReport(nameOf(arguments.scene, loaded), scene, arguments, progress);

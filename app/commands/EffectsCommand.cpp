@@ -114,7 +114,7 @@ void runEffects(const EffectsArguments& arguments) {
   const SourceArguments& source = arguments.scene.source;
   const Progress progress = terminalProgress(source.quiet);
   const LoadedScene loaded = loadScene(source.source, sourceOptions(source), progress);
-  Scene scene = adjusted(loaded.scene, arguments.scene);
+  Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   if (arguments.shader)

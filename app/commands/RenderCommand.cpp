@@ -86,16 +86,13 @@ void runRender(const RenderArguments& arguments) {
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  LoadedScene loaded =
+  const LoadedScene loaded =
       loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
     throw Error(Error::Kind::usage, "--figures measures one model at a time; choose one with --model.");
-  Scene scene = adjusted(std::move(loaded.scene), arguments.scene);
-  // Half a picture is narrow: the volume is fitted into it unless the scene says from where to look.
-  if (isComparison && !loaded.hasOwnCamera)
-    scene.camera = framed(scene.camera, scene.volume->grid(), 0.5 * scene.image.width / scene.image.height);
+  Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty() && !isComparison)
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   const auto start = std::chrono::steady_clock::now();

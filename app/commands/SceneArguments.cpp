@@ -2,6 +2,7 @@
 #include "app/commands/SceneArguments.h"
 
 #include "app/presets/PresetStore.h"
+#include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 #include "scene/presets/PresetFit.h"
 
@@ -22,14 +23,13 @@ ShadingModel modelNamed(const std::string& word, const std::string& option) {
   return chosen(models, word, option);
 }
 
-Scene adjusted(Scene scene, const SceneArguments& arguments) {
+Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
+  Scene scene = loaded.scene;
   if (!arguments.preset.empty())
     scene = withPreset(scene,
                        fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
                                 histogramOf(*scene.volume)),
                        true);
-  if (!arguments.view.empty())
-    scene.camera = standardView(scene.camera, scene.volume->grid(), chosen(views, arguments.view, "--view"));
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
     throw Error(Error::Kind::usage,
                 "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");
@@ -47,6 +47,12 @@ Scene adjusted(Scene scene, const SceneArguments& arguments) {
     scene.image.width = size.x;
     scene.image.height = size.y;
   }
+  // Half a picture is narrow.
+  const double aspect = (arguments.model == "compare" ? 0.5 : 1.0) * scene.image.width / scene.image.height;
+  if (!arguments.view.empty())
+    scene.camera = framedView(scene, chosen(views, arguments.view, "--view"), aspect);
+  else if (!loaded.hasOwnCamera)
+    scene.camera = framedCamera(scene, aspect);
   return scene;
 }
 

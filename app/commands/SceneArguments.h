@@ -22,8 +22,9 @@ struct SceneArguments {
 /// Adds SOURCE and the options; `models` says which models `--model` takes.
 void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models);
 
-/// The scene with everything that was given but the model. Throws Error (usage).
-Scene adjusted(Scene scene, const SceneArguments& arguments);
+/// The scene with everything that was given but the model; framed anew where it has no camera of its own, on
+/// half the picture where two models are compared. Throws Error (usage).
+Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments);
 
 /// The shading model of that name; `option` is named where there is none. Throws Error (usage).
 ShadingModel modelNamed(const std::string& word, const std::string& option);

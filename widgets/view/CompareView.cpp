@@ -3,6 +3,7 @@
 
 #include "widgets/view/PictureOrders.h"
 #include "widgets/view/drawing/EngineSwitch.h"
+#include "widgets/view/gestures/CameraFit.h"
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -16,7 +17,8 @@
 namespace limn {
 
 CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* parent)
-    : QWidget(parent), m_panels(new PanelStack(this)), m_labels(new LabelFade(this)) {
+    : QWidget(parent), m_fit(new CameraFit(this)), m_panels(new PanelStack(this)),
+      m_labels(new LabelFade(this)) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("3D view"));
@@ -26,10 +28,12 @@ CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* par
   ViewInput::Facts facts;
   facts.shown = [this] { return overlaySource(); };
   facts.scaleOfSide = [this](int side) { return m_engines->drawing().gradientScaleOf(side); };
+  facts.visibleBox = [this] { return m_fit->box(); };
   m_input = new ViewInput(this, facts);
 
   connectEngines();
   connectInput();
+  connectFit();
   arrangeParts();
 }
 
@@ -83,6 +87,14 @@ void CompareView::connectInput() {
   connect(m_panels, &PanelStack::loadingCancelled, this, &CompareView::loadingCancelled);
 }
 
+void CompareView::connectFit() {
+  connect(m_fit, &CameraFit::cameraEdited, this, &CompareView::cameraEdited);
+  connect(this, &CompareView::pictureStateChanged, m_fit, [this](const PictureState& state) {
+    if (state.resting)
+      m_fit->settle();
+  });
+}
+
 // What draws asks this for what to show.
 CompareView::~CompareView() {
   delete m_engines;
@@ -94,6 +106,7 @@ void CompareView::setScene(const Scene& scene) {
     return;
   // What draws may ask for it from now on.
   m_shown.scene = scene;
+  m_fit->setScene(scene);
   if (scene.volume != before.volume) {
     m_engines->forget();
     m_input->forget();
@@ -114,6 +127,7 @@ void CompareView::setCompareLayout(CompareLayout layout) {
     return;
   m_shown.layout = layout;
   m_shown.isSwapped = false;
+  m_fit->setAspect(pictureAspect());
   m_labels->wake();
   redraw();
 }
@@ -244,6 +258,7 @@ void CompareView::updatePanels() {
 void CompareView::arrangeParts() {
   m_panels->setFailure(m_engines->driverFailure(), m_engines->failureDetails());
   m_engines->drawing().canvas().setGeometry(0, 0, width(), height() - m_panels->takenBelow());
+  m_fit->setAspect(pictureAspect());
   updatePanels();
 }
 

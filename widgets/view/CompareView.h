@@ -18,6 +18,7 @@
 
 namespace limn {
 
+class CameraFit;
 class EngineSwitch;
 class LabelFade;
 class PanelStack;
@@ -103,8 +104,7 @@ public:
   QSize minimumSizeHint() const override { return {240, 180}; }
 
 public slots:
-  /// Asks for a standard view that fills the picture with the volume; reset is the one of a
-  /// freshly opened volume.
+  /// Asks for a standard view framed on what is visible; reset is the one of a freshly opened volume.
   void lookFrom(limn::StandardView view);
   void resetCamera();
 
@@ -158,6 +158,7 @@ private:
   ViewOrders orders();
   void connectEngines();
   void connectInput();
+  void connectFit();
   void arrangeParts();
   ViewGeometry geometry() const;
   OverlaySource overlaySource() const;
@@ -173,6 +174,7 @@ private:
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
   EngineSwitch* m_engines;
+  CameraFit* m_fit;
   ViewInput* m_input;
   PanelStack* m_panels;
   LabelFade* m_labels;

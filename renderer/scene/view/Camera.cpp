@@ -107,32 +107,6 @@ Camera standardView(const Camera& camera, const Grid& grid, StandardView view) {
   return placed;
 }
 
-Camera framed(const Camera& camera, const Grid& grid, double aspect) {
-  constexpr double filled = 0.94;
-  const CameraBasis basis = basisOf(camera);
-  Camera placed = camera;
-  placed.target = boxCentreMm(grid);
-  const double slope = halfHeight(camera) * filled;
-  double distance = 0.0;
-  double halfHeightMm = 0.0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 side(corner & 1, (corner >> 1) & 1, corner >> 2);
-    const glm::dvec3 fromCentre = grid.direction * ((side - 0.5) * boxSizeMm(grid));
-    const double high = std::max(std::abs(glm::dot(fromCentre, basis.up)),
-                                 std::abs(glm::dot(fromCentre, basis.right)) / aspect);
-    // A corner nearer to the eye than the centre needs more distance.
-    distance = std::max(distance, high / slope - glm::dot(fromCentre, basis.forward));
-    halfHeightMm = std::max(halfHeightMm, high);
-  }
-  if (camera.projection == Camera::Projection::orthographic) {
-    placed.heightMm = 2.0 * halfHeightMm / filled;
-    distance = std::max(boxDiagonalMm(grid), glm::length(camera.target - camera.position));
-  }
-  placed.position = placed.target - basis.forward * distance;
-  placed.up = basis.up;
-  return placed;
-}
-
 Camera orbited(const Camera& camera, double yaw, double pitch) {
   const CameraBasis basis = basisOf(camera);
   glm::dvec3 arm = camera.position - camera.target;

@@ -42,7 +42,7 @@ Ray rayThroughPixel(const Camera& camera, int x, int y, const glm::ivec2& size);
 /// height/2).
 double halfHeight(const Camera& camera);
 
-/// The camera of a scene that names none: from the front, perspective 30°, the whole box in view.
+/// From the front, perspective 30°, with the whole box in view and room around it.
 Camera defaultCamera(const Grid& grid);
 
 /// The directions from which radiologists look.
@@ -51,10 +51,6 @@ enum class StandardView { anterior, posterior, left, right, superior, inferior }
 /// A standard view of the whole box, keeping projection and field of view of `camera`. Anterior looks at
 /// the patient's face; superior from above the head.
 Camera standardView(const Camera& camera, const Grid& grid, StandardView view);
-
-/// The same direction of view, with the whole box as large as a picture of `aspect` (width/height > 0) can
-/// hold with a margin of 6 %. For views on screen; a scene that names no camera uses defaultCamera.
-Camera framed(const Camera& camera, const Grid& grid, double aspect);
 
 /// Turns the camera about its target: `yaw` about the camera's up, `pitch` about its right, radians.
 Camera orbited(const Camera& camera, double yaw, double pitch);

@@ -13,7 +13,7 @@ namespace limn {
 namespace {
 
 // A probe answers at the speed of the pointer; further samples could not be told apart on the screen.
-constexpr double mostSamples = 8192.0;
+constexpr double mostReadings = 8192.0;
 
 struct Interval {
   double first = 0.0;
@@ -138,7 +138,7 @@ std::optional<Probe> probeAlong(const Scene& scene, const GradientScale& scale, 
 
   const double length = inside.last - inside.first;
   const double wantedStep = std::min(0.5, scene.quality.stepVoxels) * smallestSpacingMm(grid);
-  const int samples = static_cast<int>(std::clamp(std::ceil(length / wantedStep), 1.0, mostSamples));
+  const int samples = static_cast<int>(std::clamp(std::ceil(length / wantedStep), 1.0, mostReadings));
   const double stepMm = length / samples;
 
   Contribution contribution(scene, scale);

@@ -185,8 +185,8 @@ bool ViewInput::obey(const ViewCommand& command) {
   const Scene& shown = source.comparison.scene;
   if (!shown.volume)
     return false;
-  if (const auto camera =
-          cameraAfter(command, shown.camera, shown.volume->grid(), pictureAspect(source.geometry)))
+  const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry)};
+  if (const auto camera = cameraAfter(command, shown.camera, shown.volume->grid(), frame))
     emit cameraEdited(*camera);
   else if (const auto* use = std::get_if<UseTool>(&command))
     m_tool = use->tool;

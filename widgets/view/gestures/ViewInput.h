@@ -24,11 +24,12 @@ class ViewInput : public QObject {
   Q_OBJECT
 
 public:
-  /// What an event is about: what stands in the view at present, and the gradient moduli with which a side
-  /// was lit.
+  /// What an event is about: what stands in the view at present, the gradient moduli with which a side was
+  /// lit.
   struct Facts {
     std::function<OverlaySource()> shown;
     std::function<GradientScale(int side)> scaleOfSide;
+    std::function<IndexBox()> visibleBox; ///< on which views are framed
   };
   ViewInput(QWidget* view, Facts facts);
 

@@ -78,14 +78,17 @@ ViewCommand commandOf(const QKeyEvent& event) {
 }
 
 std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,
-                                  double aspect) {
-  const auto from = [&](StandardView view) { return framed(standardView(camera, grid, view), grid, aspect); };
+                                  const ViewFrame& frame) {
+  const auto fitted = [&](const Camera& placed) {
+    return framed(placed, grid, frame.visibleBox(), frame.aspect);
+  };
+  const auto from = [&](StandardView view) { return fitted(standardView(camera, grid, view)); };
   if (const auto* look = std::get_if<LookFrom>(&command))
     return from(look->view);
   if (std::holds_alternative<LookFromNearest>(command))
     return from(nearestStandardView(camera));
   if (std::holds_alternative<Reset>(command))
-    return framed(firstView(camera, grid), grid, aspect);
+    return fitted(firstView(camera, grid));
   if (const auto* turn = std::get_if<Rotate>(&command)) {
     const double step = keyTurnDeg * std::numbers::pi / 180.0;
     return orbited(camera, -turn->right * step, -turn->down * step);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/view/Camera.h"
+#include "scene/framing/Framing.h"
 #include "widgets/view/gestures/CameraGesture.h"
 
 #include <QPoint>
 
+#include <functional>
 #include <optional>
 #include <variant>
 
@@ -64,9 +65,14 @@ using ViewCommand =
 /// is reached by Shift+PgDn.
 ViewCommand commandOf(const QKeyEvent& event);
 
-/// The camera that a command asks for, over a picture of `aspect` (width over height) of the volume on
-/// `grid`; nothing where the command moves none.
+/// On what views are framed, asked only where one is wanted, and width over height of a picture.
+struct ViewFrame {
+  std::function<IndexBox()> visibleBox;
+  double aspect = 1.0;
+};
+
+/// The camera that a command asks for, of the volume on `grid`; nothing where the command moves none.
 std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,
-                                  double aspect);
+                                  const ViewFrame& frame);
 
 } // namespace limn

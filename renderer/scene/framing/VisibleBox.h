@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/Effort.h"
+#include "scene/steps/RayFrame.h"
+
+namespace limn {
+
+/// From this opacity on a voxel counts as visible (DEFINITION section 8).
+inline constexpr double visibleOpacity = 0.02;
+
+/// The part of the volume that a picture is framed on, centred index: the smallest box around the voxels
+/// within crop and kept region whose opacity under the curve, weighed by the region, is at least
+/// `visibleOpacity` (or, where the projection shows a surface, whose value reaches the isovalue), one voxel
+/// wider on each side, inside volume and crop. Where there is none, all that the crop leaves. Throws
+/// Cancelled.
+IndexBox visibleBox(const Scene& scene, const Effort& effort = {});
+
+} // namespace limn
