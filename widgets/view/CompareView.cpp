@@ -89,8 +89,9 @@ void CompareView::connectInput() {
 
 void CompareView::connectFit() {
   connect(m_fit, &CameraFit::cameraEdited, this, &CompareView::cameraEdited);
-  connect(this, &CompareView::pictureStateChanged, m_fit, [this](const PictureState& state) {
-    if (state.resting)
+  connect(this, &CompareView::pictureStateChanged, m_fit, [this] {
+    // What is told may be of the scene before.
+    if (pictureState().resting)
       m_fit->settle();
   });
 }

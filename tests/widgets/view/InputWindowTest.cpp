@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
+#include "scene/framing/Framing.h"
 
 #include <QMenu>
 #include <QSignalSpy>
@@ -117,7 +118,8 @@ TEST_F(ViewInput, escapeCancelsADrag) {
 TEST_F(ViewInput, keysChooseStandardViewsAndRotate) {
   const Grid& grid = host.scene.volume->grid();
   const auto lookFrom = [&](StandardView view) {
-    return framed(standardView(host.scene.camera, grid, view), grid, host.view.pictureAspect());
+    return framed(standardView(host.scene.camera, grid, view), grid, visibleBox(host.scene),
+                  host.view.pictureAspect());
   };
   const Camera front = lookFrom(StandardView::anterior);
   QTest::keyClick(&host.view, Qt::Key_PageDown);
