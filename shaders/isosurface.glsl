@@ -7,18 +7,25 @@ uniform vec3 u_isoColor;
 const float noHit = 3e38;
 const int halvings = 14; // to less than 1e-4 of a step
 
-// Where the field first reaches the isovalue, in steps behind sample 0; noHit where it stays below.
+bool isHitAt(vec3 position) {
+#ifdef EFFECT_REGION
+  if (weightAt(position) < 0.5)
+    return false;
+#endif
+  return scalarAt(position) >= u_isovalue;
+}
+
+// Where the field first reaches the isovalue in what is kept, in steps behind sample 0; noHit where it stays below.
 float firstHit(March march, int count) {
   float below = -march.offset;
   float exit = float(count) - march.offset;
-  if (scalarAt(positionOf(march, below)) >= u_isovalue)
+  if (isHitAt(positionOf(march, below)))
     return below;
 
   // Find the first sample at or above the isovalue; the exit counts as the last one.
   float above = noHit;
   for (int i = 0; i <= count; ++i) {
-    vec3 position = positionOf(march, min(float(i), exit));
-    if (scalarAt(position) >= u_isovalue) {
+    if (isHitAt(positionOf(march, min(float(i), exit)))) {
       above = min(float(i), exit);
       break;
     }
@@ -33,7 +40,7 @@ float firstHit(March march, int count) {
   // Halve the bracket.
   for (int k = 0; k < halvings; ++k) {
     float middle = 0.5 * (below + above);
-    if (scalarAt(positionOf(march, middle)) >= u_isovalue)
+    if (isHitAt(positionOf(march, middle)))
       above = middle;
     else
       below = middle;

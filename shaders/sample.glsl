@@ -98,6 +98,9 @@ Shaded shadedSample(March march, vec3 position, Material material, float i) {
   float extinction = material.extinction;
 #ifdef EFFECT_CHANGED_OPACITY
   float factor = opacityFactor(gradient.w, r);
+#ifdef EFFECT_REGION
+  factor *= weightAt(position);
+#endif
   if (factor != 1.0)
     extinction = minusLog1mOpacity(factor * material.opacity);
 #endif

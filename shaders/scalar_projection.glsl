@@ -3,27 +3,51 @@
 
 out vec4 fragColor;
 
-float projected(March march, int count) {
+bool isKept(vec3 position) {
+#ifdef EFFECT_REGION
+  return weightAt(position) >= 0.5;
+#else
+  return true;
+#endif
+}
+
+// Of the samples that are kept; `isAny` where there are some.
+float projected(March march, int count, out bool isAny) {
 #ifdef EFFECT_AVERAGE
   // Carry what each addition loses to rounding.
   float sum = 0.0;
   float lost = 0.0;
+  int kept = 0;
   for (int i = 0; i < count; ++i) {
-    float term = scalarAt(positionOf(march, float(i))) - lost;
-    float next = sum + term;
-    lost = (next - sum) - term;
-    sum = next;
+    vec3 position = positionOf(march, float(i));
+    if (isKept(position)) {
+      float term = scalarAt(position) - lost;
+      float next = sum + term;
+      lost = (next - sum) - term;
+      sum = next;
+      ++kept;
+    }
   }
-  return sum / float(count);
+  isAny = kept > 0;
+  return sum / float(max(kept, 1));
 #else
-  // Start from a sample: values may all be negative. Nothing exceeds the volume's own range, 0..1.
-  float extreme = scalarAt(positionOf(march, 0.0));
+  // Nothing exceeds the volume's own range, 0..1.
 #ifdef EFFECT_MIP
-  for (int i = 1; i < count && extreme < 1.0; ++i)
-    extreme = max(extreme, scalarAt(positionOf(march, float(i))));
+  float extreme = -1.0;
+  for (int i = 0; i < count && extreme < 1.0; ++i) {
+    vec3 position = positionOf(march, float(i));
+    if (isKept(position))
+      extreme = max(extreme, scalarAt(position));
+  }
+  isAny = extreme > -1.0;
 #else
-  for (int i = 1; i < count && extreme > 0.0; ++i)
-    extreme = min(extreme, scalarAt(positionOf(march, float(i))));
+  float extreme = 2.0;
+  for (int i = 0; i < count && extreme > 0.0; ++i) {
+    vec3 position = positionOf(march, float(i));
+    if (isKept(position))
+      extreme = min(extreme, scalarAt(position));
+  }
+  isAny = extreme < 2.0;
 #endif
   return extreme;
 #endif
@@ -36,6 +60,7 @@ void main() {
   if (!(span.y > span.x))
     return;
   int count = sampleCount(span.y - span.x);
-  Material material = materialOf(projected(marchThrough(ray, span, count), count));
-  fragColor = vec4(material.opacity * material.color, material.opacity);
+  bool isAny;
+  Material material = materialOf(projected(marchThrough(ray, span, count), count, isAny));
+  fragColor = isAny ? vec4(material.opacity * material.color, material.opacity) : vec4(0.0);
 }

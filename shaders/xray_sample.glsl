@@ -26,7 +26,13 @@ struct Shaded {
 };
 
 Shaded shadedSample(March march, vec3 position, Material material, float i) {
-  return Shaded(vec3(0.0), material.extinction);
+  float extinction = material.extinction;
+#ifdef EFFECT_REGION
+  float weight = weightAt(position);
+  if (weight != 1.0)
+    extinction = minusLog1mOpacity(weight * material.opacity);
+#endif
+  return Shaded(vec3(0.0), extinction);
 }
 
 float transmittanceOf(Gathered ray) {

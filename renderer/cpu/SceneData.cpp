@@ -67,6 +67,7 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
     m_gradientCurve = tableOf(curve, unitPerMm);
     m_gradientOpacityKept = curve;
   }
+  m_region.update(scene.keep, m_voxels->blocks().blocks(), effort);
   updateEmptySpace(scene, effort);
   updateLocalSteps(scene, effort);
 }
@@ -93,9 +94,10 @@ void SceneData::updateLocalSteps(const Scene& scene, const Effort& effort) {
     return;
   if (!m_facts)
     m_facts = blockFacts(*m_volume, effort);
-  if (!m_localSteps || m_localStepsFunction != scene.transferFunction) {
+  if (!m_localSteps || m_localStepsFunction != scene.transferFunction || m_localStepsKeep != scene.keep) {
     m_localSteps = localStepTerms(scene, *m_facts, effort);
     m_localStepsFunction = scene.transferFunction;
+    m_localStepsKeep = scene.keep;
   }
   m_localSteps->fineness = *fineness;
 }
@@ -104,7 +106,8 @@ void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
   if (classifiesOnce(scene.projection))
     return;
   const bool hasSurface = showsSurface(scene.projection);
-  const EmptySpaceKey key{scene.transferFunction, scene.projection, hasSurface ? scene.isovalue : 0.0};
+  const EmptySpaceKey key{scene.transferFunction, scene.projection, hasSurface ? scene.isovalue : 0.0,
+                          scene.keep};
   if (m_emptySpaceKept == key)
     return;
   Visibility visibility;
@@ -112,6 +115,7 @@ void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
     visibility.function = &m_function;
   if (hasSurface)
     visibility.isovalue = asFloat(normalisedValue(m_volume->range(), scene.isovalue));
+  visibility.weights = &m_region.blocks();
   m_emptySpaceKept.reset(); // should it be cancelled
   mapEmptySpace(m_voxels->blocks(), visibility, m_empty, effort);
   m_emptySpaceKept = key;
@@ -156,6 +160,7 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   PictureTerms terms;
   terms.effects = effects;
   terms.voxels = m_voxels->source();
+  terms.region = m_region.source();
   terms.function = &m_function;
   terms.segments = &m_segments;
   terms.gradientCurve = &m_gradientCurve;
@@ -187,7 +192,10 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
 }
 
 double SceneData::memoryMb() const {
-  return m_voxels ? static_cast<double>(m_voxels->ownBytes() + m_empty.distances.size()) / 1e6 : 0.0;
+  return m_voxels
+             ? static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_empty.distances.size()) /
+                   1e6
+             : 0.0;
 }
 
 } // namespace limn::cpu

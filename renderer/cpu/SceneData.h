@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cpu/RegionStore.h"
 #include "cpu/VoxelStore.h"
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
@@ -42,6 +43,7 @@ private:
     TransferFunction function;
     Projection projection = Projection::composite;
     double isovalue = 0.0;
+    Region keep;
     bool operator==(const EmptySpaceKey&) const = default;
   };
 
@@ -54,6 +56,7 @@ private:
   bool m_skipsEmptySpace;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VoxelStore> m_voxels;
+  RegionStore m_region;
   std::optional<double> m_steepness;
   GradientScales m_gradientScales;
   GradientScale m_gradientScale;
@@ -67,6 +70,7 @@ private:
   std::optional<BlockFacts> m_facts;
   std::optional<LocalStepTerms> m_localSteps;
   TransferFunction m_localStepsFunction; // whose steps they are
+  Region m_localStepsKeep;               // likewise
 
   std::optional<EmptySpaceKey> m_emptySpaceKept;
   EmptySpaceMap m_empty;

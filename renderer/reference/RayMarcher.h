@@ -26,7 +26,8 @@ struct PictureTerms {
   std::optional<glm::dvec3> towardsLight =
       terms.lightDirection ? std::optional(towardsLightAlongAxes(*terms.lightDirection, grid)) : std::nullopt;
   bool hasGradientOpacity = scene.gradientOpacity && !scene.gradientOpacity->points.empty();
-  bool changesOpacity = hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
+  bool hasRegion = isRestricting(scene.keep);
+  bool changesOpacity = hasRegion || hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
   bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
   std::optional<LocalStepTerms> local =
       effects.has(Effect::localSteps) ? localStepTerms(scene) : std::nullopt;
@@ -92,6 +93,12 @@ private:
   Cell cellAt(double place) const { return m_field.cellAt(centredAt(place) + m_terms.centre); }
   double scalarAt(double place) const { return m_field.scalarAt(cellAt(place)); }
 
+  // What the kept region leaves of the opacity.
+  double weightAt(double place) const {
+    return m_terms.hasRegion ? limn::weightAt(m_terms.scene.keep, centredAt(place) + m_terms.centre) : 1.0;
+  }
+  bool isKept(double place) const { return weightAt(place) >= 0.5; }
+
   Material materialAt(double place) const {
     if (m_terms.effects.has(Effect::preintegration)) {
       const MeanMaterial mean = meanMaterial(m_terms.scene.transferFunction, scalarAt(place - m_offset),
@@ -137,6 +144,7 @@ private:
       double opacity = material.opacity * mapped(ratio, o.atFlat, o.atBoundary);
       if (m_terms.hasGradientOpacity)
         opacity *= gradientOpacityAt(*m_terms.scene.gradientOpacity, gradient.w);
+      opacity *= weightAt(place);
       extinction = minusLog1mOpacity(opacity);
     }
     return {extinction, shaded(material.color, place, gradient, ratio)};
@@ -205,19 +213,21 @@ private:
     return {glm::dvec3(sum), 1.0 - sum.a};
   }
 
-  // Where the field first reaches the isovalue; absent where it stays below.
+  // Where the field first reaches the isovalue in what is kept; absent where it stays below.
   std::optional<double> firstHit() const {
-    const double isovalue = m_terms.scene.isovalue;
+    const auto isHitAt = [this](double place) {
+      return scalarAt(place) >= m_terms.scene.isovalue && isKept(place);
+    };
     const double exit = m_count;
     double below = 0.0;
-    if (scalarAt(below) >= isovalue)
+    if (isHitAt(below))
       return below;
 
     // Find the first sample at or above the isovalue; the exit counts as the last one.
     std::optional<double> above;
     for (int i = 0; i <= m_count && !above; ++i) {
       const double place = std::min(i + m_offset, exit);
-      (scalarAt(place) >= isovalue ? above.emplace() : below) = place;
+      (isHitAt(place) ? above.emplace() : below) = place;
     }
     if (!above)
       return std::nullopt;
@@ -225,7 +235,7 @@ private:
     // Halve the bracket.
     for (int k = 0; k < halvings; ++k) {
       const double middle = 0.5 * (below + *above);
-      (scalarAt(middle) >= isovalue ? *above : below) = middle;
+      (isHitAt(middle) ? *above : below) = middle;
     }
     return above;
   }
@@ -259,30 +269,42 @@ private:
   glm::dvec4 xray() {
     if (m_terms.local) {
       const glm::dvec4 sum = marchedLocally(
-          [](double, const Material& material) {
-            return Piece{material.extinction, glm::dvec3(0.0)};
+          [this](double place, const Material& material) {
+            return Piece{absorptionAt(place, material), glm::dvec3(0.0)};
           },
           [](const glm::dvec4&) { return false; });
       return glm::dvec4(1.0 - sum.a);
     }
     double depth = 0.0;
     for (int i = 0; i < m_count; ++i)
-      depth += materialAt(i + m_offset).extinction;
+      depth += absorptionAt(i + m_offset, materialAt(i + m_offset));
     return glm::dvec4(oneMinusExpNeg(depth * m_dt / m_terms.scene.transferFunction.unitDistanceMm));
   }
 
-  // The largest, smallest or mean scalar, classified once.
+  // The extinction of an X-ray, which knows no other factor of the opacity.
+  double absorptionAt(double place, const Material& material) const {
+    const double weight = weightAt(place);
+    return weight == 1.0 ? material.extinction : minusLog1mOpacity(weight * material.opacity);
+  }
+
+  // The largest, smallest or mean scalar of the samples that are kept, classified once.
   glm::dvec4 classifiedOnce() const {
-    double scalar = scalarAt(m_offset);
     const Projection projection = m_terms.scene.projection;
-    for (int i = 1; i < m_count; ++i) {
+    int kept = 0;
+    double scalar = 0.0;
+    for (int i = 0; i < m_count; ++i) {
+      if (!isKept(i + m_offset))
+        continue;
       const double next = scalarAt(i + m_offset);
-      scalar = projection == Projection::mip     ? std::max(scalar, next)
+      scalar = kept++ == 0                       ? next
+               : projection == Projection::mip   ? std::max(scalar, next)
                : projection == Projection::minip ? std::min(scalar, next)
                                                  : scalar + next;
     }
+    if (kept == 0)
+      return glm::dvec4(0.0);
     if (projection == Projection::average)
-      scalar /= m_count;
+      scalar /= kept;
     const Classified classified = classify(m_terms.scene.transferFunction, scalar);
     return {classified.opacity * classified.color, classified.opacity};
   }

@@ -5,6 +5,7 @@
 #include "scene/basics/Error.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleRegions.h"
 #include "support/Heads.h"
 #include "support/RendererRules.h"
 
@@ -30,6 +31,10 @@ std::vector<Scene> scenesOfEveryKind() {
     scenes.push_back(scene);
     scene.quality.toleranceLevels = 1.0;
     scene.quality.fineness = 4;
+    scenes.push_back(scene);
+    scene.keep = cubesRegion(scene.volume->grid().dims, 11, {0.0, 1.0, 0.0, 0.3});
+    scenes.push_back(scene);
+    scene.quality.toleranceLevels.reset();
     scenes.push_back(scene);
   }
   return scenes;

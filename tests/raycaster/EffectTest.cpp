@@ -5,6 +5,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/steps/RayFrame.h"
 #include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleRegions.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/ImageCompare.h"
@@ -19,6 +20,10 @@ struct Row {
   Effect effect;
   void (*apply)(Scene&);
 };
+
+Region cubes(const Scene& scene, const std::vector<double>& weights) {
+  return cubesRegion(scene.volume->grid().dims, 7, weights);
+}
 
 const Row rows[] = {
     {"Phong", Effect::phong, [](Scene& s) { s.shading.reflection = Reflection::phong; }},
@@ -130,6 +135,51 @@ const Row rows[] = {
        s.isovalue = 20.0;
        s.crop = {{0.0, 0.3, 0.1}, {0.55, 1.0, 0.8}};
        s.camera = orbited(s.camera, 0.6, 0.4);
+     }},
+    {"kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {1.0, 0.0, 0.4});
+     }},
+    {"kept region, unlit, in pre-integrated steps", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {1.0, 0.0, 0.4});
+       s.shading.model = ShadingModel::none;
+       s.quality.preintegrated = Preintegration::always;
+     }},
+    {"X-ray of a kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 0.25});
+       s.projection = Projection::xray;
+     }},
+    {"maximum of a kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 1.0, 0.4});
+       s.projection = Projection::mip;
+     }},
+    {"minimum of a kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 1.0, 0.4});
+       s.projection = Projection::minip;
+       s.crop = {{0.3, 0.3, 0.3}, {0.7, 0.7, 0.7}};
+       for (ControlPoint& point : s.transferFunction.points)
+         point.opacity = 0.1 + 0.8 * point.opacity;
+     }},
+    {"average of a kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 1.0, 0.4});
+       s.projection = Projection::average;
+       for (ControlPoint& point : s.transferFunction.points)
+         point.opacity = 0.1 + 0.8 * point.opacity;
+     }},
+    {"isosurface of a kept region", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 1.0, 0.7});
+       s.projection = Projection::isosurface;
+     }},
+    {"composite of a kept region up to a surface", Effect::region,
+     [](Scene& s) {
+       s.keep = cubes(s, {0.0, 1.0, 0.7});
+       s.projection = Projection::compositeIsosurface;
      }},
     {"crowded control points", Effect::denseFunctions,
      [](Scene& s) {

@@ -75,6 +75,16 @@ const Groups others{
     {Effect::mip},
     {Effect::minip, Effect::jitter},
     {Effect::average, Effect::denseFunctions},
+    {Effect::emptySpaceSkipping, Effect::region, Effect::earlyTermination},
+    {Effect::emptySpaceSkipping, Effect::region, Effect::preintegration, Effect::gradientOpacity},
+    {Effect::emptySpaceSkipping, Effect::region, Effect::hybrid, Effect::longRays},
+    {Effect::region, Effect::isosurface},
+    {Effect::region, Effect::xray},
+    {Effect::region, Effect::localSteps, Effect::earlyTermination},
+    {Effect::region, Effect::localSteps, Effect::xray},
+    {Effect::region, Effect::mip},
+    {Effect::region, Effect::minip},
+    {Effect::region, Effect::average},
     {Effect::sampleCounts},
 };
 

@@ -9,6 +9,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
 #include "slices/SliceRenderer.h"
+#include "stability/scenes/SimpleRegions.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/TestData.h"
@@ -34,6 +35,10 @@ const Row rows[] = {
        s.camera.projection = Camera::Projection::orthographic;
        s.camera.heightMm = 280.0;
        s.camera = orbited(s.camera, 0.5, 0.3);
+     }},
+    {"enhanced, kept region", 1.5,
+     [](Scene& s) {
+       s.keep = cubesRegion(s.volume->grid().dims, 9, {1.0, 0.0, 0.4});
      }},
     {"classic, fog, cropped, gradient opacity", 1.0,
      [](Scene& s) {

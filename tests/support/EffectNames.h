@@ -23,6 +23,7 @@ inline const std::vector<std::string> documentedEffects{"gradient",
                                                         "isosurface",
                                                         "jitter",
                                                         "knee",
-                                                        "two_sided"};
+                                                        "two_sided",
+                                                        "region"};
 
 } // namespace limn::test

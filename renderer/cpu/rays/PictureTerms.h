@@ -52,6 +52,7 @@ FewSegments fewSegments(const PiecewiseTable& table);
 struct PictureTerms {
   EffectSet effects;
   VoxelSource voxels;
+  VoxelSource region; ///< weights of the kept region, bytes or halves; read where an effect needs it
   EmptySpace empty;
   const PiecewiseTable* function = nullptr;
   const FewSegments* segments = nullptr; ///< of the same function

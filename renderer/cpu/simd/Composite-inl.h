@@ -21,8 +21,7 @@ public:
   Composite(const PictureTerms& terms, const Samples<kind>& samples)
       : m_terms(terms), m_samples(samples), m_ray(samples.ray),
         m_isPreintegrated(terms.effects.has(Effect::preintegration)),
-        m_changesOpacity(
-            terms.effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity})),
+        m_changesOpacity(terms.effects.hasAny(opacityChanges)),
         m_hasGradient(terms.effects.has(Effect::gradient)) {}
 
   glm::vec4 gathered() {
@@ -52,9 +51,9 @@ private:
   HWY_NOINLINE int look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
     const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
-    const auto absorbed = m_isPreintegrated
-                              ? m_samples.absorbedOver(step, isInside)
-                              : m_samples.absorbedBy(m_samples.scalarAt(step), isInside, !m_hasGradient);
+    const auto absorbed =
+        m_isPreintegrated ? m_samples.absorbedOver(step, isInside)
+                          : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, !m_hasGradient);
     if (hn::AllFalse(floats, absorbed.seen))
       return 0;
     const int seen = static_cast<int>(hn::CountTrue(floats, absorbed.seen));
@@ -94,7 +93,8 @@ private:
         m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.count - i));
     const VF scalar = m_samples.field.normalised(found.voxel);
     VF opacity;
-    const Mask seen = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);
+    const Mask opaque = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);
+    const Mask seen = m_samples.weighed(step, opaque, opacity);
     const int count = static_cast<int>(hn::CountTrue(floats, seen));
     if (count == 0)
       return 0;

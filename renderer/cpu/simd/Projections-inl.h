@@ -71,15 +71,17 @@ private:
     return glm::vec4(static_cast<float>(-std::expm1(-depth * m_ray.units)));
   }
 
-  // The largest, smallest or mean scalar, classified once.
+  // The largest, smallest or mean scalar of the samples that are kept, classified once.
   glm::vec4 classifiedOnce() const {
     const EffectSet& effects = m_terms.effects;
-    VF extreme = m_samples.scalarAt(hn::Zero(floats));
+    VF extreme = all(effects.has(Effect::mip) ? -beyondScalars : beyondScalars);
     double total = 0.0;
+    int kept = 0;
     for (int i = 0; i < m_ray.count; i += lanes()) {
       const VF step = samplesFrom(i);
       const VF scalar = m_samples.scalarAt(step);
-      const Mask isInside = isBefore(step, m_ray.count);
+      const Mask isInside = m_samples.kept(step, isBefore(step, m_ray.count));
+      kept += static_cast<int>(hn::CountTrue(floats, isInside));
       if (effects.has(Effect::average))
         total += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(isInside, scalar)));
       else if (effects.has(Effect::mip))
@@ -87,7 +89,9 @@ private:
       else
         extreme = hn::Min(extreme, hn::IfThenElse(isInside, scalar, extreme));
     }
-    const float scalar = effects.has(Effect::average) ? static_cast<float>(total / m_ray.count)
+    if (kept == 0)
+      return glm::vec4(0.0f);
+    const float scalar = effects.has(Effect::average) ? static_cast<float>(total / kept)
                          : effects.has(Effect::mip)   ? hn::GetLane(hn::MaxOfLanes(floats, extreme))
                                                       : hn::GetLane(hn::MinOfLanes(floats, extreme));
     const Mask wanted = hn::FirstN(floats, 1);
@@ -97,12 +101,16 @@ private:
             opacity};
   }
 
-  // Where the field first reaches the isovalue, in steps behind sample 0; absent where it stays below.
+  HWY_INLINE Mask isHit(VF step) const {
+    return m_samples.kept(step, hn::Ge(m_samples.scalarAt(step), all(m_terms.isovalue)));
+  }
+
+  // Where the field first reaches the isovalue in what is kept, in steps behind sample 0; absent where it
+  // stays below.
   std::optional<float> firstHit() const {
     const float offset = m_ray.offset;
     const float exit = static_cast<float>(m_ray.count) - offset;
-    const VF isovalue = all(m_terms.isovalue);
-    if (hn::GetLane(m_samples.scalarAt(all(-offset))) >= m_terms.isovalue)
+    if ((bitsOf(isHit(all(-offset))) & 1u) != 0)
       return -offset;
     const EmptySteps empty(m_terms.empty, m_ray, false);
     // The exit counts as the last sample.
@@ -112,8 +120,7 @@ private:
         continue;
       }
       const VF step = hn::Min(samplesFrom(i), all(exit));
-      const Mask isHit = hn::Ge(m_samples.scalarAt(step), isovalue);
-      const auto lane = hn::FindFirstTrue(floats, isHit);
+      const auto lane = hn::FindFirstTrue(floats, isHit(step));
       if (lane >= 0) {
         const int sample = i + static_cast<int>(lane);
         const float above = std::min(static_cast<float>(sample), exit);
@@ -145,8 +152,7 @@ private:
         low[2 * node + 1] = middles[node - 1];
         high[2 * node + 1] = high[node];
       }
-      const VF scalar = m_samples.scalarAt(hn::Load(floats, middles));
-      const std::uint32_t bits = bitsOf(hn::Ge(scalar, all(m_terms.isovalue)));
+      const std::uint32_t bits = bitsOf(isHit(hn::Load(floats, middles)));
       for (int level = 0, node = 1; level < levels && done + level < halvings; ++level) {
         const bool isAbove = (bits >> (node - 1) & 1u) != 0;
         (isAbove ? above : below) = middles[node - 1];
@@ -178,6 +184,7 @@ private:
   }
 
   static constexpr int halvings = 14;
+  static constexpr float beyondScalars = 3e38f;
 
   const PictureTerms& m_terms;
   const Ray& m_ray;

@@ -31,6 +31,29 @@ struct Samples {
 
   HWY_INLINE VF scalarAt(VF step) const { return field.scalarAt(indexAt(step)); }
 
+  /// What the kept region leaves of the opacity.
+  HWY_NOINLINE VF weightAt(VF step) const {
+    const V3 index = indexAt(step);
+    return terms.region.kind == VoxelSource::Kind::byte
+               ? Field<VoxelSource::Kind::byte>(terms.region).scalarAt(index)
+               : Field<VoxelSource::Kind::half>(terms.region).scalarAt(index);
+  }
+
+  /// Those of some samples that the region keeps where samples are taken or left.
+  HWY_INLINE Mask kept(VF step, Mask wanted) const {
+    return terms.effects.has(Effect::region) ? hn::And(wanted, hn::Ge(weightAt(step), all(0.5f))) : wanted;
+  }
+
+  /// Those of some samples of which the region leaves something; what it leaves of their opacities. As if
+  /// the others lay in empty space: which samples a ray looks at changes no bit.
+  HWY_INLINE Mask weighed(VF step, Mask seen, VF& opacity) const {
+    if (!terms.effects.has(Effect::region) || hn::AllFalse(floats, seen))
+      return seen;
+    const VF weight = weightAt(step);
+    opacity = hn::Mul(opacity, weight);
+    return hn::And(seen, hn::Gt(weight, hn::Zero(floats)));
+  }
+
   /// What samples, or the pre-integrated steps around them, absorb.
   struct Absorbed {
     Mask seen;
@@ -39,9 +62,11 @@ struct Samples {
     VF extinction; // likewise
   };
 
-  HWY_NOINLINE Absorbed absorbedBy(VF scalar, Mask wanted, bool withColor) const {
+  /// The scalars `step` steps behind sample 0.
+  HWY_NOINLINE Absorbed absorbedBy(VF scalar, VF step, Mask wanted, bool withColor) const {
     Absorbed absorbed;
-    absorbed.seen = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
+    const Mask opaque = function.opacityWhereSeen(scalar, wanted, absorbed.opacity);
+    absorbed.seen = weighed(step, opaque, absorbed.opacity);
     if (hn::AllFalse(floats, absorbed.seen))
       return absorbed;
     if (withColor)
@@ -63,6 +88,10 @@ struct Samples {
     absorbed.color = mean.color;
     absorbed.extinction = mean.extinction;
     absorbed.opacity = oneMinusExpNeg(mean.extinction);
+    if (terms.effects.has(Effect::region)) {
+      absorbed.seen = weighed(step, absorbed.seen, absorbed.opacity);
+      absorbed.extinction = minusLog1mOpacity(absorbed.opacity);
+    }
     return absorbed;
   }
 
@@ -76,8 +105,9 @@ struct Samples {
   /// The samples at `step`, where `wanted`.
   HWY_NOINLINE Shaded at(VF step, Mask wanted) const {
     const EffectSet& effects = terms.effects;
-    const Absorbed absorbed = effects.has(Effect::preintegration) ? absorbedOver(step, wanted)
-                                                                  : absorbedBy(scalarAt(step), wanted, true);
+    const Absorbed absorbed = effects.has(Effect::preintegration)
+                                  ? absorbedOver(step, wanted)
+                                  : absorbedBy(scalarAt(step), step, wanted, true);
     Shaded result{absorbed.seen, zero(), hn::Zero(floats)};
     if (hn::AllFalse(floats, absorbed.seen))
       return result;
@@ -87,7 +117,7 @@ struct Samples {
     Gradients gradients{zero(), hn::Zero(floats), hn::Zero(floats)};
     if (effects.has(Effect::gradient))
       gradients = light.gradientsOf(field.voxelAndSlopeAt(indexAt(step), lanes()).slope);
-    if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
+    if (effects.hasAny(opacityChanges))
       result.extinction = minusLog1mOpacity(hn::Mul(absorbed.opacity, light.opacityFactor(gradients)));
     result.color = light.shaded(absorbed.color, gradients, step);
     return result;

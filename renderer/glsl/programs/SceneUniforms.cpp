@@ -148,6 +148,7 @@ void setSamplers(const ShaderProgram& program) {
     program.set(sampler, static_cast<int>(u));
   };
   unit("u_volume", TextureUnit::volume);
+  unit("u_region", TextureUnit::region);
   unit("u_functionBins", TextureUnit::functionBins);
   unit("u_functionSegments", TextureUnit::functionSegments);
   unit("u_functionOccupancy", TextureUnit::functionOccupancy);
@@ -175,6 +176,7 @@ glm::dvec3 differenceScale(const Grid& grid, const VolumeTexture& volume) {
 
 void bindTextures(const SceneTextures& textures) {
   bind(TextureUnit::volume, GL_TEXTURE_3D, textures.volume().name());
+  bind(TextureUnit::region, GL_TEXTURE_3D, textures.region().name());
   bind(TextureUnit::emptyDistance, GL_TEXTURE_3D, textures.emptySpace().name());
   bind(TextureUnit::blockSteps, GL_TEXTURE_3D, textures.blockSteps().name());
   bind(TextureUnit::functionBins, GL_TEXTURE_2D, textures.function().bins());

@@ -9,6 +9,7 @@ namespace limn {
 /// The texture units of the shaders' samplers.
 enum class TextureUnit {
   volume,
+  region,
   emptyDistance,
   blockSteps,
   functionBins,

@@ -21,7 +21,7 @@ std::string prelude(EffectSet effects) {
   // Blocks that several effects share.
   if (usesRatio(effects))
     define("EFFECT_GRADIENT_RATIO");
-  if (effects.hasAny({Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity}))
+  if (effects.hasAny(opacityChanges.with(Effect::region)))
     define("EFFECT_CHANGED_OPACITY");
   if (effects.hasAny(fogs))
     define("EFFECT_FOG");
@@ -86,6 +86,7 @@ void appendFieldBlocks(ShaderSource& source, EffectSet effects, const Decisions&
   for (const char* name :
        {"stable_math.glsl", volumeBlock(decisions), "piecewise.glsl", classificationBlock(decisions)})
     appendBlock(source, name);
+  blockIf(effects.has(Effect::region), "region.glsl");
   blockIf(effects.has(Effect::preintegration), "preintegration.glsl");
   blockIf(effects.has(Effect::emptySpaceSkipping), "empty_space.glsl");
   blockIf(effects.has(Effect::jitter), jitterBlock(decisions));

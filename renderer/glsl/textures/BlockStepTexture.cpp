@@ -37,10 +37,12 @@ void BlockStepTexture::update(const Scene& scene) {
     m_volume = scene.volume;
     m_function.reset();
   }
-  if (m_function == scene.transferFunction)
+  if (m_function == scene.transferFunction && m_keep == scene.keep)
     return;
-  m_steps = blockSteps(m_facts, scene.transferFunction, smallestSpacingMm(m_volume->grid()));
+  m_steps = blockSteps(m_facts, scene.transferFunction, smallestSpacingMm(m_volume->grid()),
+                       factWeights(scene.keep, m_facts));
   m_function = scene.transferFunction;
+  m_keep = scene.keep;
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   const glm::ivec3 size = m_steps.blocks;
   glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, size.x, size.y, size.z, 0, GL_RGBA, GL_UNSIGNED_BYTE,

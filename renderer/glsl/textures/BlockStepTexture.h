@@ -14,8 +14,8 @@ namespace limn {
 /// nearest of which something shows (red), its plain rung + 128 (green) and its resolving rung (blue).
 class BlockStepTexture {
 public:
-  /// Gathers the facts of a new volume and the rungs under a new transfer function, and uploads them;
-  /// changes texture bindings.
+  /// Gathers the facts of a new volume and the rungs under a new transfer function or kept region, and
+  /// uploads them; changes texture bindings.
   void update(const Scene& scene);
 
   unsigned name() const { return m_texture.name(); }
@@ -29,6 +29,7 @@ private:
   std::shared_ptr<const Volume> m_volume;
   BlockFacts m_facts;
   std::optional<TransferFunction> m_function;
+  Region m_keep;
   BlockSteps m_steps;
 };
 

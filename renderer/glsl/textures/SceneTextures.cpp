@@ -56,6 +56,7 @@ void SceneTextures::updateVolume(const Scene& scene) {
     return;
   // The old texture goes first: two large volumes need not fit together.
   m_volumeTexture.reset();
+  m_region = {};
   m_volume.reset();
   m_functionShown.reset();
   m_emptySpaceShown.reset();
@@ -76,7 +77,8 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
   if (classifiesOnce(scene.projection))
     return;
   const bool hasSurface = showsSurface(scene.projection);
-  EmptySpaceKey key{scene.transferFunction, scene.projection != Projection::isosurface, std::nullopt};
+  EmptySpaceKey key{scene.transferFunction, scene.projection != Projection::isosurface, std::nullopt,
+                    scene.keep};
   if (hasSurface)
     key.isovalue = scene.isovalue;
   if (!key.showsFunction)
@@ -88,6 +90,7 @@ void SceneTextures::updateEmptySpace(const Scene& scene) {
     visibility.function = &m_functionTable;
   if (hasSurface)
     visibility.isovalue = static_cast<float>(normalisedValue(m_volume->range(), scene.isovalue));
+  visibility.weights = &m_region.blocks();
   const BlockRanges& ranges = m_volumeTexture->ranges();
   mapEmptySpace(ranges, visibility, m_empty);
   m_emptySpace.upload(ranges.blocks(), m_empty.distances);
@@ -124,6 +127,7 @@ void SceneTextures::update(const Scene& scene) {
     m_function.upload(m_functionTable);
     m_functionShown = scene.transferFunction;
   }
+  m_region.update(scene.keep, *m_volumeTexture);
   updateEmptySpace(scene);
   if (scene.quality.toleranceLevels)
     m_blockSteps.update(scene);

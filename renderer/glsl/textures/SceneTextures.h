@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glsl/textures/BlockStepTexture.h"
+#include "glsl/textures/RegionTexture.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
@@ -67,6 +68,7 @@ public:
 
   const VolumeTexture& volume() const { return *m_volumeTexture; }
   const EmptySpaceTexture& emptySpace() const { return m_emptySpace; }
+  const RegionTexture& region() const { return m_region; }
 
   /// Valid where the scene of the last update asks for error-controlled steps.
   const BlockStepTexture& blockSteps() const { return m_blockSteps; }
@@ -91,6 +93,7 @@ private:
     TransferFunction function;
     bool showsFunction = true;
     std::optional<double> isovalue;
+    Region keep;
     bool operator==(const EmptySpaceKey&) const = default;
   };
 
@@ -101,6 +104,7 @@ private:
   VolumeRoom m_room;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VolumeTexture> m_volumeTexture;
+  RegionTexture m_region;
   std::optional<TransferFunction> m_functionShown;
   PiecewiseTable m_functionTable;
   FunctionTexture m_function;

@@ -271,6 +271,10 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
               "the cuts of the crop box are lit as surfaces",
               scene.crop == CropBox{} ? "the crop box keeps the whole volume" : "no light falls on the cuts");
+  plan.clause(Effect::region, isRestricting(scene.keep),
+              scene.keep.kind == Region::Kind::body ? "what is not body is hidden"
+                                                    : "some labels are hidden or faded",
+              scene.keep.kind == Region::Kind::labels ? "every label is shown" : "all of the volume is kept");
   projectionClauses(plan, scene);
   marchClauses(plan, scene, facts, terms);
   plan.clause(Effect::localSteps, finenessOf(scene.quality).has_value(),

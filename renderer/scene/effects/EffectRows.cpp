@@ -49,6 +49,7 @@ const std::vector<Group>& groups() {
       {"jitter", "Shifted samples (jitter)", {Effect::jitter}, Effect::jitter},
       {"knee", "Soft limit of brightness (knee)", {Effect::knee}, Effect::knee},
       {"two_sided", "Light on both sides", {Effect::twoSided}, Effect::twoSided},
+      {"region", "Kept region", {Effect::region}, Effect::region},
   };
   return all;
 }

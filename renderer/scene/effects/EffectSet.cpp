@@ -28,6 +28,7 @@ constexpr std::array<EffectDescription, effectCount> descriptions{{
     {"fog_exp", "EFFECT_FOG_EXP", "exponential fog"},
     {"fog_exp2", "EFFECT_FOG_EXP2", "squared exponential fog"},
     {"cut_faces", "EFFECT_CUT_FACES", "faces cut by the crop box are lit as faces"},
+    {"region", "EFFECT_REGION", "a kept region takes opacity from what lies outside it"},
     {"mip", "EFFECT_MIP", "the largest value of each ray"},
     {"minip", "EFFECT_MINIP", "the smallest value of each ray"},
     {"average", "EFFECT_AVERAGE", "the mean value of each ray"},
@@ -73,11 +74,12 @@ const EffectSet curves{Effect::gammaCurve, Effect::logCurve};
 
 // What a projection cannot use.
 EffectSet withinProjection(EffectSet effects) {
-  const EffectSet marching{Effect::xray,      Effect::preintegration, Effect::jitter,
-                           Effect::longRays,  Effect::denseFunctions, Effect::emptySpaceSkipping,
-                           Effect::localSteps};
+  const EffectSet marching{Effect::xray,     Effect::preintegration, Effect::jitter,
+                           Effect::longRays, Effect::denseFunctions, Effect::emptySpaceSkipping,
+                           Effect::region,   Effect::localSteps};
   if (effects.hasAny(scalarProjections)) {
-    const EffectSet kept = scalarProjections.with(EffectSet{Effect::jitter, Effect::denseFunctions});
+    const EffectSet kept =
+        scalarProjections.with(EffectSet{Effect::jitter, Effect::denseFunctions, Effect::region});
     return effects.without(effects.without(kept));
   }
   if (effects.has(Effect::xray))

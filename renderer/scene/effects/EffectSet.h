@@ -32,6 +32,7 @@ enum class Effect : std::uint8_t {
   fogExp,
   fogExp2,
   cutFaces,
+  region,
   mip,
   minip,
   average,
@@ -84,6 +85,9 @@ private:
 
 /// The projections that classify one value of each ray (classifiesOnce).
 inline const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::average};
+
+/// How the gradient, or the model, changes an opacity before it becomes an extinction.
+inline const EffectSet opacityChanges{Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity};
 
 inline const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
 

@@ -123,7 +123,7 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 }
 
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
-                      const Effort& effort) {
+                      const std::vector<BlockWeight>& weights, const Effort& effort) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
   steps.rungs.resize(facts.facts.size());
@@ -131,17 +131,21 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
   const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
   std::atomic<bool> resolvesFunction = true;
-  const auto rungsOf = [&](const FieldFacts& block) {
+  const auto rungsOf = [&](const FieldFacts& block, BlockWeight weight) {
     const ValueRange values{block.range.lowest - margin, block.range.highest + margin};
     const double opacity = over.largestOpacity(values);
     StepRungs rungs;
-    if (!(opacity > 0.0))
+    if (!(opacity > 0.0) || weight == BlockWeight::none)
       return rungs;
     rungs.isEmpty = false;
-    rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), block.bendPerMm2,
-                            facts.commonPerMm, smallestSpacingMm);
+    const bool isEdge = weight == BlockWeight::varying;
+    const double bend = std::max(block.bendPerMm2, isEdge ? facts.commonPerMm / smallestSpacingMm : 0.0);
+    rungs.plain = plainRung(extinctionPerMm(opacity, function.unitDistanceMm), bend, facts.commonPerMm,
+                            smallestSpacingMm);
     const double bandsPerStep = 2.0 * over.bandsPerValue(values) * block.steepestPerMm * smallestSpacingMm;
-    const int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
+    int resolving = bandsPerStep > 0.0 ? std::max(rungFor(1.0 / bandsPerStep), 0) : 0;
+    if (isEdge)
+      resolving = std::max(resolving, rungFor(0.5));
     if (resolving > finestRung)
       resolvesFunction = false;
     rungs.resolving = static_cast<std::uint8_t>(std::min(resolving, finestRung));
@@ -152,11 +156,17 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
     rows.forEachRow(piece, [&](int j, int k) {
       const std::size_t first = voxelOffset(facts.blocks, 0, j, k);
       for (std::size_t i = first; i < first + static_cast<std::size_t>(facts.blocks.x); ++i)
-        steps.rungs[i] = rungsOf(facts.facts[i]);
+        steps.rungs[i] = rungsOf(facts.facts[i], weights.empty() ? BlockWeight::same : weights[i]);
     });
   });
   steps.resolvesFunction = resolvesFunction;
   return steps;
+}
+
+std::vector<BlockWeight> factWeights(const Region& region, const BlockFacts& facts, const Effort& effort) {
+  if (!isRestricting(region))
+    return {};
+  return blockWeights(region, {facts.blocks, glm::ivec3(factCells)}, effort);
 }
 
 int rungIn(const StepRungs& block, double fineness, double transmittance) {

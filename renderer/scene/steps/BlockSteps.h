@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/function/FunctionDetail.h"
+#include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockFacts.h"
 
 #include <cstdint>
@@ -32,9 +33,14 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 /// values, times the largest bend of the field, in units of the smallest spacing and of what the field
 /// commonly changes over it. And a peak or valley of the function that the block's values reach gets two
 /// samples at least where the field is steepest: an estimate from finer pictures cannot see what no sample
-/// has met. Throws Cancelled.
+/// has met. Where a kept region ends (`weights`; none: all is kept) the extinction bends as a field does that
+/// changes by all that is common from voxel to voxel, and every voxel gets two samples. Throws Cancelled.
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
-                      const Effort& effort = {});
+                      const std::vector<BlockWeight>& weights = {}, const Effort& effort = {});
+
+/// The weights of a region in blocks of facts; none where all is kept. Throws Cancelled.
+std::vector<BlockWeight> factWeights(const Region& region, const BlockFacts& facts,
+                                     const Effort& effort = {});
 
 /// The rung with which a block is entered.
 int rungIn(const StepRungs& block, double fineness, double transmittance);

@@ -18,8 +18,9 @@ std::optional<LocalStepTerms> localStepTerms(const Scene& scene, const BlockFact
     return std::nullopt;
   const Grid& grid = scene.volume->grid();
   const double smallest = smallestSpacingMm(grid);
-  return LocalStepTerms{blockSteps(facts, scene.transferFunction, smallest, effort), *fineness, smallest,
-                        centreIndex(grid)};
+  return LocalStepTerms{
+      blockSteps(facts, scene.transferFunction, smallest, factWeights(scene.keep, facts, effort), effort),
+      *fineness, smallest, centreIndex(grid)};
 }
 
 BlockWalk::BlockWalk(const LocalStepTerms& terms, const FramedRay& ray, const RaySpan& span)

@@ -150,7 +150,8 @@ Flags flagsOf(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, co
 }
 
 // Classifies the blocks of a row of groups.
-void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, int groupY, int groupZ,
+void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs,
+                    const std::vector<BlockWeight>& weights, int groupY, int groupZ,
                     std::vector<std::uint8_t>& distances, Census& census) {
   const glm::ivec3& blocks = ranges.blocks();
   const glm::ivec2 first = glm::ivec2(groupY, groupZ) * groupSize;
@@ -169,8 +170,13 @@ void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& ru
       }
   }
   for (int k = first.y; k < first.y + count.y; ++k)
-    for (int j = first.x; j < first.x + count.x; ++j)
-      census.addRow(&distances[voxelOffset(blocks, 0, j, k)], blocks.x, j, k);
+    for (int j = first.x; j < first.x + count.x; ++j) {
+      const std::size_t row = voxelOffset(blocks, 0, j, k);
+      if (!weights.empty())
+        for (std::size_t i = row; i < row + static_cast<std::size_t>(blocks.x); ++i)
+          distances[i] = weights[i] == BlockWeight::none ? farthestBlock : distances[i];
+      census.addRow(&distances[row], blocks.x, j, k);
+    }
 }
 
 } // namespace
@@ -180,12 +186,14 @@ void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, Empt
   const std::vector<VisibleRun> runs = runsOf(visibility);
   const glm::ivec3& blocks = ranges.blocks();
   map.distances.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  const std::vector<BlockWeight> all;
+  const std::vector<BlockWeight>& weights = visibility.weights ? *visibility.weights : all;
   Census census;
   std::mutex mutex;
   forEachPiece(ranges.groups().z, effort, [&](int k) {
     Census own;
     for (int j = 0; j < ranges.groups().y; ++j)
-      classifyGroups(ranges, runs, j, k, map.distances, own);
+      classifyGroups(ranges, runs, weights, j, k, map.distances, own);
     spreadWithinPlanes(blocks, k * groupSize, std::min((k + 1) * groupSize, blocks.z), map.distances);
     const std::lock_guard lock(mutex);
     census.add(own);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/function/PiecewiseTable.h"
+#include "scene/regions/BlockWeights.h"
 #include "scene/steps/BlockDistances.h"
 #include "scene/steps/BlockRanges.h"
 
@@ -11,10 +12,12 @@
 namespace limn {
 
 /// What may show in a picture: scalars that the transfer function makes opaque, and the surface of one scalar
-/// (normalised as the texels are), in front of all at or above it. Either may be absent.
+/// (normalised as the texels are), in front of all at or above it. Either may be absent. Nothing shows of
+/// blocks of which a region keeps nothing.
 struct Visibility {
   const PiecewiseTable* function = nullptr;
   std::optional<float> isovalue;
+  const std::vector<BlockWeight>* weights = nullptr; ///< of each block, x fastest; empty: all is kept
 };
 
 /// A box of blocks, half open; empty where nothing may show.

@@ -4,6 +4,7 @@
 #include "scene/ProjectionName.h"
 #include "scene/light/ModelName.h"
 #include "scene/steps/RayFrame.h"
+#include "stability/scenes/SimpleRegions.h"
 
 #include <algorithm>
 
@@ -24,6 +25,7 @@ struct Recipe {
   bool hasGradientOpacity = false;
   bool isCropped = false;
   bool hasTolerance = false;
+  bool hasRegion = false;
 };
 
 // Scatters small numbers, so that neighbours have nothing in common (splitmix64).
@@ -61,10 +63,12 @@ Recipe recipeOf(std::uint64_t seed) {
   recipe.hasGradientOpacity = dice.oneIn(4);
   recipe.isCropped = dice.oneIn(3);
   recipe.hasTolerance = dice.oneIn(6);
+  recipe.hasRegion = dice.oneIn(4);
   if (recipe.isComparable) {
     recipe.light.model = ShadingModel::none;
     recipe.hasGradientOpacity = false;
     recipe.hasTolerance = false;
+    recipe.hasRegion = false;
     if (recipe.projection == Projection::isosurface || recipe.projection == Projection::compositeIsosurface)
       recipe.projection = Projection::composite;
   }
@@ -174,6 +178,14 @@ CropBox randomCrop(Dice& dice) {
   return crop;
 }
 
+// Two to four labels in cubes of any size; weights often of exactly 0 or 1.
+Region randomRegion(Dice& dice, const glm::ivec3& dims) {
+  std::vector<double> weights(static_cast<std::size_t>(2 + dice.upTo(3)));
+  for (double& weight : weights)
+    weight = dice.oneIn(2) ? dice.upTo(2) : dice.fraction();
+  return cubesRegion(dims, 1 + dice.upTo(8), weights);
+}
+
 // How many samples the longest ray takes: mostly few, sometimes one (a step longer than the box) or very
 // many.
 double randomSampleCount(Dice& dice) {
@@ -251,6 +263,8 @@ RandomScene randomScene(std::uint64_t seed) {
   scene.fog = randomFog(dice, recipe.fog, scene);
   if (recipe.isCropped)
     scene.crop = randomCrop(dice);
+  if (recipe.hasRegion)
+    scene.keep = randomRegion(dice, grid.dims);
   scene.projection = recipe.projection;
   scene.isovalue = randomValue(dice, scene.volume->range());
   scene.quality = randomQuality(dice, recipe, grid);

@@ -2,6 +2,9 @@
 #include "stability/scenes/SceneVariations.h"
 
 #include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleRegions.h"
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -13,6 +16,13 @@ void setFog(Scene& s, Fog::Mode mode) {
 void setProjection(Scene& s, Projection projection) {
   s.projection = projection;
   s.isovalue = 250.0;
+}
+
+// The lower half is kept.
+Region halfBody(const glm::ivec3& dims) {
+  std::vector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1);
+  std::fill(places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2), places.end(), std::uint8_t{0});
+  return bodyRegion(dims, places);
 }
 
 } // namespace
@@ -79,6 +89,11 @@ const std::vector<Variation>& everyParameter() {
       {"squared exponential fog", [](Scene& s) { setFog(s, Fog::Mode::exp2); }},
       {"crop, left", [](Scene& s) { s.crop.lower.x = 0.4; }},
       {"crop, above", [](Scene& s) { s.crop.upper.z = 0.6; }},
+      {"kept region",
+       [](Scene& s) {
+         s.keep = cubesRegion(s.volume->grid().dims, 7, {1.0, 0.0, 0.4});
+       }},
+      {"body", [](Scene& s) { s.keep = halfBody(s.volume->grid().dims); }},
       {"step", [](Scene& s) { s.quality.stepVoxels = 0.7; }},
       {"early termination", [](Scene& s) { s.quality.earlyTermination = 0.7; }},
       {"pre-integration", [](Scene& s) { s.quality.preintegrated = Preintegration::always; }},

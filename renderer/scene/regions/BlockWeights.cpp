@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/regions/BlockWeights.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace limn {
+namespace {
+
+// The least and the most of some weights.
+struct WeightRange {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  void add(double weight) {
+    least = std::min(least, weight);
+    most = std::max(most, weight);
+  }
+
+  BlockWeight kind() const {
+    return !(most > 0.0) ? BlockWeight::none : least < most ? BlockWeight::varying : BlockWeight::same;
+  }
+};
+
+// The voxels of a block along one axis, the end excluded.
+struct Span {
+  int begin;
+  int end;
+};
+
+Span voxelsOf(int block, int cells, int last) {
+  return {std::max(0, block * cells - 1), std::min(last, (block + 1) * cells + 1) + 1};
+}
+
+} // namespace
+
+std::vector<BlockWeight> blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort) {
+  const glm::ivec3& dims = region.labels->dims();
+  const glm::ivec3& blocks = grid.blocks;
+  std::vector<BlockWeight> kinds(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  std::visit(
+      [&](const auto& places) {
+        forEachPiece(blocks.y * blocks.z, effort, [&](int row) {
+          const Span y = voxelsOf(row % blocks.y, grid.cells.y, dims.y - 1);
+          const Span z = voxelsOf(row / blocks.y, grid.cells.z, dims.z - 1);
+          std::vector<WeightRange> ranges(static_cast<std::size_t>(blocks.x));
+          for (int k = z.begin; k < z.end; ++k)
+            for (int j = y.begin; j < y.end; ++j) {
+              const auto* line = &places[(static_cast<std::size_t>(k) * dims.y + j) * dims.x];
+              for (int i = 0; i < blocks.x; ++i) {
+                const Span x = voxelsOf(i, grid.cells.x, dims.x - 1);
+                for (int voxel = x.begin; voxel < x.end; ++voxel)
+                  ranges[static_cast<std::size_t>(i)].add(region.weights[line[voxel]]);
+              }
+            }
+          std::transform(ranges.begin(), ranges.end(),
+                         kinds.begin() + static_cast<std::ptrdiff_t>(row) * blocks.x,
+                         [](const WeightRange& range) { return range.kind(); });
+        });
+      },
+      region.labels->places());
+  return kinds;
+}
+
+} // namespace limn
