@@ -11,6 +11,7 @@
 #include "widgets/properties/ProjectionSection.h"
 
 #include <QInputDialog>
+#include <QLocale>
 
 #include <algorithm>
 
@@ -59,11 +60,39 @@ void PresetDesk::use(const QString& name) {
     return;
   const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
   // Own presets were shaped on data like this; built-in ones fit themselves to it.
-  const Preset preset = isBuiltIn ? fittedTo(*found, m_with.document.histogram()) : *found;
+  show(isBuiltIn ? fittedTo(*found, m_with.document.histogram()) : *found, tr("use preset %1").arg(name));
+  if (isForHounsfield(*found) && !looksLikeHounsfield(*scene.volume))
+    offerToFit(*found);
+}
+
+void PresetDesk::show(const Preset& preset, const QString& edit) {
   m_with.document.use(preset);
-  m_with.session.edit(withPreset(scene, preset, true), {nextGestureId(), tr("use preset %1").arg(name)});
+  m_with.session.edit(withPreset(m_with.session.scene(), preset, true), {nextGestureId(), edit});
   // A preset that changes nothing is in use as well.
-  m_with.browser.setCurrent(name);
+  m_with.browser.setCurrent(QString::fromStdString(preset.name));
+}
+
+void PresetDesk::offerToFit(const Preset& preset) {
+  const QString name = QString::fromStdString(preset.name);
+  const auto fit = [this, preset, name, volume = m_with.session.scene().volume] {
+    if (m_with.session.scene().volume != volume)
+      return;
+    const Landmarks to = landmarksOf(m_with.document.histogram());
+    show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
+    const auto number = [](double value) { return QLocale().toString(value, 'g', 4); };
+    m_with.messages.show(MessageBar::Kind::warning,
+                         tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
+                            "HU), tissue begins at "
+                            "%4 (%5 HU), the brightest is %6 (%7 HU).")
+                             .arg(name, number(to.background), number(hounsfieldLandmarks.background),
+                                  number(to.object), number(hounsfieldLandmarks.object), number(to.brightest),
+                                  number(hounsfieldLandmarks.brightest)));
+  };
+  m_with.messages.show(MessageBar::Kind::warning,
+                       tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
+                          "nothing, or the wrong tissue.")
+                           .arg(name),
+                       {}, {tr("Fit to this volume"), fit});
 }
 
 void PresetDesk::useNumber(int number) {

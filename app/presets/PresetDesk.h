@@ -46,6 +46,8 @@ public:
   void remove(const QString& name);
 
 private:
+  void show(const Preset& preset, const QString& edit);
+  void offerToFit(const Preset& preset);
   void save(const QString& name);
 
   PresetStore m_store;

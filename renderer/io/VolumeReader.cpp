@@ -116,6 +116,9 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   if (!info.spacingKnown)
     info.warnings.emplace_back(
         "Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z.");
+  // Its own name and that of the folder it lies in: "head/t1.nii".
+  info.hints =
+      withHintsOf(withHintsOf(info.hints, path.parent_path().filename().string()), path.filename().string());
   if (!info.orientationKnown)
     info.warnings.emplace_back("Orientation unknown: the file does not say which side is left.");
   for (std::string& warning : info.warnings)

@@ -26,7 +26,8 @@ Preset spanning(double first, double last, const std::string& modality) {
           .gradientOpacity = std::nullopt,
           .shading = std::nullopt,
           .projection = std::nullopt,
-          .isovalue = std::nullopt};
+          .isovalue = std::nullopt,
+          .landmarks = std::nullopt};
 }
 
 TEST(PresetFit, quantileIsTheValueWithThatShareBelow) {
@@ -41,11 +42,107 @@ TEST(PresetFit, automaticRampIsTransparentForTheBackgroundAndShowsTheObject) {
   EXPECT_GT(classify(ramp, 95.0).opacity, 0.3);
 }
 
-TEST(PresetFit, stretchesMrPresetsAndLeavesCtPresetsWhereHounsfieldPutThem) {
-  const Preset mr = fittedTo(spanning(0, 1000, "MR"), histogramOf(twoClasses()));
-  EXPECT_NEAR(mr.transferFunction.points.front().value, 5.0, 0.1);
-  EXPECT_NEAR(mr.transferFunction.points.back().value, 95.0, 0.1);
+TEST(PresetFit, movesPresetsByTheirLandmarksAndLeavesOthersWhereTheyAre) {
+  Preset mr = spanning(0, 1000, "MR");
+  EXPECT_EQ(fittedTo(mr, histogramOf(twoClasses())), mr) << "it says of no data that it was shaped on it";
+  mr.landmarks = Landmarks{0.0, 250.0, 1000.0};
+  const Preset fitted = fittedTo(mr, histogramOf(twoClasses()));
+  EXPECT_NEAR(fitted.transferFunction.points.front().value, 5.0, 0.1);
+  EXPECT_NEAR(fitted.transferFunction.points.back().value, 95.0, 0.1);
   EXPECT_EQ(fittedTo(spanning(0, 1000, "CT"), histogramOf(twoClasses())), spanning(0, 1000, "CT"));
+}
+
+TEST(PresetFit, aHounsfieldPresetCanBeMovedOntoDataOfAnotherScale) {
+  const Preset preset = withLandmarks(spanning(-1000, 1500, "CT"));
+  const Preset fitted = fittedTo(preset, histogramOf(twoClasses()));
+  EXPECT_NEAR(fitted.transferFunction.points.front().value, 5.0, 0.1);
+  EXPECT_NEAR(fitted.transferFunction.points.back().value, 95.0, 0.1);
+  EXPECT_FALSE(withLandmarks(spanning(0, 1000, "MR")).landmarks);
+}
+
+TEST(Landmarks, keepOrderAndAreMetExactly) {
+  const Landmarks from{0.0, 250.0, 1000.0}, to{-3.0, 1.0, 6.0};
+  EXPECT_EQ(moved(0.0, from, to), -3.0);
+  EXPECT_EQ(moved(250.0, from, to), 1.0);
+  EXPECT_EQ(moved(1000.0, from, to), 6.0);
+  EXPECT_DOUBLE_EQ(moved(125.0, from, to), -1.0);
+  EXPECT_DOUBLE_EQ(moved(1150.0, from, to), 7.0); // beyond: as between object and brightest
+  EXPECT_DOUBLE_EQ(moved(-250.0, from, to), -7.0);
+}
+
+TEST(Landmarks, ascendEvenWhereAllVoxelsAreEqual) {
+  Grid grid;
+  grid.dims = {2, 2, 2};
+  const Landmarks landmarks = landmarksOf(histogramOf(Volume(grid, std::vector<float>(8, 3.0f), {}, {}, {})));
+  EXPECT_LT(landmarks.background, landmarks.object);
+  EXPECT_LT(landmarks.object, landmarks.brightest);
+}
+
+// One class of air, one of the given value, in the share given.
+Volume hounsfieldWith(double share, float value, const ScanHints& hints) {
+  Grid grid;
+  grid.dims = {10, 10, 10};
+  std::vector<float> voxels(1000, -1000.0f);
+  for (int i = 0; i < 300; ++i)
+    voxels[static_cast<std::size_t>(i)] = i < 300 * share ? value : 40.0f;
+  voxels[999] = 900.0f;
+  VolumeInfo info;
+  info.modality = "CT";
+  info.unit = "HU";
+  info.hints = hints;
+  return Volume(grid, voxels, {}, {}, info);
+}
+
+std::string lookOf(const Volume& volume) {
+  return firstLook(volume, histogramOf(volume));
+}
+
+TEST(FirstLook, ofCtGoesByContrastBodyPartAndLungs) {
+  ScanHints hints;
+  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT skin and bone");
+  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT chest");
+  hints.bodyPart = ScanHints::BodyPart::head;
+  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT skin and bone") << "the file says: a head";
+  hints.bodyPart = ScanHints::BodyPart::chest;
+  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT chest");
+  hints.isAngiography = true;
+  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT angiography");
+}
+
+TEST(FirstLook, ofOtherModalitiesGoesByWeightingAndContrast) {
+  const auto look = [](const char* modality, ScanHints hints) {
+    Grid grid;
+    grid.dims = {2, 2, 2};
+    VolumeInfo info;
+    info.modality = modality;
+    info.hints = hints;
+    return lookOf(Volume(grid, std::vector<float>{0, 1, 2, 3, 4, 5, 6, 7}, {}, {}, info));
+  };
+  EXPECT_EQ(look("MR", {}), "MR head");
+  EXPECT_EQ(look("MR", withHintsOf({}, "T2 TSE tra")), "MR T2 head");
+  EXPECT_EQ(look("MR", withHintsOf({}, "FSE PD axial oblique")), "MR PD head");
+  EXPECT_EQ(look("MR", withHintsOf({}, "TOF 3D")), "Vessels");
+  EXPECT_EQ(look("PT", {}), "PET hot spots");
+  EXPECT_EQ(look("US", {}), "Ultrasound surface");
+  EXPECT_EQ(look("", withHintsOf({}, "mr_t1_head.nii.gz")), "MR head");
+  EXPECT_EQ(look("", withHintsOf({}, "cta_brain_avm.nii")), "Vessels");
+  EXPECT_EQ(look("", withHintsOf({}, "ct_thorax.vti")), "CT chest");
+  EXPECT_EQ(look("", {}), "");
+}
+
+TEST(ScanHints, takeWholeWordsAlone) {
+  EXPECT_EQ(withHintsOf({}, "sector octopus amplitude structure"), ScanHints{});
+  const ScanHints hints = withHintsOf({}, "S01_T1w-Brain.nii");
+  EXPECT_EQ(hints.weighting, ScanHints::Weighting::t1);
+  EXPECT_EQ(hints.bodyPart, ScanHints::BodyPart::head);
+  EXPECT_EQ(withHintsOf(hints, "nothing of that kind"), hints);
+}
+
+TEST(ScanHints, tellTheWeightingOfASpinEcho) {
+  EXPECT_EQ(weightingBy(500.0, 15.0), ScanHints::Weighting::t1);
+  EXPECT_EQ(weightingBy(4000.0, 15.0), ScanHints::Weighting::pd);
+  EXPECT_EQ(weightingBy(4000.0, 100.0), ScanHints::Weighting::t2);
+  EXPECT_EQ(weightingBy(1400.0, 15.0), ScanHints::Weighting::unknown);
 }
 
 TEST(PresetFit, recognisesHounsfieldUnitsByNameOrRange) {

@@ -122,6 +122,7 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
   info.format = "DICOM";
   info.modality = first.modality;
   info.unit = first.unit;
+  info.hints = first.hints;
   info.orientationKnown = geometry.orientationKnown;
   info.spacingKnown = geometry.spacingKnown;
   for (const std::string& warning : warnings)

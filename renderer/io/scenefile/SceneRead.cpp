@@ -290,6 +290,18 @@ bool looksLikeScene(std::string_view text) {
   return json.is_object() && json.contains("limn_scene");
 }
 
+static Landmarks readLandmarks(JsonFields& fields) {
+  Landmarks landmarks;
+  JsonFields values = fields.object("landmarks");
+  values.number("background", landmarks.background);
+  values.number("object", landmarks.object);
+  values.number("brightest", landmarks.brightest);
+  values.finish();
+  if (!(landmarks.background < landmarks.object && landmarks.object < landmarks.brightest))
+    fields.fail("landmarks", "must ascend: background, object, brightest");
+  return landmarks;
+}
+
 Preset parsePreset(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
@@ -312,6 +324,8 @@ Preset parsePreset(std::string_view text, const std::string& name) {
   double isovalue = 0.0;
   if (readIsovalue(fields, isovalue))
     preset.isovalue = isovalue;
+  if (fields.has("landmarks"))
+    preset.landmarks = readLandmarks(fields);
   fields.finish();
   return preset;
 }

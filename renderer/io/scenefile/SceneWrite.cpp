@@ -144,6 +144,10 @@ std::string presetToJson(const Preset& preset) {
     json["projection"] = nameOf(*preset.projection);
   if (preset.isovalue)
     json["isosurface"] = {{"value", *preset.isovalue}};
+  if (preset.landmarks)
+    json["landmarks"] = {{"background", preset.landmarks->background},
+                         {"object", preset.landmarks->object},
+                         {"brightest", preset.landmarks->brightest}};
   return textOf(json);
 }
 

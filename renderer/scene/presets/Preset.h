@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/presets/Landmarks.h"
 
 #include <string>
 
@@ -17,7 +18,8 @@ struct Preset {
   std::optional<GradientOpacity> gradientOpacity;
   std::optional<Shading> shading;
   std::optional<Projection> projection;
-  std::optional<double> isovalue; ///< of a projection that shows a surface
+  std::optional<double> isovalue;     ///< of a projection that shows a surface
+  std::optional<Landmarks> landmarks; ///< of the data that it was shaped on; none: in the data's own unit
 
   bool operator==(const Preset&) const = default;
 };

@@ -12,7 +12,55 @@ const Preset* named(const std::vector<Preset>& presets, const std::string& name)
   return found == presets.end() ? nullptr : &*found;
 }
 
+// Lungs fill a good part of a chest, and nothing else has so many voxels between air and fat.
+bool holdsLungs(const Histogram& histogram) {
+  double lung = 0.0;
+  double body = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const double value = valueOfBin(histogram, bin);
+    const auto count = static_cast<double>(histogram.counts[bin]);
+    lung += value >= -900.0 && value < -600.0 ? count : 0.0;
+    body += value >= -300.0 ? count : 0.0;
+  }
+  return lung > 0.15 * body;
+}
+
+const char* firstLookOfHounsfield(const ScanHints& hints, const Histogram& histogram) {
+  if (hints.isAngiography)
+    return "CT angiography";
+  const bool isChest = hints.bodyPart == ScanHints::BodyPart::chest ||
+                       (hints.bodyPart == ScanHints::BodyPart::unknown && holdsLungs(histogram));
+  return isChest ? "CT chest" : "CT skin and bone";
+}
+
+const char* firstLookOfMr(const ScanHints& hints) {
+  if (hints.isAngiography)
+    return "Vessels";
+  return hints.weighting == ScanHints::Weighting::t2   ? "MR T2 head"
+         : hints.weighting == ScanHints::Weighting::pd ? "MR PD head"
+                                                       : "MR head";
+}
+
 } // namespace
+
+std::string firstLook(const Volume& volume, const Histogram& histogram) {
+  const ScanHints& hints = volume.info().hints;
+  if (looksLikeHounsfield(volume))
+    return firstLookOfHounsfield(hints, histogram);
+  if (hints.isAngiography)
+    return "Vessels";
+  const std::string& modality = volume.info().modality.empty() ? hints.modality : volume.info().modality;
+  if (modality == "CT")
+    return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT skin and bone";
+  if (modality == "MR")
+    return firstLookOfMr(hints);
+  if (modality == "PT")
+    return "PET hot spots";
+  if (modality == "US")
+    return "Ultrasound surface";
+  // A head in a scale of its own was commonly taken by MR.
+  return modality.empty() && hints.bodyPart == ScanHints::BodyPart::head ? "MR head" : "";
+}
 
 bool looksLikeHounsfield(const Volume& volume) {
   if (volume.info().unit == "HU")
@@ -23,78 +71,55 @@ bool looksLikeHounsfield(const Volume& volume) {
   return range.lowest >= -3100.0 && range.lowest <= -900.0 && range.highest > 150.0;
 }
 
-double objectThreshold(const Histogram& histogram) {
-  // Make the variance between the two classes largest; take the middle where several do.
-  double total = 0.0;
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    total += static_cast<double>(histogram.counts[bin]);
-    sum += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
-  }
-  double below = 0.0;
-  double sumBelow = 0.0;
-  double best = -1.0;
-  std::size_t first = 0;
-  std::size_t last = 0;
-  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
-    below += static_cast<double>(histogram.counts[bin]);
-    sumBelow += static_cast<double>(histogram.counts[bin]) * static_cast<double>(bin);
-    const double above = total - below;
-    if (below == 0.0 || above == 0.0)
-      continue;
-    const double difference = sumBelow / below - (sum - sumBelow) / above;
-    const double variance = below * above * difference * difference;
-    if (variance > best) {
-      best = variance;
-      first = bin;
-    }
-    if (variance == best)
-      last = bin;
-  }
-  return (valueOfBin(histogram, first) + valueOfBin(histogram, last)) / 2.0;
-}
-
 TransferFunction automaticRamp(const Histogram& histogram) {
+  const Landmarks landmarks = landmarksOf(histogram);
   const double low = histogram.range.lowest;
   const double high = std::max(quantile(histogram, 0.995), low + binWidth(histogram));
+  const double threshold = std::clamp(landmarks.object, low, high);
   // Skin is darker than what it covers: the ramp begins below the threshold.
-  const double threshold = std::clamp(low + 0.6 * (objectThreshold(histogram) - low), low, high);
-  const double knee = threshold + 0.35 * (high - threshold);
   return {1.0,
-          {{threshold, {0.74, 0.52, 0.42}, 0.0},
-           {knee, {0.92, 0.76, 0.62}, 0.10},
-           {high, {1.0, 0.97, 0.90}, 0.6}}};
+          {{low + 0.6 * (threshold - low), {0.72, 0.55, 0.45}, 0.0},
+           {threshold, {0.86, 0.70, 0.58}, 0.25},
+           {threshold + 0.35 * (high - threshold), {0.94, 0.82, 0.70}, 0.5},
+           {high, {1.0, 0.97, 0.90}, 0.85}}};
 }
 
 Preset fittedTo(const Preset& preset, const Histogram& histogram) {
-  const auto& points = preset.transferFunction.points;
-  if (preset.modality == "CT" || points.size() < 2 || points.front().value == points.back().value)
-    return preset;
-  const double low = quantile(histogram, 0.005);
-  const double high = quantile(histogram, 0.998);
-  if (!(high > low))
+  if (!preset.landmarks)
     return preset;
   Preset fitted = preset;
-  const double first = points.front().value;
-  const double scale = (high - low) / (points.back().value - first);
-  for (ControlPoint& point : fitted.transferFunction.points)
-    point.value = low + (point.value - first) * scale;
+  fitted.landmarks = landmarksOf(histogram);
+  fitted.transferFunction = moved(preset.transferFunction, *preset.landmarks, *fitted.landmarks);
+  if (preset.isovalue)
+    fitted.isovalue = moved(*preset.isovalue, *preset.landmarks, *fitted.landmarks);
   return fitted;
 }
 
+bool isForHounsfield(const Preset& preset) {
+  return preset.modality == "CT" && !preset.landmarks;
+}
+
+Preset withLandmarks(Preset preset) {
+  if (isForHounsfield(preset))
+    preset.landmarks = hounsfieldLandmarks;
+  return preset;
+}
+
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort) {
-  if (looksLikeHounsfield(volume)) {
-    if (const Preset* preset = named(builtIn, "CT skin and bone"))
-      return *preset;
-  } else if (volume.info().modality == "MR") {
-    if (const Preset* preset = named(builtIn, "MR head"))
-      return fittedTo(*preset, histogramOf(volume, 1024, effort));
-  }
+  const Histogram histogram = histogramOf(volume, 1024, effort);
+  if (const Preset* preset = named(builtIn, firstLook(volume, histogram)))
+    return fittedTo(looksLikeHounsfield(volume) ? *preset : withLandmarks(*preset), histogram);
   Preset automatic;
   automatic.name = "Automatic";
   automatic.modality = volume.info().modality;
   automatic.note = "Transparent background, brighter values more opaque";
-  automatic.transferFunction = automaticRamp(histogramOf(volume, 1024, effort));
+  automatic.transferFunction = automaticRamp(histogram);
+  // Opaque surfaces would lose their shape in full highlights.
+  automatic.shading = Shading{};
+  automatic.shading->specular = 0.35;
+  automatic.shading->exponent = 24.0;
+  automatic.shading->ambientIntensity = 0.3;
+  automatic.shading->lightIntensity = 0.8;
   return automatic;
 }
 

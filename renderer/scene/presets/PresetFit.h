@@ -13,20 +13,27 @@ namespace limn {
 /// air (-3100..-900) and reaches beyond soft tissue (> 150).
 bool looksLikeHounsfield(const Volume& volume);
 
-/// The threshold that best separates background from object (N. Otsu, IEEE Trans. SMC 9 (1979) 62), scalar
-/// units.
-double objectThreshold(const Histogram& histogram);
-
-/// A function for data without a known scale: transparent up to 0.6 of the object threshold, then a ramp
-/// up to the 99.5 % quantile.
+/// A function for data without a known scale: transparent up to 0.6 of the object threshold, a surface from
+/// there on, full at the 99.5 % quantile.
 TransferFunction automaticRamp(const Histogram& histogram);
 
-/// A preset moved onto data without an absolute scale (MR): its first and last point go to the 0.5 % and
-/// 99.8 % quantiles of the volume's values. CT presets stay where Hounsfield put them.
+/// A preset that knows the landmarks of the data that it was shaped on, moved onto those of other data;
+/// others stay where they are (CT presets where Hounsfield put them).
 Preset fittedTo(const Preset& preset, const Histogram& histogram);
 
-/// The preset a volume opens with: by modality and value range from `builtIn`, fitted; the automatic ramp
-/// where none suits. `builtIn` may be empty.
+/// Whether a preset means Hounsfield units.
+bool isForHounsfield(const Preset& preset);
+
+/// The preset with the landmarks of Hounsfield units where it means those, so that it can be fitted to data in
+/// another scale.
+Preset withLandmarks(Preset preset);
+
+/// The name of the built-in preset that a volume opens with: by modality, body part and contrast where its
+/// file hints at them, and by its values. Empty where none suits; then it is the automatic ramp.
+std::string firstLook(const Volume& volume, const Histogram& histogram);
+
+/// The preset a volume opens with: its first look from `builtIn`, fitted; the automatic ramp where none suits.
+/// `builtIn` may be empty.
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort = {});
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "scene/basics/Effort.h"
 #include "scene/volume/Grid.h"
+#include "scene/volume/ScanHints.h"
 #include "scene/volume/VoxelMask.h"
 
 #include <cstddef>
@@ -58,6 +59,7 @@ struct VolumeInfo {
   std::string format;   ///< e.g. "DICOM", "NIfTI-1"
   std::string modality; ///< DICOM code ("CT", "MR", "PT"), empty where unknown
   std::string unit;     ///< "HU" for CT, empty where unknown
+  ScanHints hints;      ///< what chooses a first look
   bool orientationKnown = true;
   bool spacingKnown = true;
   std::vector<std::string> warnings; ///< one sentence each, without patient data

@@ -156,6 +156,20 @@ void readIdentity(const DicomDataset& dataset, DicomHeader& header) {
                     readableDate(textOf(dataset, tag::studyDate))};
 }
 
+// Of the words only what they hint at is kept.
+ScanHints hintsOf(const DicomDataset& dataset, const std::string& modality) {
+  ScanHints hints;
+  for (const auto& text : {textOf(dataset, tag::bodyPart), textOf(dataset, tag::protocolName),
+                           textOf(dataset, tag::seriesDescription)})
+    hints = withHintsOf(hints, text);
+  hints.modality = modality;
+  const std::optional<double> repetition = decimalOf(dataset, tag::repetitionTime);
+  const std::optional<double> echo = decimalOf(dataset, tag::echoTime);
+  if (modality == "MR" && hints.weighting == ScanHints::Weighting::unknown && repetition && echo)
+    hints.weighting = weightingBy(*repetition, *echo);
+  return hints;
+}
+
 } // namespace
 
 DicomHeader headerOf(const std::filesystem::path& path, const DicomFile& file) {
@@ -166,6 +180,7 @@ DicomHeader headerOf(const std::filesystem::path& path, const DicomFile& file) {
   header.deflatedFrom = file.deflatedFrom;
   header.pixels = file.pixels;
   readIdentity(dataset, header);
+  header.hints = hintsOf(dataset, header.modality);
   header.columns = static_cast<int>(unsignedOf(dataset, tag::columns).value_or(0) & 0xFFFF);
   header.rows = static_cast<int>(unsignedOf(dataset, tag::rows).value_or(0) & 0xFFFF);
   header.format = formatOf(dataset);

@@ -73,6 +73,7 @@ struct DicomHeader {
   std::optional<double> seriesNumber;
   std::optional<double> instanceNumber;
   std::string modality;
+  ScanHints hints;
   std::string unit;
   int columns = 0;
   int rows = 0;
