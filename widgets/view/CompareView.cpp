@@ -199,8 +199,10 @@ std::optional<Image> CompareView::restingImage(int side) {
 
 Scene CompareView::sceneOfRestingImage(int side) const {
   const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
-  const Scene scene = sceneOfSide(side);
-  return resting ? withStep(scene, resting->stepVoxels) : scene;
+  Scene scene = sceneOfSide(side);
+  if (resting)
+    scene.quality = resting->quality;
+  return scene;
 }
 
 ViewGeometry CompareView::geometry() const {

@@ -23,7 +23,7 @@ struct ViewOrders {
 struct RestingPicture {
   std::shared_ptr<const Image> image; ///< premultiplied, without background
   QImage bytes;                       ///< over the background, rounded as a file is
-  double stepVoxels = 0.0;            ///< it was drawn with
+  Quality quality;                    ///< it was drawn with
 };
 
 /// What a picture at rest holds.
