@@ -50,6 +50,8 @@ void CompareView::connectEngines() {
   connect(m_engines, &EngineSwitch::replaced, this, &CompareView::arrangeParts);
   connect(m_engines, &EngineSwitch::replaced, this, &CompareView::redraw);
   connect(m_engines, &EngineSwitch::redrawNeeded, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::preparing, this, &CompareView::showPreparing);
+  connect(m_engines, &EngineSwitch::replaced, this, [this] { showPreparing(1.0); });
   connect(m_engines, &EngineSwitch::stateChanged, this, &CompareView::pictureStateChanged);
   connect(m_engines, &EngineSwitch::effectsChanged, this, &CompareView::effectsChanged);
   connect(m_engines, &EngineSwitch::timesChanged, this, &CompareView::effectTimesChanged);
@@ -80,7 +82,8 @@ void CompareView::connectInput() {
   connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
   connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
   connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
-  connect(m_panels, &PanelStack::loadingCancelled, this, &CompareView::loadingCancelled);
+  connect(m_panels, &PanelStack::loadingCancelled, this,
+          [this] { m_isPreparing ? m_engines->cancelPreparing() : emit loadingCancelled(); });
 }
 
 // What draws asks this for what to show.
@@ -163,6 +166,17 @@ void CompareView::setCropBoxVisible(bool visible) {
   m_cropBoxVisible = visible;
   m_input->forgetFace();
   repaintOverlay();
+}
+
+void CompareView::showPreparing(double fraction) {
+  const bool hasEnded = fraction >= 1.0;
+  if (hasEnded && !m_isPreparing)
+    return;
+  m_isPreparing = !hasEnded;
+  if (hasEnded)
+    clearLoading();
+  else
+    setLoading(fraction, tr("Getting the volume ready for drawing…"));
 }
 
 void CompareView::setLoading(double fraction, const QString& text) {

@@ -166,12 +166,14 @@ private:
   void moveWipe(double fraction);
   void setSwapped(bool swapped);
   void updatePanels();
+  void showPreparing(double fraction);
   void repaintOverlay();
   void offerModels(int position);
 
   Comparison m_shown;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
+  bool m_isPreparing = false; ///< it is said that a volume is got ready
   EngineSwitch* m_engines;
   ViewInput* m_input;
   PanelStack* m_panels;

@@ -107,6 +107,16 @@ std::vector<EffectRow> Pictures::effectRowsOf(int side) {
   return effectRows(scene, m_engine->facts(scene).plan);
 }
 
+double Pictures::makeReady(const Scene& scene, const Effort& effort, double budgetMs) {
+  m_screen->reset();
+  const auto start = std::chrono::steady_clock::now();
+  double done = 0.0;
+  do
+    done = m_engine->makeReady(scene, effort);
+  while (done < 1.0 && msSince(start) < budgetMs);
+  return done;
+}
+
 double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {
   m_screen->reset();
   double ms = 0.0;
