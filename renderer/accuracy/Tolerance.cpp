@@ -94,6 +94,12 @@ private:
   bool m_isEqual;
 };
 
+struct Found {
+  double rung = 0.0;
+  double error = 0.0; // levels, of the 99.9th percentile
+  double mean = 0.0;
+};
+
 // The pictures drawn so far, by rung, and the errors that they tell of.
 class Comparison {
 public:
@@ -113,13 +119,14 @@ public:
 
   // The error of a picture from one that is some rungs finer: an error that falls with the square of the step
   // is nearly all of their difference. A finer one that is there serves again.
-  double errorOf(double rung) {
+  Found errorOf(double rung) {
     const double finer = finerThan(rung);
-    const double difference = imageError(picture(rung), picture(finer)).p99_9;
+    const ImageError difference = imageError(picture(rung), picture(finer));
     const double left = std::exp2(rung - finer);
     // Equal steps may err by the step itself. Of error-controlled ones errors hardly add up at the
     // percentile: over the shared data sets a quarter of what is left in the finer picture is missed.
-    return difference * (m_ladder.isLocal() ? 1.0 + 0.25 * left : 1.0 / (1.0 - std::sqrt(left)));
+    const double missed = m_ladder.isLocal() ? 1.0 + 0.25 * left : 1.0 / (1.0 - std::sqrt(left));
+    return {rung, missed * difference.p99_9, missed * difference.mean};
   }
 
   // The error left in the finer one of two pictures whose steps differ by half.
@@ -153,11 +160,6 @@ private:
   std::map<double, Image> m_pictures;
 };
 
-struct Found {
-  double rung = 0.0;
-  double error = 0.0;
-};
-
 // By how many rungs the error halves, from two errors; commonly by one.
 double rungsToHalve(const Found& a, const Found& b) {
   const double halvings = std::log2(std::max(a.error, 1e-9) / std::max(b.error, 1e-9));
@@ -173,7 +175,7 @@ Found search(Comparison& comparison, const Ladder& ladder, double bound, double 
   std::optional<Found> before, best;
   double rung = std::min(start, last);
   for (int tries = 1;; ++tries) {
-    const Found found{rung, comparison.errorOf(rung)};
+    const Found found = comparison.errorOf(rung);
     const bool isFineEnough = found.error <= bound;
     if (isFineEnough ? found.error >= wellSpent * bound || rung <= 0.0 : rung >= last)
       return found;
@@ -185,12 +187,17 @@ Found search(Comparison& comparison, const Ladder& ladder, double bound, double 
     const double perHalving = before ? rungsToHalve(*before, found) : 1.0;
     const double missing = perHalving * std::log2(std::max(found.error, 1e-3 * bound) / aim);
     if (missing <= near && missing >= -0.4 * near && rung + missing >= 0.0 && rung + missing <= last)
-      return {rounded(rung + missing), aim};
+      return {rounded(rung + missing), aim, found.mean * aim / std::max(found.error, 1e-3 * bound)};
     // Where errors fall slowly, longer and longer strides come to an end.
     const double stride = std::clamp(missing, -4.0, 4.0);
     rung = std::clamp(rounded(rung + (isFineEnough ? stride : std::max(stride, 0.25 * tries))), 0.0, last);
     before = found;
   }
+}
+
+// Of single rays the mean is taken to be as large.
+Found ofSingleRays(double rung, double error) {
+  return {rung, error, error};
 }
 
 // The coarsest whole rung that keeps the bound, with the error of the finer picture counted: of single rays
@@ -200,19 +207,19 @@ Found searchCarefully(Comparison& comparison, const Ladder& ladder, double bound
   for (int rung = std::min(static_cast<int>(std::ceil(ladder.start())), last);;) {
     const int finer = rung + rungsPerHalving;
     const double errorOfFiner = comparison.errorBehind(rung);
-    Found found{double(rung), comparison.error(rung, finer, errorOfFiner)};
+    Found found = ofSingleRays(rung, comparison.error(rung, finer, errorOfFiner));
     if (found.error <= bound) {
       // A coarser one may do.
       while (found.rung > 0) {
         const double error = comparison.error(found.rung - 1, finer, errorOfFiner);
         if (error > bound)
           break;
-        found = {found.rung - 1, error};
+        found = ofSingleRays(found.rung - 1, error);
       }
       return found;
     }
     if (rung == last)
-      return {double(finer), errorOfFiner};
+      return ofSingleRays(finer, errorOfFiner);
     // Errors fall with the step at least: by half in two rungs, commonly in one.
     const double halvings = std::log2(found.error / bound);
     rung = std::min(rung + std::clamp(static_cast<int>(std::ceil(halvings)), 1, 4), last);
@@ -274,8 +281,11 @@ WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, cons
     found = search(comparison, ladder, bound, near, 0.3);
   }
 
-  WithinTolerance result{
-      scene, std::max(safety * found.error + added, termination), found.error <= bound, {}};
+  WithinTolerance result{scene,
+                         std::max(safety * found.error + added, termination),
+                         safety * found.mean,
+                         found.error <= bound,
+                         {}};
   result.scene.quality = ladder.at(found.rung);
   const bool resolves = !ladder.isLocal() || resolvesFunction(scene);
   result.holds = result.holds && resolves;

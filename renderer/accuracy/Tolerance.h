@@ -24,6 +24,7 @@ struct WithinTolerance {
                                ///< steps are equal, a step without tolerance; and the early termination that
                                ///< the tolerance allows
   double estimateLevels = 0.0; ///< of its 99.9th percentile (DEFINITION section 9)
+  double meanLevels = 0.0;     ///< of its mean, without what early ends cost
   bool holds = false;
   std::string sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
 };

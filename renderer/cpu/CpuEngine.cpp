@@ -14,6 +14,10 @@ public:
                             const IsCancelled& isCancelled) override {
     return m_renderer.draw(scene, size, tile, isCancelled);
   }
+  double makeReady(const Scene& scene, const Effort& effort) override {
+    m_renderer.makeReady(scene, effort);
+    return 1.0;
+  }
   Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
     return m_renderer.renderUnlimited(scene, size);
   }

@@ -72,6 +72,11 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
   updateLocalSteps(scene, effort);
 }
 
+void SceneData::makeReady(const Scene& scene, const Effort& effort) {
+  requireDrawable(scene);
+  updateVolume(scene, {m_threads, effort.isCancelled, effort.report});
+}
+
 void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   if (m_volume == scene.volume)
     return;

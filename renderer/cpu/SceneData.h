@@ -21,6 +21,9 @@ public:
   /// which may be empty, at least every 10 ms. Throws Error; Cancelled, and then goes on from where it was.
   void update(const Scene& scene, const std::function<bool()>& isCancelled = {});
 
+  /// Reads the volume alone, and tells how far it is. Throws Cancelled.
+  void makeReady(const Scene& scene, const Effort& effort);
+
   /// Facts on which the effects of the scene of the last update depend.
   SceneFacts facts(const Scene& scene);
 

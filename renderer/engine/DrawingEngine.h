@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/PixelRect.h"
+#include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
 #include "scene/effects/EffectRows.h"
 #include "scene/light/Gradient.h"
@@ -59,6 +60,12 @@ public:
   /// one that computes in memory returns the tile. Throws Error.
   virtual std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                                     const IsCancelled& isCancelled) = 0;
+
+  /// Gets ready for the scene's volume and returns the share that is done, 1 once a picture need not wait for
+  /// it. An engine whose thread others need does a piece of some ten ms in each call; one that has a thread
+  /// to itself does all in one, tells `effort` how far it is and asks it whether to end, with Cancelled. A
+  /// picture drawn earlier waits for the rest. Throws Error.
+  virtual double makeReady(const Scene& scene, const Effort& effort) = 0;
 
   /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they
   /// overflow.

@@ -192,6 +192,12 @@ EffectPlan RayCaster::plan(const Scene& scene) {
   return m_parts->plan(scene);
 }
 
+double RayCaster::makeReady(const Scene& scene) {
+  requireDrawable(scene);
+  const SavedState saved;
+  return m_parts->textures.uploadVolume(scene);
+}
+
 void RayCaster::prepare(const Scene& scene) {
   const SavedState saved;
   m_parts->measure(scene, m_parts->plan(scene).effects);

@@ -20,6 +20,7 @@ public:
     m_caster.draw(scene, size, tile);
     return std::nullopt;
   }
+  double makeReady(const Scene& scene, const Effort&) override { return m_caster.makeReady(scene); }
   Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
     return m_caster.renderUnlimited(scene, size);
   }

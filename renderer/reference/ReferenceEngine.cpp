@@ -27,6 +27,8 @@ public:
         toImage(renderReference(scene, size, m_threads, isCancelled, Limiting::clampOrKnee, tile));
     return tile.size == size ? image : partOf(image, tile);
   }
+  // Voxels are read as they are.
+  double makeReady(const Scene&, const Effort&) override { return 1.0; }
   Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
     return toImage(renderReference(scene, size, m_threads, {}, Limiting::none));
   }

@@ -2,6 +2,8 @@
 #include "WindowHarness.h"
 #include "app/engines/RealRenderers.h"
 #include "support/Heart.h"
+#include "support/JudgedTime.h"
+#include "support/TestData.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/chart/AccuracyChart.h"
@@ -18,6 +20,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
@@ -91,6 +94,29 @@ protected:
     return panel().work() == AccuracyWork::measuring && workEnds() && panel().measured().has_value();
   }
 };
+
+// In a window as large as people use.
+TEST_F(AccuracyWindowTest, measuringTheCtHeadTakesSeconds) {
+  const char* const head = "data/ct_head_cranium/ct_head_cranium.nii.gz";
+  LIMN_NEEDS_SHARED(head);
+  window->resize(1400, 900);
+  ASSERT_TRUE(open(QString::fromStdString((test::sharedFolder() / head).string())));
+  for (const ViewEngine engine : {ViewEngine::driver, ViewEngine::processor}) {
+    view().setEngine(engine, {});
+    ASSERT_TRUE(rest());
+    QElapsedTimer clock;
+    clock.start();
+    ASSERT_TRUE(measure());
+    const char* const by = engine == ViewEngine::driver ? "OpenGL" : "the processor";
+    test::judgeMs(std::string("measuring the CT head by ") + by, static_cast<double>(clock.elapsed()),
+                  15000.0);
+    EXPECT_TRUE(panel().measured()->report.reference.converged);
+    // The exact picture of the next engine is not to be the one that was drawn.
+    Scene moved = scene();
+    moved.camera = orbited(moved.camera, 0.01, 0.0);
+    session().setCamera(moved.camera);
+  }
+}
 
 TEST_F(AccuracyWindowTest, measuringGivesPointsOfEveryPositionWithoutBlockingTheWindow) {
   click(measureButton());

@@ -47,12 +47,12 @@ protected:
     return match.hasMatch() ? match.captured(1).toDouble() : -1.0;
   }
 
-  // As it would be typed: "1/16 voxel" is 0.0625.
-  QString statedStep() const {
-    static const QRegularExpression step(QStringLiteral("([0-9.]+)(?:/([0-9]+))? voxel"));
-    const QRegularExpressionMatch match = step.match(statusText());
-    const double parts = match.captured(2).isEmpty() ? 1.0 : match.captured(2).toDouble();
-    return QString::number(match.captured(1).toDouble() / parts, 'g', QLocale::FloatingPointShortest);
+  // As the tool tip has it typed: {"--step", "0.0625"} or {"--tolerance", "0.5"}.
+  QStringList statedSteps() const {
+    static const QRegularExpression option(QStringLiteral("(--step|--tolerance) ([0-9.e-]+)"));
+    const QRegularExpressionMatch match = option.match(window->findChild<PictureStatus*>()->text().toolTip);
+    EXPECT_TRUE(match.hasMatch());
+    return {match.captured(1), match.captured(2)};
   }
 
   [[nodiscard]] bool refined() {
@@ -64,10 +64,11 @@ protected:
     const QString out = pathTo("rendered.exr");
     QProcess program;
     program.start(QString::fromStdString(test::programPath()),
-                  {QStringLiteral("render"), scene, QStringLiteral("--engine"), QStringLiteral("gl"),
-                   QStringLiteral("--step"), statedStep(), QStringLiteral("--model"),
-                   QLatin1String(nameOf(model)), QStringLiteral("--size"),
-                   QStringLiteral("%1x%2").arg(size.x).arg(size.y), QStringLiteral("-o"), out});
+                  QStringList{QStringLiteral("render"), scene, QStringLiteral("--engine"),
+                              QStringLiteral("gl"), QStringLiteral("--model"), QLatin1String(nameOf(model)),
+                              QStringLiteral("--size"), QStringLiteral("%1x%2").arg(size.x).arg(size.y),
+                              QStringLiteral("-o"), out} +
+                      statedSteps());
     EXPECT_TRUE(program.waitForFinished(-1));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     return samplesOf(out);
@@ -80,9 +81,11 @@ protected:
     const Scene before = scene();
     dragAPoint();
     ASSERT_NE(scene(), before);
-    // Before the first finer picture programs are compiled and the light's overflow is measured.
-    ASSERT_TRUE(test::waitUntil(
-        [&] { return view().pictureState().resting && view().pictureState().sides[0].stepVoxels < step; }));
+    // Before the first finer strip programs are compiled and the light's overflow is measured.
+    ASSERT_TRUE(test::waitUntil([&] {
+      const PictureState& state = view().pictureState();
+      return state.resting && state.refinementFraction > 0.0;
+    }));
     const test::Heart heart;
     ASSERT_TRUE(refined());
     // A turn aims at 30 ms of drawing and a few of showing.
@@ -97,12 +100,12 @@ protected:
       const std::vector<float> expected =
           renderedByTheProgram(pathTo("scene.json"), view().sceneOfSide(side).shading.model, shown->size);
       EXPECT_TRUE(samplesOf(*shown) == expected)
-          << "side " << side << " at step " << statedStep().toStdString();
+          << "side " << side << ", " << statedSteps().join(QLatin1Char(' ')).toStdString();
     }
   }
 };
 
-TEST_F(RefinementTest, afterAnEditThePictureBecomesTheOneThatTheCommandLineDrawsAtTheStepStated) {
+TEST_F(RefinementTest, afterAnEditThePictureBecomesTheOneThatTheCommandLineDrawsWithTheStepsStated) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(rest());
   view().setRefinesAtRest(true);
@@ -135,7 +138,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
                                  << statusText().toStdString();
 }
 
-TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {
+TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnSteps) {
   setLayout(CompareLayout::single);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   view().setRefinesAtRest(true);
@@ -144,8 +147,8 @@ TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnStep) {
   saving().writePicture(pathTo("saved.exr"));
   EXPECT_TRUE(samplesOf(pathTo("saved.exr")) == samplesOf(*shown));
   const LoadedScene inside = loadScene((folder.path() / "saved.exr").string(), {}, {});
-  EXPECT_EQ(inside.scene.quality.stepVoxels, view().pictureState().sides[0].stepVoxels);
-  EXPECT_LT(inside.scene.quality.stepVoxels, scene().quality.stepVoxels);
+  EXPECT_EQ(inside.scene.quality, view().sceneOfRestingImage(0).quality);
+  EXPECT_NE(inside.scene.quality, scene().quality);
 }
 
 TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {

@@ -54,6 +54,8 @@ void CompareView::connectEngines() {
   connect(m_engines, &EngineSwitch::replaced, this, &CompareView::arrangeParts);
   connect(m_engines, &EngineSwitch::replaced, this, &CompareView::redraw);
   connect(m_engines, &EngineSwitch::redrawNeeded, this, &CompareView::redraw);
+  connect(m_engines, &EngineSwitch::preparing, this, &CompareView::showPreparing);
+  connect(m_engines, &EngineSwitch::replaced, this, [this] { showPreparing(1.0); });
   connect(m_engines, &EngineSwitch::stateChanged, this, &CompareView::pictureStateChanged);
   connect(m_engines, &EngineSwitch::effectsChanged, this, &CompareView::effectsChanged);
   connect(m_engines, &EngineSwitch::timesChanged, this, &CompareView::effectTimesChanged);
@@ -84,7 +86,8 @@ void CompareView::connectInput() {
   connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
   connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
   connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
-  connect(m_panels, &PanelStack::loadingCancelled, this, &CompareView::loadingCancelled);
+  connect(m_panels, &PanelStack::loadingCancelled, this,
+          [this] { m_isPreparing ? m_engines->cancelPreparing() : emit loadingCancelled(); });
 }
 
 void CompareView::connectFit() {
@@ -180,6 +183,17 @@ void CompareView::setCropBoxVisible(bool visible) {
   repaintOverlay();
 }
 
+void CompareView::showPreparing(double fraction) {
+  const bool hasEnded = fraction >= 1.0;
+  if (hasEnded && !m_isPreparing)
+    return;
+  m_isPreparing = !hasEnded;
+  if (hasEnded)
+    clearLoading();
+  else
+    setLoading(fraction, tr("Getting the volume ready for drawing…"));
+}
+
 void CompareView::setLoading(double fraction, const QString& text) {
   m_panels->setLoading(fraction, text);
   updatePanels();
@@ -214,8 +228,10 @@ std::optional<Image> CompareView::restingImage(int side) {
 
 Scene CompareView::sceneOfRestingImage(int side) const {
   const std::optional<RestingPicture> resting = m_engines->drawing().resting(side);
-  const Scene scene = sceneOfSide(side);
-  return resting ? withStep(scene, resting->stepVoxels) : scene;
+  Scene scene = sceneOfSide(side);
+  if (resting)
+    scene.quality = resting->quality;
+  return scene;
 }
 
 ViewGeometry CompareView::geometry() const {

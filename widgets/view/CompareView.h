@@ -167,12 +167,14 @@ private:
   void moveWipe(double fraction);
   void setSwapped(bool swapped);
   void updatePanels();
+  void showPreparing(double fraction);
   void repaintOverlay();
   void offerModels(int position);
 
   Comparison m_shown;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
+  bool m_isPreparing = false; ///< it is said that a volume is got ready
   EngineSwitch* m_engines;
   CameraFit* m_fit;
   ViewInput* m_input;

@@ -51,9 +51,19 @@ double SceneTextures::gradientUnit() const {
   return (range.highest - range.lowest) / smallestSpacingMm(m_volume->grid());
 }
 
-void SceneTextures::updateVolume(const Scene& scene) {
-  if (m_volume == scene.volume)
-    return;
+double SceneTextures::uploadVolume(const Scene& scene) {
+  if (m_volume != scene.volume)
+    beginVolume(scene);
+  if (!m_volumeTexture->isComplete()) {
+    const std::shared_ptr<const Volume> volume = std::move(m_volume); // should the driver refuse it
+    m_volume.reset();
+    m_volumeTexture->uploadMore(*volume);
+    m_volume = volume;
+  }
+  return m_volumeTexture->uploadedShare();
+}
+
+void SceneTextures::beginVolume(const Scene& scene) {
   // The old texture goes first: two large volumes need not fit together.
   m_volumeTexture.reset();
   m_region = {};
@@ -120,7 +130,8 @@ IndexBox SceneTextures::visibleBox() const {
 }
 
 void SceneTextures::update(const Scene& scene) {
-  updateVolume(scene);
+  while (uploadVolume(scene) < 1.0) {
+  }
   if (m_functionShown != scene.transferFunction) {
     const ValueRange& range = m_volume->range();
     m_functionTable = tableOf(tabulated(scene.transferFunction, range, m_decisions.table), range);

@@ -54,6 +54,10 @@ public:
   explicit SceneTextures(const Decisions& decisions = {}, const VolumeRoom& room = {})
       : m_decisions(decisions), m_room(room) {}
 
+  /// Uploads a piece of the scene's volume, where it is not there yet; the share that is, 1 once it is whole.
+  /// Changes texture bindings.
+  double uploadVolume(const Scene& scene);
+
   /// Uploads volume and functions; changes texture bindings.
   void update(const Scene& scene);
 
@@ -97,7 +101,7 @@ private:
     bool operator==(const EmptySpaceKey&) const = default;
   };
 
-  void updateVolume(const Scene& scene);
+  void beginVolume(const Scene& scene);
   void updateEmptySpace(const Scene& scene);
 
   Decisions m_decisions;

@@ -8,7 +8,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace limn {
 namespace {
@@ -36,9 +35,11 @@ bool fits(const glm::ivec3& size, GLint format) {
 // What 16 bits hold (shaders/decisions/volume_wide.glsl): an extrapolated texel 2a - b lies within it.
 constexpr ValueRange wideRange{-1.0, 2.0};
 
-// Blocks are uploaded and looked at in so many layers at a time: texels are floats, and all of them at once
-// would take several times the memory of the volume.
+// Blocks are uploaded and looked at in so many layers at a time, or as have so many texels: these are floats,
+// and all of them at once would take several times the memory of the volume. On two cores a piece takes some
+// ten ms.
 constexpr int layersAtATime = 4;
+constexpr std::size_t texelsAtATime = std::size_t{1} << 22;
 
 // Turns texels into what a texture of the format holds of them; returns what is uploaded for that.
 void quantise(VolumeFormat format, std::vector<float>& texels, std::vector<float>& uploaded) {
@@ -49,38 +50,6 @@ void quantise(VolumeFormat format, std::vector<float>& texels, std::vector<float
   for (float& texel : uploaded)
     if (format == VolumeFormat::r16)
       texel = static_cast<float>((texel - wideRange.lowest) / (wideRange.highest - wideRange.lowest));
-}
-
-// Makes the texture that is bound and finds the ranges of its blocks; nothing where the driver has no memory.
-std::optional<BlockRanges> upload(const Volume& volume, const glm::ivec3& reduction, VolumeFormat format) {
-  const glm::ivec3 size = reducedDims(volume.grid().dims, reduction) + 2;
-  const std::size_t plane = static_cast<std::size_t>(size.x) * size.y;
-  forgetDriverErrors();
-  glTexImage3D(GL_TEXTURE_3D, 0, internalFormat(format), size.x, size.y, size.z, 0, GL_RED, GL_FLOAT,
-               nullptr);
-  if (glGetError() != GL_NO_ERROR)
-    return std::nullopt;
-  BlockRanges ranges(blocksOf(size - 2));
-  std::vector<float> texels;
-  std::vector<float> stored;
-  int uploadedPlanes = 0;
-  for (int layer = 0; layer < ranges.blocks().z; layer += layersAtATime) {
-    const int endLayer = std::min(layer + layersAtATime, ranges.blocks().z);
-    const glm::ivec2 planes(planesOfLayer(size, layer).x, planesOfLayer(size, endLayer - 1).y);
-    texels.resize(plane * static_cast<std::size_t>(planes.y - planes.x));
-    fillPlanes(volume, reduction, planes.x, planes.y, texels.data());
-    if (format != VolumeFormat::r32f)
-      quantise(format, texels, stored);
-    const std::vector<float>& source = format == VolumeFormat::r32f ? texels : stored;
-    glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, uploadedPlanes, size.x, size.y, planes.y - uploadedPlanes, GL_RED,
-                    GL_FLOAT, source.data() + plane * static_cast<std::size_t>(uploadedPlanes - planes.x));
-    uploadedPlanes = planes.y;
-    gatherLayers(texels.data(), size, layer, endLayer, ranges);
-  }
-  if (glGetError() != GL_NO_ERROR)
-    return std::nullopt;
-  ranges.finish();
-  return ranges;
 }
 
 std::string times(const glm::ivec3& v) {
@@ -101,22 +70,30 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
 
 VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, const VolumeRoom& room)
     : m_format(format), m_room(room), m_dims(volume.grid().dims) {
-  const GLint stored = internalFormat(format);
+  allocate();
+}
+
+// Makes room for the whole; less where the driver has none and less may be shown.
+void VolumeTexture::allocate() {
+  const GLint stored = internalFormat(m_format);
   const auto isTooLarge = [&] {
     const glm::ivec3 size = reducedDims(m_dims, m_reduction) + 2;
-    return static_cast<double>(bytesOf(size, format)) > 1e6 * room.mostMb || !fits(size, stored);
+    return static_cast<double>(bytesOf(size, m_format)) > 1e6 * m_room.mostMb || !fits(size, stored);
   };
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
-  for (;;) {
+  for (bool isAllocated = false; !isAllocated;) {
     while (isTooLarge())
       reduce();
     m_size = reducedDims(m_dims, m_reduction) + 2;
-    if (std::optional<BlockRanges> ranges = upload(volume, m_reduction, format)) {
-      m_ranges = std::move(*ranges);
-      break;
-    }
-    reduce();
+    forgetDriverErrors();
+    glTexImage3D(GL_TEXTURE_3D, 0, stored, m_size.x, m_size.y, m_size.z, 0, GL_RED, GL_FLOAT, nullptr);
+    isAllocated = glGetError() == GL_NO_ERROR;
+    if (!isAllocated)
+      reduce();
   }
+  m_ranges = BlockRanges(blocksOf(m_size - 2));
+  m_layersDone = 0;
+  m_planesDone = 0;
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
     glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
@@ -124,6 +101,42 @@ VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, const Vo
   // The centre of the box lies at dims/(2·reduction) texels from the apron, the texture's at its half.
   const glm::dvec3 covered = glm::dvec3(m_dims) / glm::dvec3(m_reduction);
   m_shift = (covered - glm::dvec3(m_size - 2)) / 2.0 / glm::dvec3(m_size);
+}
+
+bool VolumeTexture::isComplete() const {
+  return m_layersDone == m_ranges.blocks().z;
+}
+
+double VolumeTexture::uploadedShare() const {
+  return static_cast<double>(m_layersDone) / m_ranges.blocks().z;
+}
+
+void VolumeTexture::uploadMore(const Volume& volume) {
+  const std::size_t plane = static_cast<std::size_t>(m_size.x) * m_size.y;
+  const int layers = std::clamp(static_cast<int>(texelsAtATime / (plane * blockSize)), 1, layersAtATime);
+  const int endLayer = std::min(m_layersDone + layers, m_ranges.blocks().z);
+  const glm::ivec2 planes(planesOfLayer(m_size, m_layersDone).x, planesOfLayer(m_size, endLayer - 1).y);
+  m_texels.resize(plane * static_cast<std::size_t>(planes.y - planes.x));
+  fillPlanes(volume, m_reduction, planes.x, planes.y, m_texels.data());
+  if (m_format != VolumeFormat::r32f)
+    quantise(m_format, m_texels, m_quantised);
+  const std::vector<float>& source = m_format == VolumeFormat::r32f ? m_texels : m_quantised;
+  forgetDriverErrors();
+  glBindTexture(GL_TEXTURE_3D, m_texture.name());
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, m_planesDone, m_size.x, m_size.y, planes.y - m_planesDone, GL_RED,
+                  GL_FLOAT, source.data() + plane * static_cast<std::size_t>(m_planesDone - planes.x));
+  if (glGetError() != GL_NO_ERROR) {
+    reduce();
+    return allocate();
+  }
+  m_planesDone = planes.y;
+  gatherLayers(m_texels.data(), m_size, m_layersDone, endLayer, m_ranges);
+  m_layersDone = endLayer;
+  if (!isComplete())
+    return;
+  m_ranges.finish();
+  m_texels = {};
+  m_quantised = {};
 }
 
 glm::dvec3 VolumeTexture::scale() const {

@@ -7,6 +7,7 @@
 #include "scene/steps/EmptySpace.h"
 
 #include <string>
+#include <vector>
 
 namespace limn {
 
@@ -14,10 +15,16 @@ namespace limn {
 /// take more than it may, and where that is allowed.
 class VolumeTexture {
 public:
-  /// Throws Error (openGl) where even a small texture is refused, VolumeTooLarge where the whole one is and
-  /// nothing less may be shown.
+  /// Makes room; nothing may be drawn before it is complete. Throws Error (openGl) where even a small texture
+  /// is refused, VolumeTooLarge where the whole one is and nothing less may be shown.
   explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f,
                          const VolumeRoom& room = {});
+
+  /// Uploads the next layers of the volume that it was made for; only while not complete. Changes texture
+  /// bindings. Throws as the constructor does.
+  void uploadMore(const Volume& volume);
+  bool isComplete() const;
+  double uploadedShare() const; ///< 0..1
 
   unsigned name() const { return m_texture.name(); }
 
@@ -50,6 +57,7 @@ public:
 private:
   std::string tooLarge() const;
   void reduce();
+  void allocate();
 
   GlTexture m_texture;
   VolumeFormat m_format;
@@ -58,6 +66,9 @@ private:
   glm::ivec3 m_size{0};
   glm::ivec3 m_reduction{1};
   BlockRanges m_ranges;
+  int m_layersDone = 0;                     ///< of blocks
+  int m_planesDone = 0;                     ///< of texels
+  std::vector<float> m_texels, m_quantised; ///< of the layers that are being uploaded
   glm::dvec3 m_shift{0.0}; ///< of the box's centre, where the last texel is only partly covered
 };
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
+#include "cpu/CpuEngine.h"
+#include "scene/basics/Error.h"
 #include "support/BrokenDriver.h"
 #include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/panels/ViewPanels.h"
@@ -8,6 +10,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+
+#include <atomic>
+#include <thread>
 
 // What covers the pictures, in a real window.
 
@@ -44,6 +49,67 @@ TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
   QTest::keyClick(&host.view, Qt::Key_A);
   host.drag({10, 10}, {60, 60});
   EXPECT_EQ(host.cameraEdits, 0);
+}
+
+// An engine that never gets ready for a volume until it is allowed to.
+class UnreadyEngine final : public DrawingEngine {
+public:
+  explicit UnreadyEngine(const std::atomic<bool>& isReady) : m_isReady(isReady) {}
+
+  double makeReady(const Scene& scene, const Effort& effort) override {
+    while (!m_isReady) {
+      effort.report(0.25);
+      if (effort.isCancelled())
+        throw Cancelled();
+      std::this_thread::yield();
+    }
+    return m_engine->makeReady(scene, effort);
+  }
+  std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
+                            const IsCancelled& isCancelled) override {
+    return m_engine->draw(scene, size, tile, isCancelled);
+  }
+  Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
+    return m_engine->drawUnlimited(scene, size);
+  }
+  bool prepare(const Scene& scene, const glm::ivec2& size) override { return m_engine->prepare(scene, size); }
+  std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
+    return m_engine->measureEffects(scene, size);
+  }
+  DrawingFacts facts(const Scene& scene) override { return m_engine->facts(scene); }
+  GradientScale gradientScale() const override { return m_engine->gradientScale(); }
+  int compiledPrograms() const override { return m_engine->compiledPrograms(); }
+  double memoryMb() const override { return m_engine->memoryMb(); }
+  std::string name() const override { return m_engine->name(); }
+  std::string limitation() const override { return m_engine->limitation(); }
+
+private:
+  std::unique_ptr<DrawingEngine> m_engine = makeCpuEngine();
+  const std::atomic<bool>& m_isReady;
+};
+
+TEST(Panels, gettingAVolumeReadyIsSaidCanBeCancelledAndTriedAgain) {
+  std::atomic<bool> isReady = false;
+  ViewHost host(
+      {400, 240}, [&] { return std::make_unique<UnreadyEngine>(isReady); }, ViewEngine::processor);
+  QSignalSpy loading(&host.view, &CompareView::loadingCancelled);
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  auto* panel = host.view.findChild<LoadingPanel*>();
+  ASSERT_TRUE(test::waitUntil([&] { return panel->isVisible(); }));
+  EXPECT_TRUE(panel->findChild<QLabel*>()->text().contains(QStringLiteral("ready")));
+  host.drag({100, 100}, {140, 110});
+  EXPECT_TRUE(panel->isVisible()) << "another camera is no reason to begin anew";
+  QTest::mouseClick(buttonNamed(host, "cancel"), Qt::LeftButton);
+  auto* message = host.view.findChild<MessagePanel*>();
+  ASSERT_TRUE(test::waitUntil([&] { return message->isVisible() && !panel->isVisible(); }));
+  EXPECT_TRUE(message->findChild<QLabel*>(QStringLiteral("sentence"))->text().contains("cancelled"));
+  EXPECT_EQ(loading.count(), 0) << "nothing is read";
+  isReady = true;
+  QTest::mouseClick(buttonNamed(host, "retry"), Qt::LeftButton);
+  ASSERT_TRUE(host.rest());
+  EXPECT_FALSE(message->isVisible());
+  EXPECT_FALSE(panel->isVisible());
 }
 
 TEST(Panels, aFailureIsSaidInsteadOfABlackWindowAndCanBeOvercome) {

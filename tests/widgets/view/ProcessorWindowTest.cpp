@@ -77,15 +77,16 @@ TEST(OnProcessor, sidesSwapAndTheWipeMovesWithoutDrawingAnew) {
   EXPECT_TRUE(host.isShowing(host.drawn(0)));
 }
 
-TEST(OnProcessor, refinesAtRestToThePictureOfTheStepThatItStates) {
+TEST(OnProcessor, refinesAtRestToThePictureOfTheQualityThatItStates) {
   ProcessorHost host;
   host.view.setRefinesAtRest(true);
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] {
     const PictureState state = host.view.pictureState();
-    return state.resting && state.sides[0].stepVoxels < host.scene.quality.stepVoxels;
+    return state.resting && state.sides[0].estimate && !state.sides[0].isRough;
   }));
   const Scene asShown = host.view.sceneOfRestingImage(0);
+  EXPECT_NE(asShown.quality, host.scene.quality);
   const std::optional<Image> shown = host.view.restingImage(0);
   ASSERT_TRUE(shown);
   EXPECT_EQ(*shown, CpuRenderer(1).render(asShown, shown->size));

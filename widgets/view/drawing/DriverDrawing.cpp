@@ -76,6 +76,7 @@ DriverDrawing::DriverDrawing(MakeEngine makeEngine, ViewOrders orders, DriverRec
   connect(&m_loop, &PictureLoop::timesChanged, this, &ViewDrawing::timesChanged);
   connect(&m_loop, &PictureLoop::showNeeded, m_canvas, qOverload<>(&QWidget::update));
   connect(&m_loop, &PictureLoop::completed, this, &ViewDrawing::completed);
+  connect(&m_loop, &PictureLoop::preparing, this, &ViewDrawing::preparing, Qt::QueuedConnection);
   connect(&m_loop, &PictureLoop::restFailed, this, &ViewDrawing::restFailed);
 }
 
@@ -126,7 +127,7 @@ void DriverDrawing::paint() {
     m_recovery.guard([this] { m_loop.drawIfStale(m_orders.request()); });
   QOpenGLFunctions& gl = *m_canvas->context()->functions();
   gl.glBindFramebuffer(GL_FRAMEBUFFER, m_canvas->defaultFramebufferObject());
-  if (m_loop.pictures() && m_orders.canDraw()) {
+  if (m_loop.pictures() && m_orders.canDraw() && !m_loop.isPreparing()) {
     m_loop.pictures()->show(m_orders.arrangement(), m_orders.background());
     if (const std::optional<Overlay> overlay = m_orders.overlay())
       paintOverlayInContext(*overlay, m_orders.geometry());

@@ -29,6 +29,7 @@ public:
   void measureEffects() override { m_loop.measureEffects(); }
   void setRefines(bool refines) override { m_loop.setRefines(refines); }
   void setMovingMs(double ms) override { m_loop.setMovingMs(ms); }
+  void endPreparing() override { m_loop.stop(); }
   const PictureState& state() const override { return m_loop.state(); }
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override { return m_loop.gradientScaleOf(side); }

@@ -58,6 +58,7 @@ void EngineSwitch::draw(ViewEngine engine) {
   connect(m_drawing, &ViewDrawing::effectsChanged, this, &EngineSwitch::effectsChanged);
   connect(m_drawing, &ViewDrawing::timesChanged, this, &EngineSwitch::timesChanged);
   connect(m_drawing, &ViewDrawing::completed, &m_recovery, &DriverRecovery::noteSuccess);
+  connect(m_drawing, &ViewDrawing::preparing, this, &EngineSwitch::preparing);
   connect(m_drawing, &ViewDrawing::restFailed, this, &EngineSwitch::errorOccurred);
   connect(&m_recovery, &DriverRecovery::stopped, m_drawing, &ViewDrawing::stop);
   m_drawing->canvas().lower();
@@ -89,6 +90,11 @@ void EngineSwitch::forget() {
   m_recovery.forget();
   m_drawing->forget();
   retryDriver();
+}
+
+void EngineSwitch::cancelPreparing() {
+  m_drawing->endPreparing();
+  m_recovery.fail(tr("Getting the volume ready for drawing was cancelled."));
 }
 
 void EngineSwitch::setRefines(bool refines) {

@@ -30,6 +30,9 @@ public:
   /// Another volume: nothing that failed of the last one counts.
   void forget();
 
+  /// Gives up getting a volume ready: nothing is drawn until it is tried again or something else is shown.
+  void cancelPreparing();
+
   void setRefines(bool refines);
   void setMovingMs(double ms);
 
@@ -41,6 +44,8 @@ public:
   const QString& failureDetails() const { return m_recovery.details(); }
 
 signals:
+  /// How far a volume is got ready for drawing, 0..1, where that takes long; 1 once that has ended.
+  void preparing(double fraction);
   void replaced(); ///< another drawing, with another canvas, is to be laid out
   void redrawNeeded();
   void stateChanged(const limn::PictureState& state);

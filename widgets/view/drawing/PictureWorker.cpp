@@ -22,13 +22,15 @@ PictureWorker::PictureWorker(MakeEngine makeEngine)
             return std::make_unique<Pictures>(
                 makeEngine(), makeMemoryScreen([this] { return m_isInterrupted && !m_isCoarse; }));
           },
-          {[this] { return m_canDraw; }, [] {}, [] {}, [this](const auto& work) { guard(work); }}, workerPace,
-          this) {
+          {[this] { return m_canDraw; }, [] {}, [] {}, [this](const auto& work) { guard(work); },
+           [this] { return m_endsPreparing.load(); }},
+          workerPace, this) {
   connect(&m_loop, &PictureLoop::showNeeded, this, &PictureWorker::show);
   connect(&m_loop, &PictureLoop::stateChanged, this, &PictureWorker::deliver);
   connect(&m_loop, &PictureLoop::effectsChanged, this, &PictureWorker::effectsChanged);
   connect(&m_loop, &PictureLoop::timesChanged, this, &PictureWorker::timesChanged);
   connect(&m_loop, &PictureLoop::completed, this, &PictureWorker::completed);
+  connect(&m_loop, &PictureLoop::preparing, this, &PictureWorker::preparing);
   connect(&m_loop, &PictureLoop::restFailed, this, &PictureWorker::restFailed);
 }
 
@@ -55,6 +57,7 @@ void PictureWorker::begin() {
     next = std::move(m_next).value();
     m_next.reset();
     m_isInterrupted = false;
+    m_endsPreparing = false;
   }
   const bool isOther = next.number != m_order.number;
   m_order = std::move(next);
@@ -82,7 +85,7 @@ void PictureWorker::guard(const PictureContext::Work& work) {
   try {
     work();
   } catch (const Cancelled&) {
-    // Something else is to be shown.
+    // Something else is to be shown, or nothing.
   } catch (const std::exception& error) {
     m_canDraw = false;
     m_loop.stop();

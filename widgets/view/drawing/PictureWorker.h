@@ -42,6 +42,8 @@ public:
   std::optional<PictureDelivery> take();
   /// From any thread: ends what is being drawn at rest.
   void interrupt() { m_isInterrupted = true; }
+  /// From any thread: ends getting a volume ready, too, which another order does not.
+  void endPreparing() { m_endsPreparing = true; }
 
   void rest(); ///< draws nothing more until it is asked or told to go on
   void goOn();
@@ -53,7 +55,8 @@ public:
   void setMovingMs(double ms) { m_loop.setMovingMs(ms); }
 
 signals:
-  void delivered(); ///< there is something to take
+  void preparing(double fraction); ///< how far a volume is got ready, 0..1
+  void delivered();                ///< there is something to take
   void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
   void timesChanged(const limn::EffectTimes& times);
   void completed();
@@ -73,6 +76,7 @@ private:
   bool m_isCoarse = false; ///< a coarse picture is being drawn
 
   std::atomic<bool> m_isInterrupted = false;
+  std::atomic<bool> m_endsPreparing = false;
   std::mutex m_mutex;
   std::optional<PictureOrder> m_next;        ///< guarded
   std::optional<PictureDelivery> m_delivery; ///< guarded

@@ -45,6 +45,7 @@ ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, ViewOrders orders, QWi
   connect(m_worker, &PictureWorker::effectsChanged, this, &ViewDrawing::effectsChanged);
   connect(m_worker, &PictureWorker::timesChanged, this, &ViewDrawing::timesChanged);
   connect(m_worker, &PictureWorker::completed, this, &ViewDrawing::completed);
+  connect(m_worker, &PictureWorker::preparing, this, &ViewDrawing::preparing);
   connect(m_worker, &PictureWorker::restFailed, this, &ViewDrawing::restFailed);
   connect(m_worker, &PictureWorker::failed, this, &ProcessorDrawing::failed);
   connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
@@ -54,6 +55,7 @@ ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, ViewOrders orders, QWi
 
 ProcessorDrawing::~ProcessorDrawing() {
   m_worker->interrupt();
+  m_worker->endPreparing();
   m_thread.quit();
   m_thread.wait();
   delete m_canvas;
@@ -97,7 +99,12 @@ void ProcessorDrawing::resume() {
   QMetaObject::invokeMethod(m_worker, &PictureWorker::goOn);
 }
 
+void ProcessorDrawing::endPreparing() {
+  m_worker->endPreparing();
+}
+
 void ProcessorDrawing::forget() {
+  m_worker->endPreparing();
   m_delivery = {};
   m_state = {};
   QMetaObject::invokeMethod(m_worker, &PictureWorker::forget);

@@ -28,6 +28,7 @@ public:
   void measureEffects() override;
   void setRefines(bool refines) override;
   void setMovingMs(double ms) override;
+  void endPreparing() override;
   const PictureState& state() const override { return m_state; }
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override;

@@ -4,7 +4,7 @@
 namespace limn {
 
 RestingPicture restingPicture(const SidePicture& side) {
-  return {side.picture().image, side.picture().bytes, side.finishedStepVoxels()};
+  return {side.picture().image, side.picture().bytes, side.finishedQuality()};
 }
 
 } // namespace limn

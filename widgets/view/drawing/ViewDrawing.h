@@ -23,7 +23,7 @@ struct ViewOrders {
 struct RestingPicture {
   std::shared_ptr<const Image> image; ///< premultiplied, without background
   QImage bytes;                       ///< over the background, rounded as a file is
-  double stepVoxels = 0.0;            ///< it was drawn with
+  Quality quality;                    ///< it was drawn with
 };
 
 /// What a picture at rest holds.
@@ -60,7 +60,12 @@ public:
   /// The gradient moduli with which a side was lit; empty before it was drawn.
   virtual GradientScale gradientScaleOf(int side) const = 0;
 
+  /// Gives up getting a volume ready; nothing is drawn until something is asked for anew.
+  virtual void endPreparing() = 0;
+
 signals:
+  /// How far a volume is got ready for drawing, 0..1, where that takes long; 1 once that has ended.
+  void preparing(double fraction);
   void stateChanged(const limn::PictureState& state);
   void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
   void timesChanged(const limn::EffectTimes& times);

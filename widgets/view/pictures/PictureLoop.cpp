@@ -9,6 +9,7 @@ namespace limn {
 namespace {
 
 constexpr int showEveryMs = 200;          // while refining: showing costs as much as a turn of it
+constexpr int tellEveryMs = 50;           // how far a volume is got ready
 constexpr int waitMs = 4;                 // for another thread
 constexpr double timeBetweenProbes = 9.0; // in times of one
 
@@ -44,6 +45,7 @@ void PictureLoop::restart() {
 }
 
 void PictureLoop::stop() {
+  endPreparing();
   m_idleTimer.stop();
   m_refineTimer.stop();
   m_restTimer.stop();
@@ -67,9 +69,52 @@ void PictureLoop::drawIfStale(const PictureRequest& request) {
   }
   if (!m_isStale)
     return;
-  m_isStale = false;
-  if (request.size.x > 0 && request.size.y > 0)
+  if (request.size.x > 0 && request.size.y > 0) {
+    if (!makeReady(request.scenes.front()))
+      return;
+    m_isStale = false;
     drawCoarsely(request);
+  } else {
+    m_isStale = false;
+  }
+}
+
+// A large volume takes long: the rest is done in later turns.
+bool PictureLoop::makeReady(const Scene& scene) {
+  if (!isPreparing())
+    m_sincePreparing.start();
+  const Effort effort{0, m_context.isCancelled, [this](double fraction) { tellPreparing(0.99 * fraction); }};
+  double done = 0.0;
+  try {
+    done = m_pictures->makeReady(scene, effort, m_pace.budgetMs);
+  } catch (...) {
+    endPreparing();
+    throw;
+  }
+  if (done < 1.0) {
+    tellPreparing(done);
+    QTimer::singleShot(0, this, &PictureLoop::showNeeded);
+    return false;
+  }
+  endPreparing();
+  return true;
+}
+
+void PictureLoop::tellPreparing(double fraction) {
+  const bool isDue = m_sinceTold.isValid() ? m_sinceTold.elapsed() >= tellEveryMs
+                                           : m_sincePreparing.elapsed() >= m_pace.tellMs;
+  if (!isDue)
+    return;
+  m_sinceTold.start();
+  emit preparing(fraction);
+}
+
+void PictureLoop::endPreparing() {
+  m_sincePreparing.invalidate();
+  if (!m_sinceTold.isValid())
+    return;
+  m_sinceTold.invalidate();
+  emit preparing(1.0);
 }
 
 // Draw at the quality that was fast enough last time; where it proves to have been too careful, once more.
@@ -149,7 +194,7 @@ bool PictureLoop::isDriverLost() {
 
 // Small pictures take a part of the time that the ones they stand for are given.
 void PictureLoop::probeError() {
-  if (!m_pictures || !m_context.canDraw())
+  if (!m_pictures || isPreparing() || !m_context.canDraw())
     return;
   QElapsedTimer clock;
   clock.start();

@@ -35,6 +35,7 @@ struct PictureContext {
   std::function<void()> makeCurrent;
   std::function<void()> doneCurrent;
   std::function<void(const Work&)> guard; ///< does the work; where it fails, that is theirs to mend
+  std::function<bool()> isCancelled;      ///< asked while a volume is got ready; may be empty
 };
 
 /// How pictures share the turns of their event loop with others.
@@ -42,6 +43,7 @@ struct PicturePace {
   int idleMs = 150;           ///< from the last coarse picture to the first strip
   double budgetMs = 30.0;     ///< of drawing in one turn
   double restBudgetMs = 20.0; ///< of drawing what nobody waits for
+  int tellMs = 500;           ///< from the beginning of work that is told of, if it is not done before
 };
 
 /// Brings pictures from coarse to exact, a piece in each turn of the event loop: a coarse picture at once,
@@ -57,7 +59,7 @@ public:
   /// Something else is to be shown: what was drawn is stale. Until `drawIfStale` nothing is drawn.
   void restart();
   /// Draws coarsely where that is due, making the pictures first where there are none. Called inside
-  /// `guard`, with the context current. Throws Error.
+  /// `guard`, with the context current. A large volume is first got ready, a piece a turn. Throws Error.
   void drawIfStale(const PictureRequest& request);
   /// Goes on with what is done at rest, after it paused unseen.
   void resume() { m_restTimer.start(0); }
@@ -84,6 +86,9 @@ public:
   void setMovingMs(double ms) { m_quality.setTargetMs(ms); }
   double movingMs() const { return m_quality.targetMs(); }
 
+  /// A volume is being got ready: what pictures there are show another one.
+  bool isPreparing() const { return m_sincePreparing.isValid(); }
+
   Pictures* pictures() { return m_pictures.get(); } ///< null while there is nothing to show
   const PictureState& state() const { return m_state; }
   const SidePicture* resting(int side) const; ///< null before it is complete
@@ -97,6 +102,8 @@ signals:
   /// What the last picture, called `picture`, calls for.
   void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
   void timesChanged(const limn::EffectTimes& times);
+  /// How far a volume is got ready, 0..1, where that takes long; 1 once it is or something else is wanted.
+  void preparing(double fraction);
   void showNeeded();
   /// Every picture is complete at its scene's step.
   void completed();
@@ -104,6 +111,9 @@ signals:
   void restFailed(const QString& sentence);
 
 private:
+  bool makeReady(const Scene& scene);
+  void tellPreparing(double fraction);
+  void endPreparing();
   void drawCoarsely(const PictureRequest& request);
   void refine();
   void updateState();
@@ -126,6 +136,8 @@ private:
   QTimer m_restTimer;
   QTimer m_probeTimer; ///< from a coarse picture to the measure of its error
   QElapsedTimer m_sinceShown;
+  QElapsedTimer m_sincePreparing; ///< valid while a volume is being got ready
+  QElapsedTimer m_sinceTold;      ///< how far that is; valid once it was
   PictureState m_state;
   std::vector<EffectRow> m_effects; ///< as told last
   QString m_effectsPicture;

@@ -26,12 +26,13 @@ enum class ViewEngine { driver, processor };
 /// How far one picture of the view is.
 struct SideState {
   ShadingModel model = ShadingModel::classic;
-  double fraction = 0.0;            ///< of the picture at rest, 0..1
-  double stepVoxels = 0.0;          ///< of what is shown, in units of the smallest spacing
-  double imageScale = 1.0;          ///< of what is shown: pixels drawn per pixel of the window, each way
-  double shownMs = 0.0;             ///< drawing time of what is shown
-  std::optional<double> completeMs; ///< drawing time of the last complete picture at rest
-  std::optional<double> contrast;   ///< of the picture at rest, RMS
+  double fraction = 0.0;                 ///< of the picture at rest, 0..1
+  double stepVoxels = 0.0;               ///< of what is shown, in units of the smallest spacing
+  std::optional<double> toleranceLevels; ///< of what is shown, where its steps follow the error
+  double imageScale = 1.0;               ///< of what is shown: pixels drawn per pixel of the window, each way
+  double shownMs = 0.0;                  ///< drawing time of what is shown
+  std::optional<double> completeMs;      ///< drawing time of the last complete picture at rest
+  std::optional<double> contrast;        ///< of the picture at rest, RMS
   std::optional<Overflow> overflow; ///< of the light before it is limited, at the scene's step; absent where
                                     ///< unlit
   std::optional<ErrorEstimate> estimate; ///< of the error of what is shown; absent while nothing is known
@@ -44,7 +45,7 @@ struct SideState {
 struct PictureState {
   std::vector<SideState> sides;
   bool resting = false; ///< every side is complete at the scene's step; it may be refined from there
-  bool refines = false; ///< strips of a smaller step are being drawn
+  bool refines = false; ///< a better picture is being drawn, or looked for
   double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
   QString renderer;                           ///< what draws, by its own name

@@ -18,7 +18,7 @@ double msSince(std::chrono::steady_clock::time_point start) {
 Pictures::Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen)
     : m_engine(std::move(engine)),
       m_screen(std::move(screen)), m_sides{SidePicture(*m_screen), SidePicture(*m_screen)}, m_rest(*m_screen),
-      m_probe(*m_screen) {}
+      m_probe(*m_screen), m_refinement(*m_screen) {}
 
 Pictures::~Pictures() = default;
 
@@ -34,7 +34,7 @@ void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
 void Pictures::noteShown() {
   std::vector<Scene> shown;
   for (int i = 0; i < m_count; ++i) {
-    shown.push_back(withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+    shown.push_back(m_sides[i].shownScene());
     m_isResolved[i] = isResolved(*m_engine, shown.back());
   }
   m_limitation = QString::fromStdString(m_engine->limitation());
@@ -53,9 +53,12 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
     return RestTurn::worked;
   if (!refines)
     return RestTurn::nothing;
-  const RestTurn turn = m_refinement.step(*m_engine, sides(), budgetMs);
+  std::vector<std::optional<ErrorEstimate>> rough;
+  for (int i = 0; i < m_count; ++i)
+    rough.push_back(m_probe.estimate(i, m_sides[i].finishedQuality().stepVoxels));
+  const RestTurn turn = m_refinement.step(*m_engine, sides(), rough, budgetMs);
   for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
-    m_isResolved[i] = isResolved(*m_engine, withStep(m_sides[i].scene(), m_sides[i].shownStepVoxels()));
+    m_isResolved[i] = m_refinement.hasResolved() || isResolved(*m_engine, m_sides[i].shownScene());
   return turn;
 }
 
@@ -64,7 +67,9 @@ SideState Pictures::stateOf(int index) const {
   SideState state;
   state.model = side.scene().shading.model;
   state.fraction = side.fraction();
-  state.stepVoxels = side.shownStepVoxels();
+  const Quality quality = side.shownScene().quality;
+  state.stepVoxels = quality.stepVoxels;
+  state.toleranceLevels = quality.toleranceLevels;
   state.imageScale = side.shownImageScale();
   state.shownMs = side.shownMs();
   state.completeMs = side.completeMs();
@@ -81,6 +86,7 @@ SideState Pictures::stateOf(int index) const {
 PictureState Pictures::state() const {
   PictureState state;
   state.resting = m_count > 0;
+  state.refines = m_refinement.isSearching();
   state.limitation = m_limitation;
   state.renderer = QString::fromStdString(m_engine->name());
   for (int i = 0; i < m_count; ++i) {
@@ -99,6 +105,16 @@ std::vector<EffectRow> Pictures::effectRowsOf(int side) {
   m_screen->reset();
   const Scene& scene = m_sides[side].scene();
   return effectRows(scene, m_engine->facts(scene).plan);
+}
+
+double Pictures::makeReady(const Scene& scene, const Effort& effort, double budgetMs) {
+  m_screen->reset();
+  const auto start = std::chrono::steady_clock::now();
+  double done = 0.0;
+  do
+    done = m_engine->makeReady(scene, effort);
+  while (done < 1.0 && msSince(start) < budgetMs);
+  return done;
 }
 
 double Pictures::drawCoarsely(int level, const std::array<Columns, 2>& seen) {

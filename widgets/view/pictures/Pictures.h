@@ -30,6 +30,10 @@ public:
   /// Asks for pictures of these scenes (one or two), all of one size.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
+  /// Gets the engine ready for a volume, for at most about `budgetMs` where it does so in pieces
+  /// (DrawingEngine); the share that is done. Throws Cancelled.
+  double makeReady(const Scene& scene, const Effort& effort, double budgetMs);
+
   /// Draws what is seen of every wanted picture at a level and returns the time, ms.
   double drawCoarsely(int level, const std::array<Columns, 2>& seen);
 

@@ -3,6 +3,8 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "engine/DrawingEngine.h"
+#include "scene/ProjectionFacts.h"
+#include "widgets/view/pictures/RefinementRoad.h"
 
 #include <QThreadPool>
 
@@ -14,7 +16,8 @@
 namespace limn {
 
 struct Refinement::Job {
-  std::shared_ptr<const Image> before, image;
+  std::shared_ptr<const Image> before; ///< of twice the step, where the step was halved
+  std::shared_ptr<const Image> image;
   Scene scene;
   FinishedPicture picture;
   ImageError halving, earlyEnds;
@@ -23,7 +26,8 @@ struct Refinement::Job {
 
   void run() {
     try {
-      halving = imageError(*image, *before);
+      if (before)
+        halving = imageError(*image, *before);
       earlyEnds = errorOfEarlyEnds(*image, scene);
       picture = finished(image, scene.image.background);
     } catch (...) {
@@ -33,14 +37,27 @@ struct Refinement::Job {
   }
 };
 
+namespace {
+
+// Errors can be controlled where light is added up; a scene that asks for its own tolerance has had its
+// steps.
+bool mayControlErrors(const SidePicture& side) {
+  return integrates(side.scene().projection) && !side.scene().quality.toleranceLevels;
+}
+
+} // namespace
+
 bool isResolved(DrawingEngine& engine, const Scene& scene) {
   const DrawingFacts facts = engine.facts(scene);
   return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
 }
 
-RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs) {
+RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides,
+                          const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs) {
   if (m_end || sides.empty())
     return RestTurn::nothing;
+  if (!m_road)
+    return chooseRoad(engine, sides, rough, budgetMs);
   if (!sides.front().isFiner())
     return begin(engine, sides);
   if (compileOne(engine, sides) || drawStrips(engine, sides, budgetMs) || readOne(sides))
@@ -50,21 +67,57 @@ RestTurn Refinement::step(DrawingEngine& engine, std::span<SidePicture> sides, d
   return adoptAll(sides);
 }
 
-// Halve the step, unless the pictures are good enough or nothing would be gained.
-RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {
-  const double step = sides.front().finishedStepVoxels() / 2.0;
-  if (m_sides.empty()) {
+RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
+                                const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs) {
+  if (!m_search && std::ranges::all_of(sides, mayControlErrors)) {
+    std::vector<Scene> scenes;
     for (const SidePicture& side : sides)
-      m_lastMs += side.completeMs().value_or(0.0);
-    for (double later = step; later >= smallestStepVoxels; later /= 2.0)
-      m_toPrepare.push_back(later);
+      scenes.push_back(side.scene());
+    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs);
   }
+  if (m_search) {
+    const RestTurn turn = m_search->step(engine, *m_sheet, budgetMs);
+    if (turn != RestTurn::finished)
+      return turn;
+    m_needed = m_search->found();
+    m_search.reset();
+  }
+  m_lastMs = 0.0;
+  for (const SidePicture& side : sides)
+    m_lastMs += side.completeMs().value_or(0.0);
+  const double step = sides.front().finishedQuality().stepVoxels;
+  const double halvingMs = msOfHalvings(rough, step, m_lastMs, smallestStepVoxels);
+  const bool isShorter = isToleranceShorter(m_needed, halvingMs, patienceMs);
+  m_road = isShorter ? Road::tolerance : Road::halving;
+  for (double later = step / 2.0; !isShorter && later >= smallestStepVoxels; later /= 2.0)
+    m_toPrepare.push_back(later);
   m_sides.resize(sides.size());
+  return RestTurn::worked;
+}
+
+RestTurn Refinement::begin(DrawingEngine& engine, std::span<SidePicture> sides) {
+  return m_road == Road::tolerance ? beginTolerance(sides) : beginHalving(engine, sides);
+}
+
+// One pass brings them there.
+RestTurn Refinement::beginTolerance(std::span<SidePicture> sides) {
+  if (m_sides.front().whole) {
+    m_end = RefinementEnd::withinHalfALevel;
+    return RestTurn::finished;
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    sides[i].beginFiner(m_needed[i].quality, m_needed[i].expectedMs);
+  return RestTurn::worked;
+}
+
+// Halve the step, unless the pictures are good enough or nothing would be gained.
+RestTurn Refinement::beginHalving(DrawingEngine& engine, std::span<SidePicture> sides) {
+  const double step = sides.front().finishedQuality().stepVoxels / 2.0;
   m_end = endBefore(engine, sides, step);
   if (m_end)
     return RestTurn::finished;
   for (SidePicture& side : sides)
-    side.beginFiner(step);
+    side.beginFiner(withStep(side.scene(), step).quality, 2.0 * side.completeMs().value_or(0.0));
   return RestTurn::worked;
 }
 
@@ -85,7 +138,7 @@ std::optional<RefinementEnd> Refinement::endBefore(DrawingEngine& engine, std::s
 bool Refinement::isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const {
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (m_sides[i].halvings.empty() || m_sides[i].steps.p99_9 > halfALevel ||
-        !isResolved(engine, withStep(sides[i].scene(), sides[i].finishedStepVoxels())))
+        !isResolved(engine, sides[i].shownScene()))
       return false;
   return true;
 }
@@ -123,9 +176,10 @@ bool Refinement::readOne(std::span<SidePicture> sides) {
     if (m_sides[i].job)
       continue;
     auto job = std::make_shared<Job>();
-    job->before = sides[i].picture().image;
+    if (m_road == Road::halving)
+      job->before = sides[i].picture().image;
     job->image = std::make_shared<const Image>(sides[i].readFiner());
-    job->scene = sides[i].scene();
+    job->scene = sides[i].finerScene();
     m_sides[i].job = job;
     QThreadPool::globalInstance()->start([job] { job->run(); });
     return true;
@@ -139,8 +193,12 @@ RestTurn Refinement::adoptAll(std::span<SidePicture> sides) {
     const std::shared_ptr<Job> job = std::move(m_sides[i].job);
     if (job->problem)
       std::rethrow_exception(job->problem);
-    m_sides[i].halvings.push_back(job->halving);
-    m_sides[i].steps = errorAfterHalvings(m_sides[i].halvings);
+    if (job->before) {
+      m_sides[i].halvings.push_back(job->halving);
+      m_sides[i].steps = errorAfterHalvings(m_sides[i].halvings);
+    } else {
+      m_sides[i].steps = m_needed[i].estimate;
+    }
     m_sides[i].whole = withEarlyEnds(m_sides[i].steps, job->earlyEnds);
     m_lastMs += sides[i].finerSchedule().spentMs();
     sides[i].adoptFiner(std::move(job->picture));
@@ -154,13 +212,12 @@ void Refinement::leavePass(std::span<SidePicture> sides) {
     side.leaveFiner();
   for (Side& side : m_sides)
     side.job.reset();
+  m_search.reset();
 }
 
 std::optional<ErrorEstimate> Refinement::estimate(int side) const {
   const auto index = static_cast<std::size_t>(side);
-  if (index >= m_sides.size() || m_sides[index].halvings.empty())
-    return std::nullopt;
-  return m_sides[index].whole;
+  return index < m_sides.size() ? m_sides[index].whole : std::nullopt;
 }
 
 } // namespace limn

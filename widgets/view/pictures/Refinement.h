@@ -4,6 +4,7 @@
 #include "accuracy/ErrorEstimate.h"
 #include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/pictures/SidePicture.h"
+#include "widgets/view/pictures/StepSearch.h"
 
 #include <memory>
 #include <optional>
@@ -12,17 +13,11 @@
 
 namespace limn {
 
-/// What one turn of the event loop brought while the pictures rest.
-enum class RestTurn {
-  nothing, ///< there is nothing left to do
-  waiting, ///< for another thread
-  worked,
-  finished ///< a picture that was shown is replaced by a better one
-};
-
-/// Brings resting pictures closer to the exact ones: draws them anew with half the step, again and again, all
-/// sides with the same one, until they lie within half a level or nothing is gained any more. Each pass is
-/// compared with the one before it, beside the event loop. Lives where the pictures' screen does.
+/// Brings resting pictures closer to the exact ones, on the road that small pictures show to be the shorter:
+/// draws them anew once, with the error-controlled steps that half a level needs; or with half the step,
+/// again and again, all sides with the same one, until they lie within half a level or nothing is gained any
+/// more. Each of those passes is compared with the one before it, beside the event loop. A scene that asks
+/// for a tolerance of its own goes on from there by halving. Lives where the pictures' screen does.
 class Refinement {
 public:
   /// The smallest step drawn. By then the 99.9th percentile of the CT head lies near half a level with every
@@ -32,13 +27,23 @@ public:
   /// No pass is begun that would bring the drawing time of all of them beyond this, ms.
   static constexpr double patienceMs = 60000.0;
 
+  /// The tolerance of a picture that is drawn with error-controlled steps, levels.
+  static constexpr double toleranceLevels = 0.5;
+
+  explicit Refinement(PictureScreen& screen) : m_sheet(screen.makeSheet()), m_stripMs(screen.stripMs()) {}
+
   /// Forgets everything: other pictures are wanted.
-  void reset() { *this = Refinement(); }
+  void reset() { *this = Refinement(std::move(m_sheet), m_stripMs); }
 
-  /// Does a piece of at most about `budgetMs`; the sides are complete at their scenes' step.
-  RestTurn step(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
+  /// Does a piece of at most about `budgetMs`; the sides are complete at their scenes' step, whose error
+  /// small pictures estimate to be `rough`, where it is known.
+  RestTurn step(DrawingEngine& engine, std::span<SidePicture> sides,
+                const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs);
 
-  /// Leaves a pass that is being drawn; the next step begins it again.
+  /// Looks for the road.
+  bool isSearching() const { return m_search.has_value(); }
+
+  /// Leaves a pass or a search that is being done; the next step begins it again.
   void leavePass(std::span<SidePicture> sides);
 
   /// Ends here, because something failed.
@@ -49,17 +54,28 @@ public:
 
   const std::optional<RefinementEnd>& end() const { return m_end; }
 
+  /// The pictures adopted see their transfer functions, whatever they were drawn with before.
+  bool hasResolved() const { return m_road == Road::tolerance && m_end.has_value(); }
+
 private:
+  enum class Road { halving, tolerance };
   // What is computed of a pass beside the event loop.
   struct Job;
   struct Side {
     std::vector<ImageError> halvings; ///< the differences that the passes made
     ErrorEstimate steps;
-    ErrorEstimate whole;
+    std::optional<ErrorEstimate> whole; ///< with early ends, once a pass is adopted
     std::shared_ptr<Job> job;
   };
 
+  Refinement(std::unique_ptr<PictureSheet> sheet, double stripMs)
+      : m_sheet(std::move(sheet)), m_stripMs(stripMs) {}
+
+  RestTurn chooseRoad(DrawingEngine& engine, std::span<SidePicture> sides,
+                      const std::vector<std::optional<ErrorEstimate>>& rough, double budgetMs);
   RestTurn begin(DrawingEngine& engine, std::span<SidePicture> sides);
+  RestTurn beginHalving(DrawingEngine& engine, std::span<SidePicture> sides);
+  RestTurn beginTolerance(std::span<SidePicture> sides);
   bool compileOne(DrawingEngine& engine, std::span<SidePicture> sides);
   bool drawStrips(DrawingEngine& engine, std::span<SidePicture> sides, double budgetMs);
   bool readOne(std::span<SidePicture> sides);
@@ -68,6 +84,11 @@ private:
                                          double step) const;
   bool isWithinTarget(DrawingEngine& engine, std::span<SidePicture> sides) const;
 
+  std::unique_ptr<PictureSheet> m_sheet; ///< of small pictures
+  double m_stripMs;
+  std::optional<Road> m_road;
+  std::optional<StepSearch> m_search;
+  std::vector<NeededSteps> m_needed; ///< on the road of the tolerance
   std::vector<Side> m_sides;
   std::optional<RefinementEnd> m_end;
   std::vector<double> m_toPrepare; ///< steps whose programs may not be compiled yet

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace limn {
@@ -119,23 +120,30 @@ const ShownPixels& SidePicture::coarserPixels() const {
 }
 
 void SidePicture::finish() {
-  adopt(m_full->finished(m_scene.image.background), m_scene.quality.stepVoxels);
+  adopt(m_full->finished(m_scene.image.background), m_scene.quality);
   m_finishedRowMs = m_schedule.rowMs();
 }
 
-void SidePicture::adopt(FinishedPicture picture, double stepVoxels) {
+void SidePicture::adopt(FinishedPicture picture, const Quality& quality) {
   m_finishedSheet->set(picture);
   m_picture = std::move(picture);
-  m_finishedStepVoxels = stepVoxels;
+  m_finishedQuality = quality;
   m_finished = true;
 }
 
-// The full picture was read back: its place is free. Its rows take as much longer as the steps are smaller.
-void SidePicture::beginFiner(double stepVoxels) {
-  std::vector<double> expectedMs = m_finishedRowMs;
-  for (double& ms : expectedMs)
-    ms *= m_finishedStepVoxels / stepVoxels;
-  m_finer = Finer{stepVoxels, TileSchedule(m_size, m_stripMs, std::move(expectedMs))};
+// The full picture was read back: its place is free. Its rows share out the time as they did.
+void SidePicture::beginFiner(const Quality& quality, double expectedMs) {
+  std::vector<double> rowMs = m_finishedRowMs;
+  const double before = std::accumulate(rowMs.begin(), rowMs.end(), 0.0);
+  for (double& ms : rowMs)
+    ms *= expectedMs / std::max(before, 1e-6);
+  m_finer = Finer{quality, TileSchedule(m_size, m_stripMs, std::move(rowMs))};
+}
+
+Scene SidePicture::finerScene() const {
+  Scene scene = m_scene;
+  scene.quality = m_finer->quality;
+  return scene;
 }
 
 bool SidePicture::prepareFiner(DrawingEngine& engine, double stepVoxels) {
@@ -148,13 +156,13 @@ bool SidePicture::prepareFiner(DrawingEngine& engine, double stepVoxels) {
 }
 
 void SidePicture::drawFinerStrip(DrawingEngine& engine) {
-  const Scene scene = withStep(m_scene, m_finer->stepVoxels);
+  const Scene scene = finerScene();
   TileSchedule& schedule = m_finer->schedule;
   schedule.finished(timedMs([&] { m_full->draw(engine, scene, schedule.next()); }));
 }
 
 void SidePicture::adoptFiner(FinishedPicture picture) {
-  adopt(std::move(picture), m_finer->stepVoxels);
+  adopt(std::move(picture), m_finer->quality);
   m_completeMs = m_finer->schedule.spentMs();
   m_finishedRowMs = m_finer->schedule.rowMs();
   m_finer.reset();
@@ -174,10 +182,12 @@ void SidePicture::show(PictureScreen& screen, const PixelRect& place, const Pixe
                 {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}}, background);
 }
 
-double SidePicture::shownStepVoxels() const {
-  if (m_finished)
-    return m_finishedStepVoxels;
-  return m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseQuality.stepFactor);
+Scene SidePicture::shownScene() const {
+  if (!m_finished)
+    return withStep(m_scene, m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseQuality.stepFactor));
+  Scene scene = m_scene;
+  scene.quality = m_finishedQuality;
+  return scene;
 }
 
 } // namespace limn

@@ -45,16 +45,17 @@ public:
   void finish();
   bool finished() const { return m_finished; }
 
-  /// Begins to draw the finished picture anew with another step; until it is adopted, everything told of the
-  /// finished picture stays.
-  void beginFiner(double stepVoxels);
+  /// Begins to draw the finished picture anew with a better quality, which is expected to take `expectedMs`;
+  /// until it is adopted, everything told of the finished picture stays.
+  void beginFiner(const Quality& quality, double expectedMs);
   bool isFiner() const { return m_finer.has_value(); } ///< begun and not adopted yet
   void leaveFiner() { m_finer.reset(); }
   /// Lets the driver compile what a step needs; false where it has. Only while a finer picture is begun.
   bool prepareFiner(DrawingEngine& engine, double stepVoxels);
   void drawFinerStrip(DrawingEngine& engine);
   const TileSchedule& finerSchedule() const { return m_finer->schedule; }
-  /// The picture of the step begun, once its schedule is complete; waits for the drawing to end.
+  Scene finerScene() const; ///< with the quality begun
+  /// Its picture, once its schedule is complete; waits for the drawing to end.
   Image readFiner() const { return m_full->read(); }
   void adoptFiner(FinishedPicture picture);
 
@@ -70,23 +71,24 @@ public:
 
   const Scene& scene() const { return m_scene; }
   const glm::ivec2& size() const { return m_size; }
-  /// Of the coarsest part shown: its step, its share of width and height (0..1), what drawing it took.
-  double shownStepVoxels() const;
+  /// Of the coarsest part shown: the scene with the quality that it was drawn with, its share of width and
+  /// height (0..1), what drawing it took.
+  Scene shownScene() const;
   double shownImageScale() const { return complete() ? 1.0 : m_coarseQuality.imageScale; }
   double shownMs() const { return complete() ? m_completeMs.value_or(0.0) : m_coarseMs; }
   std::optional<double> completeMs() const { return m_completeMs; }
   const GradientScale& gradientScale() const { return m_gradientScale; }
-  const FinishedPicture& picture() const { return m_picture; }       ///< empty unless finished
-  double finishedStepVoxels() const { return m_finishedStepVoxels; } ///< of that picture
-  std::optional<double> contrast() const;                            ///< while finished
+  const FinishedPicture& picture() const { return m_picture; }         ///< empty unless finished
+  const Quality& finishedQuality() const { return m_finishedQuality; } ///< that it was drawn with
+  std::optional<double> contrast() const;                              ///< while finished
 
 private:
-  // A picture of a smaller step that replaces the finished one.
+  // A picture of smaller steps that replaces the finished one.
   struct Finer {
-    double stepVoxels = 0.0;
+    Quality quality;
     TileSchedule schedule;
   };
-  void adopt(FinishedPicture picture, double stepVoxels);
+  void adopt(FinishedPicture picture, const Quality& quality);
 
   Scene m_scene;
   glm::ivec2 m_size{0};
@@ -102,7 +104,7 @@ private:
   std::unique_ptr<FinishedSheet> m_finishedSheet;
   double m_stripMs;
   FinishedPicture m_picture;
-  double m_finishedStepVoxels = 0.0;
+  Quality m_finishedQuality;
   std::vector<double> m_finishedRowMs; ///< what each of its rows took
   std::optional<Finer> m_finer;
 };

@@ -96,14 +96,15 @@ EndText endText(const PictureState& state) {
     return textOf(*state.refinementEnd);
   if (state.refines)
     return {QObject::tr("step %1, refining"),
-            QObject::tr("The picture is being drawn again with half the step.")};
+            QObject::tr("The picture is being drawn again with smaller steps.")};
   return {QObject::tr("step %1"), {}};
 }
 
 // Under a tolerance there is no one step to tell.
-QString restingText(const PictureState& state, const Scene& scene) {
-  return endText(state).step.arg(scene.quality.toleranceLevels ? QObject::tr("chosen by error")
-                                                               : stepText(state.sides.front().stepVoxels));
+QString restingText(const PictureState& state) {
+  const SideState& side = state.sides.front();
+  return endText(state).step.arg(side.toleranceLevels ? QObject::tr("chosen by error")
+                                                      : stepText(side.stepVoxels));
 }
 
 QString explanationOf(const PictureState& state) {
@@ -127,9 +128,8 @@ QString explanationOf(const PictureState& state) {
 QString numbersText(const PictureState& state, const Scene& scene) {
   const SideState& side = state.sides.front();
   QStringList parts;
-  if (scene.quality.toleranceLevels) {
-    parts << QObject::tr("error-controlled steps (--tolerance %1)")
-                 .arg(exactNumber(*scene.quality.toleranceLevels));
+  if (side.toleranceLevels) {
+    parts << QObject::tr("error-controlled steps (--tolerance %1)").arg(exactNumber(*side.toleranceLevels));
   } else if (scene.volume) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
     parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
@@ -139,10 +139,13 @@ QString numbersText(const PictureState& state, const Scene& scene) {
   }
   if (isResolved(state) && isKnown(state)) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
-    parts << QObject::tr("99.9th percentile %1, mean %2 levels, observed order %3")
-                 .arg(estimate.p99_9, 0, 'g', 3)
-                 .arg(estimate.mean, 0, 'g', 2)
-                 .arg(estimate.order, 0, 'f', 2);
+    const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
+                               .arg(estimate.p99_9, 0, 'g', 3)
+                               .arg(estimate.mean, 0, 'g', 2);
+    // Only halvings show an order.
+    parts << (side.toleranceLevels
+                  ? errors
+                  : QObject::tr("%1, observed order %2").arg(errors).arg(estimate.order, 0, 'f', 2));
   }
   parts << state.renderer << state.engineReason;
   parts.removeAll(QString());
@@ -175,7 +178,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
     return {};
   PictureStatusText text;
   text.estimate = estimateText(state);
-  text.step = state.resting ? restingText(state, scene) : previewText(state.sides.front());
+  text.step = state.resting ? restingText(state) : previewText(state.sides.front());
   double ms = 0.0;
   for (const SideState& side : state.sides)
     ms += side.shownMs;

@@ -82,6 +82,40 @@ TEST_F(Loop, goesFromCoarseToCompleteToIdle) {
   EXPECT_FALSE(effects.empty());
 }
 
+// 3 mm: several pieces of 16 planes. A piece a turn, all of them told.
+TEST_F(Loop, uploadsALargeVolumeAPieceATurnAndSaysHowFarItIs) {
+  PictureContext context;
+  context.canDraw = [] { return true; };
+  context.makeCurrent = context.doneCurrent = [] {};
+  context.guard = [](const PictureContext::Work& work) { work(); };
+  PicturePace pace;
+  pace.budgetMs = 0.0;
+  pace.tellMs = 0;
+  loop = std::make_unique<PictureLoop>(
+      [] { return std::make_unique<Pictures>(makeRayCasterEngine(), makeGlScreen()); }, context, pace);
+  loop->setRefines(false);
+  PictureRequest request = phantomRequest();
+  request.scenes = {headScene(phantomVolume({3.0, 0.0, 1}), ShadingModel::enhanced)};
+  std::vector<double> told;
+  int turns = 0;
+  QObject::connect(loop.get(), &PictureLoop::preparing, [&](double fraction) { told.push_back(fraction); });
+  QObject::connect(loop.get(), &PictureLoop::showNeeded, [&] {
+    turns += loop->isPreparing() ? 1 : 0;
+    loop->drawIfStale(request);
+  });
+  loop->drawIfStale(request);
+  EXPECT_TRUE(loop->isPreparing());
+  EXPECT_FALSE(loop->state().resting);
+  waitFor([&] { return loop->state().resting; });
+  EXPECT_GE(turns, 2);
+  ASSERT_GE(told.size(), 2u);
+  EXPECT_GT(told.front(), 0.0);
+  EXPECT_LT(told.front(), 1.0);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1.0);
+  EXPECT_EQ(*loop->resting(0)->picture().image, RayCaster().render(request.scenes[0], request.size));
+}
+
 TEST_F(Loop, drawsNothingAnewUntilSomethingChanged) {
   loop->drawIfStale(phantomRequest());
   waitFor([this] { return loop->isIdle(); });

@@ -13,6 +13,9 @@
 #include "widgets/view/pictures/GlScreen.h"
 #include "widgets/view/pictures/MemoryScreen.h"
 #include "widgets/view/pictures/PictureLoop.h"
+#include "widgets/view/pictures/RefinementRoad.h"
+
+#include <cmath>
 
 // Pictures on their way from coarse to exact, without a window, with every engine that there is.
 
@@ -139,17 +142,114 @@ TEST_F(PicturesWithoutWindow, whatIsDoneAtRestEndsWithEveryEngine) {
   }
 }
 
-TEST_F(PicturesWithoutWindow, refinementHalvesTheStepToThePictureOfThatStep) {
-  Pictures pictures(makeRayCasterEngine(), makeGlScreen());
-  const std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
-  finish(pictures, scenes);
+void refineOnce(Pictures& pictures) {
   RestTurn turn = RestTurn::worked;
   while (turn != RestTurn::nothing && turn != RestTurn::finished)
     turn = pictures.workAtRest(true, 5.0);
   ASSERT_EQ(turn, RestTurn::finished);
-  const double step = pictures.side(0).finishedStepVoxels();
+}
+
+// A projection that has no error-controlled steps.
+TEST_F(PicturesWithoutWindow, refinementHalvesTheStepToThePictureOfThatStep) {
+  Pictures pictures(makeRayCasterEngine(), makeGlScreen());
+  std::vector<Scene> scenes{phantomWith(ShadingModel::classic)};
+  scenes[0].projection = Projection::mip;
+  finish(pictures, scenes);
+  refineOnce(pictures);
+  const double step = pictures.side(0).finishedQuality().stepVoxels;
   EXPECT_EQ(step, scenes[0].quality.stepVoxels / 2.0);
   EXPECT_EQ(*pictures.side(0).picture().image, RayCaster().render(withStep(scenes[0], step), pictureSize));
+}
+
+// Two voxels take many halvings to half a level: error-controlled steps are there sooner on any machine.
+TEST(PicturesInMemory, refinementByErrorTellsTheTruthAboutThePictureItShows) {
+  constexpr glm::ivec2 size{160, 120};
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  std::vector<Scene> scenes = bothModels();
+  for (Scene& scene : scenes)
+    scene.quality.stepVoxels = 2.0;
+  pictures.want(scenes, size);
+  pictures.drawCoarsely(0, {});
+  while (!pictures.refine(5.0)) {
+  }
+  refineOnce(pictures);
+  for (int side = 0; side < 2; ++side) {
+    Scene drawn = scenes[static_cast<std::size_t>(side)];
+    drawn.quality = pictures.side(side).finishedQuality();
+    ASSERT_EQ(drawn.quality.toleranceLevels, Refinement::toleranceLevels);
+    const Image& image = *pictures.side(side).picture().image;
+    EXPECT_EQ(image, CpuRenderer().render(drawn, size));
+    // A sixteenth of the error is left four rungs further.
+    Scene exact = drawn;
+    exact.quality.fineness = *drawn.quality.fineness + 4.0;
+    exact.quality.earlyTermination = 1.0;
+    const double truth = imageError(image, CpuRenderer().render(exact, size)).p99_9;
+    const SideState state = pictures.state().sides[static_cast<std::size_t>(side)];
+    EXPECT_EQ(state.toleranceLevels, Refinement::toleranceLevels);
+    EXPECT_GE(state.estimate->p99_9, 0.5 * truth) << "never below half the truth";
+    EXPECT_EQ(state.estimate->p99_9, Refinement::toleranceLevels);
+    EXPECT_GT(state.estimate->mean, 0.0);
+    EXPECT_LT(state.estimate->mean, state.estimate->p99_9);
+    EXPECT_TRUE(state.isResolved);
+  }
+  refineOnce(pictures);
+  EXPECT_EQ(pictures.state().refinementEnd, RefinementEnd::withinHalfALevel);
+}
+
+TEST_F(PicturesWithoutWindow, theSearchForStepsFindsWhatTheCommandLineFinds) {
+  const std::vector<Scene> scenes = bothModels();
+  const auto engine = makeRayCasterEngine();
+  const auto screen = makeGlScreen();
+  const auto sheet = screen->makeSheet();
+  constexpr glm::ivec2 size{160, 120};
+  StepSearch search(scenes, size, 1.0, screen->stripMs());
+  while (search.step(*engine, *sheet, 5.0) != RestTurn::finished) {
+  }
+  RayCaster caster;
+  const std::vector<NeededSteps> needed = search.found();
+  ASSERT_EQ(needed.size(), scenes.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    Scene scene = scenes[i];
+    scene.quality.toleranceLevels = 1.0;
+    const WithinTolerance found =
+        withinTolerance(scene, size, [&](const Scene& tried, const glm::ivec2& pixels) {
+          return caster.render(tried, pixels);
+        });
+    EXPECT_EQ(needed[i].quality, found.scene.quality);
+    EXPECT_EQ(needed[i].estimate.p99_9, std::max(1.0, found.estimateLevels));
+    EXPECT_EQ(needed[i].estimate.mean, found.meanLevels);
+    EXPECT_EQ(needed[i].holds, found.holds);
+    EXPECT_GT(needed[i].expectedMs, 0.0);
+  }
+}
+
+// --- which road is shorter
+
+ErrorEstimate off(double levels, double order) {
+  return {levels, levels, order};
+}
+
+// Eight levels at order 2 fall to half a level, 0.51 as halvings count it, in two halvings; at order 1 in
+// four.
+TEST(RefinementRoad, halvingsTakeTwiceAsLongEachTime) {
+  constexpr double smallest = 1.0 / 64.0;
+  EXPECT_EQ(msOfHalvings({off(8.0, 2.0)}, 0.5, 100.0, smallest), 100.0 * (2 + 4));
+  EXPECT_EQ(msOfHalvings({off(8.0, 1.0)}, 0.5, 100.0, smallest), 100.0 * (2 + 4 + 8 + 16));
+  EXPECT_EQ(msOfHalvings({off(8.0, 1.0), off(8.0, 2.0)}, 0.5, 100.0, smallest), 100.0 * (2 + 4 + 8 + 16))
+      << "the side that needs the most";
+  EXPECT_EQ(msOfHalvings({off(0.1, 1.0)}, 0.5, 100.0, smallest), 200.0) << "one is drawn to know";
+  EXPECT_TRUE(std::isinf(msOfHalvings({off(8.0, 1.0)}, 0.1, 100.0, smallest)));
+  EXPECT_TRUE(std::isinf(msOfHalvings({std::nullopt}, 0.5, 100.0, smallest)));
+}
+
+TEST(RefinementRoad, isThatOfTheToleranceWhereAllSidesGetThereSooner) {
+  const NeededSteps quick{{}, {}, 100.0, true};
+  const NeededSteps never{{}, {}, 100.0, false};
+  EXPECT_TRUE(isToleranceShorter({quick, quick}, 250.0, 1000.0));
+  EXPECT_FALSE(isToleranceShorter({quick, quick}, 200.0, 1000.0));
+  EXPECT_FALSE(isToleranceShorter({quick, quick}, 250.0, 150.0));
+  EXPECT_FALSE(isToleranceShorter({quick, never}, 250.0, 1000.0));
+  EXPECT_FALSE(isToleranceShorter({}, 250.0, 1000.0)) << "no such steps";
 }
 
 } // namespace

@@ -80,6 +80,16 @@ TEST(PictureStatusText, saysThatItRefinesAndWhyItStopped) {
   }
 }
 
+TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
+  PictureState state = resting({sideWithin(0.46)});
+  state.sides[0].toleranceLevels = 0.5;
+  state.refinementEnd = RefinementEnd::withinHalfALevel;
+  EXPECT_EQ(lineOf(state), "within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
+  const QString tip = pictureStatusText(state, {}).toolTip;
+  EXPECT_TRUE(tip.contains(QStringLiteral("--tolerance 0.5"))) << tip.toStdString();
+  EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
+}
+
 TEST(PictureStatusText, namesStepsSoThatTheyCanBeTyped) {
   EXPECT_EQ(stepText(1.0 / 16.0), QStringLiteral("1/16 voxel"));
   EXPECT_EQ(stepText(1.0), QStringLiteral("1 voxel"));
