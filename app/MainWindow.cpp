@@ -138,7 +138,7 @@ void MainWindow::connectPanels() {
   connect(properties, &PropertiesPanel::cropEdited, &m_session, &Session::setCrop);
   connect(properties, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
-            m_session.edit(withProjection(m_session.scene(), projection, m_document.histogram()), gesture);
+            m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()), gesture);
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
@@ -245,6 +245,7 @@ void MainWindow::restoreSession(const SessionDocument& session) {
 }
 
 void MainWindow::showScene(const Scene& scene) {
+  m_projections.note(scene);
   m_centre.view->setScene(scene);
   m_curves.showScene(scene);
   m_panels.properties->setScene(scene);

@@ -8,6 +8,7 @@
 #include "app/document/OpenDocument.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
+#include "app/presets/ProjectionCurves.h"
 #include "app/recovery/SessionSafety.h"
 #include "app/saving/PictureSaving.h"
 #include "app/saving/SaveNotes.h"
@@ -103,6 +104,7 @@ private:
   CropBoxDesk m_cropBox;
   CurveDesk m_curves;
   PresetDesk m_presets;
+  ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
   SavingDesk m_saving;
   SessionSafety m_safety;

@@ -6,6 +6,8 @@
 #include "scene/light/ModelName.h"
 #include "scene/presets/PresetFit.h"
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -13,6 +15,19 @@ const std::map<std::string, StandardView> views{
     {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
     {"left", StandardView::left},         {"right", StandardView::right},
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
+
+// Own presets were shaped on data like this; built-in ones fit themselves to it.
+Preset presetFor(const Volume& volume, const std::string& name) {
+  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), name);
+  const std::vector<Preset> builtIn = builtInPresets();
+  if (std::find(builtIn.begin(), builtIn.end(), preset) == builtIn.end())
+    return preset;
+  if (isForHounsfield(preset) && !looksLikeHounsfield(volume))
+    note("\"" + preset.name +
+         "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
+         "or the wrong tissue.");
+  return fittedTo(preset, histogramOf(volume));
+}
 
 } // namespace
 
@@ -26,10 +41,7 @@ ShadingModel modelNamed(const std::string& word, const std::string& option) {
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())
-    scene = withPreset(scene,
-                       fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
-                                histogramOf(*scene.volume)),
-                       true);
+    scene = withPreset(scene, presetFor(*scene.volume, arguments.preset), true);
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
     throw Error(Error::Kind::usage,
                 "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");

@@ -3,17 +3,24 @@
 
 #include "glsl/programs/ShaderVariant.h"
 
+#include <algorithm>
+
 namespace limn {
 
-const ShaderProgram* ProgramCache::standInFor(EffectSet effects) const {
-  const ShaderProgram* smallest = nullptr;
+ProgramCache::Held* ProgramCache::standInFor(EffectSet effects) {
+  Held* smallest = nullptr;
   int fewest = effectCount + 1;
-  for (const auto& [held, program] : m_programs)
-    if (program.isLinked() && held.count() < fewest && canStandIn(held, effects)) {
-      smallest = &program;
-      fewest = held.count();
+  for (auto& [its, held] : m_programs)
+    if (held.program.isLinked() && its.count() < fewest && canStandIn(its, effects)) {
+      smallest = &held;
+      fewest = its.count();
     }
   return smallest;
+}
+
+const ShaderProgram& ProgramCache::used(Held& held) {
+  held.lastUse = ++m_uses;
+  return held.program;
 }
 
 ProgramCache::ProgramCache(const Decisions& decisions, SourceOf sourceOf) : m_sourceOf(std::move(sourceOf)) {
@@ -23,10 +30,10 @@ ProgramCache::ProgramCache(const Decisions& decisions, SourceOf sourceOf) : m_so
 
 const ShaderProgram& ProgramCache::programFor(EffectSet effects) {
   const auto known = m_programs.find(effects);
-  const bool isAtHand = known != m_programs.end() && (known->second.isLinked() || known->second.isReady());
-  const ShaderProgram* other = isAtHand ? nullptr : standInFor(effects);
-  if (other)
-    return *other;
+  const bool isAtHand =
+      known != m_programs.end() && (known->second.program.isLinked() || known->second.program.isReady());
+  if (Held* other = isAtHand ? nullptr : standInFor(effects))
+    return used(*other);
   try {
     return exactly(effects);
   } catch (const DriverError&) {
@@ -43,19 +50,30 @@ const ShaderProgram& ProgramCache::exactly(EffectSet effects) {
   start(effects);
   const auto program = m_programs.find(effects);
   try {
-    program->second.finish();
+    program->second.program.finish();
   } catch (const DriverError& error) {
     m_programs.erase(program);
+    --m_started;
     m_refused.emplace(effects, error);
     throw;
   }
-  return program->second;
+  return used(program->second);
 }
 
 void ProgramCache::start(EffectSet effects) {
-  if (!has(effects))
-    m_programs.emplace(effects,
-                       ShaderProgram(vertexSource(), m_sourceOf(effects), ShaderProgram::Linking::started));
+  if (has(effects))
+    return;
+  if (m_programs.size() >= most)
+    dropOldest();
+  ShaderProgram program(vertexSource(), m_sourceOf(effects), ShaderProgram::Linking::started);
+  m_programs.emplace(effects, Held{std::move(program), ++m_uses});
+  ++m_started;
+}
+
+void ProgramCache::dropOldest() {
+  m_programs.erase(std::min_element(m_programs.begin(), m_programs.end(), [](const auto& a, const auto& b) {
+    return a.second.lastUse < b.second.lastUse;
+  }));
 }
 
 } // namespace limn

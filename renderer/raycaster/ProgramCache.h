@@ -6,6 +6,7 @@
 #include "glsl/decisions/Decisions.h"
 #include "scene/effects/EffectSet.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 
@@ -13,9 +14,12 @@ namespace limn {
 
 /// The programs compiled so far, by their effects. Compiling takes a driver long enough to be felt, so a
 /// picture that a known program can draw does not wait for one of its own: that is asked for when there is
-/// time.
+/// time. Of more than `most` the one that was not used for longest goes: hours of work ask for hundreds, and
+/// each takes megabytes in a software driver.
 class ProgramCache {
 public:
+  static constexpr std::size_t most = 40;
+
   /// The text of the fragment shader for effects.
   using SourceOf = std::function<ShaderSource(EffectSet)>;
 
@@ -35,19 +39,31 @@ public:
   bool has(EffectSet effects) const { return m_programs.contains(effects) || m_refused.contains(effects); }
 
   /// Whether `programFor` would compile nothing.
-  bool canDraw(EffectSet effects) const { return has(effects) || standInFor(effects) != nullptr; }
+  bool canDraw(EffectSet effects) { return has(effects) || standInFor(effects) != nullptr; }
 
   /// Lets the driver compile a program in the background, where it can.
   void start(EffectSet effects);
 
-  /// How many were compiled or are being compiled.
-  int compiled() const { return static_cast<int>(m_programs.size()); }
+  /// How many were compiled or are being compiled, those that went included and the refused left out.
+  int compiled() const { return m_started; }
+
+  /// How many are held.
+  std::size_t held() const { return m_programs.size(); }
 
 private:
-  const ShaderProgram* standInFor(EffectSet effects) const;
+  struct Held {
+    ShaderProgram program;
+    std::uint64_t lastUse = 0;
+  };
+
+  Held* standInFor(EffectSet effects);
+  const ShaderProgram& used(Held& held);
+  void dropOldest();
 
   SourceOf m_sourceOf;
-  std::map<EffectSet, ShaderProgram> m_programs;
+  std::map<EffectSet, Held> m_programs;
+  std::uint64_t m_uses = 0;
+  int m_started = 0;
   std::map<EffectSet, DriverError> m_refused;
 };
 

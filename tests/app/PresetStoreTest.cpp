@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetStore.h"
 #include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include <fstream>
 
@@ -16,14 +19,26 @@ Preset named(const std::string& name) {
   return preset;
 }
 
-TEST(BuiltInPresets, areTheTenOfTheProgramAndEachCanBeRead) {
+TEST(BuiltInPresets, areTwentyAtLeastAndEachCanBeReadAndHasANameOfItsOwn) {
   const std::vector<Preset> presets = builtInPresets();
-  ASSERT_EQ(presets.size(), 10u);
+  ASSERT_GE(presets.size(), 20u);
+  std::set<std::string> names;
   for (const Preset& preset : presets) {
+    EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
+    EXPECT_EQ(isForHounsfield(preset), preset.modality == "CT") << preset.name;
     EXPECT_FALSE(preset.note.empty()) << preset.name;
     EXPECT_GE(preset.transferFunction.points.size(), 3u) << preset.name;
     EXPECT_EQ(preset.transferFunction.points.front().opacity, 0.0) << preset.name;
   }
+}
+
+TEST(BuiltInPresets, holdEveryFirstLook) {
+  std::set<std::string> names;
+  for (const Preset& preset : builtInPresets())
+    names.insert(preset.name);
+  for (const char* look : {"CT skin and bone", "CT chest", "CT angiography", "Vessels", "MR head",
+                           "MR T2 head", "MR PD head", "PET hot spots", "Ultrasound surface"})
+    EXPECT_TRUE(names.contains(look)) << look;
 }
 
 TEST(PresetStore, keepsPresetsUnderAnyName) {

@@ -83,6 +83,29 @@ TEST_F(GraphicsMemory, aRefusedProgramIsReplacedByASimplerOneOfTheSamePicture) {
   EXPECT_EQ(programs.compiled(), 1);
 }
 
+// The program that is used all the time stays however many others are asked for.
+TEST_F(GraphicsMemory, holdsNoMoreProgramsThanItMayAndLetsTheOldestGo) {
+  ProgramCache programs({}, [](EffectSet) { return fragmentSource({Effect::sampleCounts}, {}); });
+  const EffectSet always{Effect::phong};
+  programs.exactly(always);
+  const auto set = [](int bits) {
+    EffectSet effects;
+    for (int bit = 0; bit < 8; ++bit)
+      if ((bits >> bit & 1) != 0)
+        effects = effects.with(static_cast<Effect>(static_cast<int>(Effect::exponentMap) + bit));
+    return effects;
+  };
+  for (int bits = 1; bits < 100; ++bits) {
+    programs.start(set(bits));
+    programs.exactly(always);
+  }
+  EXPECT_EQ(programs.held(), ProgramCache::most);
+  EXPECT_TRUE(programs.has(always));
+  EXPECT_TRUE(programs.has(set(99)));
+  EXPECT_FALSE(programs.has(set(1)));
+  EXPECT_EQ(programs.compiled(), 100);
+}
+
 TEST_F(GraphicsMemory, aRefusedProgramIsNotCompiledAgainAndKeepsTheDriversWords) {
   const auto broken = [](EffectSet effects) {
     ShaderSource source = fragmentSource(effects, {});
