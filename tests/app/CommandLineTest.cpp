@@ -156,6 +156,25 @@ TEST_F(CommandLine, benchPrintsTheTimesOfEveryRendererAsOneJsonObject) {
   }
 }
 
+TEST_F(CommandLine, benchSaysWhichRendererCannotDrawASceneAndMeasuresTheOthers) {
+  std::ofstream(file("mip.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "projection": "mip"})";
+  const std::string scene = file("mip.json").string();
+  const Outcome outcome =
+      run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices,cpu --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json rows = nlohmann::json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NE(rows[0]["missing"].get<std::string>().find("Slices cannot draw the projection \"mip\""),
+            std::string::npos)
+      << rows[0];
+  EXPECT_GT(rows[1]["cpu_ms"], 0.0);
+  const Outcome table = run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices,cpu");
+  EXPECT_NE(table.out.find("no figures: Slices cannot draw"), std::string::npos) << table.out;
+  const Outcome none = run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("Slices cannot draw"), std::string::npos) << none.err;
+}
+
 TEST_F(CommandLine, benchSavesThePictureOfEachRenderer) {
   const Outcome outcome =
       run("bench phantom:8 --quiet --size 24x16 --step 1 --frames 1 --engine gl,slices,reference "

@@ -33,6 +33,12 @@ Json timesOf(const Timing& ms) {
 }
 
 Json toJson(const BenchRow& row) {
+  if (!row.missing.empty())
+    return {{"program", row.program},
+            {"scene", row.scene},
+            {"size", {row.size.x, row.size.y}},
+            {"step_voxels", row.stepVoxels},
+            {"missing", row.missing}};
   return {{"program", row.program},
           {"scene", row.scene},
           {"size", {row.size.x, row.size.y}},
