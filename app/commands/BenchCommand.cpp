@@ -3,9 +3,10 @@
 
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
-#include "app/measure/bench/Bench.h"
+#include "app/measure/bench/ScaleBench.h"
 #include "app/presets/PresetStore.h"
 #include "io/reports/ReportJson.h"
+#include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 
 #include <algorithm>
@@ -25,12 +26,15 @@ struct BenchArguments {
   std::vector<std::string> presets;
   std::vector<double> steps;
   std::vector<std::string> models;
+  std::vector<std::string> engines; ///< empty: not given
   BenchEntries entries;
   bool rivals = false;
   std::string size;
   std::string pictures;
   int frames = 9;
   bool equalError = false;
+  bool scale = false;
+  int largest = 1024; ///< voxels along each axis of the largest volume of --scale
   bool json = false;
 };
 
@@ -112,6 +116,10 @@ std::vector<BenchScene> allScenes(const BenchArguments& arguments, const Progres
 
 BenchEntries entriesFor(const BenchArguments& arguments) {
   BenchEntries entries = arguments.entries;
+  if (!arguments.engines.empty())
+    entries.engines = arguments.engines;
+  else if (arguments.scale)
+    entries.engines = {"gl", "cpu"};
   if (arguments.rivals)
     for (const char* rival : {"vtk-gpu", "vtk-fixedpoint"})
       if (std::ranges::find(entries.engines, rival) == entries.engines.end())
@@ -176,9 +184,43 @@ void measureScene(const BenchScene& scene, const BenchArguments& arguments, cons
     savePictures(contenders, scene, arguments.pictures);
 }
 
+// Volumes of several sizes, each drawn by every renderer before the next is opened.
+void runScale(const BenchArguments& arguments) {
+  if (!arguments.sources.empty())
+    throw Error(Error::Kind::usage, "limn bench --scale makes its own volumes; leave " +
+                                        arguments.sources.front() + " out, or --scale.");
+  const Progress progress = terminalProgress(arguments.source.quiet);
+  const BenchEntries entries = entriesFor(arguments);
+  const std::vector<int> edges = scaleEdges(arguments.largest);
+  std::vector<ScaleRow> rows;
+  for (const int edge : edges) {
+    int done = 0;
+    const int steps = 2 + picturesPerRow(arguments.frames) * static_cast<int>(entries.engines.size());
+    const auto advance = [&] {
+      const double share = std::min(1.0, static_cast<double>(++done) / steps);
+      if (progress.report)
+        progress.report((static_cast<double>(rows.size() / entries.engines.size()) + share) /
+                            static_cast<double>(edges.size()),
+                        "Measuring " + std::to_string(edge) + " voxels along each axis");
+    };
+    const auto more = scaleRows(edge, entries, arguments.frames, advance);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  std::string machine = machineName();
+  for (const std::string& engine : entries.engines)
+    for (const ScaleRow& row : rows)
+      if (row.edge == edges.front() && row.drawn.missing.empty() && row.drawn.program.ends_with(engine))
+        machine += ", " + row.drawn.renderer;
+  std::cout << (arguments.json ? scaleJson(machine, rows) : scaleTable(machine, rows));
+}
+
 void runBench(const BenchArguments& arguments) {
   // A shader that an earlier run left on disk would make the first frame look fast.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  if (arguments.scale)
+    return runScale(arguments);
+  if (arguments.sources.empty())
+    throw Error(Error::Kind::usage, "limn bench needs a volume or scene, such as: limn bench head.nii.gz");
   const Progress progress = terminalProgress(arguments.source.quiet);
   const std::vector<BenchScene> scenes = allScenes(arguments, progress);
   const BenchEntries entries = entriesFor(arguments);
@@ -206,7 +248,7 @@ void runBench(const BenchArguments& arguments) {
 void addBenchCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<BenchArguments>();
   CommandSyntax command = root.command("bench", "milliseconds per frame by renderer, scene and step");
-  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`").required();
+  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`");
   addSourceOptions(command, arguments->source);
   command.flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
   command.flag("--json", arguments->json, "one JSON object on stdout");
@@ -221,7 +263,7 @@ void addBenchCommand(CommandSyntax& root) {
   command.option("--preset", arguments->presets,
                  "name of a preset, several times if wanted, or all: every built-in one");
   command
-      .option("--engine", arguments->entries.engines,
+      .option("--engine", arguments->engines,
               "gl (default), cpu, slices, reference, vtk-gpu, vtk-fixedpoint, or several: gl,cpu; cpu where "
               "there is no OpenGL")
       .separatedByCommas()
@@ -238,6 +280,14 @@ void addBenchCommand(CommandSyntax& root) {
       "they need an X display");
   command.flag("--equal-error", arguments->equalError,
                "also how fast each is where it errs as VTK's GPU mapper does, or else the first of them");
+  command.flag(
+      "--scale", arguments->scale,
+      "how opening, first picture, frame and memory grow from 128 to 1024 voxels along each axis, with gl "
+      "and cpu unless --engine says otherwise; makes its volumes, of 8 bits, in the folder for "
+      "temporary files");
+  command
+      .option("--largest", arguments->largest, "voxels along each axis at most with --scale (default 1024)")
+      .within(128, 2048);
   command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
   command.footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");

@@ -43,7 +43,9 @@ BenchRow firstRow(const std::string& name, const Scene& scene, Contender& conten
   row.size = {scene.image.width, scene.image.height};
   row.stepVoxels = scene.quality.stepVoxels;
   try {
-    row.firstMs = contender.drawFirst(scene).ms;
+    const FrameCost first = contender.drawFirst(scene);
+    row.firstMs = first.ms;
+    row.firstCpuMs = first.cpuMs;
     advance();
     contender.draw(edited(scene, 0).value_or(scene));
     advance();
