@@ -3,11 +3,13 @@
 
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
-#include "app/measure/bench/Bench.h"
+#include "app/measure/bench/ScaleBench.h"
 #include "app/presets/PresetStore.h"
 #include "io/reports/ReportJson.h"
+#include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -24,11 +26,15 @@ struct BenchArguments {
   std::vector<std::string> presets;
   std::vector<double> steps;
   std::vector<std::string> models;
+  std::vector<std::string> engines; ///< empty: not given
   BenchEntries entries;
+  bool rivals = false;
   std::string size;
   std::string pictures;
   int frames = 9;
   bool equalError = false;
+  bool scale = false;
+  int largest = 1024; ///< voxels along each axis of the largest volume of --scale
   bool json = false;
 };
 
@@ -110,6 +116,14 @@ std::vector<BenchScene> allScenes(const BenchArguments& arguments, const Progres
 
 BenchEntries entriesFor(const BenchArguments& arguments) {
   BenchEntries entries = arguments.entries;
+  if (!arguments.engines.empty())
+    entries.engines = arguments.engines;
+  else if (arguments.scale)
+    entries.engines = {"gl", "cpu"};
+  if (arguments.rivals)
+    for (const char* rival : {"vtk-gpu", "vtk-fixedpoint"})
+      if (std::ranges::find(entries.engines, rival) == entries.engines.end())
+        entries.engines.push_back(rival);
   if (!arguments.source.spacing.empty())
     entries.readOptions = {"--spacing", arguments.source.spacing};
   if (arguments.source.series > 0)
@@ -130,46 +144,103 @@ void savePictures(const std::vector<std::unique_ptr<Contender>>& contenders, con
   }
 }
 
+// What was measured, as it is printed.
+struct BenchResult {
+  std::string driver; ///< of the first renderer
+  std::vector<BenchRow> rows;
+  std::vector<EqualErrorRow> equalErrors;
+};
+
+// Adds the rows of one scene. `advance` is called after every picture.
+void measureScene(const BenchScene& scene, const BenchArguments& arguments, const BenchEntries& entries,
+                  const std::function<void(int drawn, int of)>& advance, BenchResult& result) {
+  auto contenders = contendersFor(entries, scene.volumePath);
+  int drawn = 0;
+  const int eachDraws = picturesPerRow(arguments.frames) + (arguments.equalError ? 1 : 0);
+  const int pictures = eachDraws * static_cast<int>(contenders.size());
+  const auto next = [&] { advance(++drawn, pictures); };
+  auto rows = benchRows(scene.name, scene.scene, contenders, arguments.frames, next);
+  std::vector<BenchRow*> measured;
+  for (BenchRow& row : rows)
+    if (row.missing.empty())
+      measured.push_back(&row);
+  std::erase_if(contenders, [&](const auto& contender) {
+    return std::ranges::none_of(measured,
+                                [&](const BenchRow* row) { return row->program == contender->program(); });
+  });
+  if (result.driver.empty())
+    result.driver = contenders.front()->renderer();
+  // Only now: an exact picture drawn before would warm the process up for the first ones.
+  const PictureErrors errors(scene.scene, contenders, entries.threads);
+  for (std::size_t k = 0; k < contenders.size(); ++k)
+    measured[k]->meanError = errors.meanError(*contenders[k], scene.scene);
+  result.rows.insert(result.rows.end(), rows.begin(), rows.end());
+  if (arguments.equalError) {
+    const auto compared = equalErrorRows(scene.name, scene.scene, contenders, errors,
+                                         std::min(arguments.frames, framesOfACurve), next);
+    result.equalErrors.insert(result.equalErrors.end(), compared.begin(), compared.end());
+  }
+  if (!arguments.pictures.empty())
+    savePictures(contenders, scene, arguments.pictures);
+}
+
+// Volumes of several sizes, each drawn by every renderer before the next is opened.
+void runScale(const BenchArguments& arguments) {
+  if (!arguments.sources.empty())
+    throw Error(Error::Kind::usage, "limn bench --scale makes its own volumes; leave " +
+                                        arguments.sources.front() + " out, or --scale.");
+  const Progress progress = terminalProgress(arguments.source.quiet);
+  const BenchEntries entries = entriesFor(arguments);
+  const std::vector<int> edges = scaleEdges(arguments.largest);
+  std::vector<ScaleRow> rows;
+  for (const int edge : edges) {
+    int done = 0;
+    const int steps = 2 + picturesPerRow(arguments.frames) * static_cast<int>(entries.engines.size());
+    const auto advance = [&] {
+      const double share = std::min(1.0, static_cast<double>(++done) / steps);
+      if (progress.report)
+        progress.report((static_cast<double>(rows.size() / entries.engines.size()) + share) /
+                            static_cast<double>(edges.size()),
+                        "Measuring " + std::to_string(edge) + " voxels along each axis");
+    };
+    const auto more = scaleRows(edge, entries, arguments.frames, advance);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  std::string machine = machineName();
+  for (const std::string& engine : entries.engines)
+    for (const ScaleRow& row : rows)
+      if (row.edge == edges.front() && row.drawn.missing.empty() && row.drawn.program.ends_with(engine))
+        machine += ", " + row.drawn.renderer;
+  std::cout << (arguments.json ? scaleJson(machine, rows) : scaleTable(machine, rows));
+}
+
 void runBench(const BenchArguments& arguments) {
   // A shader that an earlier run left on disk would make the first frame look fast.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  if (arguments.scale)
+    return runScale(arguments);
+  if (arguments.sources.empty())
+    throw Error(Error::Kind::usage, "limn bench needs a volume or scene, such as: limn bench head.nii.gz");
   const Progress progress = terminalProgress(arguments.source.quiet);
   const std::vector<BenchScene> scenes = allScenes(arguments, progress);
   const BenchEntries entries = entriesFor(arguments);
-  std::vector<BenchRow> rows;
-  std::vector<EqualErrorRow> equalErrors;
-  std::string driver;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const auto contenders = contendersFor(entries, scenes[i].volumePath);
-    driver = contenders.front()->renderer();
-    int drawn = 0;
-    const int eachDraws = picturesPerRow(arguments.frames) + (arguments.equalError ? 1 : 0);
-    const int pictures = eachDraws * static_cast<int>(contenders.size());
-    const auto advance = [&] {
-      if (progress.report)
-        progress.report((static_cast<double>(i) + static_cast<double>(++drawn) / pictures) /
-                            static_cast<double>(scenes.size()),
-                        "Measuring " + scenes[i].name);
-    };
-    auto more = benchRows(scenes[i].name, scenes[i].scene, contenders, arguments.frames, advance);
-    // Only now: an exact picture drawn before would warm the process up for the first ones.
-    const PictureErrors errors(scenes[i].scene, contenders, entries.threads);
-    for (std::size_t k = 0; k < contenders.size(); ++k)
-      more[k].meanError = errors.meanError(*contenders[k], scenes[i].scene);
-    rows.insert(rows.end(), more.begin(), more.end());
-    if (arguments.equalError) {
-      const auto compared = equalErrorRows(scenes[i].name, scenes[i].scene, contenders, errors,
-                                           std::min(arguments.frames, framesOfACurve), advance);
-      equalErrors.insert(equalErrors.end(), compared.begin(), compared.end());
-    }
-    if (!arguments.pictures.empty())
-      savePictures(contenders, scenes[i], arguments.pictures);
-  }
-  const std::string machine = machineName() + ", " + driver;
+  BenchResult result;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    measureScene(
+        scenes[i], arguments, entries,
+        [&](int drawn, int of) {
+          if (progress.report)
+            progress.report((static_cast<double>(i) + static_cast<double>(drawn) / of) /
+                                static_cast<double>(scenes.size()),
+                            "Measuring " + scenes[i].name);
+        },
+        result);
+  const std::string machine = machineName() + ", " + result.driver;
   if (arguments.json)
-    std::cout << benchJson(machine, rows, equalErrors);
+    std::cout << benchJson(machine, result.rows, result.equalErrors);
   else
-    std::cout << benchTable(machine, rows) << (equalErrors.empty() ? "" : equalErrorTable(equalErrors));
+    std::cout << benchTable(machine, result.rows)
+              << (result.equalErrors.empty() ? "" : equalErrorTable(result.equalErrors));
 }
 
 } // namespace
@@ -177,7 +248,7 @@ void runBench(const BenchArguments& arguments) {
 void addBenchCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<BenchArguments>();
   CommandSyntax command = root.command("bench", "milliseconds per frame by renderer, scene and step");
-  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`").required();
+  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`");
   addSourceOptions(command, arguments->source);
   command.flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
   command.flag("--json", arguments->json, "one JSON object on stdout");
@@ -192,20 +263,31 @@ void addBenchCommand(CommandSyntax& root) {
   command.option("--preset", arguments->presets,
                  "name of a preset, several times if wanted, or all: every built-in one");
   command
-      .option("--engine", arguments->entries.engines,
-              "gl (default), cpu, slices, reference, or several: gl,cpu")
+      .option("--engine", arguments->engines,
+              "gl (default), cpu, slices, reference, vtk-gpu, vtk-fixedpoint, or several: gl,cpu; cpu where "
+              "there is no OpenGL")
       .separatedByCommas()
-      .oneOf({"gl", "cpu", "slices", "reference"});
+      .oneOf({"gl", "cpu", "slices", "reference", "vtk-gpu", "vtk-fixedpoint"});
   command
       .option("--threads", arguments->entries.threads,
               "threads of the CPU engine and the reference (default: every core)")
       .within(1, 4096);
   command.flag("--all-effects", arguments->entries.allEffects,
                "the program with every effect compiled in draws the same views in turn");
-  command.flag("--rivals", arguments->entries.rivals,
-               "VTK's GPU mapper and fixed-point caster draw the same views in turn (needs an X display)");
+  command.flag(
+      "--rivals", arguments->rivals,
+      "VTK's GPU mapper and fixed-point caster (vtk-gpu, vtk-fixedpoint) draw the same views in turn; "
+      "they need an X display");
   command.flag("--equal-error", arguments->equalError,
                "also how fast each is where it errs as VTK's GPU mapper does, or else the first of them");
+  command.flag(
+      "--scale", arguments->scale,
+      "how opening, first picture, frame and memory grow from 128 to 1024 voxels along each axis, with gl "
+      "and cpu unless --engine says otherwise; makes its volumes, of 8 bits, in the folder for "
+      "temporary files");
+  command
+      .option("--largest", arguments->largest, "voxels along each axis at most with --scale (default 1024)")
+      .within(128, 2048);
   command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
   command.footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");

@@ -4,6 +4,7 @@
 #include "app/commands/Arguments.h"
 #include "app/engines/ProcessCost.h"
 #include "app/measure/stability/StabilityText.h"
+#include "cpu/CpuRenderer.h"
 #include "gl/DriverFacts.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -56,12 +58,31 @@ std::vector<HardCase> chosenCases(const std::vector<std::string>& only) {
 }
 
 // `from`: the share of the whole work that is done before.
-FuzzReport fuzzed(const StabilityArguments& arguments, int seeds, const Progress& progress, double from) {
-  return runFuzz(seeds, arguments.firstSeed, [&](int done) {
+FuzzReport fuzzed(const StabilityArguments& arguments, int seeds, FuzzedBy fuzzedBy, const Progress& progress,
+                  double from) {
+  const auto report = [&](int done) {
     if (progress.report && done % 10 == 0)
       progress.report(from + (1.0 - from) * done / seeds, "random scenes");
     return true;
-  });
+  };
+  return runFuzz(seeds, arguments.firstSeed, report, fuzzedBy);
+}
+
+// What draws here: a context with its driver, or the processor alone and why.
+struct Drivers {
+  std::optional<HeadlessContext> context;
+  std::string withoutOpenGl; ///< one sentence where there is no context
+};
+
+// A machine without OpenGL is measured with the processor; no case is to blame for a driver that is too old.
+void openDrivers(Drivers& drivers) {
+  try {
+    drivers.context.emplace();
+  } catch (const Error& error) {
+    drivers.withoutOpenGl = error.what();
+    return;
+  }
+  requireOpenGl3();
 }
 
 std::string driverText() {
@@ -91,27 +112,29 @@ void runStability(const StabilityArguments& arguments) {
   const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
   const std::vector<HardCase> cases = hasCases ? chosenCases(arguments.only) : std::vector<HardCase>();
   const Progress progress = terminalProgress(arguments.quiet);
-  const HeadlessContext context;
-  requireOpenGl3(); // no case is to blame for a driver that is too old
+  Drivers drivers;
+  openDrivers(drivers);
+  const bool hasOpenGl = drivers.context.has_value();
   const int seeds = arguments.seeds >= 0 ? arguments.seeds : arguments.only.empty() ? usualSeeds : 0;
   const double share = !hasCases ? 0.0 : seeds == 0 ? 1.0 : 0.5;
   StabilityReport report{LIMN_VERSION,
-                         rendererName(),
-                         driverText(),
+                         hasOpenGl ? rendererName() : CpuRenderer().name(),
+                         hasOpenGl ? driverText() : drivers.withoutOpenGl,
                          machineName() + ", " + QSysInfo::prettyProductName().toStdString(),
                          QDate::currentDate().toString(Qt::ISODate).toStdString(),
                          commandFor(arguments, seeds),
                          {},
                          {}};
   if (hasCases) {
-    Workbench bench;
+    Workbench bench(drivers.withoutOpenGl);
     report.cases = measure(cases, bench, [&](double fraction, const std::string& doing) {
       if (progress.report)
         progress.report(share * fraction, doing);
     });
   }
   if (seeds > 0)
-    report.fuzz = fuzzed(arguments, seeds, progress, share);
+    report.fuzz = fuzzed(arguments, seeds, hasOpenGl ? FuzzedBy::everyRenderer : FuzzedBy::processorAlone,
+                         progress, share);
   if (!arguments.folder.empty())
     writeReport(report, arguments.folder);
   std::cout << stabilityTable(report);
@@ -134,7 +157,8 @@ void addStabilityCommand(CommandSyntax& root) {
       .within(0, 100000000);
   command.option("--seed", arguments->firstSeed, "the first random scene (default 1)");
   command.flag("--quiet", arguments->quiet, "no progress");
-  command.footer("Every row has a figure, a bound and a verdict; the exit status is 1 where one fails.\n"
+  command.footer("Without OpenGL the processor draws alone, and rows that need OpenGL say so.\nEvery row has "
+                 "a figure, a bound and a verdict; the exit status is 1 where one fails.\n"
                  "Example: limn stability -o report");
   command.runs([arguments] { runStability(*arguments); });
 }

@@ -138,7 +138,7 @@ SceneFacts SceneData::facts(const Scene& scene) {
 
 double SceneData::steepestPerMm() {
   if (!m_steepness)
-    m_steepness = steepness(*m_volume);
+    m_steepness = m_facts ? m_facts->commonPerMm : steepness(*m_volume);
   return *m_steepness;
 }
 

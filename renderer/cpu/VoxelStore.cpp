@@ -12,8 +12,8 @@
 namespace limn::cpu {
 namespace {
 
-// Offsets within the voxels are 32-bit numbers that count from the middle.
-constexpr std::size_t mostBytes = std::size_t{1} << 32;
+// Offsets within a slice are 32-bit numbers that count from its middle.
+constexpr std::size_t mostSliceBytes = std::size_t{1} << 32;
 
 // By how much the largest stored number may exceed the width of the range before floats lose too much of it.
 constexpr double mostMagnitude = 16.0;
@@ -98,10 +98,11 @@ UninitialisedVector<glm::vec2> gatherBlocks(const T* voxels, const glm::ivec3& d
 template <class T>
 void requireRoom(const Volume& volume) {
   const std::size_t each = canStayAsStored<T>(volume) ? sizeof(T) : sizeof(float);
-  if (volume.voxelCount() > mostBytes / each)
+  const glm::ivec3 dims = volume.grid().dims;
+  if (static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) > mostSliceBytes / each)
     throw Error(
         Error::Kind::input,
-        "The volume's voxels take more than 4 GiB, which the CPU engine does not draw; draw a part of it "
+        "A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it "
         "or a reduced copy.");
 }
 

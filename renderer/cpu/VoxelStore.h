@@ -14,7 +14,7 @@ namespace limn::cpu {
 /// floats only where its type, or a range that is narrow beside its values, asks for it.
 class VoxelStore {
 public:
-  /// Throws Error (input) where the voxels take more than 4 GiB, before anything is copied; Cancelled.
+  /// Throws Error (input) where a slice takes more than 4 GiB, before anything is copied; Cancelled.
   VoxelStore(std::shared_ptr<const Volume> volume, const Effort& effort);
 
   const VoxelSource& source() const { return m_source; }

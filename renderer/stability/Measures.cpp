@@ -77,14 +77,17 @@ std::shared_ptr<const Volume> smoothVolume(int edge, double scale) {
   });
 }
 
-Finding takenOtherwise(const Decisions& decisions, const std::string& what, double bound,
-                       const std::string& reason, const std::function<double(const Draw& draw)>& figure) {
-  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, decisions);
-  const Draw draw = [&](const Scene& scene, const glm::ivec2& size) {
-    const Image image = caster.render(scene, size);
-    return DrawnPicture{size, {image.pixels.begin(), image.pixels.end()}};
-  };
-  return atMost("gl", what, figure(draw), bound, reason);
+Finding takenOtherwise(const Workbench& bench, const Decisions& decisions, const std::string& what,
+                       double bound, const std::string& reason,
+                       const std::function<double(const Draw& draw)>& figure) {
+  return withOpenGl(bench, "gl", what, [&] {
+    RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, decisions);
+    const Draw draw = [&](const Scene& scene, const glm::ivec2& size) {
+      const Image image = caster.render(scene, size);
+      return DrawnPicture{size, {image.pixels.begin(), image.pixels.end()}};
+    };
+    return atMost("gl", what, figure(draw), bound, reason);
+  });
 }
 
 } // namespace limn

@@ -43,7 +43,8 @@ Scene wholeVolume(std::shared_ptr<const Volume> volume, ShadingModel model, doub
 std::shared_ptr<const Volume> smoothVolume(int edge, double scale = 1.0);
 
 /// A finding of the ray caster with a decision about accuracy taken otherwise than the program takes it.
-Finding takenOtherwise(const Decisions& decisions, const std::string& what, double bound,
-                       const std::string& reason, const std::function<double(const Draw& draw)>& figure);
+Finding takenOtherwise(const Workbench& bench, const Decisions& decisions, const std::string& what,
+                       double bound, const std::string& reason,
+                       const std::function<double(const Draw& draw)>& figure);
 
 } // namespace limn

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 namespace limn {
@@ -29,6 +30,11 @@ constexpr double layerRounding = 0x1p-22;
 // Draws seed after seed with the same renderers.
 class Fuzzer {
 public:
+  explicit Fuzzer(FuzzedBy fuzzedBy) {
+    if (fuzzedBy == FuzzedBy::everyRenderer)
+      m_openGl.emplace();
+  }
+
   FuzzReport report;
 
   void run(std::uint64_t seed) {
@@ -41,7 +47,7 @@ public:
     } catch (const std::exception& error) {
       fail(seed, std::string("an exception that is no sentence for people: ") + error.what());
     }
-    report.programs = m_caster.compiledPrograms();
+    report.programs = m_openGl ? m_openGl->caster.compiledPrograms() : 0;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (seconds > report.slowestSeconds) {
       report.slowestSeconds = seconds;
@@ -73,21 +79,37 @@ private:
     const std::optional<RandomScene> random = drawn(seed);
     if (!random)
       return;
-    const Image image = m_caster.render(random->scene, random->size);
-    for (const std::string& broken : brokenInvariants(random->scene, image))
-      fail(seed, broken);
-    requireSame(seed, "the second picture differs", image, m_caster.render(random->scene, random->size));
-    if (seed % seedsPerFreshCaster == 0)
-      drawFreshly(seed, *random);
     const Image processed = m_processor.render(random->scene, random->size);
     for (const std::string& broken : brokenInvariants(random->scene, processed))
       fail(seed, "the CPU engine: " + broken);
     requireSame(seed, "the CPU engine differs where it steps over nothing", processed,
                 m_samplingProcessor.render(random->scene, random->size));
-    if (random->isComparable)
-      compare(seed, *random, image, processed);
-    if (random->isSliceable && seed % seedsPerSlices == 0)
-      slice(seed, *random);
+    std::optional<ReferencePicture> reference;
+    if (random->isComparable) {
+      ++report.referenceCompared;
+      reference = renderReference(random->scene, random->size);
+      // Error-controlled steps may fall on other sides of a limit in float: a picture as good, not the same
+      // one.
+      if (!random->scene.quality.toleranceLevels)
+        compareProcessor(seed, *reference, processed, leftOutOf(random->scene));
+    }
+    if (m_openGl)
+      checkOpenGl(seed, *random, reference);
+  }
+
+  void checkOpenGl(std::uint64_t seed, const RandomScene& random,
+                   const std::optional<ReferencePicture>& reference) {
+    RayCaster& caster = m_openGl->caster;
+    const Image image = caster.render(random.scene, random.size);
+    for (const std::string& broken : brokenInvariants(random.scene, image))
+      fail(seed, broken);
+    requireSame(seed, "the second picture differs", image, caster.render(random.scene, random.size));
+    if (seed % seedsPerFreshCaster == 0)
+      drawFreshly(seed, random);
+    if (reference)
+      compare(seed, random, image, *reference);
+    if (random.isSliceable && seed % seedsPerSlices == 0)
+      slice(seed, random);
   }
 
   void requireSame(std::uint64_t seed, const char* what, const Image& image, const Image& again) {
@@ -100,19 +122,20 @@ private:
   // may round otherwise: compilers reorder sums.)
   void drawFreshly(std::uint64_t seed, const RandomScene& random) {
     ++report.freshlyDrawn;
-    m_caster.leaveOut(EffectSet{});
-    const Image image = m_caster.render(random.scene, random.size);
-    m_caster.leaveOut(std::nullopt);
+    m_openGl->caster.leaveOut(EffectSet{});
+    const Image image = m_openGl->caster.render(random.scene, random.size);
+    m_openGl->caster.leaveOut(std::nullopt);
     RayCaster fresh;
     requireSame(seed, "a fresh ray caster draws otherwise", image, fresh.render(random.scene, random.size));
   }
 
-  void compare(std::uint64_t seed, const RandomScene& random, const Image& image, const Image& processed) {
-    ++report.referenceCompared;
-    const std::vector<int> counts = m_caster.sampleCounts(random.scene, random.size);
-    const ReferencePicture reference = renderReference(random.scene, random.size);
-    // Where a ray ends early, each leaves out what the last transmittance may still show.
-    const double leftOut = 1.0 - random.scene.quality.earlyTermination;
+  // Where a ray ends early, each leaves out what the last transmittance may still show.
+  static double leftOutOf(const Scene& scene) { return 1.0 - scene.quality.earlyTermination; }
+
+  void compare(std::uint64_t seed, const RandomScene& random, const Image& image,
+               const ReferencePicture& reference) {
+    const std::vector<int> counts = m_openGl->caster.sampleCounts(random.scene, random.size);
+    const double leftOut = leftOutOf(random.scene);
     double worst = 0.0;
     std::size_t worstPixel = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -128,26 +151,35 @@ private:
         worstPixel = i;
       }
     }
-    if (leftOut == 0.0 && !(worst <= report.worstDifference)) {
-      report.worstDifference = worst;
-      report.worstSeed = seed;
-    }
+    if (leftOut == 0.0)
+      noteWorst(seed, worst);
     if (!(worst <= referenceTolerance + leftOut))
       fail(seed, differenceFrom(reference, image, worst, worstPixel));
-    // Error-controlled steps may fall on other sides of a limit in float: a picture as good, not the same
-    // one.
-    if (!random.scene.quality.toleranceLevels)
-      compareProcessor(seed, reference, processed, processorTolerance + leftOut);
   }
 
   void compareProcessor(std::uint64_t seed, const ReferencePicture& reference, const Image& image,
-                        double most) {
+                        double leftOut) {
+    double worst = 0.0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
       const glm::dvec4 error = glm::abs(glm::dvec4(image.pixels[i]) - reference.pixels[i]);
       const double off = std::max({error.r, error.g, error.b, error.a});
-      if (!(off <= most))
+      if (!(off <= processorTolerance + leftOut))
         return fail(seed, "the CPU engine: " + differenceFrom(reference, image, off, i));
+      worst = std::max(worst, off);
     }
+    // The report's figures are the ray caster's where there is one.
+    if (m_openGl)
+      return;
+    report.pixelsCompared += image.pixels.size();
+    if (leftOut == 0.0)
+      noteWorst(seed, worst);
+  }
+
+  void noteWorst(std::uint64_t seed, double worst) {
+    if (worst <= report.worstDifference) // what is no number is the worst
+      return;
+    report.worstDifference = worst;
+    report.worstSeed = seed;
   }
 
   static std::string differenceFrom(const ReferencePicture& reference, const Image& image, double worst,
@@ -164,27 +196,32 @@ private:
 
   void slice(std::uint64_t seed, const RandomScene& random) {
     ++report.slices;
-    const Image image = m_slices.render(random.scene, random.size);
+    const Image image = m_openGl->slices.render(random.scene, random.size);
     const double rounding = 1e-6 + layerRounding * mostLayers;
     for (const std::string& broken : brokenInvariants(random.scene, image, rounding))
       fail(seed, "slices: " + broken);
     requireSame(seed, "the second picture of slices differs", image,
-                m_slices.render(random.scene, random.size));
+                m_openGl->slices.render(random.scene, random.size));
   }
 
   static constexpr double mostLayers = 256.0; // RandomScene::isSliceable
 
   CpuRenderer m_processor;
   CpuRenderer m_samplingProcessor{0, CpuRenderer::EmptySpace::sampled};
-  RayCaster m_caster;
-  SliceRenderer m_slices;
+  struct OpenGl {
+    RayCaster caster;
+    SliceRenderer slices;
+  };
+
+  std::optional<OpenGl> m_openGl; // absent: the processor alone
   std::string m_description;
 };
 
 } // namespace
 
-FuzzReport runFuzz(int seeds, std::uint64_t firstSeed, const std::function<bool(int)>& progress) {
-  Fuzzer fuzzer;
+FuzzReport runFuzz(int seeds, std::uint64_t firstSeed, const std::function<bool(int)>& progress,
+                   FuzzedBy fuzzedBy) {
+  Fuzzer fuzzer(fuzzedBy);
   for (int i = 0; i < seeds; ++i) {
     fuzzer.run(firstSeed + static_cast<std::uint64_t>(i));
     if (progress && !progress(i + 1))

@@ -32,12 +32,17 @@ struct FuzzReport {
   std::vector<FuzzFailure> failures;
 };
 
+/// Who draws random scenes.
+enum class FuzzedBy { everyRenderer, processorAlone };
+
 /// Draws the scenes of `seeds` seeds from `firstSeed` on with the ray caster on the current OpenGL context
 /// and with the CPU engine, each twice, and checks what must hold for any picture (PictureInvariants), the
 /// reference where a seed is comparable, the slice renderer and a fresh ray caster for a part of them. One
-/// ray caster draws all: a seed alone gives the same result. `progress`, if given, hears how many are done;
-/// false ends the work. Throws Error (openGl) where nothing can be drawn at all.
-FuzzReport runFuzz(int seeds, std::uint64_t firstSeed, const std::function<bool(int)>& progress = {});
+/// ray caster draws all: a seed alone gives the same result. The processor alone needs no context.
+/// `progress`, if given, hears how many are done; false ends the work. Throws Error (openGl) where nothing
+/// can be drawn at all.
+FuzzReport runFuzz(int seeds, std::uint64_t firstSeed, const std::function<bool(int)>& progress = {},
+                   FuzzedBy fuzzedBy = FuzzedBy::everyRenderer);
 
 /// One line that says what failed and how to repeat it: `limn stability --fuzz 1 --seed S`.
 std::string lineOf(const FuzzFailure& failure);

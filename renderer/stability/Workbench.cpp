@@ -56,13 +56,20 @@ DrawnPicture Workbench::draw(Engine engine, const Scene& scene, const glm::ivec2
   return {};
 }
 
+void Workbench::requireOpenGl() const {
+  if (!hasOpenGl())
+    throw Error(Error::Kind::usage, m_withoutOpenGl);
+}
+
 RayCaster& Workbench::rays() {
+  requireOpenGl();
   if (!m_rays)
     m_rays.emplace();
   return *m_rays;
 }
 
 SliceRenderer& Workbench::slices() {
+  requireOpenGl();
   if (!m_slices)
     m_slices.emplace();
   return *m_slices;
@@ -103,6 +110,16 @@ std::vector<Finding> inEachEngine(Workbench& bench, const std::string& what, con
                                   const std::function<double(const Draw& draw)>& figure) {
   return inEngines(bench, {Engine::reference, Engine::gl, Engine::slices, Engine::cpu}, what, bounds, reason,
                    figure);
+}
+
+Finding withOpenGl(const Workbench& bench, const std::string& engine, const std::string& what,
+                   const std::function<Finding()>& measure) {
+  try {
+    bench.requireOpenGl();
+  } catch (const Error& error) {
+    return notApplicable(engine, what, error.what());
+  }
+  return measure();
 }
 
 std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more) {

@@ -26,9 +26,19 @@ struct DrawnPicture {
 };
 
 /// The renderers, kept from one case to the next as in the window: state left behind by one picture would
-/// show in the next. Needs a current OpenGL context of at least 3.0 while it lives.
+/// show in the next.
 class Workbench {
 public:
+  /// `withoutOpenGl`: the sentence that says why there is no OpenGL. Where it is empty a context of at least
+  /// 3.0 is current while this lives.
+  explicit Workbench(std::string withoutOpenGl = {}) : m_withoutOpenGl(std::move(withoutOpenGl)) {}
+
+  bool hasOpenGl() const { return m_withoutOpenGl.empty(); }
+
+  /// Throws Error (usage) that says why there is none.
+  void requireOpenGl() const;
+
+  /// Throws Error, of kind usage where OpenGL draws and there is none; so do `rays` and `slices`.
   DrawnPicture draw(Engine engine, const Scene& scene, const glm::ivec2& size);
 
   RayCaster& rays();
@@ -36,6 +46,7 @@ public:
   CpuRenderer& processor();
 
 private:
+  std::string m_withoutOpenGl;
   std::optional<RayCaster> m_rays;
   std::optional<SliceRenderer> m_slices;
   std::optional<CpuRenderer> m_processor;
@@ -62,6 +73,10 @@ std::vector<Finding> inEachEngine(Workbench& bench, const std::string& what, con
 std::vector<Finding> inEngines(Workbench& bench, const std::vector<Engine>& engines, const std::string& what,
                                const Bounds& bounds, const std::string& reason,
                                const std::function<double(const Draw& draw)>& figure);
+
+/// The finding that `measure` makes with OpenGL, or one that says why there is none.
+Finding withOpenGl(const Workbench& bench, const std::string& engine, const std::string& what,
+                   const std::function<Finding()>& measure);
 
 /// Appends findings to others.
 std::vector<Finding>& operator+=(std::vector<Finding>& findings, std::vector<Finding> more);

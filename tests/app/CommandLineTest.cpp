@@ -156,6 +156,43 @@ TEST_F(CommandLine, benchPrintsTheTimesOfEveryRendererAsOneJsonObject) {
   }
 }
 
+TEST_F(CommandLine, benchSaysWhichRendererCannotDrawASceneAndMeasuresTheOthers) {
+  std::ofstream(file("mip.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "projection": "mip"})";
+  const std::string scene = file("mip.json").string();
+  const Outcome outcome =
+      run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices,cpu --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json rows = nlohmann::json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_NE(rows[0]["missing"].get<std::string>().find("Slices cannot draw the projection \"mip\""),
+            std::string::npos)
+      << rows[0];
+  EXPECT_GT(rows[1]["cpu_ms"], 0.0);
+  const Outcome table = run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices,cpu");
+  EXPECT_NE(table.out.find("no figures: Slices cannot draw"), std::string::npos) << table.out;
+  const Outcome none = run("bench '" + scene + "' --quiet --size 24x16 --frames 1 --engine slices");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("Slices cannot draw"), std::string::npos) << none.err;
+}
+
+TEST_F(CommandLine, benchShowsHowCostsGrowWithTheSizeOfAVolumeThatItMakes) {
+  const Outcome outcome = run("bench --scale --largest 128 --frames 1 --json --quiet");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json rows = nlohmann::json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(rows[i]["program"], i == 0 ? "limn-gl" : "limn-cpu");
+    EXPECT_EQ(rows[i]["edge"], 128);
+    EXPECT_NEAR(rows[i]["voxels_mb"], 2.097, 0.001); // 128³ bytes
+    for (const char* figure : {"open_ms", "first_ms", "first_cpu_ms", "cpu_ms", "edit_ms"})
+      EXPECT_GT(rows[i][figure], 0.0) << figure;
+  }
+  const Outcome table = run("bench --scale --largest 128 --engine cpu --frames 1 --quiet");
+  EXPECT_NE(table.out.find("  128      2.1 limn-cpu"), std::string::npos) << table.out;
+  for (const char* mistake : {"bench", "bench phantom:8 --scale"})
+    EXPECT_EQ(run(mistake).status, 2) << mistake;
+}
+
 TEST_F(CommandLine, benchSavesThePictureOfEachRenderer) {
   const Outcome outcome =
       run("bench phantom:8 --quiet --size 24x16 --step 1 --frames 1 --engine gl,slices,reference "

@@ -4,6 +4,7 @@
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
@@ -112,6 +113,39 @@ TEST_F(DriverCommands, withoutOpenGlEverythingThatIsAskedForIsThere) {
   const Outcome info = run("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent", "info --system");
   EXPECT_EQ(info.status, 0);
   EXPECT_NE(info.out.find("draws       processor: There is no OpenGL."), std::string::npos) << info.out;
+}
+
+TEST_F(DriverCommands, withoutOpenGlTheBenchMeasuresTheProcessorAndSaysWhatIsMissing) {
+  const Outcome outcome = run("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent",
+                              "bench phantom:8 --size 24x16 --frames 1 --engine gl,slices --json --quiet");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json rows = nlohmann::json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(rows[i]["program"], i == 0 ? "limn-gl" : "limn-slices");
+    EXPECT_NE(rows[i]["missing"].get<std::string>().find("No OpenGL"), std::string::npos) << rows[i];
+    EXPECT_FALSE(rows[i].contains("ms")) << rows[i];
+  }
+  EXPECT_EQ(rows[2]["program"], "limn-cpu");
+  EXPECT_GT(rows[2]["ms"]["median"], 0.0);
+}
+
+TEST_F(DriverCommands, withoutOpenGlStabilityJudgesTheProcessorAndSaysWhatIsMissing) {
+  const Outcome outcome = run("__EGL_VENDOR_LIBRARY_DIRS=/nonexistent",
+                              "stability --fuzz 8 --quiet -o '" + file("report").string() + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const nlohmann::json report = nlohmann::json::parse(test::bytesOfFile(file("report/stability.json")));
+  EXPECT_NE(report["renderer"].get<std::string>().find("CPU engine"), std::string::npos);
+  EXPECT_NE(report["driver"].get<std::string>().find("No OpenGL"), std::string::npos);
+  int byProcessor = 0;
+  for (const nlohmann::json& row : report["cases"]) {
+    const std::string engine = row["engine"];
+    if (engine == "gl" || engine == "glsl" || engine == "slices")
+      EXPECT_EQ(row["verdict"], "n/a") << row;
+    byProcessor += engine == "cpu" && row["verdict"] == "pass" ? 1 : 0;
+  }
+  EXPECT_GT(byProcessor, 100);
+  EXPECT_EQ(report["fuzz"]["seeds"], 8);
 }
 
 TEST_F(DriverCommands, aLimitThatAnEngineDoesNotKnowIsRefused) {

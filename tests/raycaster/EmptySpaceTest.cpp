@@ -21,7 +21,7 @@ std::shared_ptr<const Volume> sparseVolume(const glm::ivec3& dims, int visibleVo
   grid.dims = dims;
   grid.spacingMm = {1.0, 0.7, 1.6};
   std::mt19937 generator(5);
-  std::vector<std::uint8_t> voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 10);
+  BlockDistances voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 10);
   voxels[0] = 0;
   for (int i = 0; i < visibleVoxels; ++i)
     voxels[generator() % voxels.size()] = 200;
@@ -38,7 +38,7 @@ glm::ivec3 blockAt(const BlockRanges& ranges, std::size_t i) {
   return {n % blocks.x, n / blocks.x % blocks.y, n / (blocks.x * blocks.y)};
 }
 
-std::vector<std::uint8_t> emptyDistances(const BlockRanges& ranges, const Visibility& visibility) {
+BlockDistances emptyDistances(const BlockRanges& ranges, const Visibility& visibility) {
   EmptySpaceMap map;
   mapEmptySpace(ranges, visibility, map);
   return map.distances;
@@ -49,7 +49,7 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
   EXPECT_EQ(ranges.blocks(), glm::ivec3(10, 8, 6)) << "of 40, 29 and 22 cells";
   const PiecewiseTable table = tableOf(above(50.0), volume->range());
-  const std::vector<std::uint8_t> distances = emptyDistances(ranges, {&table, {}});
+  const BlockDistances distances = emptyDistances(ranges, {&table, {}});
   int visible = 0;
   for (std::size_t i = 0; i < distances.size(); ++i) {
     int nearest = 255;
@@ -71,7 +71,7 @@ TEST(EmptySpaceDistances, onlyWhatLiesBelowAnIsovalueIsEmpty) {
   const auto volume = sparseVolume({17, 13, 9}, 2);
   const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
   for (const float isovalue : {-0.5f, 0.25f, 1.5f}) {
-    const std::vector<std::uint8_t> distances = emptyDistances(ranges, {nullptr, isovalue});
+    const BlockDistances distances = emptyDistances(ranges, {nullptr, isovalue});
     for (std::size_t i = 0; i < distances.size(); ++i)
       EXPECT_EQ(distances[i] == 0, ranges.at(blockAt(ranges, i)).y > isovalue) << isovalue << ", block " << i;
   }
@@ -97,7 +97,7 @@ TEST(EmptySpaceDistances, anEditOnTheCtHeadIsAnsweredWithinFiveMilliseconds) {
     const double ownBefore = test::threadMs();
     const auto start = std::chrono::steady_clock::now();
     const PiecewiseTable table = tableOf(function, volume->range());
-    const std::vector<std::uint8_t> distances = emptyDistances(ranges, {&table, {}});
+    const BlockDistances distances = emptyDistances(ranges, {&table, {}});
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     ASSERT_GT(distances.size(), 0u);
     bestMs = std::min(bestMs, ms.count());

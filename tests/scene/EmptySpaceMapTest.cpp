@@ -21,8 +21,8 @@ std::size_t countOf(const glm::ivec3& blocks) {
 }
 
 // The definition, one pair of blocks after the other.
-std::vector<std::uint8_t> distancesByPairs(const glm::ivec3& blocks, const std::vector<std::uint8_t>& from) {
-  std::vector<std::uint8_t> distances(from.size(), farthestBlock);
+BlockDistances distancesByPairs(const glm::ivec3& blocks, const BlockDistances& from) {
+  BlockDistances distances(from.size(), farthestBlock);
   for (std::size_t near = 0; near < from.size(); ++near)
     for (std::size_t i = 0; from[near] == 0 && i < from.size(); ++i) {
       const glm::ivec3 way = glm::abs(placeOf(i, blocks) - placeOf(near, blocks));
@@ -38,12 +38,12 @@ TEST(EmptySpaceMap, distancesAreThoseOfTheNearestBlock) {
   std::mt19937 random(7);
   for (const glm::ivec3& blocks : shapes)
     for (const int visible : {0, 1, 2, 40}) {
-      std::vector<std::uint8_t> distances(countOf(blocks), farthestBlock);
+      BlockDistances distances(countOf(blocks), farthestBlock);
       for (int i = 0; i < visible; ++i)
         distances[random() % distances.size()] = 0;
-      const std::vector<std::uint8_t> expected = distancesByPairs(blocks, distances);
+      const BlockDistances expected = distancesByPairs(blocks, distances);
       for (const int threads : {1, 3}) {
-        std::vector<std::uint8_t> spread = distances;
+        BlockDistances spread = distances;
         spreadDistances(blocks, spread, {threads, {}, {}});
         EXPECT_EQ(spread, expected) << blocks.x << " x " << blocks.y << " x " << blocks.z << ", " << visible;
       }

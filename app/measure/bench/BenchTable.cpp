@@ -18,13 +18,14 @@ std::string formatted(const char* format, ...) {
 }
 
 // What a row's times are compared with, if it was drawn.
-const BenchRow* yardstickOf(const BenchRow& row, const std::vector<BenchRow>& rows) {
-  for (const char* program : {"vtk-gpu", "limn-gl-all"})
+std::vector<const BenchRow*> yardsticksOf(const BenchRow& row, const std::vector<BenchRow>& rows) {
+  std::vector<const BenchRow*> yardsticks;
+  for (const char* program : {"vtk-gpu", "vtk-fixedpoint", "limn-gl-all"})
     for (const BenchRow& other : rows)
-      if (other.program == program && other.scene == row.scene && other.size == row.size &&
-          other.stepVoxels == row.stepVoxels)
-        return &other;
-  return nullptr;
+      if (other.program == program && other.missing.empty() && other.scene == row.scene &&
+          other.size == row.size && other.stepVoxels == row.stepVoxels && &other != &row)
+        yardsticks.push_back(&other);
+  return yardsticks;
 }
 
 // The median over the views of the quotient of two rows.
@@ -35,17 +36,24 @@ double shareOf(const std::vector<double>& times, const std::vector<double>& yard
   return timingOf(shares).median;
 }
 
-std::string lineOf(const BenchRow& row, const BenchRow* yardstick, int sceneWidth) {
+std::string lineOf(const BenchRow& row, const std::vector<BenchRow>& rows, int sceneWidth) {
+  std::string line =
+      formatted("%-*s %9s %6.3g %-14s", sceneWidth, row.scene.c_str(),
+                formatted("%dx%d", row.size.x, row.size.y).c_str(), row.stepVoxels, row.program.c_str());
+  if (!row.missing.empty())
+    return line + " no figures: " + row.missing + "\n";
   const Timing ms = timingOf(wallTimes(row.views));
-  std::string line = formatted(
-      "%-*s %9s %6.3g %-14s %8.1f %19s %8.1f %8.1f %8s %7.1f %6.2f", sceneWidth, row.scene.c_str(),
-      formatted("%dx%d", row.size.x, row.size.y).c_str(), row.stepVoxels, row.program.c_str(), ms.median,
-      formatted("%.1f .. %.1f", ms.least, ms.most).c_str(), timingOf(processorTimes(row.views)).median,
-      row.firstMs, row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb, row.meanError);
-  if (yardstick)
-    line += formatted("  %.3f, %.3f of %s", shareOf(wallTimes(row.views), wallTimes(yardstick->views)),
-                      shareOf(processorTimes(row.views), processorTimes(yardstick->views)),
-                      yardstick->program.c_str());
+  line += formatted(" %8.1f %19s %8.1f %8.1f %8s %7.1f %6.2f", ms.median,
+                    formatted("%.1f .. %.1f", ms.least, ms.most).c_str(),
+                    timingOf(processorTimes(row.views)).median, row.firstMs,
+                    row.editMs ? formatted("%.1f", *row.editMs).c_str() : "-", row.peakMb, row.meanError);
+  const char* separator = "  ";
+  for (const BenchRow* yardstick : yardsticksOf(row, rows)) {
+    line += formatted(
+        "%s%.3f, %.3f of %s", separator, shareOf(wallTimes(row.views), wallTimes(yardstick->views)),
+        shareOf(processorTimes(row.views), processorTimes(yardstick->views)), yardstick->program.c_str());
+    separator = "; ";
+  }
   return line + "\n";
 }
 
@@ -61,7 +69,7 @@ std::string benchTable(const std::string& machine, const std::vector<BenchRow>& 
                      "step", "program", "ms", "least .. most", "cpu ms", "first", "edit", "MB", "error",
                      "share of ms, cpu ms");
   for (const BenchRow& row : rows)
-    table += lineOf(row, yardstickOf(row, rows), sceneWidth);
+    table += lineOf(row, rows, sceneWidth);
   table += "\n";
   for (const BenchRow& row : rows)
     if (!row.effects.empty())

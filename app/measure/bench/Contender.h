@@ -61,6 +61,9 @@ using StartDrawing = std::function<DrawPicture()>;
 std::unique_ptr<Contender> pictureContender(const std::string& program, const std::string& renderer,
                                             StartDrawing start);
 
+/// A renderer that cannot be had here: refuses every scene with `reason`, one sentence (Error, usage).
+std::unique_ptr<Contender> absentContender(const std::string& program, const std::string& reason);
+
 /// How to start a program that draws with another library.
 struct RivalCommand {
   std::filesystem::path program;

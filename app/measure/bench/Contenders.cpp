@@ -2,10 +2,12 @@
 #include "app/measure/bench/Bench.h"
 
 #include "cpu/CpuRenderer.h"
+#include "gl/DriverFacts.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
 #include "slices/SliceRenderer.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace limn {
@@ -37,34 +39,33 @@ std::unique_ptr<Contender> cpuContender(int threads) {
   });
 }
 
-// Draws in memory, whatever the driver.
-bool needsNoDriver(const Contender& contender) {
-  return contender.program() == "limn-reference" || contender.program() == "limn-cpu";
-}
-
-void addOwn(Contenders& contenders, const BenchEntries& entries) {
-  std::shared_ptr<HeadlessContext> context;
-  for (const std::string& engine : entries.engines) {
-    if (engine == "reference") {
-      contenders.push_back(referenceContender(entries.threads));
-      continue;
-    }
-    if (engine == "cpu") {
-      contenders.push_back(cpuContender(entries.threads));
-      continue;
-    }
-    if (!context)
-      context = std::make_shared<HeadlessContext>();
-    if (engine == "slices") {
-      contenders.push_back(slicesContender(context));
-      continue;
-    }
-    assert(engine == "gl");
-    contenders.push_back(glContender(context, RayCaster::Programs::specialised));
-    if (entries.allEffects)
-      contenders.push_back(glContender(context, RayCaster::Programs::allEffects));
+// Where renderers get their context: made once, when the first asks for it, or refused to all with one
+// sentence.
+class SharedContext {
+public:
+  bool isThere() {
+    if (!m_context && m_problem.empty())
+      make();
+    return m_context != nullptr;
   }
-}
+
+  const std::shared_ptr<HeadlessContext>& context() const { return m_context; }
+  const std::string& problem() const { return m_problem; }
+
+private:
+  void make() {
+    try {
+      auto context = std::make_shared<HeadlessContext>();
+      requireOpenGl3();
+      m_context = std::move(context);
+    } catch (const Error& error) {
+      m_problem = error.what();
+    }
+  }
+
+  std::shared_ptr<HeadlessContext> m_context;
+  std::string m_problem;
+};
 
 // The program that draws with VTK lies beside this one.
 std::filesystem::path rivalProgram() {
@@ -76,12 +77,33 @@ std::filesystem::path rivalProgram() {
   return program;
 }
 
-void addRivals(Contenders& contenders, const BenchEntries& entries, const std::string& volumePath) {
-  for (const std::string mapper : {"gpu", "fixedpoint"}) {
-    RivalCommand command{rivalProgram(), {mapper}};
-    command.arguments.insert(command.arguments.end(), entries.readOptions.begin(), entries.readOptions.end());
-    contenders.push_back(rivalContender("vtk-" + mapper, command, volumePath));
+std::unique_ptr<Contender> vtkContender(const std::string& engine, const BenchEntries& entries,
+                                        const std::string& volumePath) {
+  RivalCommand command{rivalProgram(), {engine == "vtk-gpu" ? "gpu" : "fixedpoint"}};
+  command.arguments.insert(command.arguments.end(), entries.readOptions.begin(), entries.readOptions.end());
+  return rivalContender(engine, command, volumePath);
+}
+
+void addWithOpenGl(Contenders& contenders, const std::string& engine, bool allEffects,
+                   SharedContext& shared) {
+  if (!shared.isThere()) {
+    contenders.push_back(absentContender("limn-" + engine, shared.problem()));
+    return;
   }
+  if (engine == "slices") {
+    contenders.push_back(slicesContender(shared.context()));
+    return;
+  }
+  assert(engine == "gl");
+  contenders.push_back(glContender(shared.context(), RayCaster::Programs::specialised));
+  if (allEffects)
+    contenders.push_back(glContender(shared.context(), RayCaster::Programs::allEffects));
+}
+
+// Draws in memory, whatever the driver, or not at all.
+bool needsNoDriver(const Contender& contender) {
+  return contender.program() == "limn-reference" || contender.program() == "limn-cpu" ||
+         contender.renderer().empty();
 }
 
 void requireOneDriver(const Contenders& contenders) {
@@ -101,9 +123,21 @@ void requireOneDriver(const Contenders& contenders) {
 
 Contenders contendersFor(const BenchEntries& entries, const std::string& volumePath) {
   Contenders contenders;
-  addOwn(contenders, entries);
-  if (entries.rivals)
-    addRivals(contenders, entries, volumePath);
+  SharedContext shared;
+  for (const std::string& engine : entries.engines)
+    if (engine == "reference")
+      contenders.push_back(referenceContender(entries.threads));
+    else if (engine == "cpu")
+      contenders.push_back(cpuContender(entries.threads));
+    else if (engine.starts_with("vtk-"))
+      contenders.push_back(vtkContender(engine, entries, volumePath));
+    else
+      addWithOpenGl(contenders, engine, entries.allEffects, shared);
+  const bool hasOwn = std::ranges::any_of(contenders, [](const auto& one) {
+    return one->program().starts_with("limn-") && !one->renderer().empty();
+  });
+  if (!hasOwn && !shared.problem().empty())
+    contenders.push_back(cpuContender(entries.threads));
   requireOneDriver(contenders);
   return contenders;
 }

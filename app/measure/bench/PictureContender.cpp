@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/bench/Contender.h"
 #include "io/ImageFile.h"
+#include "scene/basics/Error.h"
 
 namespace limn {
 namespace {
@@ -42,7 +43,30 @@ private:
   double m_residentBefore = 0.0;
 };
 
+class AbsentContender : public Contender {
+public:
+  AbsentContender(std::string program, std::string reason)
+      : m_program(std::move(program)), m_reason(std::move(reason)) {}
+
+  std::string program() const override { return m_program; }
+  std::string renderer() const override { return {}; }
+  FrameCost drawFirst(const Scene&) override { refuse(); }
+  FrameCost draw(const Scene&) override { refuse(); }
+  double peakMb() override { refuse(); }
+  void save(const std::filesystem::path&) override { refuse(); }
+
+private:
+  [[noreturn]] void refuse() const { throw Error(Error::Kind::usage, m_reason); }
+
+  std::string m_program;
+  std::string m_reason;
+};
+
 } // namespace
+
+std::unique_ptr<Contender> absentContender(const std::string& program, const std::string& reason) {
+  return std::make_unique<AbsentContender>(program, reason);
+}
 
 std::unique_ptr<Contender> pictureContender(const std::string& program, const std::string& renderer,
                                             StartDrawing start) {

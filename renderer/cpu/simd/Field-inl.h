@@ -33,9 +33,9 @@ template <VoxelSource::Kind kind>
 class Field {
 public:
   explicit Field(const VoxelSource& voxels)
-      : m_voxels(voxels), m_half(voxels.bytes / 2), m_middle(voxels.begin + m_half),
-        m_strideY(wrapped(voxels.strideY)), m_strideZ(wrapped(voxels.strideZ)),
-        m_lastWord(static_cast<std::int32_t>(voxels.bytes - m_half - 4)) {}
+      : m_voxels(voxels), m_half(sliceBytesOf(voxels) / 2), m_middle(voxels.begin + m_half),
+        m_strideY(wrapped(voxels.strideY)),
+        m_lastWord(static_cast<std::int32_t>(sliceBytesOf(voxels) - m_half - 4)) {}
 
   /// The cells of continuous voxel indices, clamped to the outermost voxel centres.
   HWY_INLINE Cells cellsAt(const V3& index) const {
@@ -50,9 +50,9 @@ public:
   HWY_NOINLINE VF scalarAt(const V3& index) const {
     const Cells cells = cellsAt(index);
     VW words4[4], next4[4];
-    wordsOf(offsetsOf(cells), words4);
+    wordsOf(offsetsOf(cells), cells.z, words4);
     if constexpr (kind == VoxelSource::Kind::single)
-      wordsOf(hn::Add(offsetsOf(cells), hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0)), next4);
+      wordsOf(hn::Add(offsetsOf(cells), hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0)), cells.z, next4);
     VF first[4], second[4];
     for (int row = 0; row < 4; ++row) {
       if constexpr (kind == VoxelSource::Kind::single) {
@@ -78,8 +78,9 @@ public:
   HWY_NOINLINE VoxelAndSlope voxelAndSlopeAt(const V3& index, int count) const {
     const Cells cells = cellsAt(index);
     Sums sums;
-    HWY_ALIGN std::int32_t offsets[most];
+    HWY_ALIGN std::int32_t offsets[most], slices[most];
     hn::Store(offsetsOf(cells), ints, offsets);
+    hn::Store(cells.z, ints, slices);
     // Copies: the compiler cannot know that what is stored below does not change them.
     const std::int64_t strideY = m_voxels.strideY, strideZ = m_voxels.strideZ;
     const unsigned char* firstVoxel = m_middle - bytesOf<kind>;
@@ -88,8 +89,9 @@ public:
     if constexpr (hn::MaxLanes(floats) == 8) {
       // Two at a time where both are inside.
       for (; lane + 1 < count && (inner >> lane & 3u) == 3u; lane += 2) {
-        const InnerPairs<kind, Floats> rows({firstVoxel + offsets[lane], strideY, strideZ},
-                                            {firstVoxel + offsets[lane + 1], strideY, strideZ});
+        const InnerPairs<kind, Floats> rows(
+            {firstVoxel + slices[lane] * strideZ + offsets[lane], strideY, strideZ},
+            {firstVoxel + slices[lane + 1] * strideZ + offsets[lane + 1], strideY, strideZ});
         const auto lanesOf =
             hn::IndicesFromVec(floats, hn::Add(hn::Set(ints, lane), hn::ShiftRight<2>(hn::Iota(ints, 0))));
         sums.keep(floats, lane,
@@ -104,7 +106,7 @@ public:
       const F4 y = hn::Set(four, ys[lane]);
       const F4 z = hn::Set(four, zs[lane]);
       if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
-        const InnerRows<kind> rows(firstVoxel + offsets[lane], strideY, strideZ);
+        const InnerRows<kind> rows(firstVoxel + slices[lane] * strideZ + offsets[lane], strideY, strideZ);
         sums.keep(four, lane, summed<F4>(rows, y, z));
       } else {
         const OuterRows<kind> rows(m_voxels,
@@ -159,10 +161,11 @@ private:
     return lows[lane];
   }
 
-  // Bytes of the voxel with the smallest indices, from the middle of the voxels.
+  static std::int64_t sliceBytesOf(const VoxelSource& voxels) { return voxels.bytes / voxels.dims.z; }
+
+  // Bytes of the voxel with the smallest indices, from the middle of its slice.
   HWY_INLINE VI offsetsOf(const Cells& cells) const {
-    const VI row =
-        hn::Add(hn::Mul(cells.y, hn::Set(ints, m_strideY)), hn::Mul(cells.z, hn::Set(ints, m_strideZ)));
+    const VI row = hn::Mul(cells.y, hn::Set(ints, m_strideY));
     return hn::Sub(hn::Add(row, hn::ShiftLeft<shift>(cells.x)), hn::Set(ints, wrapped(m_half)));
   }
 
@@ -176,20 +179,26 @@ private:
     return hn::Not(hn::Lt(hn::Min(lowest, hn::Min(hn::Min(beyondX, beyondY), beyondZ)), one));
   }
 
-  // Four bytes from each offset on, of the rows (y, z), (y+1, z), (y, z+1), (y+1, z+1). Where some would
-  // reach beyond the voxels, those bytes read as 0: their voxels have no weight.
-  HWY_INLINE void wordsOf(VI offset, VW result[4]) const {
-    HWY_ALIGN std::int32_t offsets[most];
+  // Four bytes from each offset in its slice on, of the rows (y, z), (y+1, z), (y, z+1), (y+1, z+1). Where
+  // some would reach beyond the voxels, those bytes read as 0: their voxels have no weight.
+  HWY_INLINE void wordsOf(VI offset, VI slice, VW result[4]) const {
+    HWY_ALIGN std::int32_t offsets[most], slices[most];
     hn::Store(offset, ints, offsets);
+    hn::Store(slice, ints, slices);
     const unsigned char* middle = m_middle;
+    const std::int64_t strideZ = m_voxels.strideZ;
     const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ,
                                    m_voxels.strideY + m_voxels.strideZ};
-    const VI last = hn::Add(offset, hn::Set(ints, wrapped(steps[3])));
+    // Of any slice, though only the last one ends the voxels.
+    const VI last = hn::Add(offset, hn::Set(ints, m_strideY));
     if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastWord))))) {
+      const unsigned char* begins[most];
+      for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
+        begins[lane] = middle + slices[lane] * strideZ + offsets[lane];
       for (int row = 0; row < 4; ++row) {
         HWY_ALIGN std::uint32_t read[most];
         for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
-          std::memcpy(&read[lane], middle + offsets[lane] + steps[row], 4);
+          std::memcpy(&read[lane], begins[lane] + steps[row], 4);
         result[row] = hn::Load(words, read);
       }
       return;
@@ -197,7 +206,7 @@ private:
     for (int row = 0; row < 4; ++row) {
       HWY_ALIGN std::uint32_t read[most] = {};
       for (int lane = 0; lane < lanes(); ++lane) {
-        const std::int64_t at = offsets[lane] + steps[row];
+        const std::int64_t at = slices[lane] * strideZ + offsets[lane] + steps[row];
         const std::int64_t rest = m_voxels.bytes - m_half - at;
         if (rest > 0)
           std::memcpy(&read[lane], m_middle + at, static_cast<std::size_t>(std::min<std::int64_t>(rest, 4)));
@@ -218,9 +227,9 @@ private:
   }
 
   const VoxelSource& m_voxels;
-  std::int64_t m_half; // offsets count from the middle: they reach over 4 GiB
-  const unsigned char* m_middle;
-  std::int32_t m_strideY, m_strideZ;
+  std::int64_t m_half;           // of a slice: offsets count from its middle, so that they reach over 4 GiB
+  const unsigned char* m_middle; // of the first slice
+  std::int32_t m_strideY;
   std::int32_t m_lastWord;
 };
 

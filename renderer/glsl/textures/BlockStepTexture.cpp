@@ -16,7 +16,7 @@ struct Texel {
 };
 
 std::vector<Texel> texelsOf(const BlockSteps& steps) {
-  std::vector<std::uint8_t> distances;
+  BlockDistances distances;
   distances.reserve(steps.rungs.size());
   for (const StepRungs& block : steps.rungs)
     distances.push_back(block.isEmpty ? farthestBlock : 0);

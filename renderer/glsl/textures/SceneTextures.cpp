@@ -31,7 +31,7 @@ void FunctionTexture::upload(const PiecewiseTable& table) {
   m_loopSteps = table.loopSteps;
 }
 
-void EmptySpaceTexture::upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances) {
+void EmptySpaceTexture::upload(const glm::ivec3& blocks, const BlockDistances& distances) {
   glBindTexture(GL_TEXTURE_3D, m_texture.name());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   if (blocks == m_blocks)

@@ -37,7 +37,7 @@ private:
 /// The distances of an EmptySpaceMap on the graphics card.
 class EmptySpaceTexture {
 public:
-  void upload(const glm::ivec3& blocks, const std::vector<std::uint8_t>& distances);
+  void upload(const glm::ivec3& blocks, const BlockDistances& distances);
 
   unsigned name() const { return m_texture.name(); }
 

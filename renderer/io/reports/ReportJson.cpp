@@ -5,6 +5,7 @@
 #include "accuracy/sweep/FigureText.h"
 #include "accuracy/times/BenchRow.h"
 #include "accuracy/times/EqualError.h"
+#include "accuracy/times/ScaleRow.h"
 #include "io/json/JsonFields.h"
 #include "scene/effects/EffectRows.h"
 #include "scene/volume/Volume.h"
@@ -33,6 +34,12 @@ Json timesOf(const Timing& ms) {
 }
 
 Json toJson(const BenchRow& row) {
+  if (!row.missing.empty())
+    return {{"program", row.program},
+            {"scene", row.scene},
+            {"size", {row.size.x, row.size.y}},
+            {"step_voxels", row.stepVoxels},
+            {"missing", row.missing}};
   return {{"program", row.program},
           {"scene", row.scene},
           {"size", {row.size.x, row.size.y}},
@@ -182,6 +189,23 @@ std::string benchJson(const std::string& machine, const std::vector<BenchRow>& r
                                    {"gain", row.gain ? Json(*row.gain) : Json()},
                                    {"yardstick", row.yardstick}});
   return textOf(json);
+}
+
+std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows) {
+  Json list = Json::array();
+  for (const ScaleRow& row : rows) {
+    Json json{{"edge", row.edge},
+              {"voxels_mb", row.voxelsMb},
+              {"open_ms", row.opened.ms},
+              {"open_cpu_ms", row.opened.cpuMs},
+              {"open_peak_mb", row.openedMb}};
+    json.update(toJson(row.drawn));
+    json.erase("mean_error"); // no picture is compared with an exact one
+    if (row.drawn.missing.empty())
+      json["first_cpu_ms"] = row.drawn.firstCpuMs;
+    list.push_back(json);
+  }
+  return textOf({{"machine", machine}, {"rows", list}});
 }
 
 std::string accuracyJson(const AccuracyReport& report) {

@@ -13,6 +13,7 @@ struct AccuracyReport;
 struct BenchRow;
 struct EqualErrorRow;
 struct EffectRow;
+struct ScaleRow;
 struct StabilityReport;
 class Volume;
 
@@ -36,6 +37,9 @@ std::string effectsJson(const std::string& renderer, const std::vector<EffectRow
 /// `machine` names processor and renderer. `equalErrors` may be empty.
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,
                       const std::vector<EqualErrorRow>& equalErrors);
+
+/// How opening and drawing grow with the size of volumes.
+std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows);
 
 /// Errors are null where the exact picture did not converge.
 std::string accuracyJson(const AccuracyReport& report);

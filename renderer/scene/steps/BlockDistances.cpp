@@ -81,7 +81,7 @@ void lowerTo(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c
 
 } // namespace
 
-void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, std::vector<std::uint8_t>& distances) {
+void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, BlockDistances& distances) {
   PaddedRow from(blocks.x), to(blocks.x);
   for (int k = first; k < end; ++k) {
     const auto rowAt = [&](int j) { return &distances[voxelOffset(blocks, 0, j, k)]; };
@@ -94,7 +94,7 @@ void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, std::vecto
   }
 }
 
-void spreadAcrossPlanes(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances) {
+void spreadAcrossPlanes(const glm::ivec3& blocks, BlockDistances& distances) {
   std::vector<std::uint8_t> threes(static_cast<std::size_t>(blocks.x) * blocks.y);
   const auto step = [&](int k, int next) {
     const auto threesAt = [&](int j) { return &threes[voxelOffset(blocks, 0, j, 0)]; };
@@ -110,7 +110,7 @@ void spreadAcrossPlanes(const glm::ivec3& blocks, std::vector<std::uint8_t>& dis
     step(k, k - 1);
 }
 
-void spreadDistances(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances, const Effort& effort) {
+void spreadDistances(const glm::ivec3& blocks, BlockDistances& distances, const Effort& effort) {
   forEachPiece(blocks.z, effort, [&](int k) { spreadWithinPlanes(blocks, k, k + 1, distances); });
   spreadAcrossPlanes(blocks, distances);
 }

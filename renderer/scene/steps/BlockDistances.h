@@ -2,23 +2,25 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Uninitialised.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace limn {
 
 /// The largest distance that is told of.
 inline constexpr std::uint8_t farthestBlock = 255;
 
+/// A distance for each block, x fastest.
+using BlockDistances = UninitialisedVector<std::uint8_t>;
+
 /// Lowers distances of `farthestBlock` to the Chebyshev distance to the nearest block of distance 0.
-void spreadDistances(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances,
-                     const Effort& effort = {});
+void spreadDistances(const glm::ivec3& blocks, BlockDistances& distances, const Effort& effort = {});
 
 /// The two halves of it: within the planes z = `first` … `end`-1, each for itself, then from plane to plane.
-void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, std::vector<std::uint8_t>& distances);
-void spreadAcrossPlanes(const glm::ivec3& blocks, std::vector<std::uint8_t>& distances);
+void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, BlockDistances& distances);
+void spreadAcrossPlanes(const glm::ivec3& blocks, BlockDistances& distances);
 
 } // namespace limn

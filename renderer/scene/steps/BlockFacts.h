@@ -24,6 +24,7 @@ struct FieldFacts {
 struct BlockFacts {
   glm::ivec3 blocks{0};
   UninitialisedVector<FieldFacts> facts; ///< x fastest
+  ValueRange range;                      ///< of all
   double commonPerMm = 0.0;              ///< what the field commonly changes by at most, value/mm (steepness)
 };
 

@@ -42,16 +42,23 @@ BlockRanges::BlockRanges(const glm::ivec3& blocks)
     : m_blocks(blocks), m_groups((blocks + groupSize - 1) / groupSize) {
   m_members.resize(static_cast<std::size_t>(m_groups.x) * m_groups.y * m_groups.z);
   m_ranges.resize(m_members.size());
-  Group none;
-  none.lowest.fill(std::numeric_limits<float>::infinity());
-  none.highest.fill(-std::numeric_limits<float>::infinity());
-  // The outermost groups have places that no block fills.
-  for (int k = 0; k < m_groups.z; ++k)
-    for (int j = 0; j < m_groups.y; ++j) {
-      const bool isOutermost = k + 1 == m_groups.z || j + 1 == m_groups.y;
-      for (int i = isOutermost ? 0 : m_groups.x - 1; i < m_groups.x; ++i)
-        m_members[groupOffset({i, j, k})] = none;
-    }
+}
+
+// The outermost groups have places that no block fills. Only here, in pieces of work: whoever touches the
+// first bytes of fresh memory waits until the system has cleared it.
+void BlockRanges::fillBeyond(const glm::ivec3& group) {
+  const glm::ivec3 inside = m_blocks - group * groupSize;
+  if (glm::all(glm::greaterThanEqual(inside, glm::ivec3(groupSize))))
+    return;
+  Group& members = m_members[groupOffset(group)];
+  for (int k = 0; k < groupSize; ++k)
+    for (int j = 0; j < groupSize; ++j)
+      for (int i = 0; i < groupSize; ++i)
+        if (i >= inside.x || j >= inside.y || k >= inside.z) {
+          const std::size_t n = voxelOffset(glm::ivec3(groupSize), i, j, k);
+          members.lowest[n] = std::numeric_limits<float>::infinity();
+          members.highest[n] = -std::numeric_limits<float>::infinity();
+        }
 }
 
 glm::vec2 BlockRanges::at(const glm::ivec3& block) const {
@@ -70,6 +77,7 @@ void BlockRanges::finish(const Effort& effort) {
   forEachPiece(rows.pieces(), effort, [&](int piece) {
     rows.forEachRow(piece, [&](int j, int k) {
       for (int i = 0; i < m_groups.x; ++i) {
+        fillBeyond({i, j, k});
         const std::size_t group = groupOffset({i, j, k});
         const Group& members = m_members[group];
         m_ranges[group] = {*std::min_element(members.lowest.begin(), members.lowest.end()),

@@ -57,6 +57,8 @@ public:
   std::size_t bytes() const;
 
 private:
+  void fillBeyond(const glm::ivec3& group);
+
   std::size_t groupOffset(const glm::ivec3& group) const {
     return (static_cast<std::size_t>(group.z) * m_groups.y + group.y) * m_groups.x + group.x;
   }

@@ -96,13 +96,6 @@ private:
   LargestOfRuns m_bands;
 };
 
-ValueRange rangeOf(const BlockFacts& facts) {
-  ValueRange range = facts.facts.front().range;
-  for (const FieldFacts& block : facts.facts)
-    range = {std::min(range.lowest, block.range.lowest), std::max(range.highest, block.range.highest)};
-  return range;
-}
-
 // The first rung whose step is at most as long.
 int rungFor(double step) {
   return static_cast<int>(std::ceil(2.0 * std::log2(2.0 / step) - 1e-9));
@@ -127,7 +120,7 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
   BlockSteps steps;
   steps.blocks = facts.blocks;
   steps.rungs.resize(facts.facts.size());
-  const ValueRange all = rangeOf(facts);
+  const ValueRange& all = facts.range;
   const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
   std::atomic<bool> resolvesFunction = true;

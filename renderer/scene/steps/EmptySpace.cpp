@@ -152,7 +152,7 @@ Flags flagsOf(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, co
 // Classifies the blocks of a row of groups.
 void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs,
                     const std::vector<BlockWeight>& weights, int groupY, int groupZ,
-                    std::vector<std::uint8_t>& distances, Census& census) {
+                    BlockDistances& distances, Census& census) {
   const glm::ivec3& blocks = ranges.blocks();
   const glm::ivec2 first = glm::ivec2(groupY, groupZ) * groupSize;
   const glm::ivec2 count = glm::min(glm::ivec2(groupSize), glm::ivec2(blocks.y, blocks.z) - first);

@@ -31,7 +31,7 @@ struct BlockBox {
 struct EmptySpaceMap {
   /// For each block the Chebyshev distance, in blocks, to the nearest in which something may show: 0 there,
   /// at most 255. All blocks nearer than it are empty.
-  std::vector<std::uint8_t> distances;
+  BlockDistances distances;
   double emptyShare = 0.0; ///< of the blocks
   BlockBox visible;        ///< the smallest box that holds every block of distance 0
 };

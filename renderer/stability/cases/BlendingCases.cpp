@@ -25,8 +25,9 @@ double levelError(const glm::u8vec4& shown, const glm::dvec3& expected) {
 }
 
 // A box of one unit distance over a background, in levels of the screen.
-double shownError(const Draw& draw, const glm::dvec3& color, double opacity, const glm::dvec3& background,
-                  const glm::dvec3& expected) {
+double shownError(const Workbench& bench, const Draw& draw, const glm::dvec3& color, double opacity,
+                  const glm::dvec3& background, const glm::dvec3& expected) {
+  bench.requireOpenGl();
   Scene scene = rayThrough(boxOf(white));
   scene.transferFunction = constantFunction(opacity, color);
   return levelError(presented(draw(scene, {1, 1}), background).at(0), expected);
@@ -53,8 +54,8 @@ std::vector<Finding> premultiplied(Workbench& bench) {
   for (const Row& row : {Row{"half of white over black", white, black, 0.5},
                          Row{"half of black over white", black, white, 0.5},
                          Row{"half of white over white", white, white, 1.0}})
-    findings += inEachEngine(bench, row.what, {1.0, 1.0, 1.0}, reason, [&row](const Draw& draw) {
-      return shownError(draw, row.color, 0.5, row.background, glm::dvec3(row.expected));
+    findings += inEachEngine(bench, row.what, {1.0, 1.0, 1.0}, reason, [&bench, &row](const Draw& draw) {
+      return shownError(bench, draw, row.color, 0.5, row.background, glm::dvec3(row.expected));
     });
   return findings;
 }
@@ -72,7 +73,8 @@ std::vector<Finding> encoding(Workbench& bench) {
   std::vector<Finding> findings =
       inEachEngine(bench, "256 opaque greys", {1.0, 1.0, 1.0},
                    "levels of 255 off on the screen: an encoding of sRGB would lift the middle by 61",
-                   [](const Draw& draw) {
+                   [&bench](const Draw& draw) {
+                     bench.requireOpenGl();
                      const std::vector<glm::u8vec4> shown = presented(draw(greys(), {16, 16}), black);
                      double largest = 0.0;
                      for (int y = 0; y < 16; ++y)

@@ -26,31 +26,40 @@ std::vector<glm::vec4> vectorsOfEveryLength() {
   return vectors;
 }
 
-std::vector<Finding> normalHelpers() {
-  double worstCpp = 0.0, worstGlsl = 0.0;
+std::vector<Finding> normalHelpers(Workbench& bench) {
   const std::vector<glm::vec4> vectors = vectorsOfEveryLength();
-  const std::vector<glm::vec4> inGlsl = GlslEvaluator({"stable_math.glsl"})("safeNormal(v.xyz)", vectors);
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    const glm::dvec3 v(vectors[i]);
-    const double length = std::hypot(v.x, v.y, v.z);
-    worstCpp = std::max(worstCpp, normalError(safeNormal(v), v / length, length));
-    worstGlsl = std::max(worstGlsl, normalError(glm::dvec4(inGlsl[i]), v / length, length));
-  }
+  const auto worst = [&vectors](const auto& normalOf) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+      const glm::dvec3 v(vectors[i]);
+      const double length = std::hypot(v.x, v.y, v.z);
+      largest = std::max(largest, normalError(normalOf(i), v / length, length));
+    }
+    return largest;
+  };
   const std::string what = "normals of vectors from 1e-36 to 1e37";
-  return {atMost("cpp", what, worstCpp, 1e-15, "largest relative error; a few roundings of double"),
-          atMost("glsl", what, worstGlsl, 1e-6, "largest relative error; a few roundings of float")};
+  return {atMost("cpp", what, worst([&](std::size_t i) { return safeNormal(glm::dvec3(vectors[i])); }), 1e-15,
+                 "largest relative error; a few roundings of double"),
+          withOpenGl(bench, "glsl", what, [&] {
+            const std::vector<glm::vec4> inGlsl =
+                GlslEvaluator({"stable_math.glsl"})("safeNormal(v.xyz)", vectors);
+            return atMost("glsl", what, worst([&](std::size_t i) { return glm::dvec4(inGlsl[i]); }), 1e-6,
+                          "largest relative error; a few roundings of float");
+          })};
 }
 
-std::vector<Finding> zeroVectors() {
+std::vector<Finding> zeroVectors(Workbench& bench) {
   const std::vector<glm::vec4> none = {glm::vec4(0.0f), glm::vec4(-0.0f, 0.0f, -0.0f, 0.0f)};
-  double worstCpp = 0.0, worstGlsl = 0.0;
-  for (const glm::vec4& value : GlslEvaluator({"stable_math.glsl"})("safeNormal(v.xyz)", none))
-    worstGlsl = std::max(worstGlsl, finiteOrInfinite(glm::length(glm::dvec4(value))));
+  const std::string what = "normal of zero", reason = "a vector of no length has no normal: exactly 0";
+  double worstCpp = 0.0;
   for (const glm::vec4& value : none)
     worstCpp = std::max(worstCpp, finiteOrInfinite(glm::length(safeNormal(glm::dvec3(value)))));
-  const std::string reason = "a vector of no length has no normal: exactly 0";
-  return {atMost("cpp", "normal of zero", worstCpp, 0.0, reason),
-          atMost("glsl", "normal of zero", worstGlsl, 0.0, reason)};
+  return {atMost("cpp", what, worstCpp, 0.0, reason), withOpenGl(bench, "glsl", what, [&] {
+            double worst = 0.0;
+            for (const glm::vec4& value : GlslEvaluator({"stable_math.glsl"})("safeNormal(v.xyz)", none))
+              worst = std::max(worst, finiteOrInfinite(glm::length(glm::dvec4(value))));
+            return atMost("glsl", what, worst, 0.0, reason);
+          })};
 }
 
 std::vector<Finding> gradients(Workbench& bench) {
@@ -74,8 +83,8 @@ std::vector<Finding> gradients(Workbench& bench) {
           };
           return largestDifference(at(1.0), at(scale));
         });
-  findings += normalHelpers();
-  findings += zeroVectors();
+  findings += normalHelpers(bench);
+  findings += zeroVectors(bench);
   return findings;
 }
 
@@ -87,32 +96,36 @@ double powerError(double value, double cosine, double exponent) {
   return finiteOrInfinite(std::abs(value - expected)) / allowed;
 }
 
-std::vector<Finding> powersOf(const std::vector<float>& exponents) {
+std::vector<Finding> powersOf(Workbench& bench, const std::vector<float>& exponents) {
   const float ulp = std::numeric_limits<float>::epsilon();
   std::vector<glm::vec4> arguments;
   for (const float exponent : exponents)
     for (const float cosine : {-1.0f, -1e-7f, -0.0f, 0.0f, 1e-30f, 1e-3f, 0.5f, 0.9848077f, 0.9999f,
                                1.0f - ulp / 2.0f, 1.0f, 1.0f + ulp})
       arguments.push_back({cosine, exponent, 0.0f, 0.0f});
-  double worstCpp = 0.0, worstGlsl = 0.0;
-  const std::vector<glm::vec4> inGlsl = GlslEvaluator({"stable_math.glsl"})("blinnTerm(v.x, v.y)", arguments);
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const double cosine = arguments[i].x, exponent = arguments[i].y;
-    worstCpp = std::max(worstCpp, powerError(blinnTerm(cosine, exponent), cosine, exponent));
-    worstGlsl = std::max(worstGlsl, powerError(inGlsl[i].x, cosine, exponent));
-  }
+  const auto worst = [&arguments](const auto& powerOf) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      largest = std::max(largest, powerError(powerOf(i), arguments[i].x, arguments[i].y));
+    return largest;
+  };
   const std::string reason = "largest error as a share of what is allowed: 1e-6, or exponent · 1.2e-7 of the "
                              "value, which one rounding of the cosine makes";
-  return {atMost("cpp", "the function alone", worstCpp, 1.0, reason),
-          atMost("glsl", "the function alone", worstGlsl, 1.0, reason)};
+  const std::string what = "the function alone";
+  const auto inCpp = [&](std::size_t i) { return blinnTerm(double(arguments[i].x), double(arguments[i].y)); };
+  return {atMost("cpp", what, worst(inCpp), 1.0, reason), withOpenGl(bench, "glsl", what, [&] {
+            const std::vector<glm::vec4> inGlsl =
+                GlslEvaluator({"stable_math.glsl"})("blinnTerm(v.x, v.y)", arguments);
+            return atMost("glsl", what, worst([&](std::size_t i) { return inGlsl[i].x; }), 1.0, reason);
+          })};
 }
 
-std::vector<Finding> powers(Workbench&) {
-  return powersOf({0.0f, 1e-6f, 1.0f, 8.0f, 32.0f, 128.0f, 1024.0f});
+std::vector<Finding> powers(Workbench& bench) {
+  return powersOf(bench, {0.0f, 1e-6f, 1.0f, 8.0f, 32.0f, 128.0f, 1024.0f});
 }
 
 std::vector<Finding> hugeExponents(Workbench& bench) {
-  std::vector<Finding> findings = powersOf({1e4f});
+  std::vector<Finding> findings = powersOf(bench, {1e4f});
   findings += inEngines(
       bench, {Engine::gl, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
       {0, 5e-4, 5e-4},

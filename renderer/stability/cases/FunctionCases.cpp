@@ -217,8 +217,8 @@ std::vector<Finding> lookUps(Workbench& bench) {
       inEachEngine(bench, "the identity", {fullOpacity, 1e-6, 1e-6}, reason, figure);
   Decisions table;
   table.table = TableFormat::floats256;
-  findings.push_back(
-      takenOtherwise(table, "the identity in a table of 256 entries, measured only", 1e-6, reason, figure));
+  findings.push_back(takenOtherwise(bench, table, "the identity in a table of 256 entries, measured only",
+                                    1e-6, reason, figure));
   return findings;
 }
 

@@ -150,15 +150,17 @@ std::vector<Finding> storedGradients(Workbench& bench) {
   const auto degrees = [](const Draw& draw) { return degreesOf(largestNormalError(draw, glm::dvec3(1.0))); };
   const std::string reason = "largest angle between a ramp's normal and its direction, degrees";
   std::vector<Finding> findings = inEachEngine(bench, "normals of ramps", {0.1, 0.1, 0.1}, reason, degrees);
-  findings.push_back(atMost("glsl", "normals around a point", ballNormalError(), 0.1,
-                            "largest angle between the normal of |x|² and the direction of x, degrees"));
+  findings.push_back(withOpenGl(bench, "glsl", "normals around a point", [] {
+    return atMost("glsl", "normals around a point", ballNormalError(), 0.1,
+                  "largest angle between the normal of |x|² and the direction of x, degrees");
+  }));
   Decisions decisions;
   decisions.gradients = GradientFormat::halves;
   findings.push_back(
-      takenOtherwise(decisions, "normals stored in half floats, measured only", 0.1, reason, degrees));
+      takenOtherwise(bench, decisions, "normals stored in half floats, measured only", 0.1, reason, degrees));
   decisions.gradients = GradientFormat::directions;
   findings.push_back(
-      takenOtherwise(decisions, "normals stored in bytes, measured only", 0.6, reason, degrees));
+      takenOtherwise(bench, decisions, "normals stored in bytes, measured only", 0.6, reason, degrees));
   return findings;
 }
 

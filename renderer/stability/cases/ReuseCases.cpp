@@ -7,6 +7,7 @@
 #include "stability/scenes/SimpleScenes.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -75,10 +76,14 @@ Finding standIn(Workbench& bench) {
 }
 
 std::vector<Finding> staleCaches(Workbench& bench) {
+  const auto stale = [&bench](Engine engine) {
+    return withOpenGl(bench, nameOf(engine), "parameters changed in turn",
+                      [&] { return staleParameters(bench, engine); });
+  };
   return {notApplicable("reference", "parameters changed in turn",
                         "The reference keeps nothing from one picture to the next."),
-          staleParameters(bench, Engine::gl), staleParameters(bench, Engine::slices),
-          staleParameters(bench, Engine::cpu), standIn(bench)};
+          stale(Engine::gl), stale(Engine::slices), staleParameters(bench, Engine::cpu),
+          withOpenGl(bench, "gl", "a program with every effect compiled in", [&] { return standIn(bench); })};
 }
 
 // Cubes of two voxels, wide apart, on both sides of the borders of the blocks that are skipped and across
@@ -128,22 +133,27 @@ std::vector<Emptiness> emptyScenes() {
 
 std::vector<Finding> emptySpace(Workbench& bench) {
   const std::string reason = "largest difference between stepping over empty blocks and sampling them: none";
-  RayCaster sampling(RayCaster::EmptySpace::sampled);
+  std::optional<RayCaster> sampling;
+  if (bench.hasOpenGl())
+    sampling.emplace(RayCaster::EmptySpace::sampled);
   CpuRenderer samplingProcessor(0, CpuRenderer::EmptySpace::sampled);
   std::vector<Finding> findings;
   for (const Emptiness& one : emptyScenes()) {
-    const auto compare = [&](Engine engine, const Image& sampled) {
+    const auto compared = [&](Engine engine, const Image& sampled) {
       const DrawnPicture skipped = bench.draw(engine, one.scene, pictureSize);
       const DrawnPicture whole{pictureSize, {sampled.pixels.begin(), sampled.pixels.end()}};
-      findings.push_back(atMost(nameOf(engine), one.what, largestDifference(skipped, whole), 0.0, reason));
+      return atMost(nameOf(engine), one.what, largestDifference(skipped, whole), 0.0, reason);
     };
-    compare(Engine::gl, sampling.render(one.scene, pictureSize));
-    compare(Engine::cpu, samplingProcessor.render(one.scene, pictureSize));
+    findings.push_back(withOpenGl(bench, "gl", one.what, [&] {
+      return compared(Engine::gl, sampling->render(one.scene, pictureSize));
+    }));
+    findings.push_back(compared(Engine::cpu, samplingProcessor.render(one.scene, pictureSize)));
   }
-  findings.push_back(
-      atMost("gl", "something is skipped at all",
-             bench.rays().plan(phantomScene()).effects.has(Effect::emptySpaceSkipping) ? 0.0 : 1.0, 0.0,
-             "1 where the head is drawn without stepping over anything"));
+  findings.push_back(withOpenGl(bench, "gl", "something is skipped at all", [&bench] {
+    return atMost("gl", "something is skipped at all",
+                  bench.rays().plan(phantomScene()).effects.has(Effect::emptySpaceSkipping) ? 0.0 : 1.0, 0.0,
+                  "1 where the head is drawn without stepping over anything");
+  }));
   for (const char* engine : {"reference", "slices"})
     findings.push_back(notApplicable(engine, "", "It steps over nothing: every sample is taken."));
   return findings;
@@ -179,17 +189,20 @@ std::vector<Finding> tiles(Workbench& bench) {
   std::vector<Finding> findings;
   for (const auto& [what, scene] :
        {std::pair{"a head in tiles", phantomScene()}, {"a jittered head in tiles", jittered}}) {
-    const Image whole = bench.rays().render(scene, size);
-    const Image byProcessor = bench.processor().render(scene, size);
-    int different = 0, differentByProcessor = 0, threads = 1;
-    for (const glm::ivec2& tile :
-         {glm::ivec2(7, 50), glm::ivec2(64, 64), glm::ivec2(13, 11), glm::ivec2(70, 1)}) {
-      different += inTiles(bench.rays(), scene, size, tile) != whole;
-      differentByProcessor += inTiles(threads++, scene, size, tile) != byProcessor;
-    }
-    findings.push_back(
-        atMost("gl", what, different, 0.0, "tilings of four that differ from the whole picture by any bit"));
-    findings.push_back(atMost("cpu", what, differentByProcessor, 0.0,
+    const glm::ivec2 tilings[] = {{7, 50}, {64, 64}, {13, 11}, {70, 1}};
+    findings.push_back(withOpenGl(bench, "gl", what, [&, &scene = scene, what = what] {
+      const Image whole = bench.rays().render(scene, size);
+      int different = 0;
+      for (const glm::ivec2& tile : tilings)
+        different += inTiles(bench.rays(), scene, size, tile) != whole;
+      return atMost("gl", what, different, 0.0,
+                    "tilings of four that differ from the whole picture by any bit");
+    }));
+    const Image whole = bench.processor().render(scene, size);
+    int different = 0, threads = 1;
+    for (const glm::ivec2& tile : tilings)
+      different += inTiles(threads++, scene, size, tile) != whole;
+    findings.push_back(atMost("cpu", what, different, 0.0,
                               "tilings of four, with one to four threads, that differ by any bit"));
   }
   findings.push_back(
