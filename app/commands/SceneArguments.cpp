@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/SceneArguments.h"
 
+#include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
@@ -13,6 +14,19 @@ const std::map<std::string, StandardView> views{
     {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
     {"left", StandardView::left},         {"right", StandardView::right},
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
+
+enum class Keep { all, body };
+
+Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
+  if (keep == Keep::all)
+    return {};
+  if (scene.keep.kind == Region::Kind::body)
+    return scene.keep;
+  const FoundRegion found = bodyOf(*scene.volume);
+  if (!found.remark.empty() && !isQuiet)
+    note(found.remark);
+  return found.region;
+}
 
 } // namespace
 
@@ -30,6 +44,10 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
                        fittedTo(presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset),
                                 histogramOf(*scene.volume)),
                        true);
+  if (!arguments.keep.empty()) {
+    const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
+    scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
+  }
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
     throw Error(Error::Kind::usage,
                 "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");
@@ -65,6 +83,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command.option("--keep", arguments.keep,
+                 "all, or body: without the table, the holder and what else lies beside it");
   command.option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
       .within(1e-4, 1e4);
   command

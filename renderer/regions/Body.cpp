@@ -71,12 +71,12 @@ Region regionOf(const BitGrid& kept, const Effort& effort) {
 }
 
 // Why a body is not sure that leaves `beside` of the tissue out; empty where it is.
-std::string doubtAbout(double beside, double contact) {
+std::string doubtAbout(double beside, double contact, bool isAlone) {
   if (1.0 - beside < leastShare)
     return "it holds " + percent(1.0 - beside) + " of the tissue";
   if (contact > mostContact)
     return "what hangs on it touches it by " + percent(contact) + " of its surface";
-  return beside < worthHiding ? "nothing lies beside it" : "";
+  return isAlone ? "nothing lies beside it" : "";
 }
 
 } // namespace
@@ -86,7 +86,7 @@ BodyFinding findBody(const Volume& volume, const Effort& effort) {
   const BitGrid tissue = tissueOf(volume, threshold, partOf(effort, 0.1, 0.2));
   const std::size_t all = tissue.count();
   if (all == 0)
-    return {{}, false, "it holds no tissue"};
+    return {{}, false, false, "it holds no tissue"};
   const glm::dvec3 ball = glm::max(ballMm / volume.grid().spacingMm, glm::dvec3(1.0));
   const Piece piece = largestPiece(tissue, ball, partOf(effort, 0.2, 0.6));
   const BitGrid body =
@@ -96,8 +96,10 @@ BodyFinding findBody(const Volume& volume, const Effort& effort) {
   kept |= body;
   BitGrid beside = tissue;
   beside -= kept;
-  const std::string doubt = doubtAbout(shareOf(beside.count(), all), piece.contact);
-  return {regionOf(kept, partOf(effort, 0.95, 1.0)), doubt.empty(), doubt};
+  const double share = shareOf(beside.count(), all);
+  const bool isAlone = share < worthHiding;
+  const std::string doubt = doubtAbout(share, piece.contact, isAlone);
+  return {regionOf(kept, partOf(effort, 0.95, 1.0)), doubt.empty(), isAlone, doubt};
 }
 
 } // namespace limn

@@ -83,6 +83,7 @@ TEST(Body, ofAHeadOnATableIsTheHead) {
   const OnTable scene(2, 0);
   const BodyFinding found = findBody(*scene.volume);
   EXPECT_TRUE(found.isSure) << found.doubt;
+  EXPECT_FALSE(found.isAlone);
   EXPECT_EQ(found.doubt, "");
   EXPECT_EQ(found.region.kind, Region::Kind::body);
   EXPECT_EQ(found.region.labels->dims(), scene.body.dims());
@@ -175,6 +176,7 @@ TEST(Body, besideWhichNothingLiesKeepsEverythingAndHidesNothing) {
     const Volume volume = ctOf(dims, [](const glm::ivec3&) { return tissue; });
     const BodyFinding found = findBody(volume);
     EXPECT_FALSE(found.isSure);
+    EXPECT_TRUE(found.isAlone);
     EXPECT_EQ(found.doubt, "nothing lies beside it");
     EXPECT_EQ(dropped(found.region, tissueOf(volume, -300.0, {})), 0u)
         << dims.x << "×" << dims.y << "×" << dims.z;
