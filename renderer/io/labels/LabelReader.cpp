@@ -2,6 +2,7 @@
 #include "io/labels/LabelReader.h"
 
 #include "io/VolumeReader.h"
+#include "io/dicom/DicomSegmentation.h"
 #include "io/formats/nrrd/NrrdHeader.h"
 #include "io/formats/voxels/Bytes.h"
 #include "io/labels/SlicerSegments.h"
@@ -20,6 +21,10 @@ struct LabelVolume {
 };
 
 LabelVolume readLabelVolume(const fs::path& path, const Progress& progress) {
+  if (isDicomSegmentation(path)) {
+    DicomSegments segments = readDicomSegmentation(path, progress);
+    return {std::move(segments.numbers), std::move(segments.labels)};
+  }
   LabelVolume labels{readVolume(path, {}, progress), {}};
   if (fs::is_regular_file(path) && isNrrd(firstBytes(path, 16)))
     labels.described = slicerSegments(readNrrdHeader(path));
