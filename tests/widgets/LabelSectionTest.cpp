@@ -61,7 +61,8 @@ TEST_F(LabelSectionTest, listsNameColourAndWeight) {
   EXPECT_FALSE(section.isFolded());
   ASSERT_EQ(model().rowCount(), 3);
   EXPECT_EQ(at(1, 0), QStringLiteral("Liver"));
-  EXPECT_EQ(at(1, 0, Qt::DecorationRole).value<QColor>(), QColor(Qt::red));
+  const QImage swatch = at(1, 0, Qt::DecorationRole).value<QPixmap>().toImage();
+  EXPECT_EQ(swatch.pixelColor(swatch.rect().center()), QColor(Qt::red));
   EXPECT_EQ(at(1, 0, Qt::CheckStateRole).toInt(), Qt::Checked);
   EXPECT_EQ(at(1, 1), QStringLiteral("100 %"));
 }

@@ -39,7 +39,7 @@ QString summaryOf(const Region& region) {
     return LabelSection::tr("none");
   const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
                                      [](double weight) { return weight != 1.0; });
-  return LabelSection::tr("%1 of %2 hidden or faded").arg(weighed).arg(region.weights.size());
+  return LabelSection::tr("%1 of %2 reduced").arg(weighed).arg(region.weights.size());
 }
 
 } // namespace

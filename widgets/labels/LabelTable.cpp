@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/labels/LabelTable.h"
 
-#include <QColor>
+#include <QApplication>
+#include <QPainter>
+#include <QPixmap>
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +11,25 @@
 namespace limn {
 namespace {
 
+constexpr int swatchSize = 14; // logical pixels
+
 int percentOf(double weight) {
   return static_cast<int>(std::lround(100.0 * weight));
 }
 
 Qt::CheckState markOf(double weight) {
   return weight <= 0.0 ? Qt::Unchecked : weight >= 1.0 ? Qt::Checked : Qt::PartiallyChecked;
+}
+
+// A square of the colour, framed so that white shows on white.
+QPixmap swatchOf(const glm::dvec3& color) {
+  QPixmap swatch(swatchSize, swatchSize);
+  QPainter painter(&swatch);
+  painter.setPen(QApplication::palette().color(QPalette::Mid));
+  painter.setBrush(QColor::fromRgbF(static_cast<float>(color.r), static_cast<float>(color.g),
+                                    static_cast<float>(color.b)));
+  painter.drawRect(0, 0, swatchSize - 1, swatchSize - 1);
+  return swatch;
 }
 
 } // namespace
@@ -68,8 +83,7 @@ QVariant LabelTable::nameData(std::size_t place, int role) const {
   case Qt::DisplayRole:
     return QString::fromStdString(label.name);
   case Qt::DecorationRole:
-    return QColor::fromRgbF(static_cast<float>(label.color.r), static_cast<float>(label.color.g),
-                            static_cast<float>(label.color.b));
+    return swatchOf(label.color);
   case Qt::CheckStateRole:
     return markOf(m_region.weights[place]);
   case Qt::ToolTipRole:
