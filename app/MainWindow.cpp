@@ -14,6 +14,7 @@
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/effects/EffectsPanel.h"
+#include "widgets/labels/LabelSection.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
@@ -58,7 +59,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_comparison(m_session, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
-      m_curves(*m_panels.curves),
+      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}), m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -117,11 +118,13 @@ void MainWindow::connectView() {
           [this](const QString& sentence) { m_centre.messages->show(MessageBar::Kind::warning, sentence); });
   connect(view, &CompareView::windowPresetRequested, &m_presets, &PresetDesk::useNumber);
   connect(view, &CompareView::shortcutListRequested, m_actions.shortcuts, &QAction::trigger);
+  connect(view, &CompareView::everythingRequested, &m_regions, &RegionDesk::showEverything);
   connect(view, &CompareView::maximiseRequested, m_actions.pictureAndCurveOnly, &QAction::trigger);
   connect(view, &CompareView::openFolderRequested, &m_opening, &OpeningDesk::askForFolder);
   connect(view, &CompareView::openFileRequested, &m_opening, &OpeningDesk::askForFile);
   connect(view, &CompareView::sampleRequested, &m_opening, &OpeningDesk::openSample);
   connect(view, &CompareView::loadingCancelled, &m_opening, &OpeningDesk::cancel);
+  connect(view, &CompareView::loadingCancelled, &m_regions, &RegionDesk::cancel);
   connect(view, &CompareView::wipeMoved, &m_safety, &SessionSafety::noteChange);
 }
 
@@ -136,6 +139,8 @@ void MainWindow::connectPanels() {
   connect(properties, &PropertiesPanel::isovalueEdited, &m_session, &Session::setIsovalue);
   connect(properties, &PropertiesPanel::fogEdited, &m_session, &Session::setFog);
   connect(properties, &PropertiesPanel::cropEdited, &m_session, &Session::setCrop);
+  connect(properties->labelSection(), &LabelSection::keepEdited, &m_session, &Session::setKeep);
+  connect(properties->labelSection(), &LabelSection::openRequested, &m_regions, &RegionDesk::askForLabels);
   connect(properties, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
             m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()), gesture);
@@ -151,6 +156,9 @@ void MainWindow::connectPanels() {
 
 void MainWindow::connectScene() {
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
+  connect(&m_session, &Session::sceneChanged, &m_regions, &RegionDesk::showScene);
+  connect(&m_regions, &RegionDesk::progressed, m_centre.view, &CompareView::setLoading);
+  connect(&m_regions, &RegionDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
           [this](bool clean) { setWindowModified(!clean); });
   connect(&m_comparison, &ComparisonDesk::modelsShown, m_panels.properties, &PropertiesPanel::setModelsShown);
@@ -182,6 +190,7 @@ void MainWindow::connectActions() {
   };
   run(m_actions.openFile, &m_opening, &OpeningDesk::askForFile);
   run(m_actions.openFolder, &m_opening, &OpeningDesk::askForFolder);
+  run(m_actions.openLabels, &m_regions, &RegionDesk::askForLabels);
   run(m_actions.openSample, &m_opening, &OpeningDesk::openSample);
   run(m_actions.saveSession, &m_saving, &SavingDesk::saveSession);
   run(m_actions.saveSessionAs, &m_saving, &SavingDesk::saveSessionAs);
@@ -344,7 +353,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  openSource(event->mimeData()->urls().front().toLocalFile());
+  const QString path = event->mimeData()->urls().front().toLocalFile();
+  if (m_session.scene().volume && isNamedLikeLabels(path))
+    m_regions.openLabels(path);
+  else
+    openSource(path);
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/SceneSource.h"
 
+#include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
@@ -98,9 +99,7 @@ std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
   const std::string description = readImageDescription(path);
   if (description.find("\"limn_scene\"") == std::string::npos)
     return std::nullopt;
-  SceneDocument document = parseScene(description, path.filename().string());
-  document.volume = (fs::absolute(path).parent_path() / document.volume).lexically_normal().string();
-  return document;
+  return located(parseScene(description, path.filename().string()), path);
 }
 
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
@@ -122,6 +121,26 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   throw VolumeMissing(document.volume);
 }
 
+// Where a scene's label map is now: as the scene says, referred to, or beside the volume.
+std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options) {
+  std::error_code unknown;
+  const fs::path name = fs::path(written).filename();
+  if (written.empty() || fs::exists(written, unknown))
+    return written;
+  if (const auto referred = options.references.find(name.string()); referred != options.references.end())
+    return referred->second.string();
+  const fs::path beside = fs::path(volume).parent_path() / name;
+  return fs::exists(beside, unknown) ? beside.string() : written;
+}
+
+void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
+  part.labels = labelsOf(part.labels, loaded.volumePath, options);
+  FoundRegion kept = regionOf(part, *loaded.scene.volume, progress);
+  loaded.scene.keep = std::move(kept.region);
+  if (!kept.remark.empty())
+    loaded.notes.push_back(kept.remark);
+}
+
 LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded;
   loaded.hasOwnCamera = document.hasCamera;
@@ -131,6 +150,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
   loaded.read = options.read;
+  keepPart(loaded, document.keep, options, progress);
   if (!document.hasCamera)
     loaded.scene.camera = defaultCamera(opened.volume->grid());
   if (!document.hasTransferFunction) {
@@ -184,6 +204,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset, true);
   loaded.preset = preset.name;
+  if (options.hidesTable)
+    loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;
 }
 

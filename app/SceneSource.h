@@ -38,6 +38,7 @@ struct SourceOptions {
   std::vector<std::filesystem::path> knownVolumes;
   /// Volumes by the names that stand for them in scenes, because their own may name the patient.
   std::map<std::string, std::filesystem::path> references;
+  bool hidesTable = false; ///< of a CT volume whose body is sure, that alone is kept at first
 };
 
 /// A scene ready to draw, and where its volume came from.

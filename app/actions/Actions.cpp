@@ -62,6 +62,9 @@ void Actions::makeFileActions() {
   openFile->setIconText(tr("Open"));
   openFolder = made("openFolder", {.text = tr("Open &DICOM folder…"), .shortcut = tr("Ctrl+Shift+O")});
   openSample = made("openSample", {.text = tr("Open the sample &head")});
+  openLabels = made("openLabels", {.text = tr("Open &labels…"),
+                                   .toolTip = tr("Opens a segmentation of the volume: each label can be "
+                                                 "shown, hidden or faded.")});
   saveSession = made("saveSession",
                      {.text = tr("&Save session"),
                       .shortcut = QKeySequence::Save,
@@ -140,6 +143,10 @@ void Actions::makeViewActions() {
                   .isCheckable = true});
   // A letter belongs to whatever has the focus: this one to the picture.
   cropBox->setShortcutContext(Qt::WidgetShortcut);
+  bodyOnly = made("bodyOnly", {.text = tr("&Body only"),
+                               .toolTip = tr("Finds the body and hides the table, the head holder and what "
+                                             "else lies beside it."),
+                               .isCheckable = true});
   refineAtRest = made("refineAtRest",
                       {.text = tr("Refine at &rest"),
                        .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller "
@@ -182,8 +189,8 @@ void Actions::makeOtherActions() {
 }
 
 void Actions::setVolumeOpen(bool isOpen) const {
-  for (QAction* action : {saveSession, saveSessionAs, saveScene, savePicture, closeVolume, copyPicture,
-                          resetCamera, orthographic, cropBox, savePreset})
+  for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
+                          closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset})
     action->setEnabled(isOpen);
   for (QAction* action : views->actions())
     action->setEnabled(isOpen);

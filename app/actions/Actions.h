@@ -28,6 +28,7 @@ public:
   QAction* openFile = nullptr;
   QAction* openFolder = nullptr;
   QAction* openSample = nullptr;
+  QAction* openLabels = nullptr;
   QAction* saveSession = nullptr;
   QAction* saveSessionAs = nullptr;
   QAction* saveScene = nullptr;
@@ -45,6 +46,7 @@ public:
   QAction* resetCamera = nullptr;
   QAction* orthographic = nullptr;
   QAction* cropBox = nullptr;
+  QAction* bodyOnly = nullptr;
   QAction* refineAtRest = nullptr;
   QAction* pictureAndCurveOnly = nullptr;
   QAction* patientInTitle = nullptr;

@@ -14,7 +14,7 @@ namespace {
 ChangingMenus makeFileMenu(QMenuBar& bar, const Actions& actions) {
   ChangingMenus menus;
   menus.file = bar.addMenu(QObject::tr("&File"));
-  menus.file->addActions({actions.openFile, actions.openFolder, actions.openSample});
+  menus.file->addActions({actions.openFile, actions.openFolder, actions.openSample, actions.openLabels});
   menus.recentSources = menus.file->addMenu(QObject::tr("Open &recent"));
   menus.recentSources->setObjectName(QStringLiteral("recentSources"));
   menus.unsavedSessions = menus.file->addMenu(QObject::tr("Open &unsaved session"));
@@ -44,7 +44,7 @@ QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>
   views->addActions(actions.views->actions());
   views->addSeparator();
   views->addAction(actions.resetCamera);
-  menu->addActions({actions.orthographic, actions.cropBox, actions.refineAtRest});
+  menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly, actions.refineAtRest});
   menu->addSeparator();
   menu->addActions(panels);
   menu->addAction(actions.pictureAndCurveOnly);

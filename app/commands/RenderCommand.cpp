@@ -101,14 +101,18 @@ void runRender(const RenderArguments& arguments) {
   reportOrStop(progress, 1.0, "Drawing");
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   // The picture may travel: it names its volume without folders, and nobody.
-  const std::string volume =
-      shareableName(QString::fromStdString(loaded.volumePath), *scene.volume).toStdString();
+  const auto shareable = [&scene](const std::string& path) {
+    return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
+  };
   if (arguments.printsFigures)
     printFigures(scene, picture.drawnBy, arguments.threads);
   if (!arguments.samplesSpent.empty())
     writeSamples(picture, arguments);
+  Scene written = isComparison ? scene : picture.scene;
+  if (!written.keep.source.empty())
+    written.keep.source = shareable(written.keep.source);
   writeImage(arguments.out, picture.image, scene.image.background,
-             sceneToJson(isComparison ? scene : picture.scene, volume));
+             sceneToJson(written, shareable(loaded.volumePath)));
   if (arguments.scene.source.quiet)
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/SceneArguments.h"
 
+#include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
@@ -17,16 +18,29 @@ const std::map<std::string, StandardView> views{
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
 
 // Own presets were shaped on data like this; built-in ones fit themselves to it.
-Preset presetFor(const Volume& volume, const std::string& name) {
-  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), name);
+Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
+  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset);
   const std::vector<Preset> builtIn = builtInPresets();
   if (std::find(builtIn.begin(), builtIn.end(), preset) == builtIn.end())
     return preset;
-  if (isForHounsfield(preset) && !looksLikeHounsfield(volume))
+  if (isForHounsfield(preset) && !looksLikeHounsfield(volume) && !arguments.source.quiet)
     note("\"" + preset.name +
          "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
          "or the wrong tissue.");
   return fittedTo(preset, histogramOf(volume));
+}
+
+enum class Keep { all, body };
+
+Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
+  if (keep == Keep::all)
+    return {};
+  if (scene.keep.kind == Region::Kind::body)
+    return scene.keep;
+  const FoundRegion found = bodyOf(*scene.volume);
+  if (!found.remark.empty() && !isQuiet)
+    note(found.remark);
+  return found.region;
 }
 
 } // namespace
@@ -41,7 +55,11 @@ ShadingModel modelNamed(const std::string& word, const std::string& option) {
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())
-    scene = withPreset(scene, presetFor(*scene.volume, arguments.preset), true);
+    scene = withPreset(scene, presetFor(*scene.volume, arguments), true);
+  if (!arguments.keep.empty()) {
+    const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
+    scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
+  }
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
     throw Error(Error::Kind::usage,
                 "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");
@@ -77,6 +95,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command.option("--keep", arguments.keep,
+                 "all, or body: without the table, the holder and what else lies beside it");
   command.option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
       .within(1e-4, 1e4);
   command

@@ -15,6 +15,7 @@ struct SceneArguments {
   std::string model;
   std::string preset;
   std::string view;
+  std::string keep;
   double stepVoxels = 0.0;      ///< 0: not given
   double toleranceLevels = 0.0; ///< 0: not given
 };

@@ -42,6 +42,8 @@ SessionDocument OpenDocument::described() const {
   SessionDocument session;
   session.scene.scene = scene();
   session.scene.scene.volume.reset();
+  session.scene.scene.keep = {};
+  session.scene.keep = keptPartOf(scene().keep);
   session.scene.volume = volumePath();
   session.scene.hasCamera = true;
   session.scene.hasTransferFunction = true;

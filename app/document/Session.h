@@ -46,6 +46,7 @@ public:
   }
   void setIsovalue(double isovalue, const Gesture& gesture) { editPart(&Scene::isovalue, isovalue, gesture); }
   void setFog(const Fog& fog, const Gesture& gesture) { editPart(&Scene::fog, fog, gesture); }
+  void setKeep(const Region& keep, const Gesture& gesture) { editPart(&Scene::keep, keep, gesture); }
   void setCrop(const CropBox& crop, const Gesture& gesture) { editPart(&Scene::crop, crop, gesture); }
 
   /// Moves the camera; not undoable.

@@ -65,6 +65,7 @@ void OpeningDesk::start(const Request& request, const QString& what) {
   for (const RecentSource& recent : m_settings.recentSources())
     known.knownVolumes.emplace_back(recent.path.toStdString());
   known.references = m_settings.references();
+  known.hidesTable = true;
   emit progressed(-1.0, what);
   m_loader.start(request.source, known, m_before());
 }

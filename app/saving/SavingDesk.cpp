@@ -47,6 +47,8 @@ void SavingDesk::writeSession(const QString& path) {
   SessionDocument session = m_session();
   const std::filesystem::path target(path.toStdString());
   session.scene.volume = volumeSeenFrom(target);
+  session.scene.keep.labels = labelsSeenFrom(target);
+  session.scene.keep.labels = labelsSeenFrom(target);
   const auto write = [&] {
     writeFileAtomically(target, sessionToJson(session));
     m_document.settleIn(path, m_session());
@@ -57,8 +59,9 @@ void SavingDesk::writeSession(const QString& path) {
 
 void SavingDesk::writeScene(const QString& path) {
   const std::filesystem::path target(path.toStdString());
-  m_notes.attempt(
-      [&] { writeFileAtomically(target, sceneToJson(m_document.scene(), volumeSeenFrom(target))); }, path);
+  Scene scene = m_document.scene();
+  scene.keep.source = labelsSeenFrom(target);
+  m_notes.attempt([&] { writeFileAtomically(target, sceneToJson(scene, volumeSeenFrom(target))); }, path);
 }
 
 void SavingDesk::writePicture(const QString& path) {
@@ -72,25 +75,35 @@ void SavingDesk::writePicture(const QString& path) {
   // It may travel: it names the volume without folders.
   const std::filesystem::path source(m_document.volumePath());
   const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
+  Scene scene = m_view.sceneOfRestingImage(0);
+  scene.keep.source = labelsSeenFrom(source.parent_path() / "picture");
   const auto write = [&] {
     writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
-               m_document.scene().image.background, sceneToJson(m_view.sceneOfRestingImage(0), volume));
+               m_document.scene().image.background, sceneToJson(scene, volume));
   };
   m_notes.attempt(write, path);
 }
 
-// How a file at this place names the volume. A relative path survives moving both together; one that may name
-// the patient is kept in the settings, and the file gets a name that stands for it.
-std::string SavingDesk::volumeSeenFrom(const std::filesystem::path& file) const {
-  const std::filesystem::path volume(m_document.volumePath());
-  if (!volume.is_absolute())
-    return volume.string();
+// How a file at this place names the volume and the label map. A relative path survives moving both together;
+// one that may name the patient is kept in the settings, and the file gets a name that stands for it.
+std::string SavingDesk::seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
+                                 const std::string& kind) const {
+  if (!named.is_absolute())
+    return named.string();
   const std::string relative =
-      volume.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
+      named.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
   const Volume& shown = *m_document.scene().volume;
   if (!pathMayNameThePatient(QString::fromStdString(relative), shown.info().patient))
     return relative;
-  return m_settings.referenceTo(volume.string(), plainFileName(shown).toStdString());
+  return m_settings.referenceTo(named.string(), kind);
+}
+
+std::string SavingDesk::volumeSeenFrom(const std::filesystem::path& file) const {
+  return seenFrom(file, m_document.volumePath(), plainFileName(*m_document.scene().volume).toStdString());
+}
+
+std::string SavingDesk::labelsSeenFrom(const std::filesystem::path& file) const {
+  return seenFrom(file, m_document.scene().keep.source, "labels");
 }
 
 } // namespace limn

@@ -39,7 +39,10 @@ signals:
   void sessionSaved();
 
 private:
+  std::string seenFrom(const std::filesystem::path& file, const std::filesystem::path& named,
+                       const std::string& kind) const;
   std::string volumeSeenFrom(const std::filesystem::path& file) const;
+  std::string labelsSeenFrom(const std::filesystem::path& file) const; ///< empty where there are none
 
   OpenDocument& m_document;
   CompareView& m_view;

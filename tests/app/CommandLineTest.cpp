@@ -77,6 +77,25 @@ TEST_F(CommandLine, renderWritesThePictureAndThePictureOpensAsItsScene) {
   EXPECT_EQ(test::bytesOfFile(first), test::bytesOfFile(second));
 }
 
+TEST_F(CommandLine, theBodyAloneIsKeptWhereThatIsAskedFor) {
+  // The scene in the picture tells.
+  const auto kept = [&](const std::string& arguments) {
+    const std::string picture = file("kept.png").string();
+    const Outcome outcome = run("render " + arguments + " --size 16x16 -o " + picture);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(readImageDescription(picture))["keep"].get<std::string>();
+  };
+  EXPECT_EQ(kept("phantom:8"), "all");
+  EXPECT_EQ(kept("phantom:8 --keep body"), "body");
+  std::filesystem::copy(file("kept.png"), file("first.png"));
+  EXPECT_EQ(kept(file("first.png").string()), "body");
+  EXPECT_EQ(kept(file("first.png").string() + " --keep all"), "all");
+  const Outcome outcome = run("effects phantom:8 --keep table");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("--keep cannot be \"table\"; choose one of all, body."), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(CommandLine, effectsPrintsEveryRowWithItsReasonAndCostAsOneJsonObject) {
   const Outcome outcome = run("effects phantom:8 --model enhanced --size 48x48 --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;

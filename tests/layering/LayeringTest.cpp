@@ -37,6 +37,13 @@ TEST(Layering, sceneUsesOnlyTheStandardLibraryAndGlm) {
       "the scene is plain values");
 }
 
+TEST(Layering, regionsAreFoundFromTheSceneAlone) {
+  expectNoIncludes(
+      "renderer/regions",
+      R"(^(io|gl|glsl|raycaster|slices|cpu|reference|accuracy|stability|widgets|app)/|vtk|itk)",
+      "a body is found from voxels");
+}
+
 TEST(Layering, referenceAndGlKnowOnlyTheScene) {
   expectNoIncludes("renderer/reference", "^(io|gl|raycaster|slices|widgets|app)/",
                    "the reference checks the others");

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace limn {
 namespace {
 
@@ -79,6 +81,58 @@ TEST(SceneFile, missingKeysTakeTheDefaultsOfTheDefinition) {
   EXPECT_EQ(document.scene, defaults);
   EXPECT_FALSE(document.hasCamera);
   EXPECT_FALSE(document.hasTransferFunction);
+}
+
+std::string withKeep(const std::string& keep) {
+  return R"({"limn_scene": 1, "volume": "v", "keep": )" + keep + "}";
+}
+
+TEST(SceneFile, whatIsKeptIsReadBack) {
+  EXPECT_EQ(parseScene(withKeep(R"("all")"), "t").keep, KeptPart{});
+  EXPECT_EQ(parseScene(withKeep(R"("body")"), "t").keep.kind, Region::Kind::body);
+  const KeptPart labels{Region::Kind::labels, "a/seg.nrrd", {{-2, 1.0}, {3, 0.0}, {4, 0.25}}};
+  EXPECT_EQ(
+      parseScene(withKeep(R"({"labels": "a/seg.nrrd", "weights": {"3": 0, "4": 0.25, "-2": 1}})"), "t").keep,
+      labels);
+  // What is written of a region: its weights but for those that are 1 anyway.
+  Scene scene;
+  scene.keep = {Region::Kind::labels,
+                "seg.nrrd",
+                std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{0},
+                                                 std::vector<Label>{{0, "", {}}, {3, "", {}}, {7, "", {}}}),
+                {1.0, 0.1, 1.0}};
+  const KeptPart written{Region::Kind::labels, "seg.nrrd", {{3, 0.1}}};
+  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, written);
+  scene.keep = bodyRegion(glm::ivec3(1), {1});
+  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}}));
+}
+
+TEST(SceneFile, whatIsKeptIsRefusedWhereItMakesNoSense) {
+  for (const auto& [keep, named] :
+       std::map<std::string, std::string>{{R"("head")", "\"body\""},
+                                          {R"(3)", "keep"},
+                                          {R"({"weights": {}})", "keep.labels"},
+                                          {R"({"labels": ""})", "keep.labels"},
+                                          {R"({"labels": "s", "weights": {"3": 1.5}})", "keep.weights.3"},
+                                          {R"({"labels": "s", "weights": {"3": "half"}})", "keep.weights.3"},
+                                          {R"({"labels": "s", "weights": {"bone": 1}})", "keep.weights.bone"},
+                                          {R"({"labels": "s", "weights": [1]})", "keep.weights"},
+                                          {R"({"labels": "s", "wieghts": {}})", "keep.wieghts"}}) {
+    const std::string refusal = refusalOf(withKeep(keep));
+    EXPECT_NE(refusal.find(named), std::string::npos) << keep << ": " << refusal;
+  }
+}
+
+TEST(SceneFile, aWeightNeedsItsLabel) {
+  const std::vector<Label> labels{{0, "", {}}, {3, "", {}}};
+  EXPECT_EQ(weightsOf(labels, {{3, 0.5}}, "seg.nrrd"), (std::vector<double>{1.0, 0.5}));
+  try {
+    weightsOf(labels, {{3, 0.5}, {4, 0.0}}, "seg.nrrd");
+    FAIL() << "label 4 is not there";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("label 4, which seg.nrrd does not have"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(SceneFile, refusesUnknownKeysByName) {

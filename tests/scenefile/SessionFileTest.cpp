@@ -37,6 +37,7 @@ SessionDocument unusual() {
   session.wipe = 0.3;
   session.panel = SessionDocument::Panel::accuracy;
   session.preset = "Mine \"ä\"";
+  session.scene.keep = {Region::Kind::labels, "seg.nrrd", {{2, 0.5}}};
   session.cropBoxIsShown = true;
   session.gradientCurveIsShown = true;
   session.label = "CT 3×2×4";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/PropertiesPanel.h"
 
+#include "widgets/labels/LabelSection.h"
 #include "widgets/properties/CropSection.h"
 #include "widgets/properties/FogSection.h"
 #include "widgets/properties/ProjectionSection.h"
@@ -14,8 +15,10 @@ namespace limn {
 PropertiesPanel::PropertiesPanel(QWidget* parent)
     : QScrollArea(parent), m_projection(new ProjectionSection),
       m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
-      m_crop(new CropSection), m_fog(new FogSection), m_quality(new QualitySection) {
-  stackSections(*this, {m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_fog, m_quality});
+      m_crop(new CropSection), m_labels(new LabelSection), m_fog(new FogSection),
+      m_quality(new QualitySection) {
+  stackSections(
+      *this, {m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_labels, m_fog, m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();
@@ -43,6 +46,7 @@ void PropertiesPanel::setScene(const Scene& scene) {
   setQuality(scene.quality);
   m_projection->setScene(scene);
   m_crop->setScene(scene);
+  m_labels->setScene(scene);
   m_fog->setScene(scene);
   if (otherProjection)
     showModels();
@@ -89,6 +93,7 @@ void PropertiesPanel::setUnused(std::size_t section, const QString& reason) {
 
 void PropertiesPanel::foldUnused() {
   m_crop->setFolded(m_scene.crop == CropBox{});
+  m_labels->setFolded(m_scene.keep.kind != Region::Kind::labels);
   m_fog->setFolded(m_scene.fog.mode == Fog::Mode::none);
 }
 

@@ -10,13 +10,14 @@ namespace limn {
 
 class CropSection;
 class FogSection;
+class LabelSection;
 class ProjectionSection;
 class QualitySection;
 class ShadingSection;
 
-/// What a scene says beside its curves, in folding sections: projection, light, crop, fog, quality. Controls
-/// that change nothing in the pictures shown are disabled and say why in their tool tips; a section that the
-/// scene does not use says so in its header.
+/// What a scene says beside its curves, in folding sections: projection, light, crop, labels, fog, quality.
+/// Controls that change nothing in the pictures shown are disabled and say why in their tool tips; a section
+/// that the scene does not use says so in its header.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
 
@@ -34,6 +35,7 @@ public:
   void setModelsShown(const std::vector<ShadingModel>& models);
 
   CropSection* cropSection() const { return m_crop; }
+  LabelSection* labelSection() const { return m_labels; }
 
   QSize sizeHint() const override { return {320, 600}; }
 
@@ -61,6 +63,7 @@ private:
   };
   std::vector<Use> m_use;
   CropSection* m_crop;
+  LabelSection* m_labels;
   FogSection* m_fog;
   QualitySection* m_quality;
 };

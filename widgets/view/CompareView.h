@@ -123,6 +123,8 @@ signals:
   void wipeMoved(double fraction);
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
   void shortcutListRequested();
+  /// The note was clicked that tells what is hidden.
+  void everythingRequested();
   void maximiseRequested();
   void pictureStateChanged(const limn::PictureState& state);
   /// What the picture, called `picture`, calls for; of two pictures the right one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "io/scenefile/KeptPart.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
 
@@ -13,7 +14,8 @@ namespace limn {
 /// A scene file as read: the scene without its volume, and what the file left to the program.
 struct SceneDocument {
   std::string volume;               ///< path as written in the file, relative to its folder
-  Scene scene;                      ///< `scene.volume` is empty
+  Scene scene;                      ///< `volume` is empty and `keep` keeps all
+  KeptPart keep;                    ///< what `scene.keep` becomes once the volume is read
   bool hasCamera = false;           ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
@@ -23,10 +25,13 @@ struct SceneDocument {
 /// outside their range with the range. Throws Error (input).
 SceneDocument parseScene(std::string_view text, const std::string& name);
 
-/// Reads a scene file from disk; `volume` becomes absolute. Throws Error (input).
+/// Reads a scene file from disk; `volume` and `keep.labels` become absolute. Throws Error (input).
 SceneDocument readSceneFile(const std::filesystem::path& path);
 
-/// A scene as JSON with every key written out; `volume` is stored as given.
+/// A document with absolute paths, which are written relative to the folder of its `file`.
+SceneDocument located(SceneDocument document, const std::filesystem::path& file);
+
+/// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume);
 
 /// Reads the text of a preset file. Throws Error (input).

@@ -18,7 +18,12 @@ inline constexpr Words<Preintegration, 3> preintegrationWords{{"auto", "always",
 /// Reads every field of a scene file and refuses others.
 SceneDocument readScene(JsonFields fields);
 
-/// The fields of a scene file; `volume` is stored as given.
-nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume);
+/// The field `keep` of a scene, which is there.
+KeptPart readKeptPart(JsonFields& scene);
+
+nlohmann::ordered_json keptPartJson(const KeptPart& part);
+
+/// The fields of a scene file; `volume` is stored as given, and `keep` in place of the scene's own.
+nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume, const KeptPart& keep);
 
 } // namespace limn

@@ -263,6 +263,8 @@ SceneDocument readScene(JsonFields fields) {
     scene.fog = readFog(fields.object("fog"));
   if (fields.has("crop"))
     scene.crop = readCrop(fields.object("crop"));
+  if (fields.has("keep"))
+    document.keep = readKeptPart(fields);
   readProjection(fields, scene.projection);
   readIsovalue(fields, scene.isovalue);
   if (fields.has("quality"))
@@ -279,9 +281,14 @@ SceneDocument parseScene(std::string_view text, const std::string& name) {
 }
 
 SceneDocument readSceneFile(const std::filesystem::path& path) {
-  SceneDocument document = parseScene(readTextFile(path), path.filename().string());
-  document.volume =
-      (std::filesystem::absolute(path).parent_path() / document.volume).lexically_normal().string();
+  return located(parseScene(readTextFile(path), path.filename().string()), path);
+}
+
+SceneDocument located(SceneDocument document, const std::filesystem::path& file) {
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  for (std::string* path : {&document.volume, &document.keep.labels})
+    if (!path->empty())
+      *path = (folder / *path).lexically_normal().string();
   return document;
 }
 

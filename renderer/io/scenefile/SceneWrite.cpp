@@ -108,7 +108,7 @@ Json toJson(const Quality& quality) {
 
 } // namespace
 
-nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) {
+nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume, const KeptPart& keep) {
   return {{"limn_scene", 1},
           {"volume", volume},
           {"camera", toJson(scene.camera)},
@@ -117,6 +117,7 @@ nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) 
           {"gradient_opacity", toJson(scene.gradientOpacity)},
           {"fog", toJson(scene.fog)},
           {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
+          {"keep", keptPartJson(keep)},
           {"projection", nameOf(scene.projection)},
           {"isosurface", {{"value", scene.isovalue}}},
           {"quality", toJson(scene.quality)},
@@ -127,7 +128,7 @@ nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume) 
 }
 
 std::string sceneToJson(const Scene& scene, const std::string& volume) {
-  return textOf(sceneJson(scene, volume));
+  return textOf(sceneJson(scene, volume, keptPartOf(scene.keep)));
 }
 
 std::string presetToJson(const Preset& preset) {

@@ -67,13 +67,13 @@ SessionDocument parseSession(std::string_view text, const std::string& name) {
 
 SessionDocument readSessionFile(const std::filesystem::path& path) {
   SessionDocument session = parseSession(readTextFile(path), path.filename().string());
-  std::string& volume = session.scene.volume;
-  volume = (std::filesystem::absolute(path).parent_path() / volume).lexically_normal().string();
+  session.scene = located(std::move(session.scene), path);
   return session;
 }
 
 std::string sessionToJson(const SessionDocument& session) {
-  Json json = {{"limn_session", 1}, {"scene", sceneJson(session.scene.scene, session.scene.volume)}};
+  Json json = {{"limn_session", 1},
+               {"scene", sceneJson(session.scene.scene, session.scene.volume, session.scene.keep)}};
   if (session.series)
     json["series"] = *session.series;
   if (const auto& spacing = session.spacingMm)

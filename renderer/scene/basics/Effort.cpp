@@ -13,6 +13,15 @@
 
 namespace limn {
 
+Effort partOf(const Effort& whole, double from, double to) {
+  Effort part = whole;
+  if (whole.report)
+    part.report = [report = whole.report, from, to](double fraction) {
+      report(from + fraction * (to - from));
+    };
+  return part;
+}
+
 int Pieces::next() {
   if (std::this_thread::get_id() == m_caller) {
     if (m_effort.isCancelled && m_effort.isCancelled()) {

@@ -15,6 +15,9 @@ struct Effort {
   std::function<void(double fraction)> report; ///< 0..1
 };
 
+/// The effort for a part of some work: what it reports as 0..1 is `from`..`to` of the whole.
+Effort partOf(const Effort& whole, double from, double to);
+
 /// So many voxels make a piece of work: even with hundreds of instructions each, it takes less than 10 ms.
 inline constexpr int voxelsPerPiece = 1 << 16;
 

@@ -3,6 +3,7 @@
 
 #include "widgets/properties/AxisNames.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/RegionNote.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QAbstractSpinBox>
@@ -53,6 +54,11 @@ void ViewInput::press(const QMouseEvent& event) {
       emit modelsRequested(position);
       return;
     }
+    if (isOnRegionNote(source, press.point)) {
+      m_hovered.region = false;
+      emit everythingRequested();
+      return;
+    }
     handle = cropHandleAt(source, press.point);
   }
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
@@ -94,7 +100,7 @@ void ViewInput::cancelDrag(const Scene& shown) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
   if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
-      labelAt(source, event.position()) >= 0)
+      labelAt(source, event.position()) >= 0 || isOnRegionNote(source, event.position()))
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
     uncut(source.comparison.scene, handle->face);
@@ -126,16 +132,18 @@ void ViewInput::hover(const QMouseEvent& event) {
   const QPointF point = event.position();
   Hovered now;
   now.label = labelAt(source, point);
-  const std::optional<CropHandle> handle = now.label < 0 ? cropHandleAt(source, point) : std::nullopt;
+  now.region = now.label < 0 && isOnRegionNote(source, point);
+  const bool isOnText = now.label >= 0 || now.region;
+  const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;
-  now.wipe = now.label < 0 && !handle && isOnWipeBorder(source.geometry, point);
+  now.wipe = !isOnText && !handle && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
-    m_view->setCursor(now.label >= 0 ? Qt::PointingHandCursor
-                      : handle       ? cursorFor(*handle)
-                      : now.wipe     ? Qt::SplitHCursor
-                                     : Qt::ArrowCursor);
+    m_view->setCursor(isOnText   ? Qt::PointingHandCursor
+                      : handle   ? cursorFor(*handle)
+                      : now.wipe ? Qt::SplitHCursor
+                                 : Qt::ArrowCursor);
     m_view->update();
   }
   m_view->setToolTip(toolTipAt(source, point));

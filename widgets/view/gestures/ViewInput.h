@@ -60,6 +60,7 @@ signals:
   void probed(const std::optional<limn::Probe>& probe);
   void pinRequested(double value);
   void modelsRequested(int position); ///< of which the label was clicked
+  void everythingRequested();         ///< of what is hidden
   void maximiseRequested();
   void windowPresetRequested(int number);
   void shortcutListRequested();

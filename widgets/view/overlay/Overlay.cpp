@@ -2,6 +2,7 @@
 #include "widgets/view/overlay/Overlay.h"
 
 #include "widgets/view/overlay/OverlayRows.h"
+#include "widgets/view/overlay/RegionNote.h"
 
 #include <QObject>
 
@@ -41,6 +42,10 @@ std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   overlay.labels = labelsOf(source);
   for (const PlacedLabel& label : overlay.labels)
     plates.push_back(label.steadyPlate);
+  if (const std::optional<Note> region = regionNoteOf(source)) {
+    overlay.notes.push_back(*region);
+    plates.push_back(region->plate);
+  }
   overlay.difference = differenceTitleOf(source);
   overlay.explanationOpacity = source.labelOpacity;
   if (overlay.difference)

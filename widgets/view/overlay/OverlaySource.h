@@ -17,6 +17,7 @@ namespace limn {
 struct Hovered {
   int label = -1; ///< the position of a picture, -1 for none
   bool wipe = false;
+  bool region = false; ///< the note that tells what is hidden
   std::optional<CropFace> face;
   bool operator==(const Hovered&) const = default;
 };

@@ -78,8 +78,10 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
   return -1;
 }
 
-// Only over the title: a tool tip anywhere else would cover the picture.
+// Only over titles and notes: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
+  if (source.hovered.region)
+    return QObject::tr("A click shows everything again, as View ▸ Body only does where the table is hidden.");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

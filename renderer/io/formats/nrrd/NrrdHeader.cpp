@@ -43,8 +43,14 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file) {
       return header;
     }
     const std::size_t colon = line.find(": ");
-    const bool isKeyValue = line.find(":=") < colon;
-    if (line.starts_with('#') || isNrrd(line) || isKeyValue || colon == std::string_view::npos)
+    const std::size_t equals = line.find(":=");
+    if (line.starts_with('#') || isNrrd(line))
+      continue;
+    if (equals < colon) {
+      header.keys[std::string(line.substr(0, equals))] = line.substr(equals + 2);
+      continue;
+    }
+    if (colon == std::string_view::npos)
       continue;
     const std::string name = canonicalName(lowerCase(trimmed(line.substr(0, colon))));
     header.fields[name] = trimmed(line.substr(colon + 1));

@@ -11,10 +11,12 @@
 
 namespace limn {
 
-/// The text of a NRRD header: its fields by lower-case name, and where the voxels start in an attached file.
+/// The text of a NRRD header: its fields by lower-case name, keys, and where the voxels start in an attached
+/// file.
 struct NrrdHeader {
   std::map<std::string, std::string> fields;
-  std::uint64_t end = 0; ///< bytes of header, the blank line included
+  std::map<std::string, std::string> keys; ///< what programs added ("key:=value"), by its name as written
+  std::uint64_t end = 0;                   ///< bytes of header, the blank line included
 
   /// The value of a field; empty where it is absent.
   std::string field(const std::string& name) const;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/KeptRegion.h"
+
+#include "io/labels/LabelReader.h"
+#include "regions/Body.h"
+#include "scene/presets/PresetFit.h"
+
+namespace limn {
+namespace {
+
+constexpr const char* findingBody = "Looking for the body";
+
+} // namespace
+
+FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
+  BodyFinding found = findBody(volume, effortOf(progress, findingBody));
+  FoundRegion kept{std::move(found.region), {}};
+  if (kept.region.kind == Region::Kind::all)
+    kept.remark = "No body was found in the volume (" + found.doubt + "), so everything is kept.";
+  else if (!found.isSure && !found.isAlone)
+    kept.remark = "What is kept may be more or less than the body: " + found.doubt + ".";
+  return kept;
+}
+
+Region sureBodyOf(const Volume& volume, const Progress& progress) {
+  if (!looksLikeHounsfield(volume))
+    return {};
+  BodyFinding found = findBody(volume, effortOf(progress, findingBody));
+  return found.isSure ? std::move(found.region) : Region{};
+}
+
+FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress) {
+  if (part.kind == Region::Kind::all)
+    return {};
+  if (part.kind == Region::Kind::body)
+    return bodyOf(volume, progress);
+  Region region = readLabels(part.labels, volume.grid(), progress);
+  region.weights = weightsOf(region.labels->labels(), part.weights,
+                             std::filesystem::path(part.labels).filename().string());
+  return {std::move(region), {}};
+}
+
+} // namespace limn

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/reading/Progress.h"
+#include "io/scenefile/KeptPart.h"
+#include "scene/Scene.h"
+
+#include <filesystem>
+
+namespace limn {
+
+/// A region, and why it is not what was asked for: one sentence, empty where it is.
+struct FoundRegion {
+  Region region;
+  std::string remark;
+};
+
+/// The body of a volume, asked for: everything where there is none. Throws Cancelled.
+FoundRegion bodyOf(const Volume& volume, const Progress& progress = {});
+
+/// The body of a CT volume, unasked: everything where it is not sure or there is nothing to hide.
+Region sureBodyOf(const Volume& volume, const Progress& progress = {});
+
+/// What a scene asks to be kept of its volume; the label map is read from where the scene says. Throws Error
+/// (input) where it cannot be read or lacks a label that has a weight; Cancelled.
+FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress& progress = {});
+
+} // namespace limn

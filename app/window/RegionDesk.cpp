@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/RegionDesk.h"
+
+#include "app/document/Session.h"
+#include "app/window/MessageBar.h"
+#include "io/labels/LabelReader.h"
+#include "scene/basics/Error.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+namespace limn {
+
+RegionDesk::RegionDesk(Parts parts) : QObject(&parts.window), m_parts(parts) {
+  connect(&m_parts.bodyOnly, &QAction::triggered, this, &RegionDesk::setBodyOnly);
+}
+
+RegionDesk::~RegionDesk() {
+  if (m_job)
+    m_job->isCancelled = true;
+  m_threads.clear(); // joins
+}
+
+void RegionDesk::askForLabels() {
+  const QString path = QFileDialog::getOpenFileName(
+      &m_parts.window, tr("Open the labels of this volume"), QString(),
+      tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk);;All files (*)"));
+  if (!path.isEmpty())
+    openLabels(path);
+}
+
+void RegionDesk::openLabels(const QString& path) {
+  start(tr("Opening labels"), tr("open labels"), [path](const Volume& volume, const Progress& progress) {
+    return FoundRegion{readLabels(path.toStdString(), volume.grid(), progress), {}};
+  });
+}
+
+void RegionDesk::setBodyOnly(bool isOn) {
+  const QString gesture = tr("body only");
+  if (!isOn)
+    showEverything();
+  else if (m_body.kind == Region::Kind::body)
+    keep({m_body, {}}, gesture);
+  else
+    start(tr("Looking for the body"), gesture, bodyOf);
+}
+
+// Labels stay open, each shown wholly; a body goes.
+void RegionDesk::showEverything() {
+  cancel();
+  Region all = m_parts.session.scene().keep;
+  if (all.kind == Region::Kind::labels)
+    std::fill(all.weights.begin(), all.weights.end(), 1.0);
+  else
+    all = {};
+  m_parts.session.setKeep(all, {nextGestureId(), tr("show everything")});
+}
+
+void RegionDesk::showScene(const Scene& scene) {
+  if (scene.volume != m_volume) {
+    cancel();
+    m_volume = scene.volume;
+    m_body = {};
+  }
+  if (scene.keep.kind == Region::Kind::body)
+    m_body = scene.keep;
+  m_parts.bodyOnly.setChecked(scene.keep.kind == Region::Kind::body);
+}
+
+void RegionDesk::start(const QString& what, const QString& gesture, Work work) {
+  cancel();
+  if (!m_volume)
+    return;
+  m_job = std::make_shared<Job>();
+  emit progressed(-1.0, what);
+  m_threads.emplace_back([this, job = m_job, volume = m_volume, gesture, work = std::move(work)] {
+    run(job, volume, gesture, work);
+  });
+}
+
+void RegionDesk::run(const std::shared_ptr<Job>& job, const std::shared_ptr<const Volume>& volume,
+                     const QString& gesture, const Work& work) {
+  const auto fail = [&](const QString& sentence) {
+    deliver(job, [this, sentence] {
+      end();
+      m_parts.messages.show(MessageBar::Kind::error, sentence);
+    });
+  };
+  Progress progress;
+  progress.isCancelled = [job] { return job->isCancelled.load(); };
+  progress.report = [this, job](double fraction, const std::string& what) {
+    deliver(job, [this, fraction, what] { emit progressed(fraction, QString::fromStdString(what)); });
+  };
+  try {
+    deliver(job, [this, found = work(*volume, progress), gesture] {
+      end();
+      keep(found, gesture);
+    });
+  } catch (const Cancelled&) {
+    // Whoever cancelled has already said so.
+  } catch (const Error& error) {
+    fail(QString::fromStdString(error.what()));
+  } catch (const std::exception& error) {
+    fail(tr("What is kept could not be found: %1.").arg(QString::fromLocal8Bit(error.what())));
+  }
+}
+
+// Runs `function` on the desk's own thread, unless the work was ended by then.
+void RegionDesk::deliver(const std::shared_ptr<Job>& job, std::function<void()> function) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, job, function = std::move(function)] {
+        if (job == m_job)
+          function();
+      },
+      Qt::QueuedConnection);
+}
+
+void RegionDesk::keep(const FoundRegion& found, const QString& gesture) {
+  m_parts.session.setKeep(found.region, {nextGestureId(), gesture});
+  if (!found.remark.empty())
+    m_parts.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.remark));
+  showScene(m_parts.session.scene());
+}
+
+void RegionDesk::cancel() {
+  if (!m_job)
+    return;
+  m_job->isCancelled = true;
+  end();
+}
+
+void RegionDesk::end() {
+  m_job.reset();
+  emit ended();
+  // A box that was checked for what did not come of it.
+  m_parts.bodyOnly.setChecked(m_parts.session.scene().keep.kind == Region::Kind::body);
+}
+
+bool isNamedLikeLabels(const QString& path) {
+  static const QRegularExpression word(
+      QStringLiteral("(^|[._ -])(seg|segmentation|label|labels|labelmap|mask)([._ -]|$)"),
+      QRegularExpression::CaseInsensitiveOption);
+  return word.match(QFileInfo(path).fileName()).hasMatch();
+}
+
+} // namespace limn

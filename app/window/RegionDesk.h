@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/KeptRegion.h"
+#include "scene/Scene.h"
+
+#include <QObject>
+#include <QString>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <vector>
+
+class QAction;
+
+namespace limn {
+
+class MessageBar;
+class Session;
+
+/// What is kept of the volume: the body, which it finds, or the labels of a segmentation, which it reads, on
+/// a thread of its own, one at a time. What it makes becomes an undo step. Another volume ends its work.
+class RegionDesk : public QObject {
+  Q_OBJECT
+
+public:
+  struct Parts {
+    Session& session;
+    QAction& bodyOnly;
+    MessageBar& messages;
+    QWidget& window;
+  };
+  explicit RegionDesk(Parts parts);
+  ~RegionDesk() override;
+
+  /// Whether something is being found or read.
+  bool isBusy() const { return m_job != nullptr; }
+
+public slots:
+  void askForLabels();
+  void openLabels(const QString& path);
+  void setBodyOnly(bool isOn);
+  void showEverything();
+  void cancel();
+  void showScene(const limn::Scene& scene);
+
+signals:
+  void progressed(double fraction, const QString& what);
+  void ended();
+
+private:
+  struct Job {
+    std::atomic<bool> isCancelled{false};
+  };
+  using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
+
+  void start(const QString& what, const QString& gesture, Work work);
+  void run(const std::shared_ptr<Job>& job, const std::shared_ptr<const Volume>& volume,
+           const QString& gesture, const Work& work);
+  void deliver(const std::shared_ptr<Job>& job, std::function<void()> function);
+  void keep(const FoundRegion& found, const QString& gesture);
+  void end();
+
+  Parts m_parts;
+  std::shared_ptr<const Volume> m_volume; ///< the one that is open
+  Region m_body;                          ///< of it, where it is known
+  std::shared_ptr<Job> m_job;             ///< whose result counts; null at rest
+  std::vector<std::jthread> m_threads;    ///< those whose work was ended, too
+};
+
+/// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",
+/// "label_Brain.nrrd".
+bool isNamedLikeLabels(const QString& path);
+
+} // namespace limn

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/regions/Region.h"
+
+#include <map>
+#include <string>
+
+namespace limn {
+
+/// What a scene file says of the kept region: a Region is made of it once the volume is read.
+struct KeptPart {
+  Region::Kind kind = Region::Kind::all;
+  std::string labels;            ///< of kind labels: the path of the label map, as written in the file
+  std::map<int, double> weights; ///< 0..1, by the labels' values; what is not named weighs 1
+  bool operator==(const KeptPart&) const = default;
+};
+
+/// What is to be written of a region.
+KeptPart keptPartOf(const Region& region);
+
+/// The weight of each of the labels, in their order. Throws Error (input) for a weight of a label that is not
+/// among them; `labelMap` is how the sentence calls the file.
+std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<int, double>& weights,
+                              const std::string& labelMap);
+
+} // namespace limn

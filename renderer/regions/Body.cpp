@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regions/Body.h"
+
+#include "regions/Components.h"
+#include "regions/Contact.h"
+#include "regions/Flood.h"
+#include "regions/Morphology.h"
+#include "regions/Tissue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace limn {
+namespace {
+
+constexpr double ballMm = 2.0;
+constexpr double marginVoxels = 2.0;
+constexpr double leastShare = 0.8;     // of the tissue, which a sure body holds
+constexpr double mostContact = 0.05;   // of its surface, by which what is cut off may touch the body
+constexpr double nextToNothing = 0.01; // of the tissue
+constexpr double worthHiding = 0.001;  // of the tissue
+
+double shareOf(std::size_t part, std::size_t whole) {
+  return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(whole, 1));
+}
+
+// Rounded down, so that what misses a bound does not read as if it reached it.
+std::string percent(double share) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.0f %%", std::floor(100.0 * share));
+  return text;
+}
+
+// The largest piece of tissue; by how much of its surface what the ball cuts off touches it, 0 where that is
+// next to nothing.
+struct Piece {
+  BitGrid voxels;
+  double contact = 0.0;
+};
+
+// Cuts off what hangs on the body by less than the ball, but only where that leaves no doubt.
+Piece largestPiece(const BitGrid& tissue, const glm::dvec3& ball, const Effort& effort) {
+  const BitGrid bulky = opened(tissue, ball, partOf(effort, 0.0, 0.6));
+  BitGrid body = largestComponent(bulky, partOf(effort, 0.6, 1.0));
+  if (body.count() == 0)
+    return {largestComponent(tissue, effort)};
+  BitGrid thin = tissue;
+  thin -= bulky;
+  body = grownWithin(body, thin, effort);
+  const BitGrid whole = grownWithin(body, tissue, effort);
+  BitGrid cutOff = whole;
+  cutOff -= body;
+  const std::size_t all = tissue.count();
+  if (shareOf(cutOff.count(), all) <= nextToNothing)
+    return {whole};
+  const double contact = shareOf(sharedFaces(cutOff, body), sharedFaces(cutOff, cutOff.complement()));
+  const bool isCut = contact <= mostContact && shareOf(body.count(), all) >= leastShare;
+  return {isCut ? body : whole, contact};
+}
+
+Region regionOf(const BitGrid& kept, const Effort& effort) {
+  const glm::ivec3& dims = kept.dims();
+  std::vector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
+  forEachPiece(dims.z, effort, [&](int z) {
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x)
+        places[voxelOffset(dims, x, y, z)] = kept.at({x, y, z}) ? 1 : 0;
+  });
+  return bodyRegion(dims, std::move(places));
+}
+
+// Why a body is not sure that leaves `beside` of the tissue out; empty where it is.
+std::string doubtAbout(double beside, double contact, bool isAlone) {
+  if (1.0 - beside < leastShare)
+    return "it holds " + percent(1.0 - beside) + " of the tissue";
+  if (contact > mostContact)
+    return "what hangs on it touches it by " + percent(contact) + " of its surface";
+  return isAlone ? "nothing lies beside it" : "";
+}
+
+} // namespace
+
+BodyFinding findBody(const Volume& volume, const Effort& effort) {
+  const double threshold = tissueThreshold(volume, partOf(effort, 0.0, 0.1));
+  const BitGrid tissue = tissueOf(volume, threshold, partOf(effort, 0.1, 0.2));
+  const std::size_t all = tissue.count();
+  if (all == 0)
+    return {{}, false, false, "it holds no tissue"};
+  const glm::dvec3 ball = glm::max(ballMm / volume.grid().spacingMm, glm::dvec3(1.0));
+  const Piece piece = largestPiece(tissue, ball, partOf(effort, 0.2, 0.6));
+  const BitGrid body =
+      withHolesFilled(closed(piece.voxels, ball, partOf(effort, 0.6, 0.8)), partOf(effort, 0.8, 0.9));
+  BitGrid kept = dilated(body, glm::dvec3(marginVoxels), partOf(effort, 0.9, 0.95));
+  kept -= tissue;
+  kept |= body;
+  BitGrid beside = tissue;
+  beside -= kept;
+  const double share = shareOf(beside.count(), all);
+  const bool isAlone = share < worthHiding;
+  const std::string doubt = doubtAbout(share, piece.contact, isAlone);
+  return {regionOf(kept, partOf(effort, 0.95, 1.0)), doubt.empty(), isAlone, doubt};
+}
+
+} // namespace limn

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "regions/LabelsOnGrid.h"
+
+#include "scene/basics/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t mostLabels = 65536; // with the background
+constexpr double largestValue = 2147483647.0;
+
+// The places of labels by their value. Neighbouring voxels share theirs more often than not.
+class PlacesByValue {
+public:
+  explicit PlacesByValue(const std::vector<Label>& labels) {
+    for (std::size_t place = 0; place < labels.size(); ++place)
+      m_places[labels[place].value] = static_cast<std::uint16_t>(place);
+  }
+
+  std::uint16_t of(int value) {
+    if (value != m_lastValue) {
+      m_last = m_places.at(value);
+      m_lastValue = value;
+    }
+    return m_last;
+  }
+
+private:
+  std::map<int, std::uint16_t> m_places;
+  int m_lastValue = 0;
+  std::uint16_t m_last = 0; // the background comes first
+};
+
+// The label of each voxel of a label volume.
+class Values {
+public:
+  explicit Values(const Volume& labels) : m_labels(labels) {}
+
+  template <class T>
+  int at(const std::vector<T>& stored, std::size_t voxel) const {
+    const VoxelMask& invalid = m_labels.invalidMask();
+    if (!invalid.empty() && invalid[voxel])
+      return 0;
+    const Rescale& rescale = m_labels.rescale();
+    const double value = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept;
+    const double whole = std::round(value);
+    if (std::abs(value - whole) > 1e-6 || std::abs(whole) > largestValue)
+      throw Error(Error::Kind::input, "It is no label map: its values are no whole numbers; open a "
+                                      "segmentation, not the image that it was made of.");
+    return static_cast<int>(whole);
+  }
+
+private:
+  const Volume& m_labels;
+};
+
+template <class T>
+std::vector<int> valuesIn(const Volume& volume, const std::vector<T>& stored) {
+  const Values values(volume);
+  std::map<int, bool> found{{0, true}};
+  int last = 0;
+  for (std::size_t voxel = 0; voxel < stored.size(); ++voxel) {
+    const int value = values.at(stored, voxel);
+    if (value == last)
+      continue;
+    found[last = value] = true;
+    if (found.size() > mostLabels)
+      throw Error(Error::Kind::input, "It is no label map: it has more than 65535 different values; open a "
+                                      "segmentation, not the image that it was made of.");
+  }
+  std::vector<int> all{0};
+  for (const auto& [value, isFound] : found)
+    if (value != 0)
+      all.push_back(value);
+  return all;
+}
+
+std::vector<Label> labelsFor(const std::vector<int>& values, const std::vector<Label>& described) {
+  std::map<int, Label> known;
+  for (const Label& label : described)
+    known.emplace(label.value, label);
+  std::vector<Label> labels;
+  for (const int value : values) {
+    const auto found = known.find(value);
+    Label label = found != known.end() ? found->second : Label{value, {}, labelColor(labels.size())};
+    if (label.name.empty())
+      label.name = value == 0 ? "Background" : "Label " + std::to_string(value);
+    labels.push_back(std::move(label));
+  }
+  if (labels.front().name == "Background")
+    labels.front().color = glm::dvec3(0.5);
+  return labels;
+}
+
+// The index of a voxel of the label volume that is nearest to the centre of a voxel of another grid.
+class NearestVoxel {
+public:
+  NearestVoxel(const Grid& from, const Grid& to)
+      : m_dims(to.dims), m_origin(worldToIndex(to, indexToWorld(from, glm::dvec3(0.0)))) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 step(0.0);
+      step[axis] = 1.0;
+      m_steps[axis] = worldToIndex(to, indexToWorld(from, step)) - m_origin;
+    }
+  }
+
+  // Its position in the stored array; negative where it lies outside.
+  std::ptrdiff_t at(int x, int y, int z) const {
+    // Centres that lie between two voxels up to rounding go to the same one everywhere.
+    const glm::ivec3 index(glm::floor(m_origin + m_steps * glm::dvec3(x, y, z) + 0.5 + 1e-7));
+    if (glm::any(glm::lessThan(index, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(index, m_dims)))
+      return -1;
+    return static_cast<std::ptrdiff_t>(voxelOffset(m_dims, index.x, index.y, index.z));
+  }
+
+private:
+  glm::ivec3 m_dims;
+  glm::dvec3 m_origin;
+  glm::dmat3 m_steps{1.0};
+};
+
+template <class Place, class T>
+std::vector<Place> placesOn(const Grid& grid, const Volume& volume, const std::vector<T>& stored,
+                            const std::vector<Label>& labels, const Effort& effort) {
+  const Values values(volume);
+  const NearestVoxel nearest(grid, volume.grid());
+  const glm::ivec3& dims = grid.dims;
+  std::vector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 0);
+  forEachPiece(dims.z, effort, [&](int z) {
+    PlacesByValue placeOf(labels);
+    for (int y = 0; y < dims.y; ++y)
+      for (int x = 0; x < dims.x; ++x)
+        if (const std::ptrdiff_t voxel = nearest.at(x, y, z); voxel >= 0)
+          places[voxelOffset(dims, x, y, z)] =
+              static_cast<Place>(placeOf.of(values.at(stored, static_cast<std::size_t>(voxel))));
+  });
+  return places;
+}
+
+} // namespace
+
+glm::dvec3 labelColor(std::size_t n) {
+  // Hues a golden section apart never come close to one another soon; three rows of brightness besides.
+  const double hue = std::fmod(0.618033988749895 * static_cast<double>(n), 1.0) * 6.0;
+  const double value = 1.0 - 0.2 * static_cast<double>(n / 3 % 3), chroma = 0.65 * value;
+  glm::dvec3 color;
+  for (int channel = 0; channel < 3; ++channel) {
+    const double k = std::fmod(5.0 - 2.0 * channel + hue, 6.0);
+    color[channel] = value - chroma * std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
+  }
+  return color;
+}
+
+std::shared_ptr<const LabelMap> labelsOnGrid(const Volume& labels, const std::vector<Label>& described,
+                                             const Grid& grid, const Effort& effort) {
+  return visitVoxels(labels, [&](const auto& stored) {
+    std::vector<Label> found = labelsFor(valuesIn(labels, stored), described);
+    LabelMap::Places places;
+    if (found.size() <= 256)
+      places = placesOn<std::uint8_t>(grid, labels, stored, found, effort);
+    else
+      places = placesOn<std::uint16_t>(grid, labels, stored, found, effort);
+    return std::make_shared<const LabelMap>(grid.dims, std::move(places), std::move(found));
+  });
+}
+
+} // namespace limn

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/window/RegionDesk.h"
+#include "widgets/view/overlay/RegionNote.h"
+
+#include <QDragEnterEvent>
+#include <QMimeData>
+
+#include <fstream>
+
+// What is kept of a volume, in the program's window.
+
+namespace limn {
+namespace {
+
+constexpr int size = 40;
+
+class RegionWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    // A ball of tissue with a core of bone on a table, in air: Hounsfield units by their range.
+    write("head.nrrd", [](const glm::ivec3& v) {
+      const double radius = glm::length(glm::dvec3(v) - 18.0);
+      return radius < 6.0                                      ? 1200
+             : radius < 13.0                                   ? 40
+             : v.y >= 34 && v.y < 37 && std::abs(v.x - 18) < 8 ? 200
+                                                               : -1000;
+    });
+    write("bone.seg.nrrd",
+          [](const glm::ivec3& v) { return glm::length(glm::dvec3(v) - 18.0) < 6.0 ? 7 : 0; });
+  }
+
+  template <class Value>
+  void write(const char* name, Value value) {
+    std::ofstream file(folder.path() / name, std::ios::binary);
+    file << "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 40 40 40\nspace "
+            "directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n";
+    for (int z = 0; z < size; ++z)
+      for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+          const int v = value(glm::ivec3(x, y, z));
+          file.put(static_cast<char>(v & 0xFF)).put(static_cast<char>(v >> 8 & 0xFF));
+        }
+  }
+
+  QAction& bodyOnly() { return *window->findChild<QAction*>(QStringLiteral("bodyOnly")); }
+  RegionDesk& desk() { return *window->findChild<RegionDesk*>(); }
+  [[nodiscard]] bool ready() {
+    return test::waitUntil([this] { return !desk().isBusy(); });
+  }
+
+  // The middle of the note in the picture, in the window's pixels.
+  QPoint note() {
+    Comparison shown;
+    shown.scene = scene();
+    shown.layout = view().compareLayout();
+    const PictureState state = view().pictureState();
+    const OverlaySource source{
+        shown, {shown.layout, 0.5, view().size(), 1.0}, state, view().font(), 1.0, {}, false, {}, {}};
+    return view().mapTo(window.get(), regionNoteOf(source)->plate.center().toPoint());
+  }
+
+  void drop(const QString& path) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window.get(), &enter);
+    QDropEvent event({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(window.get(), &event);
+  }
+};
+
+TEST_F(RegionWindow, theTableIsHiddenOnOpeningAndOneClickShowsItAgain) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_TRUE(bodyOnly().isChecked());
+  EXPECT_EQ(weightAt(scene().keep, {18, 35, 18}), 0.0);
+  EXPECT_EQ(weightAt(scene().keep, {18, 18, 18}), 1.0);
+  EXPECT_FALSE(window->isWindowModified()) << "what the program did by itself is no edit";
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note());
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_FALSE(bodyOnly().isChecked());
+  EXPECT_EQ(undo().undoText(), QStringLiteral("show everything"));
+  undo().undo();
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_TRUE(bodyOnly().isChecked());
+}
+
+TEST_F(RegionWindow, theActionHidesAndShowsTheTableInOneUndoStepEach) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const Region body = scene().keep;
+  bodyOnly().trigger();
+  EXPECT_EQ(scene().keep, Region{});
+  bodyOnly().trigger();
+  EXPECT_FALSE(desk().isBusy()) << "it is known already";
+  EXPECT_EQ(scene().keep, body);
+  EXPECT_EQ(undo().count(), 2);
+}
+
+TEST_F(RegionWindow, aBodyIsFoundWhereOneIsAskedFor) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(scene().keep, Region{}) << "nothing lies beside the phantom";
+  bodyOnly().trigger();
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("body only"));
+}
+
+TEST_F(RegionWindow, anotherVolumeEndsTheSearch) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:2")));
+  bodyOnly().trigger();
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  ASSERT_TRUE(ready());
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(scene().keep.labels->dims(), glm::ivec3(size));
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  drop(pathTo("bone.seg.nrrd"));
+  ASSERT_TRUE(ready());
+  ASSERT_EQ(scene().keep.kind, Region::Kind::labels);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("open labels"));
+  EXPECT_FALSE(bodyOnly().isChecked());
+  Region faded = scene().keep;
+  faded.weights[1] = 0.5;
+  session().setKeep(faded, {nextGestureId(), QStringLiteral("fade")});
+  const SessionDocument kept = window->sessionDocument();
+  EXPECT_EQ(kept.scene.keep,
+            (KeptPart{Region::Kind::labels, pathTo("bone.seg.nrrd").toStdString(), {{7, 0.5}}}));
+  std::ofstream(folder.path() / "session.json") << sessionToJson(kept);
+  ASSERT_TRUE(open(pathTo("session.json")));
+  EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5}));
+}
+
+TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const Region before = scene().keep;
+  desk().openLabels(pathTo("gone.nrrd"));
+  ASSERT_TRUE(ready());
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("gone.nrrd")))
+      << messages().sentence().toStdString();
+  EXPECT_EQ(scene().keep, before);
+}
+
+TEST(LabelNames, tellLabelsFromImages) {
+  for (const char* name : {"a/liver.seg.nrrd", "label_Brain.nrrd", "Segmentation-1.nii.gz", "organ mask.nii"})
+    EXPECT_TRUE(isNamedLikeLabels(QString::fromLatin1(name))) << name;
+  for (const char* name : {"labels/head.nrrd", "segment.nrrd", "masked.nii", "head.nii.gz"})
+    EXPECT_FALSE(isNamedLikeLabels(QString::fromLatin1(name))) << name;
+}
+
+} // namespace
+} // namespace limn

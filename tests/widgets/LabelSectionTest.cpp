@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/labels/LabelSection.h"
+
+#include "scene/volume/Phantom.h"
+#include "widgets/FindWidget.h"
+#include "widgets/labels/LabelTable.h"
+
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTest>
+#include <QTreeView>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+Region labelled(std::vector<Label> labels) {
+  std::vector<double> weights(labels.size(), 1.0);
+  return {Region::Kind::labels, "seg.nrrd",
+          std::make_shared<const LabelMap>(glm::ivec3(1), std::vector<std::uint8_t>{0}, std::move(labels)),
+          std::move(weights)};
+}
+
+// The section with three labels, answered as the session answers.
+class LabelSectionTest : public testing::Test {
+protected:
+  LabelSectionTest() {
+    scene.volume = phantomVolume({12.0, 0.0, 1});
+    scene.keep =
+        labelled({{0, "Background", glm::dvec3(0.5)}, {3, "Liver", {1, 0, 0}}, {4, "Bone", {1, 1, 1}}});
+    QObject::connect(&section, &LabelSection::keepEdited, &section,
+                     [this](const Region& region, const Gesture& gesture) {
+                       scene.keep = region;
+                       texts.push_back(gesture.text);
+                       section.setScene(scene);
+                     });
+    section.resize(320, 400);
+    section.show();
+    section.setScene(scene);
+  }
+
+  QTreeView& table() { return *section.findChild<QTreeView*>(); }
+  QAbstractItemModel& model() { return *table().model(); }
+  QVariant at(int row, int column, int role = Qt::DisplayRole) {
+    return model().data(model().index(row, column), role);
+  }
+  QPushButton& button(const QString& text) {
+    for (QPushButton* one : section.findChildren<QPushButton*>())
+      if (one->text() == text)
+        return *one;
+    throw std::runtime_error("no such button");
+  }
+
+  Scene scene;
+  LabelSection section;
+  std::vector<QString> texts;
+};
+
+TEST_F(LabelSectionTest, listsNameColourAndWeight) {
+  EXPECT_FALSE(section.isFolded());
+  ASSERT_EQ(model().rowCount(), 3);
+  EXPECT_EQ(at(1, 0), QStringLiteral("Liver"));
+  const QImage swatch = at(1, 0, Qt::DecorationRole).value<QPixmap>().toImage();
+  EXPECT_EQ(swatch.pixelColor(swatch.rect().center()), QColor(Qt::red));
+  EXPECT_EQ(at(1, 0, Qt::CheckStateRole).toInt(), Qt::Checked);
+  EXPECT_EQ(at(1, 1), QStringLiteral("100 %"));
+}
+
+TEST_F(LabelSectionTest, hidesAndShowsByKeyboard) {
+  table().setFocus();
+  table().setCurrentIndex(model().index(1, 0));
+  QTest::keyClick(&table(), Qt::Key_Space);
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 0, 1}));
+  EXPECT_EQ(at(1, 0, Qt::CheckStateRole).toInt(), Qt::Unchecked);
+  EXPECT_EQ(table().currentIndex().row(), 1) << "the place in the list stays";
+  QTest::keyClick(&table(), Qt::Key_Space);
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 1}));
+  EXPECT_EQ(texts, (std::vector<QString>{QStringLiteral("hide Liver"), QStringLiteral("show Liver")}));
+}
+
+TEST_F(LabelSectionTest, hidesByAClickOnTheMark) {
+  const QRect cell = table().visualRect(model().index(2, 0));
+  QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, QPoint(cell.left() + 12, cell.center().y()));
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 0}));
+}
+
+TEST_F(LabelSectionTest, fadesByANumber) {
+  table().setCurrentIndex(model().index(2, 1));
+  table().edit(table().currentIndex());
+  auto* field = widgetNamed<QSpinBox>(section, "Shown");
+  ASSERT_TRUE(field);
+  EXPECT_EQ(field->maximum(), 100);
+  field->setValue(25);
+  QTest::keyClick(field, Qt::Key_Enter);
+  QCoreApplication::processEvents(); // the number is taken behind the key
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 0.25}));
+  EXPECT_EQ(at(2, 0, Qt::CheckStateRole).toInt(), Qt::PartiallyChecked);
+  EXPECT_EQ(texts, (std::vector<QString>{QStringLiteral("fade Bone to 25 %")}));
+  QTest::mouseClick(&button(QStringLiteral("Show all")), Qt::LeftButton);
+  EXPECT_EQ(scene.keep.weights, (std::vector<double>{1, 1, 1}));
+  EXPECT_FALSE(button(QStringLiteral("Show all")).isEnabled());
+}
+
+TEST_F(LabelSectionTest, hasRoomForTenThousandLabels) {
+  std::vector<Label> many;
+  for (int n = 0; n < 10001; ++n)
+    many.push_back({n, "Label " + std::to_string(n), {}});
+  const int few = table().height();
+  scene.keep = labelled(many);
+  section.setScene(scene);
+  EXPECT_EQ(model().rowCount(), 10001);
+  EXPECT_LT(table().height(), 4 * few) << "it scrolls";
+  table().setCurrentIndex(model().index(10000, 0));
+  QTest::keyClick(&table(), Qt::Key_Space);
+  EXPECT_EQ(scene.keep.weights.back(), 0.0);
+}
+
+TEST_F(LabelSectionTest, withoutLabelsOffersToOpenSome) {
+  scene.keep = {};
+  section.setScene(scene);
+  EXPECT_TRUE(table().isHidden());
+  EXPECT_TRUE(button(QStringLiteral("Show all")).isHidden());
+  int asked = 0;
+  QObject::connect(&section, &LabelSection::openRequested, &section, [&asked] { ++asked; });
+  QTest::mouseClick(&button(QStringLiteral("Open labels…")), Qt::LeftButton);
+  EXPECT_EQ(asked, 1);
+  section.setScene({});
+  EXPECT_FALSE(button(QStringLiteral("Open labels…")).isEnabled()) << "there is no volume";
+}
+
+} // namespace
+} // namespace limn

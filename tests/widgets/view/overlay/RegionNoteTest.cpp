@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/RegionNote.h"
+
+#include "scene/volume/Phantom.h"
+#include "widgets/view/overlay/Overlay.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+class RegionNote : public testing::Test {
+protected:
+  RegionNote() {
+    comparison.scene.volume = phantomVolume({12.0, 0.0, 1});
+    comparison.scene.camera = defaultCamera(comparison.scene.volume->grid());
+    state.sides.resize(2);
+  }
+
+  OverlaySource source() const {
+    return {comparison, {comparison.layout, 0.5, {700, 400}, 1.0}, state, QFont(), 1.0, {}, false, {}, {}};
+  }
+
+  void keepBody() {
+    const glm::ivec3 dims = comparison.scene.volume->grid().dims;
+    comparison.scene.keep =
+        bodyRegion(dims, std::vector<std::uint8_t>(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1));
+  }
+
+  Comparison comparison;
+  PictureState state;
+};
+
+TEST_F(RegionNote, isAbsentWhereNothingIsHidden) {
+  EXPECT_FALSE(regionNoteOf(source()));
+  EXPECT_FALSE(isOnRegionNote(source(), {30.0, 50.0}));
+  EXPECT_TRUE(toolTipAt(source(), {30.0, 50.0}).isEmpty());
+}
+
+TEST_F(RegionNote, tellsWhatIsHidden) {
+  const auto labels = std::make_shared<const LabelMap>(
+      glm::ivec3(1), std::vector<std::uint8_t>{0}, std::vector<Label>{{0, "", {}}, {1, "", {}}, {2, "", {}}});
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {1, 1, 1}}), QString());
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {1, 0, 1}}),
+            QStringLiteral("1 label hidden or faded"));
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {0.5, 0, 1}}),
+            QStringLiteral("2 labels hidden or faded"));
+  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), {1})), QStringLiteral("Table hidden"));
+}
+
+TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
+  keepBody();
+  for (const CompareLayout layout : compareLayouts) {
+    comparison.layout = layout;
+    const std::optional<Note> note = regionNoteOf(source());
+    ASSERT_TRUE(note);
+    const Overlay overlay = overlayOf(source());
+    for (const PlacedLabel& label : overlay.labels)
+      EXPECT_FALSE(label.steadyPlate.intersects(note->plate)) << nameOf(layout);
+    for (const Overlay::PlacedLetters& letters : overlay.letters)
+      EXPECT_GE(letters.column, note->plate.right()) << nameOf(layout);
+    if (overlay.difference) {
+      EXPECT_FALSE(overlay.difference->label.plate.intersects(note->plate));
+      EXPECT_FALSE(overlay.difference->note.plate.intersects(note->plate));
+    }
+    EXPECT_TRUE(isOnRegionNote(source(), note->plate.center()));
+    EXPECT_FALSE(isOnRegionNote(source(), {350.0, 200.0}));
+  }
+}
+
+TEST_F(RegionNote, saysWhatAClickDoesUnderThePointer) {
+  keepBody();
+  OverlaySource under = source();
+  under.hovered.region = true;
+  EXPECT_EQ(regionNoteOf(under)->text, QStringLiteral("Table hidden – show everything"));
+  EXPECT_FALSE(toolTipAt(under, {}).isEmpty());
+}
+
+} // namespace
+} // namespace limn
