@@ -188,6 +188,22 @@ std::string absoluteSource(const std::string& source) {
   return (path.has_filename() ? path : path.parent_path()).string();
 }
 
+// Why surfaces of such a volume show bands; no look can take them away.
+static std::string thickSlices(const Grid& grid) {
+  constexpr double muchThicker = 4.0;
+  const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
+  const double ratio = thickest / smallestSpacingMm(grid);
+  if (ratio < muchThicker)
+    return {};
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "The slices lie %.2g mm apart, %.0f times as far as the pixels within them: surfaces show a band "
+      "for each slice.",
+      thickest, ratio);
+  return text;
+}
+
 static LoadedScene loadUnframed(const std::string& source, const SourceOptions& options,
                                 const Progress& progress) {
   if (const std::optional<std::string> text = sceneText(source))
@@ -211,6 +227,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
 
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded = loadUnframed(source, options, progress);
+  if (const std::string remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
+    loaded.notes.push_back(remark);
   const ImageSettings& image = loaded.scene.image;
   if (!loaded.hasOwnCamera)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,

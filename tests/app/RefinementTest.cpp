@@ -128,6 +128,7 @@ TEST_F(RefinementTest, theStatusBarTellsStepAndTimeAtOnceAndTheEstimateSoon) {
   EXPECT_GT(statedLevels(), 0.0) << statusText().toStdString();
   EXPECT_TRUE(statusText().contains(QStringLiteral("step 1/2 voxel"))) << statusText().toStdString();
   EXPECT_TRUE(statusText().endsWith(QStringLiteral("OpenGL")));
+  QTest::mouseClick(window->findChild<QToolButton*>(QStringLiteral("accuracyBadge")), Qt::LeftButton);
   EXPECT_TRUE(labelSays(QStringLiteral("of 255 levels"))) << "where everybody can read it";
   Scene moved = scene();
   moved.camera = orbited(moved.camera, 0.3, 0.0);
@@ -172,7 +173,13 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
         return part;
     return nullptr;
   };
+  auto* badge = status.findChild<QToolButton*>(QStringLiteral("accuracyBadge"));
   status.resize(status.sizeHint());
+  EXPECT_TRUE(badge->text().contains(QStringLiteral("exact"))) << badge->text().toStdString();
+  EXPECT_EQ(partSaying("of 255 levels"), nullptr) << "levels are told when they are asked for";
+  QTest::mouseClick(badge, Qt::LeftButton);
+  status.resize(status.sizeHint());
+  EXPECT_NE(partSaying("of 255 levels"), nullptr);
   ASSERT_NE(partSaying("ms"), nullptr);
   const int place = partSaying("ms")->x();
   PictureStatusText text = status.text();
@@ -181,8 +188,8 @@ TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {
   status.setText(text);
   EXPECT_EQ(partSaying("ms")->x(), place);
   status.resize(status.minimumSizeHint());
-  EXPECT_NE(partSaying("not resolved"), nullptr);
   EXPECT_EQ(partSaying("OpenGL"), nullptr);
+  EXPECT_TRUE(badge->isVisible());
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -11,21 +12,32 @@ namespace {
 
 constexpr int partGap = 12; // between parts
 
-// In the order in which they give way when there is little room: engine, step; estimate and time stay.
-constexpr std::array<std::size_t, 2> givesWay{3, 1};
+constexpr std::size_t badge = 0, estimate = 1, step = 2, time = 3, engine = 4;
 
-using Texts = std::array<QString, 4>;
+// In the order in which they give way when there is little room; the others stay.
+constexpr std::array givesWay{engine, step};
+
+using Texts = std::array<QString, 5>;
 
 Texts partsOf(const PictureStatusText& text) {
-  return {text.estimate, text.step, text.time, text.engine};
+  return {text.badge, text.estimate, text.step, text.time, text.engine};
 }
 
 } // namespace
 
-PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent) {
+PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent), m_badge(new QToolButton(this)) {
   setAccessibleName(tr("Accuracy of the picture"));
-  for (QLabel*& part : m_parts)
-    part = new QLabel(this);
+  m_badge->setCheckable(true);
+  m_badge->setAutoRaise(true);
+  m_badge->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  m_badge->setObjectName(QStringLiteral("accuracyBadge"));
+  m_parts[badge] = m_badge;
+  for (std::size_t i = 0; i < m_labels.size(); ++i)
+    m_parts[i + 1] = m_labels[i] = new QLabel(this);
+  connect(m_badge, &QToolButton::toggled, this, [this] {
+    updateGeometry();
+    arrange();
+  });
 }
 
 void PictureStatus::setText(const PictureStatusText& text) {
@@ -33,28 +45,34 @@ void PictureStatus::setText(const PictureStatusText& text) {
     return;
   m_text = text;
   const Texts shown = partsOf(text);
-  for (std::size_t i = 0; i < m_parts.size(); ++i) {
-    m_parts[i]->setText(shown[i]);
-    const int advance = m_parts[i]->fontMetrics().horizontalAdvance(shown[i]);
-    if (!shown[i].isEmpty())
-      m_padding = std::max(m_padding, m_parts[i]->sizeHint().width() - advance);
+  m_badge->setText(shown[badge]);
+  m_badge->setAccessibleName(tr("Accuracy: %1").arg(shown[badge].section(QLatin1Char(' '), 1)));
+  for (std::size_t i = 0; i < m_labels.size(); ++i) {
+    const QString& part = shown[i + 1];
+    m_labels[i]->setText(part);
+    const int advance = m_labels[i]->fontMetrics().horizontalAdvance(part);
+    if (!part.isEmpty())
+      m_padding = std::max(m_padding, m_labels[i]->sizeHint().width() - advance);
   }
-  setToolTip(text.toolTip);
+  setToolTip(text.toolTip + QLatin1Char('\n') + tr("Press for levels and steps."));
   setAccessibleDescription(text.line());
   updateGeometry();
   arrange();
 }
 
-// Room for each part and for what commonly stands there.
-std::array<int, 4> PictureStatus::widths() const {
-  std::array<int, 4> widths{};
+// Room for each part and for what commonly stands there; levels and steps when they are asked for.
+std::array<int, PictureStatus::partCount> PictureStatus::widths() const {
+  std::array<int, partCount> widths{};
   for (std::size_t i = 0; i < widths.size(); ++i) {
     const QFontMetrics metrics = m_parts[i]->fontMetrics();
-    int widest = metrics.horizontalAdvance(m_parts[i]->text());
+    int widest = metrics.horizontalAdvance(partsOf(m_text)[i]);
     for (const PictureStatusText& common : commonStatusTexts())
       widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
     widths[i] = widest + m_padding + partGap;
   }
+  widths[badge] += partGap; // the button's own margins
+  if (!m_badge->isChecked())
+    widths[estimate] = widths[step] = 0;
   return widths;
 }
 
@@ -66,8 +84,8 @@ QSize PictureStatus::sizeHint() const {
 }
 
 QSize PictureStatus::minimumSizeHint() const {
-  const std::array<int, 4> parts = widths();
-  return {parts[0] + parts[2], fontMetrics().height()};
+  const std::array<int, partCount> parts = widths();
+  return {parts[badge] + parts[estimate] + parts[time], fontMetrics().height()};
 }
 
 void PictureStatus::resizeEvent(QResizeEvent* event) {
@@ -83,7 +101,7 @@ void PictureStatus::changeEvent(QEvent* event) {
 
 // Leave out what does not fit, then line up the rest at the right edge.
 void PictureStatus::arrange() {
-  std::array<int, 4> widths = this->widths();
+  std::array<int, partCount> widths = this->widths();
   int total = 0;
   for (const int part : widths)
     total += part;
@@ -95,7 +113,7 @@ void PictureStatus::arrange() {
   int x = std::max(0, width() - total);
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     m_parts[i]->setVisible(widths[i] > 0);
-    m_parts[i]->setGeometry(x, 0, widths[i], height());
+    m_parts[i]->setGeometry(x, 0, std::max(0, widths[i] - (i == badge ? partGap : 0)), height());
     x += widths[i];
   }
 }

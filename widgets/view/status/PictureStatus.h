@@ -8,11 +8,13 @@
 #include <array>
 
 class QLabel;
+class QToolButton;
 
 namespace limn {
 
-/// Says in the status bar how close the pictures come to the exact ones. Each part keeps its place while
-/// numbers change; where the room is narrow, the parts that matter least are left out.
+/// Says in the status bar how close the pictures come to the exact ones: one badge, and behind it, when it is
+/// pressed, levels and steps. Each part keeps its place while numbers change; where the room is narrow, the
+/// parts that matter least are left out.
 class PictureStatus : public QWidget {
   Q_OBJECT
 
@@ -30,12 +32,15 @@ protected:
   void changeEvent(QEvent* event) override;
 
 private:
-  std::array<int, 4> widths() const;
+  static constexpr std::size_t partCount = 5;
+  std::array<int, partCount> widths() const;
   void arrange();
 
   PictureStatusText m_text;
-  std::array<QLabel*, 4> m_parts{}; ///< estimate, step, time, engine
-  int m_padding = 0;                ///< that the style gives to a part
+  QToolButton* m_badge;
+  std::array<QLabel*, partCount - 1> m_labels{}; ///< estimate, step, time, engine
+  std::array<QWidget*, partCount> m_parts{};     ///< the badge and those
+  int m_padding = 0;                             ///< that the style gives to a part
 };
 
 } // namespace limn

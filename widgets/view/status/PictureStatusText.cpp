@@ -59,6 +59,20 @@ QString estimateText(const PictureState& state) {
       .arg(levels);
 }
 
+// What the screen can show: a difference of one level in one of a thousand colour values (DEFINITION section
+// 9).
+constexpr double exactLevels = 1.0;
+
+QString badgeText(const PictureState& state) {
+  if (!state.resting)
+    return QObject::tr("○ preview");
+  if (isResolved(state) && isKnown(state) && worstOf(state).estimate->p99_9 <= exactLevels)
+    return QObject::tr("● exact to the screen");
+  if (state.refines)
+    return QObject::tr("◐ refining");
+  return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
+}
+
 // The step of a preview is in the tool tip: what strikes is its resolution.
 QString previewText(const SideState& side) {
   if (side.imageScale >= 1.0)
@@ -177,6 +191,7 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   if (state.sides.empty())
     return {};
   PictureStatusText text;
+  text.badge = badgeText(state);
   text.estimate = estimateText(state);
   text.step = state.resting ? restingText(state) : previewText(state.sides.front());
   double ms = 0.0;

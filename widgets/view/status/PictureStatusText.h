@@ -13,6 +13,7 @@ namespace limn {
 /// How close the pictures on screen come to the exact ones, in parts of one line; parts that are not known
 /// are empty. Of several pictures the worst is told.
 struct PictureStatusText {
+  QString badge;    ///< "preview", "refining", "exact to the screen" or that it is not
   QString estimate; ///< "within 0.7 of 255 levels"
   QString step;     ///< "refined, step 1/16 voxel"
   QString time;     ///< "23 ms"
@@ -20,7 +21,7 @@ struct PictureStatusText {
   QString toolTip;  ///< the same for who wants to know exactly, several lines
   bool operator==(const PictureStatusText&) const = default;
 
-  /// The parts in one line.
+  /// The parts in one line, but for the badge.
   QString line() const;
 };
 

@@ -33,6 +33,23 @@ TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
   EXPECT_EQ(lineOf({}), "") << "no picture";
 }
 
+TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
+  const auto badge = [](const PictureState& state) { return pictureStatusText(state, {}).badge; };
+  PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  EXPECT_EQ(badge(state), QStringLiteral("● exact to the screen"));
+  state.sides[1].estimate->p99_9 = 1.1;
+  state.refines = true;
+  EXPECT_EQ(badge(state), QStringLiteral("◐ refining"));
+  state.sides[1].estimate.reset();
+  EXPECT_EQ(badge(state), QStringLiteral("◐ refining")) << "nobody knows yet";
+  state.resting = false;
+  EXPECT_EQ(badge(state), QStringLiteral("○ preview"));
+  EXPECT_EQ(badge(resting({sideWithin(12.4)})), QStringLiteral("○ not exact")) << "and not to be refined";
+  state = resting({sideWithin(0.2)});
+  state.sides[0].isResolved = false;
+  EXPECT_EQ(badge(state), QStringLiteral("○ not resolved"));
+}
+
 TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
   EXPECT_EQ(lineOf(resting({sideWithin(12.4), sideWithin(3.0)})),
             "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
