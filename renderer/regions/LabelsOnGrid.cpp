@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace limn {
 namespace {
@@ -13,26 +14,36 @@ namespace {
 constexpr std::size_t mostLabels = 65536; // with the background
 constexpr double largestValue = 2147483647.0;
 
-// The places of labels by their value. Neighbouring voxels share theirs more often than not.
+// Values that lie this close together are looked up in a table.
+constexpr double mostInTable = 1 << 20;
+
+// The places of labels by their value.
 class PlacesByValue {
 public:
   explicit PlacesByValue(const std::vector<Label>& labels) {
+    int highest = 0;
+    for (const Label& label : labels) {
+      m_lowest = std::min(m_lowest, label.value);
+      highest = std::max(highest, label.value);
+    }
+    const double span = static_cast<double>(highest) - m_lowest + 1.0;
+    if (span <= mostInTable)
+      m_table.resize(static_cast<std::size_t>(span));
     for (std::size_t place = 0; place < labels.size(); ++place)
-      m_places[labels[place].value] = static_cast<std::uint16_t>(place);
+      if (m_table.empty())
+        m_places[labels[place].value] = static_cast<std::uint16_t>(place);
+      else
+        m_table[static_cast<std::size_t>(labels[place].value - m_lowest)] = static_cast<std::uint16_t>(place);
   }
 
-  std::uint16_t of(int value) {
-    if (value != m_lastValue) {
-      m_last = m_places.at(value);
-      m_lastValue = value;
-    }
-    return m_last;
+  std::uint16_t of(int value) const {
+    return m_table.empty() ? m_places.at(value) : m_table[static_cast<std::size_t>(value - m_lowest)];
   }
 
 private:
-  std::map<int, std::uint16_t> m_places;
-  int m_lastValue = 0;
-  std::uint16_t m_last = 0; // the background comes first
+  int m_lowest = 0;
+  std::vector<std::uint16_t> m_table;
+  std::map<int, std::uint16_t> m_places; // where there is no table
 };
 
 // The label of each voxel of a label volume.
@@ -58,24 +69,34 @@ private:
   const Volume& m_labels;
 };
 
+// The values that occur, ascending behind 0, which always leads.
 template <class T>
 std::vector<int> valuesIn(const Volume& volume, const std::vector<T>& stored) {
   const Values values(volume);
-  std::map<int, bool> found{{0, true}};
+  const double lowest = std::floor(std::min(volume.range().lowest, 0.0));
+  const double span = std::ceil(std::max(volume.range().highest, 0.0)) - lowest + 1.0;
+  std::vector<bool> seen(span <= mostInTable ? static_cast<std::size_t>(span) : 0);
+  std::set<int> found; // where there is no table
   int last = 0;
   for (std::size_t voxel = 0; voxel < stored.size(); ++voxel) {
     const int value = values.at(stored, voxel);
     if (value == last)
       continue;
-    found[last = value] = true;
-    if (found.size() > mostLabels)
-      throw Error(Error::Kind::input, "It is no label map: it has more than 65535 different values; open a "
-                                      "segmentation, not the image that it was made of.");
+    last = value;
+    if (!seen.empty())
+      seen[static_cast<std::size_t>(value - lowest)] = true;
+    else if (found.insert(value).second && found.size() > mostLabels)
+      break;
   }
+  for (std::size_t n = 0; n < seen.size(); ++n)
+    if (seen[n])
+      found.insert(static_cast<int>(lowest) + static_cast<int>(n));
+  found.erase(0);
+  if (found.size() >= mostLabels)
+    throw Error(Error::Kind::input, "It is no label map: it has more than 65535 different values; open a "
+                                    "segmentation, not the image that it was made of.");
   std::vector<int> all{0};
-  for (const auto& [value, isFound] : found)
-    if (value != 0)
-      all.push_back(value);
+  all.insert(all.end(), found.begin(), found.end());
   return all;
 }
 
@@ -128,10 +149,10 @@ std::vector<Place> placesOn(const Grid& grid, const Volume& volume, const std::v
                             const std::vector<Label>& labels, const Effort& effort) {
   const Values values(volume);
   const NearestVoxel nearest(grid, volume.grid());
+  const PlacesByValue placeOf(labels);
   const glm::ivec3& dims = grid.dims;
   std::vector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 0);
   forEachPiece(dims.z, effort, [&](int z) {
-    PlacesByValue placeOf(labels);
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x)
         if (const std::ptrdiff_t voxel = nearest.at(x, y, z); voxel >= 0)

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace limn {
 namespace {
 
@@ -171,6 +173,28 @@ TEST_F(DicomSegmentation, cutAnywhereIsRefusedOrRead) {
     std::ofstream(folder.path() / "cut.dcm", std::ios::binary) << whole.substr(0, length);
     EXPECT_THROW((void)readLabels(folder.path() / "cut.dcm", gridOfVolume()), Error) << length;
   }
+}
+
+// Whatever bytes are changed: labels or a sentence.
+TEST_F(DicomSegmentation, damagedAtRandomIsRefusedOrRead) {
+  const std::string whole = segmentation().bytes();
+  std::mt19937 random(14);
+  int refused = 0;
+  for (int run = 0; run < 500; ++run) {
+    std::string damaged = whole;
+    for (int n = 0; n < 4; ++n)
+      damaged[128 + random() % (damaged.size() - 128)] = static_cast<char>(random());
+    std::ofstream(folder.path() / "damaged.dcm", std::ios::binary) << damaged;
+    try {
+      EXPECT_EQ(readLabels(folder.path() / "damaged.dcm", gridOfVolume()).labels->dims(),
+                gridOfVolume().dims);
+    } catch (const Error& error) {
+      EXPECT_FALSE(std::string(error.what()).empty());
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50);
+  EXPECT_LT(refused, 500);
 }
 
 } // namespace
