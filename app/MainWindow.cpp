@@ -143,7 +143,8 @@ void MainWindow::connectPanels() {
   connect(properties->labelSection(), &LabelSection::openRequested, &m_regions, &RegionDesk::askForLabels);
   connect(properties, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
-            m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()), gesture);
+            m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()),
+                           gesture);
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
