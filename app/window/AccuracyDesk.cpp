@@ -81,7 +81,8 @@ void AccuracyDesk::connectMeasurer() {
   connect(&m_measurer, &AccuracyMeasurer::progressed, &m_with.panel, &AccuracyPanel::showProgress);
   connect(&m_measurer, &AccuracyMeasurer::measured, this, [this](const MeasuredAccuracy& measured) {
     setWork(AccuracyWork::none);
-    m_with.panel.setMeasured(measured);
+    m_measured = measured.report;
+    m_with.panel.setMeasured(timedFor(measured, shownSize()));
   });
   connect(&m_measurer, &AccuracyMeasurer::stepsFound, this, &AccuracyDesk::useSteps);
   connect(&m_measurer, &AccuracyMeasurer::compared, this, &AccuracyDesk::showCompared);
@@ -129,7 +130,7 @@ void AccuracyDesk::showMap(bool shown) {
   if (!shown)
     return;
   m_compared = m_with.view.sceneOfSide(measuredSide());
-  measurer().compare(m_with.view.sceneOfRestingImage(measuredSide()), measuredSize());
+  measurer().compare(m_with.view.sceneOfRestingImage(measuredSide()), shownSize());
   setWork(AccuracyWork::comparing);
 }
 
@@ -202,11 +203,10 @@ void AccuracyDesk::save() {
 }
 
 void AccuracyDesk::write(const QString& path) {
-  const std::optional<MeasuredAccuracy>& measured = m_with.panel.measured();
-  if (!measured)
+  if (!m_measured)
     return;
   const auto writeFile = [&] {
-    const QByteArray bytes = accuracyFile(measured->report, QFileInfo(path).suffix().toLower());
+    const QByteArray bytes = accuracyFile(*m_measured, QFileInfo(path).suffix().toLower());
     writeFileAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
   };
   m_with.notes.attempt(writeFile, path);

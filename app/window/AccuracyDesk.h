@@ -63,8 +63,9 @@ private:
   Partners m_with;
   AccuracyMeasurer m_measurer;
   ErrorMapOverlay* m_map;
-  Gesture m_toleranceGesture; ///< for which steps are looked for
-  Scene m_compared;           ///< of which the map is shown or under way
+  std::optional<AccuracyReport> m_measured; ///< as measured: what is saved
+  Gesture m_toleranceGesture;               ///< for which steps are looked for
+  Scene m_compared;                         ///< of which the map is shown or under way
 };
 
 } // namespace limn

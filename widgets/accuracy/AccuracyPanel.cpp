@@ -64,6 +64,7 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   m_chart->setMeasured(&*m_measured);
   m_wish->setMeasured(holding());
   showScene();
+  bringIntoView(m_chart);
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {

@@ -52,7 +52,7 @@ protected:
   }
 
   void measure() {
-    panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0});
+    panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0, {}});
     for (int round = 0; round < 5; ++round) // layouts within layouts
       QCoreApplication::processEvents();
   }
@@ -212,13 +212,29 @@ TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
 TEST_F(AccuracyPanelTest, withoutAConvergedPictureNoErrorIsTold) {
   AccuracyReport report = sampleReport(pointsToMeasure(scene, 0.0));
   report.reference.converged = false;
-  panel.setMeasured({report, scene, 0.0});
+  panel.setMeasured({report, scene, 0.0, {}});
   EXPECT_TRUE(sentence().contains(QStringLiteral("not converged")));
   QTest::mouseClick(useLevels(), Qt::LeftButton);
   EXPECT_EQ(edits, 0);
   EXPECT_TRUE(answer().contains(QStringLiteral("not converged")));
   QTest::mouseClick(useMs(), Qt::LeftButton);
   EXPECT_EQ(edits, 1) << "a time can be kept without knowing the error";
+}
+
+TEST_F(AccuracyPanelTest, timesAreToldForThePictureOnScreenAndThatTheyWereScaled) {
+  const MeasuredAccuracy measured{sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0, {}};
+  const glm::ivec2 size = measured.report.size;
+  const MeasuredAccuracy scaled = timedFor(measured, 2 * size);
+  EXPECT_EQ(scaled.report.points[0].error, measured.report.points[0].error);
+  EXPECT_DOUBLE_EQ(scaled.report.points[0].ms.median, 4.0 * measured.report.points[0].ms.median);
+  panel.setMeasured(scaled);
+  // At half a voxel 30 ms for the picture that was measured.
+  EXPECT_TRUE(sentence().contains(QStringLiteral("120 ms"))) << sentence().toStdString();
+  const QString summary = panel.findChild<QLabel*>(QStringLiteral("summary"))->text();
+  EXPECT_TRUE(summary.contains(QStringLiteral("scaled"))) << summary.toStdString();
+  panel.setMeasured(timedFor(measured, size));
+  EXPECT_FALSE(
+      panel.findChild<QLabel*>(QStringLiteral("summary"))->text().contains(QStringLiteral("scaled")));
 }
 
 TEST_F(AccuracyPanelTest, progressStandsInThePanelAndCanBeCancelled) {

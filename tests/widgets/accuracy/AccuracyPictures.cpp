@@ -52,7 +52,7 @@ void savePanel(const QString& prefix) {
   panel.showProgress(0.4, QStringLiteral("Measuring rays, pre-integrated, step 1/4"));
   save(panel, {300, 900}, prefix + QStringLiteral("measuring.png"));
   panel.setWork(AccuracyWork::none);
-  panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0});
+  panel.setMeasured({sampleReport(pointsToMeasure(scene, 0.0)), scene, 0.0, {}});
   save(panel, {300, 1200}, prefix + QStringLiteral("measured.png"));
   save(panel, {420, 1200}, prefix + QStringLiteral("measured-wide.png"));
   scene.isovalue = 1.0;

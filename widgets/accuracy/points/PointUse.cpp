@@ -53,6 +53,16 @@ Scene contentOf(Scene scene) {
 
 } // namespace
 
+MeasuredAccuracy timedFor(MeasuredAccuracy measured, const glm::ivec2& size) {
+  const glm::ivec2& drawn = measured.report.size;
+  const double factor = double(size.x) * size.y / std::max(1.0, double(drawn.x) * drawn.y);
+  for (MeasuredPoint& point : measured.report.points)
+    for (double* ms : {&point.ms.median, &point.ms.least, &point.ms.most})
+      *ms *= factor;
+  measured.timedSize = size;
+  return measured;
+}
+
 std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm) {
   if (scene.quality.jitter)
     return std::nullopt;

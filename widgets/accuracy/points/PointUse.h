@@ -13,7 +13,11 @@ struct MeasuredAccuracy {
   AccuracyReport report;
   Scene scene;                ///< as measured; its quality does not matter
   double steepestPerMm = 0.0; ///< of its volume (SceneFacts), which decides on automatic pre-integration
+  glm::ivec2 timedSize{0};    ///< pixels for which its times are told; 0: those of the report
 };
+
+/// The same with its times told for a picture of `size` pixels: a ray takes as long in a larger picture.
+MeasuredAccuracy timedFor(MeasuredAccuracy measured, const glm::ivec2& size);
 
 /// The tolerance at the dial's exact end, levels.
 inline constexpr double exactToleranceLevels = 0.5;

@@ -58,6 +58,7 @@ void MeasuredSection::addMeasureChoice() {
 
 void MeasuredSection::setMeasured(const MeasuredAccuracy* measured) {
   m_report = measured ? measured->report : AccuracyReport{};
+  m_timedSize = measured ? measured->timedSize : glm::ivec2(0);
   m_chart->setReport(m_report);
   const bool isShown = !m_report.points.empty();
   m_chart->setVisible(isShown);
@@ -86,10 +87,14 @@ void MeasuredSection::showSummary() {
                           "from fast to exact."));
     return;
   }
-  const QString how = tr("At %1 × %2 pixels on %3.")
-                          .arg(m_report.size.x)
-                          .arg(m_report.size.y)
-                          .arg(QString::fromStdString(m_report.renderer));
+  QString how = tr("At %1 × %2 pixels on %3.")
+                    .arg(m_report.size.x)
+                    .arg(m_report.size.y)
+                    .arg(QString::fromStdString(m_report.renderer));
+  if (m_timedSize != glm::ivec2(0) && m_timedSize != m_report.size)
+    how += QLatin1Char(' ') + tr("Times are scaled from there to the %1 × %2 pixels on screen.")
+                                  .arg(m_timedSize.x)
+                                  .arg(m_timedSize.y);
   switch (m_relation) {
   case MeasuredFor::thisPicture:
     m_summary->setText(how);

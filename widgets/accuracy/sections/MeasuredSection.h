@@ -45,6 +45,7 @@ private:
   void showSummary();
 
   AccuracyReport m_report;
+  glm::ivec2 m_timedSize{0};
   MeasuredFor m_relation = MeasuredFor::thisPicture;
   QPushButton* m_measure;
   QPushButton* m_save;
