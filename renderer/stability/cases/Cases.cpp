@@ -11,7 +11,7 @@ std::vector<HardCase> hardCases() {
   for (const auto& group :
        {formulaCases, opacityCases, stepCases, rayCases, cameraCases, voxelCases, functionCases,
         volumeShapeCases, gradientCases, samplingCases, reuseCases, preintegrationCases, blendingCases,
-        highlightCases, projectionCases, driverCases}) {
+        highlightCases, projectionCases, driverCases, regionCases}) {
     std::vector<HardCase> more = group();
     std::move(more.begin(), more.end(), std::back_inserter(cases));
   }

@@ -25,5 +25,6 @@ std::vector<HardCase> blendingCases();       ///< colour times opacity, display 
 std::vector<HardCase> highlightCases();      ///< H40
 std::vector<HardCase> projectionCases();     ///< surfaces, extremes, turning: H41, H43, H44
 std::vector<HardCase> driverCases();         ///< timers, any camera: H45, H47
+std::vector<HardCase> regionCases();         ///< H48
 
 } // namespace limn
