@@ -18,12 +18,14 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/CameraGesture.h"
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
@@ -125,6 +127,8 @@ void MainWindow::connectView() {
   connect(view, &CompareView::sampleRequested, &m_opening, &OpeningDesk::openSample);
   connect(view, &CompareView::loadingCancelled, &m_opening, &OpeningDesk::cancel);
   connect(view, &CompareView::loadingCancelled, &m_regions, &RegionDesk::cancel);
+  connect(view, &CompareView::toolChanged, this,
+          [this](ViewTool tool) { checkOnly(*m_actions.tools, static_cast<int>(tool)); });
   connect(view, &CompareView::wipeMoved, &m_safety, &SessionSafety::noteChange);
 }
 
@@ -204,6 +208,9 @@ void MainWindow::connectActions() {
     const Camera& camera = m_session.scene().camera;
     m_session.setCamera(withProjection(camera, isChosen ? Camera::Projection::orthographic
                                                         : Camera::Projection::perspective));
+  });
+  connect(m_actions.tools, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
+    m_centre.view->setTool(static_cast<ViewTool>(chosen->data().toInt()));
   });
   connect(m_actions.views, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
     m_centre.view->lookFrom(static_cast<StandardView>(chosen->data().toInt()));
@@ -344,6 +351,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_opening.cancel();
   m_safety.end();
   event->accept();
+}
+
+// Esc that nothing nearer to the keyboard has a use for.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape)
+    m_centre.view->setTool(ViewTool::rotate);
+  else
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

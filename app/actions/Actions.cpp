@@ -6,6 +6,7 @@
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
 #include "widgets/shading/ModelSection.h"
+#include "widgets/view/gestures/CameraGesture.h"
 
 #include <QUndoStack>
 
@@ -24,6 +25,7 @@ Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window
   makeEditActions(history);
   makeLayouts();
   makeModels();
+  makeTools();
   makeViews();
   makeViewActions();
   makeThemes();
@@ -116,6 +118,27 @@ void Actions::makeModels() {
   }
 }
 
+// The keys belong to the picture (ViewKeys), which is why these only name them.
+void Actions::makeTools() {
+  tools = new QActionGroup(&m_window);
+  const auto add = [this](ViewTool tool, const char* name, const QString& text, const QString& key,
+                          const QString& tip) {
+    const QByteArray icon = QByteArray("tool-") + name;
+    addChoice(*tools, QLatin1String(icon), static_cast<int>(tool),
+              {.text = QStringLiteral("%1\t%2").arg(text, key),
+               .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
+               .icon = icon.constData(),
+               .isCheckable = true});
+    tools->actions().back()->setIconText(text);
+  };
+  add(ViewTool::rotate, "rotate", tr("Rotate"), tr("[ or Esc"), tr("rotate the picture"));
+  add(ViewTool::pan, "pan", tr("Pan"), tr("M"), tr("move the picture"));
+  add(ViewTool::zoom, "zoom", tr("Zoom"), tr("Z"), tr("up is nearer"));
+  add(ViewTool::windowLevel, "window-level", tr("Window/level"), tr("W"),
+      tr("right widens the window, up raises its level"));
+  checkOnly(*tools, static_cast<int>(ViewTool::rotate));
+}
+
 void Actions::makeViews() {
   views = new QActionGroup(&m_window);
   const auto add = [this](StandardView view, const char* name, const QString& text) {
@@ -192,8 +215,9 @@ void Actions::setVolumeOpen(bool isOpen) const {
   for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
                           closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset})
     action->setEnabled(isOpen);
-  for (QAction* action : views->actions())
-    action->setEnabled(isOpen);
+  for (const QActionGroup* group : {views, tools})
+    for (QAction* action : group->actions())
+      action->setEnabled(isOpen);
 }
 
 void checkOnly(const QActionGroup& group, const QVariant& data) {

@@ -42,6 +42,7 @@ public:
 
   QActionGroup* layouts = nullptr; ///< data: CompareLayout as int
   QActionGroup* models = nullptr;  ///< data: ShadingModel as int
+  QActionGroup* tools = nullptr;   ///< data: ViewTool as int
   QActionGroup* views = nullptr;   ///< data: StandardView as int
   QAction* resetCamera = nullptr;
   QAction* orthographic = nullptr;
@@ -67,6 +68,7 @@ private:
   void makeEditActions(QUndoStack& history);
   void makeLayouts();
   void makeModels();
+  void makeTools();
   void makeViews();
   void makeViewActions();
   void makeThemes();

@@ -40,6 +40,7 @@ QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>
   QMenu* menu = bar.addMenu(QObject::tr("&View"));
   menu->addActions(actions.layouts->actions());
   menu->addSeparator();
+  menu->addMenu(QObject::tr("Left &drag"))->addActions(actions.tools->actions());
   QMenu* views = menu->addMenu(QObject::tr("&Look from"));
   views->addActions(actions.views->actions());
   views->addSeparator();
@@ -76,6 +77,8 @@ void makeToolBar(QMainWindow& window, Actions& actions, QMenu* recent, QMenu* vi
   bar->addWidget(open);
   bar->addSeparator();
   bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  bar->addActions(actions.tools->actions());
   bar->addSeparator();
   bar->addActions(actions.models->actions());
   bar->addSeparator();
