@@ -152,6 +152,8 @@ void MainWindow::connectPanels() {
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
+  connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
+  connect(m_panels.presets, &PresetBrowser::duplicateRequested, &m_presets, &PresetDesk::duplicate);
   connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
   connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);
   connect(m_panels.effects, &EffectsPanel::measureRequested, m_centre.view, &CompareView::measureEffects);
