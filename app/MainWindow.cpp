@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/actions/HelpBoxes.h"
+#include "app/actions/ModelMenus.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
 #include "app/window/MessageBar.h"
@@ -139,6 +140,7 @@ void MainWindow::connectPanels() {
           &Session::setGradientOpacity);
   PropertiesPanel* properties = m_panels.properties;
   connect(properties, &PropertiesPanel::shadingEdited, &m_session, &Session::setShading);
+  connect(properties, &PropertiesPanel::modelChosen, &m_comparison, &ComparisonDesk::setSideModel);
   connect(properties, &PropertiesPanel::qualityEdited, &m_session, &Session::setQuality);
   connect(properties, &PropertiesPanel::isovalueEdited, &m_session, &Session::setIsovalue);
   connect(properties, &PropertiesPanel::fogEdited, &m_session, &Session::setFog);
@@ -168,6 +170,7 @@ void MainWindow::connectScene() {
   connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
           [this](bool clean) { setWindowModified(!clean); });
   connect(&m_comparison, &ComparisonDesk::modelsShown, m_panels.properties, &PropertiesPanel::setModelsShown);
+  connect(&m_comparison, &ComparisonDesk::modelsShown, m_menus.models, &ModelMenus::show);
   connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);

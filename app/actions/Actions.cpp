@@ -107,14 +107,12 @@ void Actions::makeLayouts() {
 }
 
 void Actions::makeModels() {
-  models = new QActionGroup(&m_window);
-  models->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-  for (const ShadingModel model : shadingModels) {
-    const QString name = modelName(model);
-    addChoice(*models, QStringLiteral("model-") + QLatin1String(nameOf(model)), static_cast<int>(model),
-              {.text = name,
-               .toolTip = tr("Shows one picture with the %1 model.").arg(name.toLower()),
-               .isCheckable = true});
+  for (std::size_t side = 0; side < models.size(); ++side) {
+    models[side] = new QActionGroup(&m_window);
+    const QString name = side == 0 ? QStringLiteral("model-left-") : QStringLiteral("model-right-");
+    for (const ShadingModel model : shadingModels)
+      addChoice(*models[side], name + QLatin1String(nameOf(model)), static_cast<int>(model),
+                {.text = modelName(model), .isCheckable = true});
   }
 }
 

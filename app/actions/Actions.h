@@ -7,6 +7,8 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 
+#include <array>
+
 class QUndoStack;
 
 namespace limn {
@@ -41,9 +43,10 @@ public:
   QAction* copyPicture = nullptr;
 
   QActionGroup* layouts = nullptr; ///< data: CompareLayout as int
-  QActionGroup* models = nullptr;  ///< data: ShadingModel as int
-  QActionGroup* tools = nullptr;   ///< data: ViewTool as int
-  QActionGroup* views = nullptr;   ///< data: StandardView as int
+  std::array<QActionGroup*, 2>
+      models{};                  ///< of the sides, the first also of a single picture; data: ShadingModel
+  QActionGroup* tools = nullptr; ///< data: ViewTool as int
+  QActionGroup* views = nullptr; ///< data: StandardView as int
   QAction* resetCamera = nullptr;
   QAction* orthographic = nullptr;
   QAction* cropBox = nullptr;
