@@ -57,7 +57,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_centre(*this, m_openGl,
                firstEngine(m_settings, m_openGl).isProcessor ? ViewEngine::processor : ViewEngine::driver),
       m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
-      m_pictures(*m_centre.view, *statusBar(), this), m_status(*statusBar()),
+      m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_comparison(m_session, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
@@ -180,6 +180,11 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
+  connect(&m_opening, &OpeningDesk::recentChanged, m_centre.view, &CompareView::setRecentSources);
+  m_centre.view->setRecentSources(m_opening.recentTexts());
+  connect(m_centre.view, &CompareView::recentRequested, &m_opening, &OpeningDesk::openRecent);
+  connect(&m_session.undoStack(), &QUndoStack::indexChanged, &m_opening, &OpeningDesk::leaveFailure);
+  connect(m_actions.layouts, &QActionGroup::triggered, &m_opening, &OpeningDesk::leaveFailure);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningDesk::restore);
   connect(m_menus.file, &QMenu::aboutToShow, &m_safety, &SessionSafety::refreshMenu);
 }
@@ -295,7 +300,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_document.settle(sessionDocument());
     m_safety.noteChange();
   }
-  m_opening.remember(m_document.request().source, labelOf(m_document));
+  m_opening.remember(m_document.request().source, labelOf(m_document), m_document.volumePath());
   updateTitle();
 }
 

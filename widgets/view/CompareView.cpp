@@ -90,6 +90,7 @@ void CompareView::connectInput() {
   connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
   connect(m_panels, &PanelStack::loadingCancelled, this,
           [this] { m_isPreparing ? m_engines->cancelPreparing() : emit loadingCancelled(); });
+  connect(m_panels, &PanelStack::recentRequested, this, &CompareView::recentRequested);
 }
 
 void CompareView::connectFit() {
@@ -202,6 +203,10 @@ void CompareView::setTool(ViewTool tool) {
 
 ViewTool CompareView::tool() const {
   return m_input->tool();
+}
+
+void CompareView::setRecentSources(const QStringList& texts) {
+  m_panels->setRecentSources(texts);
 }
 
 void CompareView::setLoading(double fraction, const QString& text) {

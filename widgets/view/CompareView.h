@@ -86,6 +86,9 @@ public:
   void setTool(ViewTool tool);
   ViewTool tool() const;
 
+  /// What was opened before, offered where there is no volume; latest first.
+  void setRecentSources(const QStringList& texts);
+
   /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
@@ -145,6 +148,7 @@ signals:
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
+  void recentRequested(int number); ///< of setRecentSources, from 0 on
   void loadingCancelled();
 
 protected:
