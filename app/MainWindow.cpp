@@ -62,7 +62,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_comparison(m_session, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
-      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}), m_curves(*m_panels.curves),
+      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}),
+      m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *m_centre.messages, *this}),
+      m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -149,7 +151,8 @@ void MainWindow::connectPanels() {
   connect(properties->labelSection(), &LabelSection::openRequested, &m_regions, &RegionDesk::askForLabels);
   connect(properties, &PropertiesPanel::projectionEdited, this,
           [this](Projection projection, const Gesture& gesture) {
-            m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()), gesture);
+            m_session.edit(m_projections.changed(m_session.scene(), projection, m_document.histogram()),
+                           gesture);
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
@@ -314,8 +317,12 @@ void MainWindow::showRemarks(const LoadedScene& loaded) {
         const auto& open = m_session.scene().volume;
         m_opening.askForSpacing(m_document.request(), open ? open->grid().spacingMm : glm::dvec3(1.0));
       }};
+  const MessageBar::Action setOrientation{tr("Set orientation…"), [this] { m_orientation.ask(); }};
+  const VolumeInfo& info = volume.info();
   m_centre.messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
-                          volume.info().spacingKnown ? MessageBar::Action{} : setSpacing);
+                          !info.spacingKnown       ? setSpacing
+                          : !info.orientationKnown ? setOrientation
+                                                   : MessageBar::Action{});
 }
 
 void MainWindow::closeVolume() {

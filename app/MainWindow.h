@@ -19,6 +19,7 @@
 #include "app/window/CurveDesk.h"
 #include "app/window/Docks.h"
 #include "app/window/EngineDesk.h"
+#include "app/window/OrientationDesk.h"
 #include "app/window/RegionDesk.h"
 #include "app/window/StatusTexts.h"
 
@@ -104,6 +105,7 @@ private:
   ComparisonDesk m_comparison;
   EngineDesk m_engines;
   CropBoxDesk m_cropBox;
+  OrientationDesk m_orientation;
   RegionDesk m_regions;
   CurveDesk m_curves;
   PresetDesk m_presets;

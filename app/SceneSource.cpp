@@ -9,6 +9,7 @@
 #include "scene/framing/Framing.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/view/FirstView.h"
+#include "scene/volume/Orientation.h"
 #include "scene/volume/Phantom.h"
 
 #include <algorithm>
@@ -155,7 +156,8 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.scene = std::move(document.scene);
   const std::string source = volumeOf(document, options);
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
-  loaded.scene.volume = opened.volume;
+  loaded.scene.volume =
+      document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
   loaded.volumePath = opened.path;
   loaded.read = options.read;
   keepPart(loaded, document.keep, options, progress);

@@ -149,6 +149,9 @@ void Actions::makeViews() {
   add(StandardView::superior, "superior", tr("Superior (above)"));
   add(StandardView::inferior, "inferior", tr("Inferior (below)"));
   resetCamera = made("resetCamera", {.text = tr("Reset camera")});
+  setOrientation =
+      made("setOrientation", {.text = tr("Set &orientation…"),
+                              .toolTip = tr("Says which side is left where the volume's file does not.")});
 }
 
 void Actions::makeViewActions() {

@@ -48,6 +48,7 @@ public:
   QActionGroup* tools = nullptr; ///< data: ViewTool as int
   QActionGroup* views = nullptr; ///< data: StandardView as int
   QAction* resetCamera = nullptr;
+  QAction* setOrientation = nullptr; ///< enabled where a file says nothing
   QAction* orthographic = nullptr;
   QAction* cropBox = nullptr;
   QAction* bodyOnly = nullptr;

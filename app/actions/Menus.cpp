@@ -54,6 +54,7 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   views->addActions(actions.views->actions());
   views->addSeparator();
   views->addAction(actions.resetCamera);
+  views->addAction(actions.setOrientation);
   menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly, actions.refineAtRest});
   menu->addSeparator();
   menu->addActions(panels);

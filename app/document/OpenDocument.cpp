@@ -59,6 +59,8 @@ SessionDocument OpenDocument::described() const {
   session.scene.scene.keep = {};
   session.scene.keep = keptPartOf(scene().keep);
   session.scene.volume = volumePath();
+  if (scene().volume)
+    session.scene.orientation = scene().volume->info().orientationByHand;
   session.scene.hasCamera = true;
   session.scene.hasTransferFunction = true;
   session.series = m_request.options.read.series;

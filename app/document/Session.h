@@ -33,7 +33,8 @@ public:
   /// Shows a freshly loaded scene, made from `preset`; the history of the former one ends.
   void open(const LoadedScene& loaded, const Preset& preset = {});
 
-  /// Replaces everything but volume and camera as one undo step named by the gesture; edits with the gesture
+  /// Replaces everything but the camera as one undo step (a volume only by the same voxels where they lie
+  /// otherwise) named by the gesture; edits with the gesture
   /// id of the step on top extend it. An equal scene changes nothing.
   void edit(const Scene& next, const Gesture& gesture);
 

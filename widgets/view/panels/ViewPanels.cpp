@@ -33,7 +33,7 @@ QProgressBar { background: #262a33; border: none; }
 QProgressBar::chunk { background: #4da3ff; }
 )");
 
-constexpr int mostRecentShown = 5;
+constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
