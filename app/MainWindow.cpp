@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/actions/HelpBoxes.h"
+#include "app/actions/ModelMenus.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
 #include "app/window/MessageBar.h"
@@ -18,12 +19,14 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/CameraGesture.h"
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
@@ -54,12 +57,14 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_centre(*this, m_openGl,
                firstEngine(m_settings, m_openGl).isProcessor ? ViewEngine::processor : ViewEngine::driver),
       m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
-      m_pictures(*m_centre.view, *statusBar(), this), m_status(*statusBar()),
+      m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_comparison(m_session, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
-      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}), m_curves(*m_panels.curves),
+      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}),
+      m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *m_centre.messages, *this}),
+      m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -125,6 +130,8 @@ void MainWindow::connectView() {
   connect(view, &CompareView::sampleRequested, &m_opening, &OpeningDesk::openSample);
   connect(view, &CompareView::loadingCancelled, &m_opening, &OpeningDesk::cancel);
   connect(view, &CompareView::loadingCancelled, &m_regions, &RegionDesk::cancel);
+  connect(view, &CompareView::toolChanged, this,
+          [this](ViewTool tool) { checkOnly(*m_actions.tools, static_cast<int>(tool)); });
   connect(view, &CompareView::wipeMoved, &m_safety, &SessionSafety::noteChange);
 }
 
@@ -135,6 +142,7 @@ void MainWindow::connectPanels() {
           &Session::setGradientOpacity);
   PropertiesPanel* properties = m_panels.properties;
   connect(properties, &PropertiesPanel::shadingEdited, &m_session, &Session::setShading);
+  connect(properties, &PropertiesPanel::modelChosen, &m_comparison, &ComparisonDesk::setSideModel);
   connect(properties, &PropertiesPanel::qualityEdited, &m_session, &Session::setQuality);
   connect(properties, &PropertiesPanel::isovalueEdited, &m_session, &Session::setIsovalue);
   connect(properties, &PropertiesPanel::fogEdited, &m_session, &Session::setFog);
@@ -149,6 +157,8 @@ void MainWindow::connectPanels() {
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
+  connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
+  connect(m_panels.presets, &PresetBrowser::duplicateRequested, &m_presets, &PresetDesk::duplicate);
   connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
   connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);
   connect(m_panels.effects, &EffectsPanel::measureRequested, m_centre.view, &CompareView::measureEffects);
@@ -163,6 +173,7 @@ void MainWindow::connectScene() {
   connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
           [this](bool clean) { setWindowModified(!clean); });
   connect(&m_comparison, &ComparisonDesk::modelsShown, m_panels.properties, &PropertiesPanel::setModelsShown);
+  connect(&m_comparison, &ComparisonDesk::modelsShown, m_menus.models, &ModelMenus::show);
   connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
@@ -172,6 +183,11 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
+  connect(&m_opening, &OpeningDesk::recentChanged, m_centre.view, &CompareView::setRecentSources);
+  m_centre.view->setRecentSources(m_opening.recentTexts());
+  connect(m_centre.view, &CompareView::recentRequested, &m_opening, &OpeningDesk::openRecent);
+  connect(&m_session.undoStack(), &QUndoStack::indexChanged, &m_opening, &OpeningDesk::leaveFailure);
+  connect(m_actions.layouts, &QActionGroup::triggered, &m_opening, &OpeningDesk::leaveFailure);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningDesk::restore);
   connect(m_menus.file, &QMenu::aboutToShow, &m_safety, &SessionSafety::refreshMenu);
 }
@@ -205,6 +221,9 @@ void MainWindow::connectActions() {
     const Camera& camera = m_session.scene().camera;
     m_session.setCamera(withProjection(camera, isChosen ? Camera::Projection::orthographic
                                                         : Camera::Projection::perspective));
+  });
+  connect(m_actions.tools, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
+    m_centre.view->setTool(static_cast<ViewTool>(chosen->data().toInt()));
   });
   connect(m_actions.views, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
     m_centre.view->lookFrom(static_cast<StandardView>(chosen->data().toInt()));
@@ -284,7 +303,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_document.settle(sessionDocument());
     m_safety.noteChange();
   }
-  m_opening.remember(m_document.request().source, labelOf(m_document));
+  m_opening.remember(m_document.request().source, labelOf(m_document), m_document.volumePath());
   updateTitle();
 }
 
@@ -298,8 +317,12 @@ void MainWindow::showRemarks(const LoadedScene& loaded) {
         const auto& open = m_session.scene().volume;
         m_opening.askForSpacing(m_document.request(), open ? open->grid().spacingMm : glm::dvec3(1.0));
       }};
+  const MessageBar::Action setOrientation{tr("Set orientation…"), [this] { m_orientation.ask(); }};
+  const VolumeInfo& info = volume.info();
   m_centre.messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
-                          volume.info().spacingKnown ? MessageBar::Action{} : setSpacing);
+                          !info.spacingKnown       ? setSpacing
+                          : !info.orientationKnown ? setOrientation
+                                                   : MessageBar::Action{});
 }
 
 void MainWindow::closeVolume() {
@@ -345,6 +368,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_opening.cancel();
   m_safety.end();
   event->accept();
+}
+
+// Esc that nothing nearer to the keyboard has a use for.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape)
+    m_centre.view->setTool(ViewTool::rotate);
+  else
+    QMainWindow::keyPressEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -19,6 +19,7 @@
 #include "app/window/CurveDesk.h"
 #include "app/window/Docks.h"
 #include "app/window/EngineDesk.h"
+#include "app/window/OrientationDesk.h"
 #include "app/window/RegionDesk.h"
 #include "app/window/StatusTexts.h"
 
@@ -66,6 +67,7 @@ public:
 
 protected:
   void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -103,6 +105,7 @@ private:
   ComparisonDesk m_comparison;
   EngineDesk m_engines;
   CropBoxDesk m_cropBox;
+  OrientationDesk m_orientation;
   RegionDesk m_regions;
   CurveDesk m_curves;
   PresetDesk m_presets;

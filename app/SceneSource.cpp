@@ -4,16 +4,19 @@
 #include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
+#include "io/scenefile/ForeignJson.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/framing/Framing.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/view/FirstView.h"
+#include "scene/volume/Orientation.h"
 #include "scene/volume/Phantom.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <fstream>
+#include <set>
 
 namespace limn {
 namespace {
@@ -77,8 +80,11 @@ std::optional<std::string> sceneText(const fs::path& path) {
   std::error_code unknown;
   if (!fs::is_regular_file(path, unknown))
     return std::nullopt;
-  if (lowerExtension(path) == ".json")
-    return readTextFile(path);
+  if (lowerExtension(path) == ".json") {
+    std::string text = readTextFile(path);
+    refuseForeignJson(text, path.filename().string());
+    return text;
+  }
   char first = 0;
   std::ifstream(path, std::ios::binary) >> first; // behind white space
   if (first != '{' || fs::file_size(path, unknown) > mostSceneBytes || unknown)
@@ -115,9 +121,12 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   if (const auto referred = options.references.find(name); referred != options.references.end())
     if (fs::exists(referred->second))
       return referred->second.string();
+  std::set<fs::path> found;
   for (const fs::path& known : options.knownVolumes)
     if (known.filename() == name && fs::exists(known))
-      return known.string();
+      found.insert(known);
+  if (found.size() == 1)
+    return found.begin()->string();
   throw VolumeMissing(document.volume);
 }
 
@@ -147,7 +156,8 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.scene = std::move(document.scene);
   const std::string source = volumeOf(document, options);
   const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
-  loaded.scene.volume = opened.volume;
+  loaded.scene.volume =
+      document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
   loaded.volumePath = opened.path;
   loaded.read = options.read;
   keepPart(loaded, document.keep, options, progress);

@@ -34,7 +34,8 @@ private:
 struct SourceOptions {
   ReadOptions read;
   std::optional<std::filesystem::path> volume; ///< replaces the volume that a scene or picture names
-  /// Where else a scene's volume may be: files and folders opened before. One of the same name is taken.
+  /// Where else a scene's volume may be: files and folders opened before. The one of the same name is taken;
+  /// of several none, because they may be of several patients.
   std::vector<std::filesystem::path> knownVolumes;
   /// Volumes by the names that stand for them in scenes, because their own may name the patient.
   std::map<std::string, std::filesystem::path> references;

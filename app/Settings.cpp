@@ -8,6 +8,7 @@
 #include "widgets/view/pictures/InteractionQuality.h"
 
 #include <QDateTime>
+#include <QFileInfo>
 #include <QRandomGenerator>
 
 #include <algorithm>
@@ -26,12 +27,15 @@ const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
 const std::string trialPrefix = "trial/";
+const std::string folderKey = "dialogFolder";
 const std::string recentPrefix = "recent/";
+const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
 const std::string pathSuffix = "/path";
 const std::string labelSuffix = "/label";
 const std::string openedSuffix = "/opened";
 constexpr std::size_t mostRecent = 10;
+constexpr std::size_t mostKnown = 100;
 
 // The name in the keys PREFIX name /path that holds this path; empty where there is none.
 std::string nameOf(const SettingsDocument& values, const std::string& prefix, const std::string& path) {
@@ -45,25 +49,24 @@ std::string newName() {
   return QString::number(QRandomGenerator::system()->generate64(), 36).toStdString();
 }
 
-struct RecentEntry {
+struct DatedEntry {
   std::string name;
   std::string opened;
 };
 
-// The recent ones, latest first. ISO dates sort like texts.
-std::vector<RecentEntry> recentEntries(const SettingsDocument& values) {
-  std::vector<RecentEntry> entries;
+// Those under PREFIX name, latest first. ISO dates sort like texts.
+std::vector<DatedEntry> datedEntries(const SettingsDocument& values, const std::string& prefix) {
+  std::vector<DatedEntry> entries;
   for (const auto& [key, value] : values)
-    if (key.starts_with(recentPrefix) && key.ends_with(openedSuffix))
-      entries.push_back(
-          {key.substr(recentPrefix.size(), key.size() - recentPrefix.size() - openedSuffix.size()), value});
-  std::ranges::sort(entries, [](const RecentEntry& a, const RecentEntry& b) { return a.opened > b.opened; });
+    if (key.starts_with(prefix) && key.ends_with(openedSuffix))
+      entries.push_back({key.substr(prefix.size(), key.size() - prefix.size() - openedSuffix.size()), value});
+  std::ranges::sort(entries, [](const DatedEntry& a, const DatedEntry& b) { return a.opened > b.opened; });
   return entries;
 }
 
 // This moment, or where the clock shows the same millisecond still, or an earlier one, the next behind them
 // all.
-QString laterThanAll(const std::vector<RecentEntry>& latestFirst) {
+QString laterThanAll(const std::vector<DatedEntry>& latestFirst) {
   QDateTime now = QDateTime::currentDateTimeUtc();
   if (!latestFirst.empty()) {
     const auto last =
@@ -74,9 +77,24 @@ QString laterThanAll(const std::vector<RecentEntry>& latestFirst) {
   return now.toString(Qt::ISODateWithMs);
 }
 
-void forget(SettingsDocument& values, const std::string& name) {
+void forget(SettingsDocument& values, const std::string& prefix, const std::string& name) {
   for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
-    values.erase(recentPrefix + name + suffix);
+    values.erase(prefix + name + suffix);
+}
+
+// Puts a path first under PREFIX and returns its name there; beyond `most` the last ones go.
+std::string putFirst(SettingsDocument& values, const std::string& prefix, const std::string& path,
+                     const std::string& fresh, std::size_t most) {
+  std::string name = nameOf(values, prefix, path);
+  if (name.empty())
+    name = fresh;
+  const QString now = laterThanAll(datedEntries(values, prefix));
+  values[prefix + name + pathSuffix] = path;
+  values[prefix + name + openedSuffix] = now.toStdString();
+  const std::vector<DatedEntry> entries = datedEntries(values, prefix);
+  for (std::size_t i = most; i < entries.size(); ++i)
+    forget(values, prefix, entries[i].name);
+  return name;
 }
 
 constexpr std::pair<EngineSetting, const char*> engineWords[] = {
@@ -169,7 +187,7 @@ void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
 QList<RecentSource> Settings::recentSources() {
   readAgain();
   QList<RecentSource> sources;
-  for (const RecentEntry& entry : recentEntries(m_values))
+  for (const DatedEntry& entry : datedEntries(m_values, recentPrefix))
     sources << RecentSource{text(recentPrefix + entry.name + pathSuffix),
                             text(recentPrefix + entry.name + labelSuffix),
                             QString::fromStdString(entry.opened)};
@@ -180,30 +198,47 @@ void Settings::addRecentSource(const QString& source, const QString& label) {
   const std::string path = source.toStdString();
   const std::string fresh = newName();
   change([&](SettingsDocument& values) {
-    std::string name = nameOf(values, recentPrefix, path);
-    if (name.empty())
-      name = fresh;
-    const QString now = laterThanAll(recentEntries(values));
-    values[recentPrefix + name + pathSuffix] = path;
+    const std::string name = putFirst(values, recentPrefix, path, fresh, mostRecent);
     values[recentPrefix + name + labelSuffix] = label.toStdString();
-    values[recentPrefix + name + openedSuffix] = now.toStdString();
-    const std::vector<RecentEntry> entries = recentEntries(values);
-    for (std::size_t i = mostRecent; i < entries.size(); ++i)
-      forget(values, entries[i].name);
   });
 }
 
 void Settings::removeRecentSource(const QString& path) {
   if (!nameOf(m_values, recentPrefix, path.toStdString()).empty())
-    change(
-        [&](SettingsDocument& values) { forget(values, nameOf(values, recentPrefix, path.toStdString())); });
+    change([&](SettingsDocument& values) {
+      forget(values, recentPrefix, nameOf(values, recentPrefix, path.toStdString()));
+    });
 }
 
 void Settings::clearRecentSources() {
   change([](SettingsDocument& values) {
-    for (const RecentEntry& entry : recentEntries(values))
-      forget(values, entry.name);
+    for (const std::string& prefix : {recentPrefix, knownPrefix})
+      for (const DatedEntry& entry : datedEntries(values, prefix))
+        forget(values, prefix, entry.name);
+    values.erase(folderKey);
   });
+}
+
+std::vector<fs::path> Settings::knownVolumes() {
+  readAgain();
+  std::vector<fs::path> known;
+  for (const DatedEntry& entry : datedEntries(m_values, knownPrefix))
+    known.emplace_back(text(knownPrefix + entry.name + pathSuffix).toStdString());
+  return known;
+}
+
+void Settings::addKnownVolume(const std::string& path) {
+  const std::string fresh = newName();
+  change([&](SettingsDocument& values) { putFirst(values, knownPrefix, path, fresh, mostKnown); });
+}
+
+QString Settings::dialogFolder() const {
+  const QString folder = text(folderKey);
+  return QFileInfo(folder).isDir() ? folder : QString();
+}
+
+void Settings::setDialogFolder(const QString& folder) {
+  set(folderKey, folder);
 }
 
 std::string Settings::referenceTo(const std::string& path, const std::string& kind) {

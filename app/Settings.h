@@ -9,7 +9,9 @@
 #include <QList>
 #include <QString>
 
+#include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace limn {
 
@@ -39,7 +41,17 @@ public:
   QList<RecentSource> recentSources();
   void addRecentSource(const QString& path, const QString& label);
   void removeRecentSource(const QString& path);
+  /// Forgets where volumes were opened, and the folder of the dialogs, too.
   void clearRecentSources();
+
+  /// Where volumes lie that were opened before, most recent first, at most a hundred: a scene, session or
+  /// picture of one finds it there.
+  std::vector<std::filesystem::path> knownVolumes();
+  void addKnownVolume(const std::string& path);
+
+  /// In which the last dialog for a file ended; empty where it is none any more.
+  QString dialogFolder() const;
+  void setDialogFolder(const QString& folder);
 
   /// A name that stands for a path which must not be written elsewhere, the same each time. A new one begins
   /// with `kind`.

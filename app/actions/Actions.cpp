@@ -6,6 +6,7 @@
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
 #include "widgets/shading/ModelSection.h"
+#include "widgets/view/gestures/CameraGesture.h"
 
 #include <QUndoStack>
 
@@ -24,6 +25,7 @@ Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window
   makeEditActions(history);
   makeLayouts();
   makeModels();
+  makeTools();
   makeViews();
   makeViewActions();
   makeThemes();
@@ -105,15 +107,34 @@ void Actions::makeLayouts() {
 }
 
 void Actions::makeModels() {
-  models = new QActionGroup(&m_window);
-  models->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-  for (const ShadingModel model : shadingModels) {
-    const QString name = modelName(model);
-    addChoice(*models, QStringLiteral("model-") + QLatin1String(nameOf(model)), static_cast<int>(model),
-              {.text = name,
-               .toolTip = tr("Shows one picture with the %1 model.").arg(name.toLower()),
-               .isCheckable = true});
+  for (std::size_t side = 0; side < models.size(); ++side) {
+    models[side] = new QActionGroup(&m_window);
+    const QString name = side == 0 ? QStringLiteral("model-left-") : QStringLiteral("model-right-");
+    for (const ShadingModel model : shadingModels)
+      addChoice(*models[side], name + QLatin1String(nameOf(model)), static_cast<int>(model),
+                {.text = modelName(model), .isCheckable = true});
   }
+}
+
+// The keys belong to the picture (ViewKeys), which is why these only name them.
+void Actions::makeTools() {
+  tools = new QActionGroup(&m_window);
+  const auto add = [this](ViewTool tool, const char* name, const QString& text, const QString& key,
+                          const QString& tip) {
+    const QByteArray icon = QByteArray("tool-") + name;
+    addChoice(*tools, QLatin1String(icon), static_cast<int>(tool),
+              {.text = QStringLiteral("%1\t%2").arg(text, key),
+               .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
+               .icon = icon.constData(),
+               .isCheckable = true});
+    tools->actions().back()->setIconText(text);
+  };
+  add(ViewTool::rotate, "rotate", tr("Rotate"), tr("[ or Esc"), tr("rotate the picture"));
+  add(ViewTool::pan, "pan", tr("Pan"), tr("M"), tr("move the picture"));
+  add(ViewTool::zoom, "zoom", tr("Zoom"), tr("Z"), tr("up is nearer"));
+  add(ViewTool::windowLevel, "window-level", tr("Window/level"), tr("W"),
+      tr("right widens the window, up raises its level"));
+  checkOnly(*tools, static_cast<int>(ViewTool::rotate));
 }
 
 void Actions::makeViews() {
@@ -128,6 +149,9 @@ void Actions::makeViews() {
   add(StandardView::superior, "superior", tr("Superior (above)"));
   add(StandardView::inferior, "inferior", tr("Inferior (below)"));
   resetCamera = made("resetCamera", {.text = tr("Reset camera")});
+  setOrientation =
+      made("setOrientation", {.text = tr("Set &orientation…"),
+                              .toolTip = tr("Says which side is left where the volume's file does not.")});
 }
 
 void Actions::makeViewActions() {
@@ -192,8 +216,9 @@ void Actions::setVolumeOpen(bool isOpen) const {
   for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
                           closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset})
     action->setEnabled(isOpen);
-  for (QAction* action : views->actions())
-    action->setEnabled(isOpen);
+  for (const QActionGroup* group : {views, tools})
+    for (QAction* action : group->actions())
+      action->setEnabled(isOpen);
 }
 
 void checkOnly(const QActionGroup& group, const QVariant& data) {

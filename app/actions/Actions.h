@@ -7,6 +7,8 @@
 #include <QActionGroup>
 #include <QCoreApplication>
 
+#include <array>
+
 class QUndoStack;
 
 namespace limn {
@@ -41,9 +43,12 @@ public:
   QAction* copyPicture = nullptr;
 
   QActionGroup* layouts = nullptr; ///< data: CompareLayout as int
-  QActionGroup* models = nullptr;  ///< data: ShadingModel as int
-  QActionGroup* views = nullptr;   ///< data: StandardView as int
+  std::array<QActionGroup*, 2>
+      models{};                  ///< of the sides, the first also of a single picture; data: ShadingModel
+  QActionGroup* tools = nullptr; ///< data: ViewTool as int
+  QActionGroup* views = nullptr; ///< data: StandardView as int
   QAction* resetCamera = nullptr;
+  QAction* setOrientation = nullptr; ///< enabled where a file says nothing
   QAction* orthographic = nullptr;
   QAction* cropBox = nullptr;
   QAction* bodyOnly = nullptr;
@@ -67,6 +72,7 @@ private:
   void makeEditActions(QUndoStack& history);
   void makeLayouts();
   void makeModels();
+  void makeTools();
   void makeViews();
   void makeViewActions();
   void makeThemes();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/HelpBoxes.h"
 
+#include <QList>
 #include <QMessageBox>
 
 namespace limn {
@@ -13,30 +14,54 @@ void showBox(QWidget* parent, const QString& title, const QString& text) {
   box->show();
 }
 
+struct HelpRow {
+  QString gesture; ///< empty: `effect` is a heading
+  QString effect;
+};
+
+QList<HelpRow> helpRows() {
+  return {
+      {{}, QObject::tr("Picture")},
+      {QObject::tr("Left drag"), QObject::tr("rotate, or what the chosen tool does")},
+      {QObject::tr("[ M Z W"), QObject::tr("tools: rotate, pan, zoom, window and level")},
+      {QObject::tr("Esc"), QObject::tr("cancel a drag; otherwise rotate again")},
+      {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
+      {QObject::tr("Right drag, wheel, + −"), QObject::tr("zoom")},
+      {QObject::tr("Ctrl+left drag"), QObject::tr("roll")},
+      {QObject::tr("Alt+left drag"), QObject::tr("window and level; with Ctrl: opacity")},
+      {QObject::tr("Arrows"), QObject::tr("rotate")},
+      {QObject::tr("Shift+move, Shift+click"), QObject::tr("value under the pointer, pin it in the curve")},
+      {QObject::tr("A P L S I, End PgDn Home"), QObject::tr("standard views; with Shift the opposite ones")},
+      {QObject::tr("R"), QObject::tr("reset the camera")},
+      {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
+      {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
+      {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
+      {QObject::tr("F11, double click"), QObject::tr("picture and curve only")},
+      {{}, QObject::tr("Curve")},
+      {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
+      {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt is fine")},
+      {QObject::tr("Middle click, Del"), QObject::tr("delete")},
+      {QObject::tr("Double click a point"), QObject::tr("colour and numbers")},
+      {QObject::tr("Drag the handle"), QObject::tr("shift the curve; Alt: width")},
+      {QObject::tr("Wheel, Shift+wheel"), QObject::tr("zoom, pan the value axis")},
+      {QObject::tr("Tab, arrows, Enter"), QObject::tr("walk the points, move, type numbers")},
+  };
+}
+
+// One table, so that its columns stand under each other.
+QString htmlOf(const QList<HelpRow>& rows) {
+  QString html = QStringLiteral("<table cellspacing=6>");
+  for (const HelpRow& row : rows)
+    html += row.gesture.isEmpty()
+                ? QStringLiteral("<tr><td colspan=2><h3>%1</h3></td></tr>").arg(row.effect)
+                : QStringLiteral("<tr><td>%1</td><td>%2</td></tr>").arg(row.gesture, row.effect);
+  return html + QStringLiteral("</table>");
+}
+
 } // namespace
 
 void showShortcuts(QWidget* parent) {
-  const QString text = QObject::tr(
-      "<h3>Picture</h3><table cellspacing=6>"
-      "<tr><td>Left drag</td><td>rotate</td></tr><tr><td>Middle drag, Shift+left drag</td><td>pan</td></tr>"
-      "<tr><td>Right drag, wheel, + −</td><td>zoom</td></tr><tr><td>Ctrl+left drag</td><td>roll</td></tr>"
-      "<tr><td>Alt+left drag, W</td><td>window and level; with Ctrl: opacity; Esc cancels</td></tr>"
-      "<tr><td>Shift+move, Shift+click</td><td>value under the pointer, pin it in the curve</td></tr>"
-      "<tr><td>A P L S I, End PgDn Home (Shift: opposite)</td><td>standard views</td></tr>"
-      "<tr><td>R</td><td>reset the camera</td></tr><tr><td>Space</td><td>swap the two sides while "
-      "held</td></tr>"
-      "<tr><td>B, drag a handle</td><td>crop box; double click a handle: that face uncut</td></tr>"
-      "<tr><td>0, 1 … 9</td><td>full range, presets</td></tr><tr><td>F11, double click</td><td>picture and "
-      "curve only</td></tr></table>"
-      "<h3>Curve</h3><table cellspacing=6>"
-      "<tr><td>Click the curve, double click</td><td>add a point</td></tr>"
-      "<tr><td>Drag a point</td><td>move; Shift locks an axis, Alt is fine</td></tr>"
-      "<tr><td>Middle click, Del</td><td>delete</td></tr><tr><td>Double click a point</td><td>colour and "
-      "numbers</td></tr>"
-      "<tr><td>Drag the handle</td><td>shift the curve; Alt: width</td></tr>"
-      "<tr><td>Wheel, Shift+wheel</td><td>zoom, pan the value axis</td></tr>"
-      "<tr><td>Tab, arrows, Enter</td><td>walk the points, move, type numbers</td></tr></table>");
-  showBox(parent, QObject::tr("Mouse and keys"), text);
+  showBox(parent, QObject::tr("Mouse and keys"), htmlOf(helpRows()));
 }
 
 void showAbout(QWidget* parent) {

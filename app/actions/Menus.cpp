@@ -2,6 +2,7 @@
 #include "app/actions/Menus.h"
 
 #include "app/actions/Actions.h"
+#include "app/actions/ModelMenus.h"
 
 #include <QMainWindow>
 #include <QMenuBar>
@@ -35,15 +36,25 @@ void makeEditMenu(QMenuBar& bar, const Actions& actions) {
   menu->addAction(actions.copyPicture);
 }
 
-/// Returns the menu of views.
-QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& panels) {
+/// What the tool bar offers, too.
+struct SharedMenus {
+  QMenu* recent;
+  QMenu* views;
+  ModelMenus* models;
+};
+
+/// Fills in the menus of views and models.
+void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& panels, SharedMenus& shared) {
   QMenu* menu = bar.addMenu(QObject::tr("&View"));
   menu->addActions(actions.layouts->actions());
   menu->addSeparator();
-  QMenu* views = menu->addMenu(QObject::tr("&Look from"));
+  shared.models = new ModelMenus(actions.models, *menu);
+  menu->addMenu(QObject::tr("Left &drag"))->addActions(actions.tools->actions());
+  QMenu* views = shared.views = menu->addMenu(QObject::tr("&Look from"));
   views->addActions(actions.views->actions());
   views->addSeparator();
   views->addAction(actions.resetCamera);
+  views->addAction(actions.setOrientation);
   menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly, actions.refineAtRest});
   menu->addSeparator();
   menu->addActions(panels);
@@ -54,7 +65,6 @@ QMenu* makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>
   engines->setToolTipsVisible(true);
   menu->addAction(actions.patientInTitle);
   menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
-  return views;
 }
 
 /// A button with an icon that opens a menu.
@@ -66,23 +76,25 @@ QToolButton* menuButton(QToolBar& bar, QMenu* menu, QToolButton::ToolButtonPopup
   return button;
 }
 
-void makeToolBar(QMainWindow& window, Actions& actions, QMenu* recent, QMenu* views) {
+void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& shared) {
   QToolBar* bar = window.addToolBar(QObject::tr("Tools"));
   bar->setObjectName(QStringLiteral("toolBar"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
-  QToolButton* open = menuButton(*bar, recent, QToolButton::MenuButtonPopup);
+  QToolButton* open = menuButton(*bar, shared.recent, QToolButton::MenuButtonPopup);
   open->setDefaultAction(actions.openFile);
   bar->addWidget(open);
   bar->addSeparator();
   bar->addActions({actions.undo, actions.redo});
   bar->addSeparator();
-  bar->addActions(actions.models->actions());
+  bar->addActions(actions.tools->actions());
+  bar->addSeparator();
+  shared.models->addTo(*bar);
   bar->addSeparator();
   bar->addActions(actions.layouts->actions());
   bar->addSeparator();
   bar->addAction(actions.cropBox);
-  QToolButton* look = menuButton(*bar, views, QToolButton::InstantPopup);
+  QToolButton* look = menuButton(*bar, shared.views, QToolButton::InstantPopup);
   look->setText(QObject::tr("Views"));
   actions.icons.give(*look, QStringLiteral("compass"));
   bar->addWidget(look);
@@ -96,12 +108,14 @@ void makeToolBar(QMainWindow& window, Actions& actions, QMenu* recent, QMenu* vi
 
 ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QAction*>& panels) {
   QMenuBar& bar = *window.menuBar();
-  const ChangingMenus menus = makeFileMenu(bar, actions);
+  ChangingMenus menus = makeFileMenu(bar, actions);
   makeEditMenu(bar, actions);
-  QMenu* views = makeViewMenu(bar, actions, panels);
+  SharedMenus shared{menus.recentSources, nullptr, nullptr};
+  makeViewMenu(bar, actions, panels, shared);
+  menus.models = shared.models;
   bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset});
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
-  makeToolBar(window, actions, menus.recentSources, views);
+  makeToolBar(window, actions, shared);
   return menus;
 }
 

@@ -2,10 +2,27 @@
 #include "app/document/OpenDocument.h"
 
 #include "app/document/DocumentText.h"
+#include "widgets/properties/ProjectionSection.h"
 
 #include <QFileInfo>
 
 namespace limn {
+namespace {
+
+// What was loaded shows the preset that it names, whatever that is called by now.
+Preset presetShownBy(const LoadedScene& loaded) {
+  Preset preset;
+  preset.name = loaded.session ? loaded.session->preset : loaded.preset;
+  preset.transferFunction = loaded.scene.transferFunction;
+  preset.gradientOpacity = loaded.scene.gradientOpacity;
+  preset.shading = loaded.scene.shading;
+  preset.projection = loaded.scene.projection;
+  if (usesIsovalue(loaded.scene.projection))
+    preset.isovalue = loaded.scene.isovalue;
+  return preset;
+}
+
+} // namespace
 
 void OpenDocument::open(const LoadedScene& loaded, const Request& request, const Histogram& histogram) {
   m_request = request;
@@ -17,12 +34,8 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
   if (request.isUnsavedSession)
     m_request.source = QString::fromStdString(loaded.volumePath); // its own file goes
   m_histogram = histogram;
-  m_preset = {};
-  m_preset.name = loaded.session ? loaded.session->preset : loaded.preset;
-  m_preset.transferFunction = loaded.scene.transferFunction;
-  m_preset.gradientOpacity = loaded.scene.gradientOpacity;
   m_settled = {};
-  m_session.open(loaded);
+  m_session.open(loaded, presetShownBy(loaded));
   if (request.isUnsavedSession && loaded.session && loaded.session->isUnsaved)
     m_session.undoStack().resetClean();
 }
@@ -32,10 +45,11 @@ void OpenDocument::close() {
   m_session.open({});
 }
 
-std::string OpenDocument::presetShown() const {
-  const bool isShown = scene().volume && scene().transferFunction == m_preset.transferFunction &&
-                       scene().gradientOpacity == m_preset.gradientOpacity;
-  return isShown ? m_preset.name : std::string();
+OpenDocument::PresetInUse OpenDocument::presetInUse() const {
+  const Preset& preset = m_session.preset();
+  if (!scene().volume || preset.name.empty())
+    return {};
+  return {preset.name, withPreset(scene(), preset, true) != scene()};
 }
 
 SessionDocument OpenDocument::described() const {
@@ -45,11 +59,14 @@ SessionDocument OpenDocument::described() const {
   session.scene.scene.keep = {};
   session.scene.keep = keptPartOf(scene().keep);
   session.scene.volume = volumePath();
+  if (scene().volume)
+    session.scene.orientation = scene().volume->info().orientationByHand;
   session.scene.hasCamera = true;
   session.scene.hasTransferFunction = true;
   session.series = m_request.options.read.series;
   session.spacingMm = m_request.options.read.spacingMm;
-  session.preset = presetShown();
+  const PresetInUse preset = presetInUse();
+  session.preset = preset.isModified ? std::string() : preset.name;
   return session;
 }
 

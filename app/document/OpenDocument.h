@@ -41,10 +41,13 @@ public:
   void open(const LoadedScene& loaded, const Request& request, const Histogram& histogram);
   void close();
 
-  /// From now on this preset is in use, as long as its curves are shown.
-  void use(const Preset& preset) { m_preset = preset; }
-  /// The name of the preset whose curves are shown; empty where there is none.
-  std::string presetShown() const;
+  /// The preset that the scene was made from, and whether anything that it sets is another now.
+  struct PresetInUse {
+    std::string name; ///< empty: none
+    bool isModified = false;
+    bool operator==(const PresetInUse&) const = default;
+  };
+  PresetInUse presetInUse() const;
 
   /// What a session file says of it, but for where its volume is seen from there.
   SessionDocument described() const;
@@ -63,7 +66,6 @@ private:
   Request m_request;
   QString m_sessionFile;
   Histogram m_histogram;
-  Preset m_preset; ///< the one last used
   SessionDocument m_settled;
 };
 

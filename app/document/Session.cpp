@@ -5,11 +5,16 @@
 
 namespace limn {
 
-/// Replaces the scene, keeping the camera of the moment.
+/// Replaces scene and preset in use, keeping the camera of the moment.
 class SceneEdit : public QUndoCommand {
 public:
-  SceneEdit(Session& session, Scene before, Scene after, const Gesture& gesture)
-      : QUndoCommand(gesture.text), m_session(session), m_before(std::move(before)),
+  struct State {
+    Scene scene;
+    Preset preset;
+  };
+
+  SceneEdit(Session& session, State after, const Gesture& gesture)
+      : QUndoCommand(gesture.text), m_session(session), m_before{session.m_scene, session.m_preset},
         m_after(std::move(after)), m_gesture(gesture.id) {}
 
   // Every command may meet every other; whether they merge is decided by the gesture below.
@@ -21,29 +26,35 @@ public:
       return false;
     m_after = later->m_after;
     setText(later->text());
-    setObsolete(withCameraOf(m_before, m_after) == m_after);
+    setObsolete(withCameraOf(m_before.scene, m_after.scene) == m_after.scene);
     return true;
   }
 
-  void undo() override { m_session.replace(withCameraOf(m_before, m_session.scene())); }
-  void redo() override { m_session.replace(withCameraOf(m_after, m_session.scene())); }
+  void undo() override { show(m_before); }
+  void redo() override { show(m_after); }
 
 private:
+  void show(const State& state) {
+    m_session.m_preset = state.preset;
+    m_session.replace(withCameraOf(state.scene, m_session.scene()));
+  }
+
   static Scene withCameraOf(Scene scene, const Scene& other) {
     scene.camera = other.camera;
     return scene;
   }
 
   Session& m_session;
-  Scene m_before;
-  Scene m_after;
+  State m_before;
+  State m_after;
   std::uint64_t m_gesture;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {}
 
-void Session::open(const LoadedScene& loaded) {
+void Session::open(const LoadedScene& loaded, const Preset& preset) {
   m_undo.clear();
+  m_preset = preset;
   m_volumePath = loaded.volumePath;
   replace(loaded.scene);
 }
@@ -51,7 +62,15 @@ void Session::open(const LoadedScene& loaded) {
 void Session::edit(const Scene& next, const Gesture& gesture) {
   if (next == m_scene)
     return;
-  m_undo.push(new SceneEdit(*this, m_scene, next, gesture));
+  m_undo.push(new SceneEdit(*this, {next, m_preset}, gesture));
+}
+
+void Session::usePreset(const Preset& preset, const Gesture& gesture) {
+  const Scene next = withPreset(m_scene, preset, true);
+  if (next == m_scene)
+    adoptPreset(preset);
+  else
+    m_undo.push(new SceneEdit(*this, {next, preset}, gesture));
 }
 
 void Session::setCamera(const Camera& camera) {

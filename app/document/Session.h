@@ -3,6 +3,7 @@
 
 #include "app/SceneSource.h"
 #include "scene/Scene.h"
+#include "scene/presets/Preset.h"
 #include "widgets/Gesture.h"
 
 #include <QObject>
@@ -22,15 +23,26 @@ public:
   const std::string& volumePath() const { return m_volumePath; }
   QUndoStack& undoStack() { return m_undo; }
 
+  /// The preset that the scene was last made from, as fitted to the volume; without a name there is none.
+  /// Undo brings back the one before.
+  const Preset& preset() const { return m_preset; }
+
   /// Whether the scene (but for the camera) differs from the one opened or saved last.
   bool isEdited() const { return !m_undo.isClean(); }
 
-  /// Shows a freshly loaded scene; the history of the former one ends.
-  void open(const LoadedScene& loaded);
+  /// Shows a freshly loaded scene, made from `preset`; the history of the former one ends.
+  void open(const LoadedScene& loaded, const Preset& preset = {});
 
-  /// Replaces everything but volume and camera as one undo step named by the gesture; edits with the gesture
+  /// Replaces everything but the camera as one undo step (a volume only by the same voxels where they lie
+  /// otherwise) named by the gesture; edits with the gesture
   /// id of the step on top extend it. An equal scene changes nothing.
   void edit(const Scene& next, const Gesture& gesture);
+
+  /// Shows the scene as a preset asks, but with its own model, as one undo step.
+  void usePreset(const Preset& preset, const Gesture& gesture);
+
+  /// From now on the scene counts as made from this preset; nothing else changes.
+  void adoptPreset(const Preset& preset) { m_preset = preset; }
 
   void setTransferFunction(const TransferFunction& function, const Gesture& gesture) {
     editPart(&Scene::transferFunction, function, gesture);
@@ -66,6 +78,7 @@ private:
   void replace(const Scene& scene);
 
   Scene m_scene;
+  Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;
 };

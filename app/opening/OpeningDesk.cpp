@@ -34,11 +34,12 @@ OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu&
     m_settings.removeRecentSource(source);
     refreshRecent();
     m_messages.show(MessageBar::Kind::error, sentence);
+    m_failure = sentence;
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
           [this](const QString& source, const QString& expected) {
-            m_messages.show(MessageBar::Kind::error,
-                            tr("The scene's volume is not where the scene expects it: %1.").arg(expected), {},
+            m_failure = tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+            m_messages.show(MessageBar::Kind::error, m_failure, {},
                             {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });
   connect(&recent, &QMenu::aboutToShow, this, &OpeningDesk::refreshRecent);
@@ -62,8 +63,7 @@ void OpeningDesk::start(const Request& request, const QString& what) {
   m_messages.hide();
   m_requested = request;
   SourceOptions known = request.options;
-  for (const RecentSource& recent : m_settings.recentSources())
-    known.knownVolumes.emplace_back(recent.path.toStdString());
+  known.knownVolumes = m_settings.knownVolumes();
   known.references = m_settings.references();
   known.hidesTable = true;
   emit progressed(-1.0, what);
@@ -71,8 +71,8 @@ void OpeningDesk::start(const Request& request, const QString& what) {
 }
 
 void OpeningDesk::locateVolume(const QString& scene) {
-  const QString path = QFileDialog::getOpenFileName(
-      &m_window, tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()));
+  const QString path = askForPath(tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()),
+                                  QFileDialog::ExistingFile);
   if (path.isEmpty())
     return;
   Request request = m_requested;
@@ -82,19 +82,34 @@ void OpeningDesk::locateVolume(const QString& scene) {
 }
 
 void OpeningDesk::askForFile() {
-  const QString path = QFileDialog::getOpenFileName(
-      &m_window, tr("Open a volume, session, scene or Limn picture"), QString(),
-      tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr "
-         "*.tif *.tiff *.png *.jpg *.json *.exr);;All files (*)"));
+  const QString path = askForPath(
+      tr("Open a volume, session, scene or Limn picture"), QFileDialog::ExistingFile,
+      {tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 "
+          "*.hdr *.tif *.tiff *.png *.jpg *.json *.exr)"),
+       tr("All files (*)")});
   if (!path.isEmpty())
     open(path);
 }
 
 void OpeningDesk::askForFolder() {
-  const QString path =
-      QFileDialog::getExistingDirectory(&m_window, tr("Open a DICOM folder or an image stack"));
+  const QString path = askForPath(tr("Open a DICOM folder or an image stack"), QFileDialog::Directory);
   if (!path.isEmpty())
     open(path);
+}
+
+// Empty where nobody wants to open anything.
+QString OpeningDesk::askForPath(const QString& title, int mode, const QStringList& filters) {
+  QFileDialog dialog(&m_window, title, m_settings.dialogFolder());
+  dialog.setFileMode(static_cast<QFileDialog::FileMode>(mode));
+  dialog.setOption(QFileDialog::HideNameFilterDetails); // a list of endings would be cut off
+  dialog.setOption(QFileDialog::ShowDirsOnly, mode == QFileDialog::Directory);
+  if (!filters.isEmpty())
+    dialog.setNameFilters(filters);
+  if (dialog.exec() != QDialog::Accepted)
+    return {};
+  const QString path = dialog.selectedFiles().value(0);
+  m_settings.setDialogFolder(QFileInfo(path).absolutePath());
+  return path;
 }
 
 void OpeningDesk::chooseSeries(const QString& source, const std::vector<SeriesSummary>& series) {
@@ -138,31 +153,55 @@ void OpeningDesk::readWithSpacing(const Request& shown, const QString& entered) 
   open(shown.source, options);
 }
 
-void OpeningDesk::remember(const QString& path, const QString& label) {
+void OpeningDesk::leaveFailure() {
+  if (!m_failure.isEmpty() && m_messages.sentence() == m_failure)
+    m_messages.hide();
+  m_failure.clear();
+}
+
+void OpeningDesk::remember(const QString& path, const QString& label, const std::string& volume) {
   m_settings.addRecentSource(path, label);
+  if (std::filesystem::path(volume).is_absolute())
+    m_settings.addKnownVolume(volume);
   refreshRecent();
 }
 
-void OpeningDesk::refreshRecent() {
-  m_recent.clear();
+// What was opened before, latest first, as a list shows it: equal labels carry a date.
+QStringList OpeningDesk::recentTexts() {
   const QList<RecentSource> recent = m_settings.recentSources();
+  QStringList texts;
   for (const RecentSource& source : recent) {
     const bool isAlone = std::count_if(recent.begin(), recent.end(), [&](const RecentSource& other) {
                            return other.label == source.label;
                          }) == 1;
     const QDateTime opened = QDateTime::fromString(source.opened, Qt::ISODateWithMs).toLocalTime();
-    QString text =
-        isAlone ? source.label
-                : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat));
-    m_recent.addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
-                       [this, path = source.path] { open(path); });
+    texts << (isAlone
+                  ? source.label
+                  : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat)));
   }
+  return texts;
+}
+
+void OpeningDesk::openRecent(int number) {
+  const QList<RecentSource> recent = m_settings.recentSources();
+  if (number >= 0 && number < recent.size())
+    open(recent[number].path);
+}
+
+void OpeningDesk::refreshRecent() {
+  m_recent.clear();
+  const QStringList texts = recentTexts();
+  for (int number = 0; number < texts.size(); ++number)
+    m_recent.addAction(QString(texts[number]).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                       [this, number] { openRecent(number); });
   m_recent.setEnabled(!m_recent.isEmpty());
   m_recent.addSeparator();
   m_recent.addAction(tr("&Clear this list"), this, [this] {
     m_settings.clearRecentSources();
     m_recent.setEnabled(false);
+    emit recentChanged({});
   });
+  emit recentChanged(texts);
 }
 
 } // namespace limn

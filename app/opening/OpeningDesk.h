@@ -39,10 +39,19 @@ public:
   /// Asks how far the voxels of what is shown lie apart, `spacingMm` at present, and reads it again.
   void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
 
-  /// Adds to what was opened before; `label` names nobody.
-  void remember(const QString& path, const QString& label);
+  /// Adds to what was opened before; `label` names nobody. `volume` is where its voxels lie, or a built-in
+  /// name.
+  void remember(const QString& path, const QString& label, const std::string& volume);
+  /// What was opened before, latest first, in words that name nobody.
+  QStringList recentTexts();
+  /// Opens one of these, from 0 on.
+  void openRecent(int number);
+
+  /// Somebody goes on with what is open: that something else could not be opened is no longer said.
+  void leaveFailure();
 
 signals:
+  void recentChanged(const QStringList& texts);
   /// Something is read, or asked about no longer; `fraction` 0..1, or less than 0 where it is unknown.
   void progressed(double fraction, const QString& what);
   void ended();
@@ -52,6 +61,7 @@ signals:
 
 private:
   void start(const Request& request, const QString& what);
+  QString askForPath(const QString& title, int mode, const QStringList& filters = {});
   void locateVolume(const QString& scene);
   void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
   void readWithSpacing(const Request& shown, const QString& entered);
@@ -64,6 +74,7 @@ private:
   std::function<std::function<void()>()> m_before;
   QWidget& m_window;
   VolumeLoader m_loader;
+  QString m_failure;   ///< why nothing was opened; empty once that does not matter
   Request m_requested; ///< last; it may still load, or have failed
 };
 

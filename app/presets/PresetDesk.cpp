@@ -49,27 +49,32 @@ void PresetDesk::refresh() {
 }
 
 void PresetDesk::markShown() {
-  m_with.browser.setCurrent(QString::fromStdString(m_with.document.presetShown()));
+  const OpenDocument::PresetInUse preset = m_with.document.presetInUse();
+  m_with.browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
+}
+
+// Own presets were shaped on data like this; built-in ones fit themselves to it.
+std::optional<Preset> PresetDesk::fitted(const QString& name) const {
+  const std::vector<Preset> presets = allPresets(m_store);
+  const auto found = named(presets, name);
+  if (found == presets.end())
+    return std::nullopt;
+  const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
+  return isBuiltIn && m_with.session.scene().volume ? fittedTo(*found, m_with.document.histogram()) : *found;
 }
 
 void PresetDesk::use(const QString& name) {
-  const Scene& scene = m_with.session.scene();
-  const std::vector<Preset> presets = allPresets(m_store);
-  const auto found = named(presets, name);
-  if (found == presets.end() || !scene.volume)
+  const std::optional<Preset> preset = fitted(name);
+  if (!preset || !m_with.session.scene().volume)
     return;
-  const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
-  // Own presets were shaped on data like this; built-in ones fit themselves to it.
-  show(isBuiltIn ? fittedTo(*found, m_with.document.histogram()) : *found, tr("use preset %1").arg(name));
-  if (isForHounsfield(*found) && !looksLikeHounsfield(*scene.volume))
-    offerToFit(*found);
+  show(*preset, tr("use preset %1").arg(name));
+  if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
+    offerToFit(*preset);
 }
 
 void PresetDesk::show(const Preset& preset, const QString& edit) {
-  m_with.document.use(preset);
-  m_with.session.edit(withPreset(m_with.session.scene(), preset, true), {nextGestureId(), edit});
-  // A preset that changes nothing is in use as well.
-  m_with.browser.setCurrent(QString::fromStdString(preset.name));
+  m_with.session.usePreset(preset, {nextGestureId(), edit});
+  markShown(); // one that changes nothing is in use as well
 }
 
 void PresetDesk::offerToFit(const Preset& preset) {
@@ -111,31 +116,43 @@ void PresetDesk::useNumber(int number) {
 void PresetDesk::askForName() {
   if (!m_with.session.scene().volume)
     return;
+  ask(tr("Save as preset"), tr("Name (a preset of the same name is replaced):"), {},
+      [this](const QString& name) { save(name); });
+}
+
+void PresetDesk::ask(const QString& title, const QString& label, const QString& name,
+                     const std::function<void(const QString&)>& answer) {
   auto* dialog = new QInputDialog(&m_with.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Save as preset"));
-  dialog->setLabelText(tr("Name (a preset of the same name is replaced):"));
+  dialog->setWindowTitle(title);
+  dialog->setLabelText(label);
+  dialog->setTextValue(name);
   dialog->setOkButtonText(tr("Save"));
   connect(dialog, &QInputDialog::textValueSelected, this,
-          [this](const QString& entered) { save(entered.trimmed()); });
+          [answer](const QString& entered) { answer(entered.trimmed()); });
   dialog->open();
 }
 
-void PresetDesk::save(const QString& name) {
+// A name of a preset of the user's own; says why not.
+bool PresetDesk::mayBeCalled(const QString& name) const {
   const std::vector<Preset> builtIn = builtInPresets();
   const bool isTaken = named(builtIn, name) != builtIn.end();
-  if (name.isEmpty() || isTaken) {
+  if (name.isEmpty() || isTaken)
     m_with.messages.show(MessageBar::Kind::error,
                          isTaken ? tr("\"%1\" is a built-in preset; choose another name.").arg(name)
                                  : tr("A preset needs a name."));
+  return !name.isEmpty() && !isTaken;
+}
+
+void PresetDesk::save(const QString& name) {
+  if (!mayBeCalled(name))
     return;
-  }
   const Preset preset = presetOf(m_with.session.scene(), name);
   const auto write = [&] {
     m_store.save(preset);
     refresh();
-    m_with.document.use(preset);
-    m_with.browser.setCurrent(name);
+    m_with.session.adoptPreset(preset);
+    markShown();
   };
   m_with.notes.attempt(write);
 }
@@ -147,6 +164,48 @@ void PresetDesk::remove(const QString& name) {
   } catch (const Error& error) {
     m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(error.what()));
   }
+}
+
+void PresetDesk::rename(const QString& name) {
+  const auto give = [this, name](const QString& entered) {
+    const std::vector<Preset> own = m_store.read().presets;
+    const auto found = named(own, name);
+    if (entered == name || found == own.end() || !mayBeCalled(entered))
+      return;
+    if (named(own, entered) != own.end())
+      return m_with.messages.show(MessageBar::Kind::error,
+                                  tr("There is a preset \"%1\" already; choose another name.").arg(entered));
+    m_with.notes.attempt([&] {
+      Preset renamed = *found;
+      renamed.name = entered.toStdString();
+      m_store.save(renamed);
+      m_store.remove(name.toStdString());
+      if (Preset inUse = m_with.session.preset(); inUse.name == name.toStdString()) {
+        inUse.name = renamed.name;
+        m_with.session.adoptPreset(inUse);
+      }
+      refresh();
+      markShown();
+    });
+  };
+  ask(tr("Rename preset"), tr("New name:"), name, give);
+}
+
+void PresetDesk::duplicate(const QString& name) {
+  const std::optional<Preset> preset = fitted(name);
+  if (!preset)
+    return;
+  const auto keep = [this, copy = *preset](const QString& entered) mutable {
+    if (!mayBeCalled(entered))
+      return;
+    copy.name = entered.toStdString();
+    m_with.notes.attempt([&] {
+      m_store.save(copy);
+      refresh();
+    });
+  };
+  ask(tr("Duplicate preset"), tr("Name of the copy (a preset of the same name is replaced):"),
+      tr("%1 copy").arg(name), keep);
 }
 
 } // namespace limn

@@ -5,6 +5,9 @@
 
 #include <QObject>
 
+#include <functional>
+#include <optional>
+
 class QWidget;
 
 namespace limn {
@@ -34,7 +37,7 @@ public:
 
   /// Lists the presets anew.
   void refresh();
-  /// Marks the preset whose curves are shown.
+  /// Marks the preset that the scene was made from, and whether it was changed since.
   void markShown();
 
   void use(const QString& name);
@@ -44,10 +47,18 @@ public:
   /// Asks for a name and saves the scene as a preset.
   void askForName();
   void remove(const QString& name);
+  /// Asks for another name of one of the user's own presets.
+  void rename(const QString& name);
+  /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
+  void duplicate(const QString& name);
 
 private:
   void show(const Preset& preset, const QString& edit);
   void offerToFit(const Preset& preset);
+  void ask(const QString& title, const QString& label, const QString& name,
+           const std::function<void(const QString&)>& answer);
+  bool mayBeCalled(const QString& name) const;
+  std::optional<Preset> fitted(const QString& name) const;
   void save(const QString& name);
 
   PresetStore m_store;

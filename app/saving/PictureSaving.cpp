@@ -13,8 +13,9 @@
 
 namespace limn {
 
-PictureSaving::PictureSaving(CompareView& view, QStatusBar& status, QObject* parent)
-    : QObject(parent), m_view(view), m_text(new QLabel(&status)), m_stop(new QToolButton(&status)) {
+PictureSaving::PictureSaving(CompareView& view, Settings& settings, QStatusBar& status, QObject* parent)
+    : QObject(parent), m_view(view), m_settings(settings), m_text(new QLabel(&status)),
+      m_stop(new QToolButton(&status)) {
   m_stop->setObjectName(QStringLiteral("stopWaiting"));
   m_stop->setText(tr("Cancel"));
   m_stop->setAccessibleName(tr("Cancel: saving the picture"));
@@ -33,10 +34,12 @@ PictureContent PictureSaving::content() const {
 void PictureSaving::ask(const QString& suggested) {
   const PictureContent asked = content();
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QString path =
-      askWhereToSave(m_view.window(), {tr("Save the picture"),
-                                       folder + QLatin1Char('/') + suggested + QStringLiteral(".png"),
-                                       {tr("Pictures (*.png *.tif *.jpg *.exr)")}});
+  const QString path = askWhereToSave(m_view.window(),
+                                      {tr("Save the picture"),
+                                       suggested + QStringLiteral(".png"),
+                                       {tr("Pictures (*.png *.tif *.jpg *.exr)")},
+                                       folder},
+                                      m_settings);
   if (path.isEmpty())
     return;
   m_awaited.await(path, asked);

@@ -12,6 +12,7 @@ class QToolButton;
 namespace limn {
 
 class CompareView;
+class Settings;
 
 /// Asks where a view's picture is to be saved and waits until it is complete; meanwhile a row of the status
 /// bar says so and offers to cancel.
@@ -21,7 +22,7 @@ class PictureSaving : public QObject {
 public:
   /// The row stands in `status`, where it takes nothing from the picture: that would begin anew in another
   /// size.
-  PictureSaving(CompareView& view, QStatusBar& status, QObject* parent);
+  PictureSaving(CompareView& view, Settings& settings, QStatusBar& status, QObject* parent);
 
   /// Asks for a path; `suggested` is a name without ending.
   void ask(const QString& suggested);
@@ -40,6 +41,7 @@ private:
   PictureContent content() const;
 
   CompareView& m_view;
+  Settings& m_settings;
   AwaitedPicture m_awaited;
   QLabel* m_text;
   QToolButton* m_stop;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/SaveDialog.h"
 
+#include "app/Settings.h"
+
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -61,8 +64,11 @@ QString withEnding(const QString& path, const QStringList& filters, const QStrin
          endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);
 }
 
-QString askWhereToSave(QWidget* parent, const SaveQuestion& question) {
+QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings) {
   QString suggested = question.suggested;
+  const QString folder = settings.dialogFolder().isEmpty() ? question.usualFolder : settings.dialogFolder();
+  if (QFileInfo(suggested).isRelative() && !folder.isEmpty())
+    suggested = QDir(folder).filePath(suggested);
   QString filter = question.filters.value(0);
   QStringList offered;
   for (const QString& one : question.filters)
@@ -80,8 +86,10 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question) {
       return {};
     filter = dialog.selectedNameFilter();
     const QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
-    if (!QFileInfo::exists(path) || mayReplace(parent, path))
+    if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
+      settings.setDialogFolder(QFileInfo(path).absolutePath());
       return path;
+    }
     suggested = path;
   }
 }

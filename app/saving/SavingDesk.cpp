@@ -29,8 +29,8 @@ void SavingDesk::saveSessionAs() {
   const QString suggested = m_document.sessionFile().isEmpty()
                                 ? suggestedName(m_document) + QStringLiteral("-session.json")
                                 : m_document.sessionFile();
-  const QString path =
-      askWhereToSave(&m_window, {tr("Save the session"), suggested, {tr("Limn session (*.json)")}});
+  const QString path = askWhereToSave(
+      &m_window, {tr("Save the session"), suggested, {tr("Limn session (*.json)")}}, m_settings);
   if (!path.isEmpty())
     writeSession(path);
 }
@@ -38,7 +38,7 @@ void SavingDesk::saveSessionAs() {
 void SavingDesk::saveScene() {
   const QString suggested = suggestedName(m_document) + QStringLiteral(".json");
   const QString path =
-      askWhereToSave(&m_window, {tr("Save the scene"), suggested, {tr("Limn scene (*.json)")}});
+      askWhereToSave(&m_window, {tr("Save the scene"), suggested, {tr("Limn scene (*.json)")}}, m_settings);
   if (!path.isEmpty())
     writeScene(path);
 }

@@ -193,11 +193,13 @@ glm::ivec2 AccuracyDesk::measuredSize() const {
 
 void AccuracyDesk::save() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QString path = askWhereToSave(
-      m_with.view.window(),
-      {tr("Save what was measured"),
-       folder + QLatin1Char('/') + suggestedName(m_with.document) + QStringLiteral("-accuracy.html"),
-       {tr("Page with chart and table (*.html)"), tr("Chart (*.png)"), tr("Table (*.csv)")}});
+  const QString path =
+      askWhereToSave(m_with.view.window(),
+                     {tr("Save what was measured"),
+                      suggestedName(m_with.document) + QStringLiteral("-accuracy.html"),
+                      {tr("Page with chart and table (*.html)"), tr("Chart (*.png)"), tr("Table (*.csv)")},
+                      folder},
+                     m_with.settings);
   if (!path.isEmpty())
     write(path);
 }

@@ -11,8 +11,11 @@ ComparisonDesk::ComparisonDesk(Session& session, CompareView& view, const Action
     : QObject(parent), m_session(session), m_view(view), m_actions(actions) {
   connect(actions.layouts, &QActionGroup::triggered, this,
           [this](QAction* chosen) { setLayout(static_cast<CompareLayout>(chosen->data().toInt())); });
-  connect(actions.models, &QActionGroup::triggered, this,
-          [this](QAction* chosen) { setModel(static_cast<ShadingModel>(chosen->data().toInt())); });
+  for (int side = 0; side < 2; ++side)
+    connect(actions.models[static_cast<std::size_t>(side)], &QActionGroup::triggered, this,
+            [this, side](QAction* chosen) {
+              setSideModel(side, static_cast<ShadingModel>(chosen->data().toInt()));
+            });
   connect(&view, &CompareView::modelChosen, this, &ComparisonDesk::setSideModel);
 }
 
@@ -22,16 +25,11 @@ void ComparisonDesk::setLayout(CompareLayout layout) {
   show();
 }
 
-void ComparisonDesk::setModel(ShadingModel model) {
-  Shading shading = m_session.scene().shading;
-  shading.model = model;
-  m_session.setShading(shading, {nextGestureId(), tr("change model")});
-  setLayout(CompareLayout::single);
-}
-
 void ComparisonDesk::setSideModel(int side, ShadingModel model) {
   if (m_view.compareLayout() == CompareLayout::single) {
-    setModel(model);
+    Shading shading = m_session.scene().shading;
+    shading.model = model;
+    m_session.setShading(shading, {nextGestureId(), tr("change model")});
     return;
   }
   (side == 0 ? m_left : m_right) = model;
@@ -43,8 +41,6 @@ void ComparisonDesk::show() {
   const bool isSingle = m_view.compareLayout() == CompareLayout::single;
   m_view.setModels(m_left, m_right);
   emit modelsShown(isSingle ? std::vector{single} : std::vector{m_left, m_right});
-  // A comparison names its models on the pictures; the buttons then only offer to leave it.
-  checkOnly(*m_actions.models, isSingle ? QVariant(static_cast<int>(single)) : QVariant());
   emit shown();
 }
 

@@ -20,9 +20,6 @@ public:
 
   void setLayout(CompareLayout layout);
 
-  /// Shows one picture with this model.
-  void setModel(ShadingModel model);
-
   /// The model of a side (0 left, 1 right) of a comparison; of a single picture the scene's own.
   void setSideModel(int side, ShadingModel model);
 

@@ -14,6 +14,7 @@
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
+#include "scene/volume/Orientation.h"
 
 #include <cmath>
 #include <new>
@@ -120,7 +121,7 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   info.hints =
       withHintsOf(withHintsOf(info.hints, path.parent_path().filename().string()), path.filename().string());
   if (!info.orientationKnown)
-    info.warnings.emplace_back("Orientation unknown: the file does not say which side is left.");
+    info.warnings.emplace_back(orientationUnknown);
   for (std::string& warning : info.warnings)
     warning = plainText(std::move(warning));
   requirePlausible(path, parts.grid);

@@ -6,6 +6,7 @@
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
+#include <QMenu>
 #include <QPushButton>
 #include <QTreeView>
 
@@ -28,18 +29,83 @@ void clickPreset(PresetBrowser& browser, const QString& name) {
   QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(found.front()).center());
 }
 
+// Right clicks a preset of the list, which opens its menu.
+void rightClickPreset(PresetBrowser& browser, const QString& name) {
+  QWidget* viewport = browser.findChild<QTreeView*>()->viewport();
+  const QPoint at = viewport->mapTo(browser.window(), rowOf(browser, name).center());
+  QTest::mouseClick(browser.window()->windowHandle(), Qt::RightButton, {}, at);
+}
+
+void chooseInMenu(PresetBrowser& browser, const QString& text) {
+  auto* menu = browser.findChild<QMenu*>();
+  ASSERT_NE(menu, nullptr);
+  for (QAction* action : menu->actions())
+    if (action->text() == text) {
+      action->trigger();
+      menu->close();
+      ASSERT_TRUE(test::waitUntil([&] { return !browser.findChild<QMenu*>(); }));
+      return;
+    }
+  FAIL() << "no entry " << text.toStdString();
+}
+
 TEST_F(MainWindowFiles, choosingAPresetIsOneUndoStep) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   auto& browser = *window->findChild<PresetBrowser*>();
   const TransferFunction before = scene().transferFunction;
   const QStringList names = presetNames(browser);
-  const QString current = browser.findChild<QTreeView*>()->currentIndex().data().toString();
+  const QString current = shownPreset(browser);
   const auto other = std::find_if(names.begin(), names.end(), [&](const QString& n) { return n != current; });
   ASSERT_NE(other, names.end());
   clickPreset(browser, *other);
   EXPECT_NE(scene().transferFunction, before);
   EXPECT_EQ(undo().count(), 1);
   EXPECT_EQ(undo().undoText(), QStringLiteral("use preset %1").arg(*other));
+}
+
+TEST_F(MainWindowFiles, thePresetShownIsMarkedAndSaysWhenItIsChanged) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  auto& browser = *window->findChild<PresetBrowser*>();
+  clickPreset(browser, QStringLiteral("CT bone"));
+  const TransferFunction bone = scene().transferFunction;
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("CT bone"));
+  dragAPoint();
+  ASSERT_NE(scene().transferFunction, bone);
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("CT bone*"));
+  rightClickPreset(browser, QStringLiteral("CT bone"));
+  chooseInMenu(browser, QStringLiteral("Reset to this preset"));
+  EXPECT_EQ(scene().transferFunction, bone);
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("CT bone"));
+  undo().undo();
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("CT bone*"));
+}
+
+TEST_F(MainWindowFiles, ownPresetsAreDuplicatedAndRenamedFromTheMenu) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  auto& browser = *window->findChild<PresetBrowser*>();
+  const auto answer = [this](const QString& name) {
+    auto* dialog = window->findChild<QInputDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->setTextValue(name);
+    dialog->accept();
+    ASSERT_TRUE(test::waitUntil([this] { return !window->findChild<QInputDialog*>(); }));
+  };
+  rightClickPreset(browser, QStringLiteral("CT lung"));
+  chooseInMenu(browser, QStringLiteral("Duplicate…"));
+  EXPECT_EQ(window->findChild<QInputDialog*>()->textValue(), QStringLiteral("CT lung copy"));
+  answer(QStringLiteral("Lung of mine"));
+  ASSERT_TRUE(presetNames(browser).contains(QStringLiteral("Lung of mine")));
+  clickPreset(browser, QStringLiteral("Lung of mine"));
+  rightClickPreset(browser, QStringLiteral("Lung of mine"));
+  chooseInMenu(browser, QStringLiteral("Rename…"));
+  answer(QStringLiteral("CT bone")); // taken
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("built-in")))
+      << messages().sentence().toStdString();
+  rightClickPreset(browser, QStringLiteral("Lung of mine"));
+  chooseInMenu(browser, QStringLiteral("Rename…"));
+  answer(QStringLiteral("Airways"));
+  EXPECT_FALSE(presetNames(browser).contains(QStringLiteral("Lung of mine")));
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("Airways"));
 }
 
 TEST_F(MainWindowFiles, aSavedPresetAppearsAsAFileAndInTheListUntilDeleted) {

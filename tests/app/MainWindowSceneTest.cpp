@@ -2,6 +2,7 @@
 #include "WindowHarness.h"
 #include "support/CropHandle.h"
 #include "widgets/FindWidget.h"
+#include "widgets/PresetNames.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
@@ -183,12 +184,13 @@ TEST_F(MainWindowScene, aPresetKeepsCurveOverTheGradientAndSurface) {
   plain.isovalue = 300.0;
   session().edit(plain, {nextGestureId(), QStringLiteral("plain")});
   auto& browser = *window->findChild<PresetBrowser*>();
-  EXPECT_NE(browser.findChild<QTreeView*>()->currentIndex().data().toString(), QStringLiteral("Mine"));
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("Mine*"));
   emit browser.presetChosen(QStringLiteral("Mine"));
   EXPECT_EQ(scene().gradientOpacity, shaped.gradientOpacity);
   EXPECT_EQ(scene().projection, shaped.projection);
   EXPECT_EQ(scene().isovalue, shaped.isovalue);
   EXPECT_TRUE(useBox()->isChecked());
+  EXPECT_EQ(shownPreset(browser), QStringLiteral("Mine"));
 }
 
 } // namespace

@@ -175,7 +175,7 @@ TEST_F(MainWindowTest, openingASecondVolumeWhileOneLoadsShowsOnlyTheSecond) {
   EXPECT_FALSE(isLoadingShown());
 }
 
-TEST_F(MainWindowTest, buttonsChooseLayoutsAndModels) {
+TEST_F(MainWindowTest, buttonsChooseLayouts) {
   ASSERT_TRUE(open(phantom));
   const std::pair<const char*, CompareLayout> layouts[] = {{"Single", CompareLayout::single},
                                                            {"Wipe", CompareLayout::wipe},
@@ -187,9 +187,6 @@ TEST_F(MainWindowTest, buttonsChooseLayoutsAndModels) {
     clickTool(QString::fromLatin1(text));
     EXPECT_EQ(view().compareLayout(), layout) << text;
   }
-  clickTool(QStringLiteral("Enhanced"));
-  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
-  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::enhanced);
   EXPECT_TRUE(rest());
 }
 

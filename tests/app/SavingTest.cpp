@@ -20,30 +20,6 @@ namespace fs = std::filesystem;
 
 class Saving : public test::WindowHarness {
 protected:
-  // Once a dialog of this kind asks, answers it.
-  template <class Dialog, class Answer>
-  void onceAsked(Answer&& answer) {
-    auto* look = new QTimer(window.get());
-    QObject::connect(look, &QTimer::timeout, look, [look, answer] {
-      auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-      if (!dialog)
-        return;
-      look->stop();
-      look->deleteLater();
-      answer(*dialog);
-    });
-    look->start(10);
-  }
-
-  void typeName(const QString& path) {
-    onceAsked<QFileDialog>([path](QFileDialog& dialog) {
-      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-      ASSERT_NE(name, nullptr);
-      name->setText(path);
-      QTest::keyClick(name, Qt::Key_Return);
-    });
-  }
-
   QToolButton& stop() const { return *window->findChild<QToolButton*>(QStringLiteral("stopWaiting")); }
 
   MessageBar& bar(const char* name) const {

@@ -76,6 +76,23 @@ TEST_F(Settled, theTenLastOpenedAreRemembered) {
   EXPECT_EQ(test::bytesOfFile(file()).find("recent"), std::string::npos);
 }
 
+TEST_F(Settled, whereVolumesLieIsRememberedLongerThanTheListAndForgottenWithIt) {
+  Settings settings(file());
+  for (int i = 0; i < 102; ++i)
+    settings.addKnownVolume("/" + std::to_string(i));
+  settings.addKnownVolume("/50");
+  const std::vector<std::filesystem::path> known = Settings(file()).knownVolumes();
+  ASSERT_EQ(known.size(), 100u);
+  EXPECT_EQ(known.front(), "/50");
+  EXPECT_EQ(std::count(known.begin(), known.end(), "/1"), 0);
+  EXPECT_TRUE(settings.recentSources().isEmpty());
+  settings.setDialogFolder(QString::fromStdString(folder.path().string()));
+  EXPECT_FALSE(Settings(file()).dialogFolder().isEmpty());
+  settings.clearRecentSources();
+  EXPECT_TRUE(Settings(file()).knownVolumes().empty());
+  EXPECT_TRUE(Settings(file()).dialogFolder().isEmpty());
+}
+
 TEST_F(Settled, aPathHasOneNameThatStandsForIt) {
   Settings settings(file());
   const std::string name = settings.referenceTo("/data/A", "ct-1x2x3");

@@ -14,10 +14,14 @@
 #include "widgets/view/pictures/PictureLoop.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QOpenGLWidget>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -103,6 +107,31 @@ protected:
       return;
     }
     FAIL() << "no point to drag";
+  }
+
+  /// Once a dialog of this kind asks, answers it.
+  template <class Dialog, class Answer>
+  void onceAsked(Answer&& answer) {
+    auto* look = new QTimer(window.get());
+    QObject::connect(look, &QTimer::timeout, look, [look, answer] {
+      auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+      if (!dialog)
+        return;
+      look->stop();
+      look->deleteLater();
+      answer(*dialog);
+    });
+    look->start(10);
+  }
+
+  /// Answers the next dialog for a file.
+  void typeName(const QString& path) {
+    onceAsked<QFileDialog>([path](QFileDialog& dialog) {
+      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+      ASSERT_NE(name, nullptr);
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+    });
   }
 
   /// Clicks the button of the tool bar that carries this text.

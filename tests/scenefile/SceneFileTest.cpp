@@ -186,5 +186,17 @@ TEST(PresetFile, whatIsWrittenIsReadBack) {
   EXPECT_EQ(parsePreset(presetToJson(preset), "p"), preset);
 }
 
+TEST(SceneFile, anOrientationGivenByHandIsKeptAndOthersAreRefused) {
+  Scene scene;
+  VolumeInfo info;
+  info.orientationByHand = "RAS";
+  scene.volume = std::make_shared<const Volume>(Grid{{1, 1, 1}}, std::vector<std::uint8_t>{1}, Rescale{},
+                                                std::nullopt, info);
+  EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "test.json").orientation, "RAS");
+  EXPECT_EQ(sceneToJson(Scene{}, "v").find("orientation"), std::string::npos);
+  EXPECT_NE(refusalOf(R"({"limn_scene": 1, "volume": "v", "orientation": "LLS"})").find("three letters"),
+            std::string::npos);
+}
+
 } // namespace
 } // namespace limn

@@ -14,6 +14,7 @@ namespace {
 SessionDocument unusual() {
   SessionDocument session;
   session.scene.volume = "heads/ct";
+  session.scene.orientation = "RAS";
   session.scene.hasCamera = true;
   session.scene.hasTransferFunction = true;
   Scene& scene = session.scene.scene;

@@ -5,8 +5,11 @@
 #include "widgets/WidgetSamples.h"
 #include "widgets/presets/PresetModel.h"
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QImage>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTest>
 #include <QToolButton>
@@ -45,7 +48,28 @@ protected:
   }
 
   PresetBrowser m_browser;
-  QString marked() const { return list()->currentIndex().data().toString(); }
+  QString marked() const { return shownPreset(m_browser); }
+
+  QList<QAction*> menuActions() const {
+    QList<QAction*> actions;
+    if (const auto* menu = m_browser.findChild<QMenu*>())
+      for (QAction* action : menu->actions())
+        if (!action->isSeparator())
+          actions << action;
+    return actions;
+  }
+  QStringList menuTexts() const {
+    QStringList texts;
+    for (const QAction* action : menuActions())
+      texts << action->text();
+    return texts;
+  }
+  void trigger(const char* text) {
+    for (QAction* action : menuActions())
+      if (action->text() == QLatin1String(text))
+        return action->trigger();
+    FAIL() << text;
+  }
 
   bool m_takesEffect = true; ///< whether a choice changes the picture, as it does while one is shown
   QStringList m_chosen;
@@ -74,6 +98,50 @@ TEST_F(PresetBrowserTest, marksOnlyWhatTookEffect) {
   EXPECT_EQ(marked(), QString());
   click(QStringLiteral("CT bone"));
   EXPECT_EQ(marked(), QString());
+}
+
+TEST_F(PresetBrowserTest, theFrameStaysWithThePresetShownWhereverTheKeyboardGoes) {
+  click(QStringLiteral("CT bone"));
+  ASSERT_EQ(marked(), QStringLiteral("CT bone"));
+  QTest::keyClick(list(), Qt::Key_Down);
+  EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT lung"));
+  EXPECT_EQ(marked(), QStringLiteral("CT bone"));
+  QTest::keyClick(list(), Qt::Key_Return);
+  EXPECT_EQ(marked(), QStringLiteral("CT lung"));
+}
+
+TEST_F(PresetBrowserTest, aPresetThatWasChangedSaysSoUntilTheSearchAndBeyond) {
+  m_browser.setCurrent(QStringLiteral("CT lung"), true);
+  EXPECT_EQ(marked(), QStringLiteral("CT lung*"));
+  QTest::keyClicks(search(), QStringLiteral("lung"));
+  EXPECT_EQ(marked(), QStringLiteral("CT lung*"));
+  m_browser.setCurrent(QStringLiteral("CT lung"));
+  EXPECT_EQ(marked(), QStringLiteral("CT lung"));
+}
+
+TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
+  click(QStringLiteral("CT bone"));
+  const QPoint lung = rowOf(m_browser, QStringLiteral("CT lung")).center();
+  QTest::mouseClick(list()->viewport(), Qt::RightButton, {}, lung);
+  QContextMenuEvent asked(QContextMenuEvent::Mouse, lung, list()->viewport()->mapToGlobal(lung));
+  QCoreApplication::sendEvent(list()->viewport(), &asked);
+  EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT bone"));
+  EXPECT_EQ(marked(), QStringLiteral("CT bone"));
+  EXPECT_EQ(m_chosen.size(), 1);
+  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Duplicate…", "Copy name"})) << "built-in ones stay as they are";
+  trigger("Use");
+  EXPECT_EQ(marked(), QStringLiteral("CT lung"));
+}
+
+TEST_F(PresetBrowserTest, theMenuOfTheKeyboardIsAboutTheRowInHand) {
+  click(QStringLiteral("My temporal bone"));
+  m_browser.setCurrent(QStringLiteral("My temporal bone"), true);
+  QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
+  QCoreApplication::sendEvent(list(), &asked);
+  EXPECT_EQ(menuTexts(),
+            (QStringList{"Reset to this preset", "Duplicate…", "Rename…", "Delete", "Copy name"}));
+  trigger("Reset to this preset");
+  EXPECT_EQ(marked(), QStringLiteral("My temporal bone"));
 }
 
 TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {

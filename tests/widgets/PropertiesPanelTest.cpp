@@ -124,7 +124,28 @@ TEST_F(PropertiesPanelTest, aComparisonEnablesWhatEitherModelUses) {
   m_panel.setModelsShown({ShadingModel::classic, ShadingModel::enhanced}); // the scene's model is classic
   EXPECT_TRUE(rowNamed<ValueSlider>(m_panel, "Highlight sharpness (SP)")->isEnabled());
   EXPECT_TRUE(rowNamed<RangeSlider>(m_panel, "Boundary emphasis (O)")->isEnabled());
-  EXPECT_FALSE(rowNamed<ChoiceRow>(m_panel, "Model")->isEnabled());
+}
+
+TEST_F(PropertiesPanelTest, aComparisonHasAModelForEachSideEvenWhereNothingIsLit) {
+  m_panel.show();
+  EXPECT_TRUE(rowNamed<ChoiceRow>(m_panel, "Model")->isVisible());
+  EXPECT_FALSE(rowNamed<ChoiceRow>(m_panel, "Model, right")->isVisible());
+  std::vector<std::pair<int, ShadingModel>> chosen;
+  QObject::connect(&m_panel, &PropertiesPanel::modelChosen, &m_panel,
+                   [&](int side, ShadingModel model) { chosen.emplace_back(side, model); });
+  m_panel.setModelsShown({ShadingModel::classic, ShadingModel::robust});
+  EXPECT_FALSE(rowNamed<ChoiceRow>(m_panel, "Model")->isVisible());
+  auto* right = rowNamed<ChoiceRow>(m_panel, "Model, right");
+  ASSERT_TRUE(right->isVisible() && right->isEnabled());
+  EXPECT_EQ(right->box()->currentIndex(), static_cast<int>(ShadingModel::robust));
+  right->box()->setFocus();
+  QTest::keyClick(right->box(), Qt::Key_Up);
+  auto* left = rowNamed<ChoiceRow>(m_panel, "Model, left");
+  left->box()->setFocus();
+  QTest::keyClick(left->box(), Qt::Key_Up);
+  EXPECT_EQ(chosen, (std::vector<std::pair<int, ShadingModel>>{{1, ShadingModel::enhanced},
+                                                               {0, ShadingModel::none}}));
+  EXPECT_TRUE(m_edits.empty()) << "the scene's own model is another matter";
 }
 
 TEST_F(PropertiesPanelTest, aDoubleClickOnANameResets) {

@@ -6,11 +6,15 @@
 #include "widgets/presets/PresetDelegate.h"
 #include "widgets/presets/PresetModel.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSortFilterProxyModel>
@@ -66,6 +70,7 @@ void PresetBrowser::makeList() {
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_list->setAccessibleName(tr("Presets"));
   m_list->installEventFilter(this);
+  m_list->viewport()->installEventFilter(this);
   connect(m_list, &QAbstractItemView::clicked, this, &PresetBrowser::choose);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &PresetBrowser::showButtons);
 }
@@ -92,11 +97,9 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
 }
 
 void PresetBrowser::refill() {
-  const QString current = m_list->currentIndex().data().toString();
   fillPresetModel(*m_model, m_builtIn, m_own, isDark(palette()));
   search(m_search->text());
-  if (!current.isEmpty())
-    mark(current);
+  mark();
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
@@ -115,15 +118,24 @@ void PresetBrowser::search(const QString& text) {
   m_nothing->setVisible(nothing);
 }
 
-void PresetBrowser::setCurrent(const QString& name) {
+void PresetBrowser::setCurrent(const QString& name, bool isModified) {
+  if (name == m_current && isModified == m_isModified)
+    return;
+  const bool isOther = name != m_current;
   m_current = name;
-  mark(name);
+  m_isModified = isModified;
+  if (isOther)
+    mark();
+  else
+    markPresetUse(*m_model, name, isModified ? PresetUse::modified : PresetUse::shown);
 }
 
-void PresetBrowser::mark(const QString& name) {
-  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, name, 1,
+// The keyboard goes on from there, too.
+void PresetBrowser::mark() {
+  markPresetUse(*m_model, m_current, m_isModified ? PresetUse::modified : PresetUse::shown);
+  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, m_current, 1,
                                                   Qt::MatchExactly | Qt::MatchRecursive);
-  m_list->setCurrentIndex(name.isEmpty() || found.isEmpty() ? QModelIndex() : found.front());
+  m_list->setCurrentIndex(m_current.isEmpty() || found.isEmpty() ? QModelIndex() : found.front());
   showButtons();
 }
 
@@ -138,12 +150,34 @@ void PresetBrowser::choose(const QModelIndex& index) {
   const QString chosen = index.data().toString();
   emit presetChosen(chosen);
   if (m_current != chosen) // it did not take effect, so the list must not say so
-    mark(m_current);
+    mark();
 }
 
 QString PresetBrowser::ownPresetInHand() const {
   const QModelIndex index = m_list->currentIndex();
   return index.data(presetRole::isOwn).toBool() ? index.data().toString() : QString();
+}
+
+void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
+  if (!index.isValid() || index.data(presetRole::isGroup).toBool())
+    return;
+  const QString name = index.data().toString();
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, auto act) { menu->addAction(text, this, act); };
+  if (name == m_current && m_isModified)
+    add(tr("Reset to this preset"), [this, name] { emit presetChosen(name); });
+  else
+    add(tr("Use"), [this, name] { emit presetChosen(name); });
+  menu->addSeparator();
+  add(tr("Duplicate…"), [this, name] { emit duplicateRequested(name); });
+  if (index.data(presetRole::isOwn).toBool()) {
+    add(tr("Rename…"), [this, name] { emit renameRequested(name); });
+    add(tr("Delete"), [this, name] { emit deleteRequested(name); });
+  }
+  menu->addSeparator();
+  add(tr("Copy name"), [name] { QApplication::clipboard()->setText(name); });
+  menu->popup(at);
 }
 
 void PresetBrowser::showButtons() {
@@ -154,6 +188,13 @@ void PresetBrowser::showButtons() {
 }
 
 bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_list->viewport())
+    return handleRightClick(*event);
+  if (event->type() == QEvent::ContextMenu && watched == m_list) {
+    const QModelIndex index = m_list->currentIndex();
+    offerMenu(index, m_list->viewport()->mapToGlobal(m_list->visualRect(index).center()));
+    return true;
+  }
   if (event->type() != QEvent::KeyPress)
     return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
@@ -168,6 +209,18 @@ bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   return false;
+}
+
+// A menu is about the row under the pointer; the one that is marked stays.
+bool PresetBrowser::handleRightClick(const QEvent& event) {
+  if (event.type() == QEvent::ContextMenu) {
+    const auto& asked = static_cast<const QContextMenuEvent&>(event);
+    offerMenu(m_list->indexAt(asked.pos()), asked.globalPos());
+    return true;
+  }
+  const bool isButton =
+      event.type() == QEvent::MouseButtonPress || event.type() == QEvent::MouseButtonRelease;
+  return isButton && static_cast<const QMouseEvent&>(event).button() == Qt::RightButton;
 }
 
 bool PresetBrowser::handleSearchKey(int key) {

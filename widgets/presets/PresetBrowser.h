@@ -18,7 +18,8 @@ class QTreeView;
 namespace limn {
 
 /// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
-/// Enter chooses; names are unique over both lists. It saves and deletes nothing itself.
+/// Enter chooses, a right click opens a menu and selects nothing; names are unique over both lists. The frame
+/// marks the preset that is shown, wherever the keyboard is. It saves and deletes nothing itself.
 class PresetBrowser : public QWidget {
   Q_OBJECT
 
@@ -27,10 +28,10 @@ public:
 
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
 
-  /// Marks a preset by name, without choosing it, as the one in use; an unknown or empty name marks none. A
-  /// choice by the user marks nothing by itself: its receiver answers with this where the preset took effect,
-  /// and with an empty name where an edit left it.
-  void setCurrent(const QString& name);
+  /// Marks a preset by name, without choosing it, as the one that the picture was made from, changed since or
+  /// not; an unknown or empty name marks none. A choice by the user marks nothing by itself: its receiver
+  /// answers with this where the preset took effect.
+  void setCurrent(const QString& name, bool isModified = false);
 
   /// Puts the keyboard into the search field.
   void focusSearch();
@@ -40,7 +41,10 @@ public:
 signals:
   void presetChosen(const QString& name);
   void saveRequested();
+  /// A preset is to be kept as one of the user's own under another name.
+  void duplicateRequested(const QString& name);
   /// Only for the user's own presets.
+  void renameRequested(const QString& name);
   void deleteRequested(const QString& name);
 
 protected:
@@ -52,15 +56,18 @@ private:
   QWidget* makeButtons();
   void refill();
   void search(const QString& text);
-  void mark(const QString& name);
+  void mark();
+  void offerMenu(const QModelIndex& index, const QPoint& at);
   void choose(const QModelIndex& index);
   QString ownPresetInHand() const;
   void showButtons();
   bool handleSearchKey(int key);
+  bool handleRightClick(const QEvent& event);
 
   std::vector<Preset> m_builtIn;
   std::vector<Preset> m_own;
   QString m_current; ///< the preset in use
+  bool m_isModified = false;
   QLineEdit* m_search;
   QTreeView* m_list;
   QLabel* m_nothing;

@@ -83,6 +83,19 @@ QImage curveThumbnail(const TransferFunction& function, const QSize& size, doubl
   return image;
 }
 
+void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use) {
+  for (int group = 0; group < model.rowCount(); ++group)
+    for (int row = 0; row < model.item(group)->rowCount(); ++row) {
+      QStandardItem* item = model.item(group)->child(row);
+      const PresetUse its = item->text() == name ? use : PresetUse::none;
+      item->setData(static_cast<int>(its), presetRole::use);
+      item->setData(its == PresetUse::shown      ? QObject::tr("%1, shown").arg(item->text())
+                    : its == PresetUse::modified ? QObject::tr("%1, shown, modified").arg(item->text())
+                                                 : item->text(),
+                    Qt::AccessibleTextRole);
+    }
+}
+
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
                      const std::vector<Preset>& own, bool dark) {
   model.clear();

@@ -13,15 +13,21 @@ class QStandardItemModel;
 
 namespace limn {
 
+/// How a preset of the list is used at present.
+enum class PresetUse { none, shown, modified };
+
 /// Roles of the preset list beside Qt::DisplayRole, the preset's name or the group's title.
 namespace presetRole {
-enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText };
+enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText, use };
 }
 
 /// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
 /// order in which they are given, each with a picture of its curve in `dark` or light colours.
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
                      const std::vector<Preset>& own, bool dark);
+
+/// Marks the preset of this name, and no other, as used this way; an unknown or empty name marks none.
+void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use);
 
 /// A small picture of a transfer function: its coloured curve over a strip of its colours.
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/AxisNames.h"
 
-#include <QObject>
+#include "scene/volume/Orientation.h"
 
-#include <algorithm>
-#include <cmath>
+#include <QObject>
 
 namespace limn {
 namespace {
@@ -22,23 +21,6 @@ AxisName alongPatient(int direction, bool isForward) {
   return isForward ? between(low, high) : between(high, low);
 }
 
-// The direction of the patient that each grid axis follows, of all ways to hand them out the best.
-std::array<int, 3> patientDirections(const glm::dmat3& direction) {
-  std::array<int, 3> order{0, 1, 2};
-  std::array<int, 3> best = order;
-  double largest = -1.0;
-  do {
-    double agreement = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-      agreement += std::abs(direction[axis][order[static_cast<std::size_t>(axis)]]);
-    if (agreement <= largest)
-      continue;
-    largest = agreement;
-    best = order;
-  } while (std::next_permutation(order.begin(), order.end()));
-  return best;
-}
-
 } // namespace
 
 std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
@@ -51,7 +33,7 @@ std::array<AxisName, 3> axisNames(const Grid& grid, bool orientationKnown) {
     names[2] = {QObject::tr("Slices"), first, last};
     return names;
   }
-  const std::array<int, 3> directions = patientDirections(grid.direction);
+  const std::array<int, 3> directions = patientAxes(grid.direction);
   for (int axis = 0; axis < 3; ++axis) {
     const int direction = directions[static_cast<std::size_t>(axis)];
     names[static_cast<std::size_t>(axis)] = alongPatient(direction, grid.direction[axis][direction] > 0.0);

@@ -13,8 +13,8 @@
 namespace limn {
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
-    : QScrollArea(parent), m_projection(new ProjectionSection),
-      m_sections({new ModelSection, new GradientSection, new LightSection}), m_use(m_sections.size()),
+    : QScrollArea(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
+      m_sections({m_model, new GradientSection, new LightSection}), m_use(m_sections.size()),
       m_crop(new CropSection), m_labels(new LabelSection), m_fog(new FogSection),
       m_quality(new QualitySection) {
   stackSections(
@@ -32,6 +32,7 @@ void PropertiesPanel::connectSections() {
               setShading(shading);
               emit shadingEdited(shading, gesture);
             });
+  connect(m_model, &ModelSection::sideModelChosen, this, &PropertiesPanel::modelChosen);
   connect(m_quality, &QualitySection::qualityEdited, this, &PropertiesPanel::qualityEdited);
   connect(m_projection, &ProjectionSection::projectionEdited, this, &PropertiesPanel::projectionEdited);
   connect(m_projection, &ProjectionSection::isovalueEdited, this, &PropertiesPanel::isovalueEdited);
@@ -63,6 +64,7 @@ void PropertiesPanel::setQuality(const Quality& quality) {
 
 void PropertiesPanel::setModelsShown(const std::vector<ShadingModel>& models) {
   m_models = models;
+  m_model->setChosenModels(models);
   showModels();
 }
 

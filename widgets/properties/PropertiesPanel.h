@@ -11,6 +11,7 @@ namespace limn {
 class CropSection;
 class FogSection;
 class LabelSection;
+class ModelSection;
 class ProjectionSection;
 class QualitySection;
 class ShadingSection;
@@ -41,6 +42,8 @@ public:
 
 signals:
   void shadingEdited(const limn::Shading& shading, const limn::Gesture& gesture);
+  /// Another model for a side of a comparison, 0 left, 1 right.
+  void modelChosen(int side, limn::ShadingModel model);
   void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
   void projectionEdited(limn::Projection projection, const limn::Gesture& gesture);
   void isovalueEdited(double isovalue, const limn::Gesture& gesture);
@@ -55,7 +58,8 @@ private:
   Scene m_scene;
   std::vector<ShadingModel> m_models{ShadingModel::classic};
   ProjectionSection* m_projection;
-  std::vector<ShadingSection*> m_sections;
+  ModelSection* m_model;
+  std::vector<ShadingSection*> m_sections; ///< the model's first
   /// Of a section of light.
   struct Use {
     bool isUnused = false;

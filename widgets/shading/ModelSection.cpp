@@ -18,6 +18,14 @@ QStringList modelNames() {
   return names;
 }
 
+ChoiceRow* modelRow(const QString& label, ShadingModel initial) {
+  return new ChoiceRow(
+      label,
+      ModelSection::tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or "
+                       "the same without overflowing highlights."),
+      modelNames(), static_cast<int>(initial));
+}
+
 NumberSpec exponentSpec() {
   return {.label = ModelSection::tr("Highlight sharpness (SP)"),
           .help = ModelSection::tr(
@@ -57,12 +65,15 @@ NumberSpec opacityRangeSpec() {
 } // namespace
 
 ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), parent) {
-  m_model = addChoice(
-      new ChoiceRow(tr("Model"),
-                    tr("How tissue is lit: not at all, evenly, with boundaries emphasised, or the same "
-                       "without overflowing highlights."),
-                    modelNames(), static_cast<int>(ShadingModel::classic)),
-      &Shading::model);
+  m_model = addChoice(modelRow(tr("Model"), ShadingModel::classic), &Shading::model);
+  m_sides = {modelRow(tr("Model, left"), ShadingModel::classic),
+             modelRow(tr("Model, right"), ShadingModel::enhanced)};
+  for (int side = 0; side < 2; ++side) {
+    ChoiceRow* row = m_sides[static_cast<std::size_t>(side)];
+    contents()->addWidget(row);
+    connect(row, &ChoiceRow::indexEdited, this,
+            [this, side](int index) { emit sideModelChosen(side, static_cast<ShadingModel>(index)); });
+  }
   auto* classic = new QLabel(modelName(ShadingModel::classic));
   auto* enhanced = new QLabel(tr("Enhanced and robust"));
   for (QLabel* heading : {classic, enhanced})
@@ -75,16 +86,24 @@ ModelSection::ModelSection(QWidget* parent) : ShadingSection(tr("Shading"), pare
   showShading();
 }
 
+void ModelSection::setChosenModels(const std::vector<ShadingModel>& models) {
+  m_chosen = models;
+  showShading();
+}
+
 void ModelSection::showShading() {
+  const bool isComparison = m_chosen.size() > 1;
+  m_model->setVisible(!isComparison);
   m_model->setIndex(static_cast<int>(shading().model));
+  for (std::size_t side = 0; side < m_sides.size(); ++side) {
+    m_sides[side]->setVisible(isComparison);
+    if (isComparison)
+      m_sides[side]->setIndex(static_cast<int>(m_chosen[side]));
+  }
   m_exponent->setValue(shading().exponent);
   m_exponentRange->setRange(shading().exponentRange.atFlat, shading().exponentRange.atBoundary);
   m_opacityRange->setRange(shading().opacityRange.atFlat, shading().opacityRange.atBoundary);
 
-  m_model->setUnavailable(
-      modelsShown().size() > 1
-          ? tr("Two models are being compared: click a name above a picture to change that side's model.")
-          : QString());
   m_exponent->setUnavailable(
       shows({ShadingModel::classic})
           ? QString()

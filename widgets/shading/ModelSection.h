@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <array>
+
 namespace limn {
 
 /// The shading model and the numbers that make it: highlight sharpness and boundary emphasis.
@@ -14,11 +16,20 @@ class ModelSection : public ShadingSection {
 public:
   explicit ModelSection(QWidget* parent = nullptr);
 
+  /// The models chosen for the pictures on screen, lit or not: one, or the two that are compared.
+  void setChosenModels(const std::vector<ShadingModel>& models);
+
+signals:
+  /// Another model for a side of a comparison, 0 left, 1 right; a single picture's is its scene's.
+  void sideModelChosen(int side, limn::ShadingModel model);
+
 protected:
   void showShading() override;
 
 private:
-  ChoiceRow* m_model;
+  std::vector<ShadingModel> m_chosen{ShadingModel::classic};
+  ChoiceRow* m_model; ///< of a single picture
+  std::array<ChoiceRow*, 2> m_sides;
   ValueSlider* m_exponent;
   RangeSlider* m_exponentRange;
   RangeSlider* m_opacityRange;

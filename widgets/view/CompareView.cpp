@@ -83,12 +83,14 @@ void CompareView::connectInput() {
   connect(m_input, &ViewInput::windowPresetRequested, this, &CompareView::windowPresetRequested);
   connect(m_input, &ViewInput::shortcutListRequested, this, &CompareView::shortcutListRequested);
   connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
+  connect(m_input, &ViewInput::toolChanged, this, &CompareView::toolChanged);
   connect(m_labels, &LabelFade::changed, this, &CompareView::repaintOverlay);
   connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
   connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
   connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
   connect(m_panels, &PanelStack::loadingCancelled, this,
           [this] { m_isPreparing ? m_engines->cancelPreparing() : emit loadingCancelled(); });
+  connect(m_panels, &PanelStack::recentRequested, this, &CompareView::recentRequested);
 }
 
 void CompareView::connectFit() {
@@ -193,6 +195,18 @@ void CompareView::showPreparing(double fraction) {
     clearLoading();
   else
     setLoading(fraction, tr("Getting the volume ready for drawing…"));
+}
+
+void CompareView::setTool(ViewTool tool) {
+  m_input->setTool(tool);
+}
+
+ViewTool CompareView::tool() const {
+  return m_input->tool();
+}
+
+void CompareView::setRecentSources(const QStringList& texts) {
+  m_panels->setRecentSources(texts);
 }
 
 void CompareView::setLoading(double fraction, const QString& text) {

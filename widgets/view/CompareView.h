@@ -23,6 +23,7 @@ class EngineSwitch;
 class LabelFade;
 class PanelStack;
 class ViewInput;
+enum class ViewTool;
 struct EffectTimes;
 struct OverlaySource;
 struct ViewOrders;
@@ -81,6 +82,13 @@ public:
   void setCropBoxVisible(bool visible);
   bool cropBoxIsVisible() const { return m_cropBoxVisible; }
 
+  /// What the left button does; at first it rotates. Esc in the view returns to that.
+  void setTool(ViewTool tool);
+  ViewTool tool() const;
+
+  /// What was opened before, offered where there is no volume; latest first.
+  void setRecentSources(const QStringList& texts);
+
   /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
@@ -121,6 +129,7 @@ signals:
   void pinRequested(double value);
   void modelChosen(int side, limn::ShadingModel model);
   void wipeMoved(double fraction);
+  void toolChanged(limn::ViewTool tool);
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
   void shortcutListRequested();
   /// The note was clicked that tells what is hidden.
@@ -139,6 +148,7 @@ signals:
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
+  void recentRequested(int number); ///< of setRecentSources, from 0 on
   void loadingCancelled();
 
 protected:

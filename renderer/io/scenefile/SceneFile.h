@@ -13,10 +13,11 @@ namespace limn {
 
 /// A scene file as read: the scene without its volume, and what the file left to the program.
 struct SceneDocument {
-  std::string volume;               ///< path as written in the file, relative to its folder
-  Scene scene;                      ///< `volume` is empty and `keep` keeps all
-  KeptPart keep;                    ///< what `scene.keep` becomes once the volume is read
-  bool hasCamera = false;           ///< false: place the default camera once the volume is read
+  std::string volume;      ///< path as written in the file, relative to its folder
+  Scene scene;             ///< `volume` is empty and `keep` keeps all
+  KeptPart keep;           ///< what `scene.keep` becomes once the volume is read
+  std::string orientation; ///< axis letters given by hand (Orientation.h), empty: the volume's own file tells
+  bool hasCamera = false;  ///< false: place the default camera once the volume is read
   bool hasTransferFunction = false; ///< false: choose the best-fitting preset
   bool operator==(const SceneDocument&) const = default;
 };

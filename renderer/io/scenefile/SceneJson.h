@@ -23,7 +23,7 @@ KeptPart readKeptPart(JsonFields& scene);
 
 nlohmann::ordered_json keptPartJson(const KeptPart& part);
 
-/// The fields of a scene file; `volume` is stored as given, and `keep` in place of the scene's own.
-nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume, const KeptPart& keep);
+/// The fields of a scene file; the volume is stored as given, and `keep` in place of the scene's own.
+nlohmann::ordered_json sceneJson(const SceneDocument& document);
 
 } // namespace limn

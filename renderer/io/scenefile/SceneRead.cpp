@@ -6,6 +6,7 @@
 #include "scene/ProjectionName.h"
 #include "scene/light/ModelName.h"
 #include "scene/steps/LocalSteps.h"
+#include "scene/volume/Orientation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -249,6 +250,8 @@ SceneDocument readScene(JsonFields fields) {
   Scene& scene = document.scene;
   if (!fields.text("volume", document.volume) || document.volume.empty())
     fields.fail("volume", "is missing; name the file or folder of the volume");
+  if (fields.text("orientation", document.orientation) && !areAxisLetters(document.orientation))
+    fields.fail("orientation", "must be three letters, one of L and R, one of P and A, one of S and I");
   document.hasCamera = fields.has("camera");
   if (document.hasCamera)
     scene.camera = readCamera(fields.object("camera"));

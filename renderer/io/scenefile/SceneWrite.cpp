@@ -108,27 +108,36 @@ Json toJson(const Quality& quality) {
 
 } // namespace
 
-nlohmann::ordered_json sceneJson(const Scene& scene, const std::string& volume, const KeptPart& keep) {
-  return {{"limn_scene", 1},
-          {"volume", volume},
-          {"camera", toJson(scene.camera)},
-          {"transfer_function", toJson(scene.transferFunction)},
-          {"shading", toJson(scene.shading)},
-          {"gradient_opacity", toJson(scene.gradientOpacity)},
-          {"fog", toJson(scene.fog)},
-          {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
-          {"keep", keptPartJson(keep)},
-          {"projection", nameOf(scene.projection)},
-          {"isosurface", {{"value", scene.isovalue}}},
-          {"quality", toJson(scene.quality)},
-          {"image",
-           {{"width", scene.image.width},
-            {"height", scene.image.height},
-            {"background", toJson(scene.image.background)}}}};
+nlohmann::ordered_json sceneJson(const SceneDocument& document) {
+  const Scene& scene = document.scene;
+  Json json{{"limn_scene", 1}, {"volume", document.volume}};
+  if (!document.orientation.empty())
+    json["orientation"] = document.orientation;
+  json.update(Json{{"camera", toJson(scene.camera)},
+                   {"transfer_function", toJson(scene.transferFunction)},
+                   {"shading", toJson(scene.shading)},
+                   {"gradient_opacity", toJson(scene.gradientOpacity)},
+                   {"fog", toJson(scene.fog)},
+                   {"crop", {{"lower", toJson(scene.crop.lower)}, {"upper", toJson(scene.crop.upper)}}},
+                   {"keep", keptPartJson(document.keep)},
+                   {"projection", nameOf(scene.projection)},
+                   {"isosurface", {{"value", scene.isovalue}}},
+                   {"quality", toJson(scene.quality)},
+                   {"image",
+                    {{"width", scene.image.width},
+                     {"height", scene.image.height},
+                     {"background", toJson(scene.image.background)}}}});
+  return json;
 }
 
 std::string sceneToJson(const Scene& scene, const std::string& volume) {
-  return textOf(sceneJson(scene, volume, keptPartOf(scene.keep)));
+  SceneDocument document;
+  document.volume = volume;
+  document.scene = scene;
+  document.keep = keptPartOf(scene.keep);
+  if (scene.volume)
+    document.orientation = scene.volume->info().orientationByHand;
+  return textOf(sceneJson(document));
 }
 
 std::string presetToJson(const Preset& preset) {

@@ -72,8 +72,7 @@ SessionDocument readSessionFile(const std::filesystem::path& path) {
 }
 
 std::string sessionToJson(const SessionDocument& session) {
-  Json json = {{"limn_session", 1},
-               {"scene", sceneJson(session.scene.scene, session.scene.volume, session.scene.keep)}};
+  Json json = {{"limn_session", 1}, {"scene", sceneJson(session.scene)}};
   if (session.series)
     json["series"] = *session.series;
   if (const auto& spacing = session.spacingMm)

@@ -4,6 +4,7 @@
 #include "scene/basics/Error.h"
 #include "scene/volume/ValidVoxels.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace limn {
@@ -42,17 +43,26 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
 
 Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding,
                VolumeInfo info, const Effort& effort)
-    : m_grid(grid), m_stored(std::move(stored)), m_rescale(rescale), m_info(std::move(info)) {
-  requireUsableGrid(m_grid, voxelCount());
-  ValidVoxels valid = sanitise(m_stored, m_rescale, padding, effort);
+    : m_grid(grid), m_rescale(rescale), m_info(std::move(info)) {
+  requireUsableGrid(m_grid, std::visit([](const auto& voxels) { return voxels.size(); }, stored));
+  ValidVoxels valid = sanitise(stored, m_rescale, padding, effort);
+  m_stored = std::make_shared<const VoxelArray>(std::move(stored));
   m_range = rangeOf(valid, m_rescale);
   m_invalidVoxels = valid.invalidVoxels;
   m_invalid = std::move(valid.invalid);
   m_counts = std::move(valid.counts);
 }
 
+Volume Volume::placed(const Grid& grid, VolumeInfo info) const {
+  assert(grid.dims == m_grid.dims);
+  Volume other = *this;
+  other.m_grid = grid;
+  other.m_info = std::move(info);
+  return other;
+}
+
 std::size_t Volume::voxelCount() const {
-  return std::visit([](const auto& voxels) { return voxels.size(); }, m_stored);
+  return std::visit([](const auto& voxels) { return voxels.size(); }, *m_stored);
 }
 
 double Volume::value(const glm::ivec3& index) const {
@@ -61,7 +71,7 @@ double Volume::value(const glm::ivec3& index) const {
       [&](const auto& voxels) {
         return m_rescale.slope * static_cast<double>(voxels[offset]) + m_rescale.intercept;
       },
-      m_stored);
+      *m_stored);
 }
 
 std::string voxelTypeName(const VoxelArray& stored) {

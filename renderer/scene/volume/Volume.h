@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -61,6 +62,8 @@ struct VolumeInfo {
   std::string unit;     ///< "HU" for CT, empty where unknown
   ScanHints hints;      ///< what chooses a first look
   bool orientationKnown = true;
+  std::string
+      orientationByHand; ///< the axes' letters that a person gave (Orientation.h), empty: the file told
   bool spacingKnown = true;
   std::vector<std::string> warnings; ///< one sentence each, without patient data
   PatientLabel patient;
@@ -78,9 +81,12 @@ public:
          const Effort& effort = {});
 
   const Grid& grid() const { return m_grid; }
-  const VoxelArray& stored() const { return m_stored; }
+  const VoxelArray& stored() const { return *m_stored; }
   const Rescale& rescale() const { return m_rescale; }
   const VolumeInfo& info() const { return m_info; }
+
+  /// The same voxels, shared, where they lie otherwise; `grid` has the same dimensions.
+  Volume placed(const Grid& grid, VolumeInfo info) const;
 
   /// Smallest and largest scalar of the valid voxels.
   const ValueRange& range() const { return m_range; }
@@ -99,7 +105,7 @@ public:
 
 private:
   Grid m_grid;
-  VoxelArray m_stored;
+  std::shared_ptr<const VoxelArray> m_stored;
   Rescale m_rescale;
   VolumeInfo m_info;
   ValueRange m_range;

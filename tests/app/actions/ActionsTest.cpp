@@ -56,8 +56,8 @@ TEST_F(ActionsTest, aChoiceOfAGroupIsCheckedAlone) {
   checkOnly(*actions.layouts, static_cast<int>(CompareLayout::wipe));
   checkOnly(*actions.layouts, static_cast<int>(CompareLayout::single));
   EXPECT_EQ(actions.layouts->checkedAction()->objectName(), QStringLiteral("layout-single"));
-  checkOnly(*actions.models, {});
-  EXPECT_EQ(actions.models->checkedAction(), nullptr);
+  checkOnly(*actions.models[0], {});
+  EXPECT_EQ(actions.models[0]->checkedAction(), nullptr);
 }
 
 TEST_F(ActionsTest, everyOneStandsInAMenuOrInTheToolBar) {

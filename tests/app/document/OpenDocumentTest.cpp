@@ -97,20 +97,47 @@ TEST_F(OpenDocumentTest, anUnsavedSessionGoesOnAsWhatItWas) {
   EXPECT_TRUE(document.isEdited());
   EXPECT_EQ(document.sessionFile(), QStringLiteral("/data/mine.json"));
   EXPECT_EQ(document.request().source, QStringLiteral("/data/head.nii")) << "its own file goes";
-  EXPECT_EQ(document.presetShown(), "Skin");
+  EXPECT_EQ(document.presetInUse(), (OpenDocument::PresetInUse{"Skin", false}));
   EXPECT_TRUE(document.unsaved(document.described()));
 }
 
-TEST_F(OpenDocumentTest, aPresetIsInUseWhileItsCurvesAreShown) {
+TEST_F(OpenDocumentTest, aPresetIsInUseAndToldAsModifiedWhereWhatItSetsIsChanged) {
+  const OpenDocument::PresetInUse bone{"Bone", false};
+  const OpenDocument::PresetInUse changed{"Bone", true};
   openAndSettle("/data/head.nii");
-  EXPECT_EQ(document.presetShown(), "Bone");
+  EXPECT_EQ(document.presetInUse(), bone);
   edit(20.0);
-  EXPECT_EQ(document.presetShown(), "");
-  EXPECT_EQ(document.described().preset, "");
+  EXPECT_EQ(document.presetInUse(), changed);
+  EXPECT_EQ(document.described().preset, "") << "a session names the preset that it shows";
   session.undoStack().undo();
-  EXPECT_EQ(document.presetShown(), "Bone");
+  EXPECT_EQ(document.presetInUse(), bone);
   session.setGradientOpacity(GradientOpacity{{{5.0, 0.25}}}, {nextGestureId(), "edit"});
-  EXPECT_EQ(document.presetShown(), "");
+  EXPECT_EQ(document.presetInUse(), changed);
+  session.undoStack().undo();
+  Shading shading = session.scene().shading;
+  shading.model = ShadingModel::robust;
+  session.setShading(shading, {nextGestureId(), "model"});
+  EXPECT_EQ(document.presetInUse(), bone) << "the model is chosen beside presets";
+  shading.ambient *= 0.5;
+  session.setShading(shading, {nextGestureId(), "light"});
+  EXPECT_EQ(document.presetInUse(), changed);
+}
+
+TEST_F(OpenDocumentTest, undoBringsBackThePresetBefore) {
+  openAndSettle("/data/head.nii");
+  Preset skin;
+  skin.name = "Skin";
+  skin.transferFunction = session.scene().transferFunction;
+  skin.transferFunction.unitDistanceMm *= 2.0;
+  session.usePreset(skin, {nextGestureId(), "use Skin"});
+  EXPECT_EQ(document.presetInUse(), (OpenDocument::PresetInUse{"Skin", false}));
+  session.undoStack().undo();
+  EXPECT_EQ(document.presetInUse(), (OpenDocument::PresetInUse{"Bone", false}));
+  edit(20.0);
+  EXPECT_EQ(document.presetInUse(), (OpenDocument::PresetInUse{"Bone", true}));
+  session.undoStack().undo();
+  session.undoStack().redo();
+  EXPECT_EQ(document.presetInUse(), (OpenDocument::PresetInUse{"Bone", true}));
 }
 
 TEST_F(OpenDocumentTest, thePatientIsNamedInTheTitleOnlyWhereThatIsWanted) {

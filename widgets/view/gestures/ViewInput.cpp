@@ -2,6 +2,7 @@
 #include "widgets/view/gestures/ViewInput.h"
 
 #include "widgets/properties/AxisNames.h"
+#include "widgets/view/gestures/DragCursor.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 #include "widgets/view/overlay/RegionNote.h"
 #include "widgets/view/overlay/Titles.h"
@@ -30,6 +31,23 @@ std::optional<CropFace> ViewInput::heldFace() const {
 void ViewInput::forget() {
   m_drag.reset();
   m_read.reset();
+}
+
+void ViewInput::setTool(ViewTool tool) {
+  if (tool == m_tool)
+    return;
+  m_tool = tool;
+  if (m_hovered == Hovered{} && !m_drag)
+    showCursor(std::nullopt);
+  emit toolChanged(tool);
+}
+
+// What a press here would do.
+void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
+  m_view->setCursor(m_hovered.label >= 0 || m_hovered.region ? Qt::PointingHandCursor
+                    : handle                                 ? cursorFor(*handle)
+                    : m_hovered.wipe                         ? Qt::SplitHCursor
+                                     : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
 }
 
 void ViewInput::ask(const ViewEdit& edit, const Gesture& gesture) {
@@ -140,10 +158,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   now.wipe = !isOnText && !handle && isOnWipeBorder(source.geometry, point);
   if (now != m_hovered) {
     m_hovered = now;
-    m_view->setCursor(isOnText   ? Qt::PointingHandCursor
-                      : handle   ? cursorFor(*handle)
-                      : now.wipe ? Qt::SplitHCursor
-                                 : Qt::ArrowCursor);
+    showCursor(handle);
     m_view->update();
   }
   m_view->setToolTip(toolTipAt(source, point));
@@ -184,6 +199,7 @@ void ViewInput::enter() {
 void ViewInput::leave() {
   stopReading();
   m_hovered = {};
+  showCursor(std::nullopt);
   m_view->update();
 }
 
@@ -197,13 +213,15 @@ bool ViewInput::obey(const ViewCommand& command) {
   if (const auto camera = cameraAfter(command, shown.camera, shown.volume->grid(), frame))
     emit cameraEdited(*camera);
   else if (const auto* use = std::get_if<UseTool>(&command))
-    m_tool = use->tool;
+    setTool(use->tool);
   else if (const auto* preset = std::get_if<WindowPreset>(&command))
     emit windowPresetRequested(preset->number);
   else if (std::holds_alternative<Swap>(command))
     emit swapRequested();
   else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
+  else if (std::holds_alternative<Cancel>(command))
+    setTool(ViewTool::rotate);
   else if (std::holds_alternative<ListShortcuts>(command))
     emit shortcutListRequested();
   else

@@ -47,6 +47,9 @@ public:
   void forgetFace() { m_hovered.face.reset(); }
   void forget(); ///< drag and reading, of another volume
 
+  void setTool(ViewTool tool);
+  ViewTool tool() const { return m_tool; }
+
   /// What the pointer is over, or holds.
   Hovered hovered() const;
   std::optional<CropFace> heldFace() const;
@@ -65,10 +68,12 @@ signals:
   void windowPresetRequested(int number);
   void shortcutListRequested();
   void swapRequested();
+  void toolChanged(limn::ViewTool tool);
 
 private:
   void ask(const ViewEdit& edit, const Gesture& gesture);
   void cancelDrag(const Scene& shown);
+  void showCursor(const std::optional<CropHandle>& handle);
   void hover(const QMouseEvent& event);
   void uncut(const Scene& shown, CropFace face);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 class QWidget;
 
@@ -24,6 +25,9 @@ public:
   /// and is empty where it is.
   void arrange(bool hasVolume, const QString& sentence);
 
+  /// What was opened before, latest first.
+  void setRecentSources(const QStringList& texts);
+
   /// `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
   void clearLoading();
@@ -39,6 +43,7 @@ signals:
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
+  void recentRequested(int number); ///< of setRecentSources, from 0 on
   void loadingCancelled();
   void retryRequested();       ///< after a failure of any kind
   void driverRetryRequested(); ///< while the processor draws

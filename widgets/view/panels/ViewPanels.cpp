@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -24,10 +26,14 @@ QPushButton:pressed { background: #1d2027; }
 QPushButton:focus { border-color: #4da3ff; }
 QPushButton:default { background: #1f5fa8; border-color: #4da3ff; }
 QPushButton:default:hover { background: #2870c2; }
+QPushButton#recent { padding: 4px 16px; min-width: 320px; background: #15171e; }
+QPushButton#recent:hover { background: #323844; }
 QPushButton#cancel { padding: 2px 12px; min-height: 16px; }
 QProgressBar { background: #262a33; border: none; }
 QProgressBar::chunk { background: #4da3ff; }
 )");
+
+constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -50,7 +56,8 @@ QPushButton* panelButton(const QString& text, const QString& name, QWidget* pare
   return made;
 }
 
-EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(this)) {
+EmptyPanel::EmptyPanel(QWidget* parent)
+    : QFrame(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
   setStyleSheet(panelStyle);
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
@@ -86,7 +93,28 @@ EmptyPanel::EmptyPanel(QWidget* parent) : QFrame(parent), m_target(new QWidget(t
   row->addWidget(m_target, 1);
   row->addStretch();
   outer->addLayout(row);
+  outer->addWidget(m_recent, 0, Qt::AlignHCenter);
   outer->addStretch();
+  m_recent->hide();
+}
+
+void EmptyPanel::setRecentSources(const QStringList& texts) {
+  qDeleteAll(m_recent->children());
+  auto* column = new QVBoxLayout(m_recent);
+  column->setContentsMargins(0, 8, 0, 0);
+  column->setSpacing(4);
+  auto* title = new QLabel(tr("Opened before"), m_recent);
+  title->setAlignment(Qt::AlignCenter);
+  column->addWidget(title);
+  for (int number = 0; number < std::min<int>(texts.size(), mostRecentShown); ++number) {
+    const QString name = texts[number];
+    auto* button = panelButton(QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")),
+                               QStringLiteral("recent"), m_recent);
+    button->setAccessibleName(tr("Open again: %1").arg(name));
+    connect(button, &QPushButton::clicked, this, [this, number] { emit recentRequested(number); });
+    column->addWidget(button);
+  }
+  m_recent->setVisible(!texts.isEmpty());
 }
 
 void EmptyPanel::paintEvent(QPaintEvent* event) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QStringList>
 
 class QLabel;
 class QProgressBar;
@@ -9,23 +10,29 @@ class QPushButton;
 
 namespace limn {
 
-/// Covers the view while there is no volume: where to drop one, and three ways to open one.
+/// Covers the view while there is no volume: where to drop one, three ways to open one, and what was opened
+/// before.
 class EmptyPanel : public QFrame {
   Q_OBJECT
 
 public:
   explicit EmptyPanel(QWidget* parent);
 
+  /// Latest first; the first few are offered.
+  void setRecentSources(const QStringList& texts);
+
 signals:
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
+  void recentRequested(int number); ///< of setRecentSources, from 0 on
 
 protected:
   void paintEvent(QPaintEvent* event) override;
 
 private:
   QWidget* m_target = nullptr;
+  QWidget* m_recent = nullptr;
 };
 
 /// Covers the view where drawing failed: the sentence, and a way to try again.

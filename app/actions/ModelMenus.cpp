@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/ModelMenus.h"
+
+#include "app/actions/Actions.h"
+#include "widgets/shading/ModelSection.h"
+
+#include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace limn {
+
+ModelMenus::ModelMenus(const std::array<QActionGroup*, 2>& models, QMenu& menu) : QObject(&menu) {
+  for (std::size_t side = 0; side < m_sides.size(); ++side) {
+    m_sides[side].group = models[side];
+    m_sides[side].menu = menu.addMenu(QString());
+    m_sides[side].menu->addActions(models[side]->actions());
+  }
+}
+
+void ModelMenus::addTo(QToolBar& bar) {
+  const std::array names{"modelButton", "rightModelButton"};
+  for (std::size_t side = 0; side < m_sides.size(); ++side) {
+    auto* button = new QToolButton(&bar);
+    button->setObjectName(QLatin1String(names[side]));
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setMenu(m_sides[side].menu);
+    m_sides[side].button = button;
+    m_sides[side].place = bar.addWidget(button);
+  }
+}
+
+void ModelMenus::show(const std::vector<ShadingModel>& models) {
+  const bool isSingle = models.size() < 2;
+  const std::array menuTexts{isSingle ? tr("&Model") : tr("&Left model"), tr("R&ight model")};
+  const std::array buttonTexts{isSingle ? tr("%1") : tr("Left: %1"), tr("Right: %1")};
+  const std::array toolTips{isSingle ? tr("The shading model of the picture: how tissue is lit.")
+                                     : tr("The shading model of the left side."),
+                            tr("The shading model of the right side.")};
+  for (std::size_t side = 0; side < m_sides.size(); ++side) {
+    const Side& its = m_sides[side];
+    const bool isShown = side < models.size();
+    its.menu->menuAction()->setVisible(isShown);
+    its.place->setVisible(isShown);
+    if (!isShown)
+      continue;
+    const QString text = buttonTexts[side].arg(modelName(models[side]));
+    checkOnly(*its.group, static_cast<int>(models[side]));
+    its.menu->setTitle(menuTexts[side]);
+    its.button->setText(text);
+    its.button->setToolTip(toolTips[side]);
+    its.button->setAccessibleName(tr("Model: %1").arg(text));
+  }
+}
+
+} // namespace limn

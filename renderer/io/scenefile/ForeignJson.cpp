@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/ForeignJson.h"
+
+#include "io/reading/ReadError.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+using nlohmann::json;
+
+bool hasAny(const json& object, std::initializer_list<const char*> keys) {
+  return std::ranges::any_of(keys, [&](const char* key) { return object.contains(key); });
+}
+
+// 3D Slicer names a schema of its own in all that it writes.
+bool isOfSlicer(const json& object) {
+  const auto schema = object.find("@schema");
+  if (schema == object.end() || !schema->is_string())
+    return false;
+  std::string address = schema->get<std::string>();
+  std::ranges::transform(address, address.begin(), [](unsigned char c) { return std::tolower(c); });
+  return address.find("slicer") != std::string::npos;
+}
+
+// ParaView writes a list of colour maps.
+bool isOfParaView(const json& text) {
+  return text.is_array() && !text.empty() && text[0].is_object() &&
+         hasAny(text[0], {"ColorSpace", "RGBPoints"});
+}
+
+// What it is, as in "it is …"; empty where it may be a scene or session.
+std::string kindOf(const json& text) {
+  if (text.is_object() && hasAny(text, {"limn_scene", "limn_session", "volume", "transfer_function"}))
+    return {};
+  if (isOfParaView(text))
+    return "a list of ParaView's colour maps";
+  if (!text.is_object())
+    return "JSON of another program";
+  if (text.contains("limn_preset"))
+    return "a preset of Limn, which shows a volume but names none";
+  if (text.contains("limn_settings"))
+    return "Limn's own settings";
+  if (isOfSlicer(text) || text.contains("volumeProperties"))
+    return text.contains("markups") ? "markups of 3D Slicer"
+                                    : "a file of 3D Slicer (volume rendering properties)";
+  return text.empty()
+             ? "an empty JSON object"
+             : "JSON of another program (its first key is \"" + text.begin().key().substr(0, 40) + "\")";
+}
+
+} // namespace
+
+void refuseForeignJson(std::string_view text, const std::string& name) {
+  const json parsed = json::parse(text, nullptr, false);
+  if (parsed.is_discarded())
+    return;
+  if (const std::string kind = kindOf(parsed); !kind.empty())
+    failReading(name, "it is " + kind + ", not a scene or session that Limn saved",
+                "open the volume itself and choose a preset");
+}
+
+} // namespace limn

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/FindWidget.h"
+#include "widgets/controls/ChoiceRow.h"
+#include "widgets/properties/PropertiesPanel.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QTimer>
+
+// Where the shading models of the pictures are chosen, in the program's window.
+
+namespace limn {
+namespace {
+
+class ModelWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    window->resize(1280, 800);
+    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  }
+
+  QToolButton* button(int side) const {
+    return window->findChild<QToolButton*>(side == 0 ? QStringLiteral("modelButton")
+                                                     : QStringLiteral("rightModelButton"));
+  }
+
+  // Clicks the button of a side and chooses the entry of this place, from 1 on, by the keyboard.
+  void choose(int side, int entry) {
+    QTimer::singleShot(0, window.get(), [entry] {
+      QWidget* menu = QApplication::activePopupWidget();
+      ASSERT_NE(menu, nullptr);
+      for (int key = 0; key < entry; ++key)
+        QTest::keyClick(menu, Qt::Key_Down);
+      QTest::keyClick(menu, Qt::Key_Return);
+    });
+    QTest::mouseClick(button(side), Qt::LeftButton);
+    QCoreApplication::processEvents();
+  }
+
+  std::vector<ShadingModel> shown() {
+    std::vector<ShadingModel> models;
+    for (const Scene& one : view().scenesOfSides())
+      models.push_back(one.shading.model);
+    return models;
+  }
+
+  using Models = std::vector<ShadingModel>;
+};
+
+TEST_F(ModelWindow, aComparisonHasAButtonForEachSideThatChangesItAndEndsNothing) {
+  ASSERT_TRUE(button(0)->isVisible() && button(1)->isVisible());
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Left: Classic"));
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Enhanced"));
+  choose(1, 4);
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::robust}));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Robust"));
+  EXPECT_TRUE(button(1)->menu()->actions()[3]->isChecked());
+  setLayout(CompareLayout::wipe);
+  choose(0, 1);
+  EXPECT_EQ(shown(), (Models{ShadingModel::none, ShadingModel::robust}));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_TRUE(rest());
+}
+
+TEST_F(ModelWindow, aSinglePictureHasOneButton) {
+  setLayout(CompareLayout::single);
+  EXPECT_TRUE(test::waitUntil([this] { return !button(1)->isVisible(); })); // once the tool bar is laid out
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Classic"));
+  choose(0, 3);
+  EXPECT_EQ(shown(), Models{ShadingModel::enhanced});
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Enhanced"));
+  EXPECT_EQ(undo().count(), 1);
+  undo().undo();
+  EXPECT_EQ(button(0)->text(), QStringLiteral("Classic"));
+}
+
+TEST_F(ModelWindow, thePropertiesChangeTheSideInQuestion) {
+  auto& properties = *window->findChild<PropertiesPanel*>();
+  auto* right = rowNamed<ChoiceRow>(properties, "Model, right");
+  ASSERT_TRUE(right->isVisible() && right->isEnabled());
+  right->box()->setFocus();
+  QTest::keyClick(right->box(), Qt::Key_Down);
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::robust}));
+  EXPECT_EQ(button(1)->text(), QStringLiteral("Right: Robust"));
+  setLayout(CompareLayout::single);
+  EXPECT_FALSE(right->isVisible());
+  EXPECT_TRUE(rowNamed<ChoiceRow>(properties, "Model")->isVisible());
+}
+
+} // namespace
+} // namespace limn

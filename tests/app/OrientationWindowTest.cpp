@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/window/OrientationDialog.h"
+#include "support/FileBytes.h"
+#include "widgets/FindWidget.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+
+// Which side is left where a file says nothing, said by hand in the window.
+
+namespace limn {
+namespace {
+
+class OrientationWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    test::writeBytes(folder.path() / "small.nrrd",
+                     "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n\n"
+                     "0 100 200 300 400 500 600 700\n");
+    ASSERT_TRUE(open(pathTo("small.nrrd")));
+  }
+
+  QAction* named(const char* name) const { return window->findChild<QAction*>(QLatin1String(name)); }
+  std::string letters() const { return scene().volume->info().orientationByHand; }
+
+  OrientationDialog& dialog() const { return *window->findChild<OrientationDialog*>(); }
+  void click(const char* name) {
+    auto* button = widgetNamed<QPushButton>(dialog(), name);
+    ASSERT_NE(button, nullptr) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+};
+
+TEST_F(OrientationWindow, viewsNameNoSideBeforeOneIsKnown) {
+  EXPECT_EQ(named("view-left")->text(), QStringLiteral("From the last column"));
+  EXPECT_EQ(named("view-anterior")->text(), QStringLiteral("From the first row"));
+  EXPECT_EQ(named("view-inferior")->text(), QStringLiteral("From the first slice"));
+  EXPECT_TRUE(named("setOrientation")->isEnabled());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8"))); // which says how it lies
+  EXPECT_EQ(named("view-left")->text(), QStringLiteral("Left"));
+  EXPECT_FALSE(named("setOrientation")->isEnabled());
+}
+
+TEST_F(OrientationWindow, theBarOffersToSetItAndEveryAnswerIsAnUndoStep) {
+  ASSERT_TRUE(messages().isVisible());
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  ASSERT_TRUE(dialog().isVisible());
+  click("Flip: Columns run to");
+  EXPECT_EQ(letters(), "RPS");
+  EXPECT_EQ(scene().volume->grid().direction[0], glm::dvec3(-1, 0, 0));
+  EXPECT_FALSE(messages().isVisible()) << "it is known now";
+  EXPECT_EQ(named("view-left")->text(), QStringLiteral("Left"));
+  EXPECT_TRUE(named("setOrientation")->isEnabled()) << "it may be corrected";
+  auto* slices = widgetNamed<QComboBox>(dialog(), "Slices run to");
+  slices->setFocus();
+  QTest::keyClick(slices, Qt::Key_Home); // to the left: columns take the head
+  EXPECT_EQ(letters(), "SPL");
+  EXPECT_EQ(undo().count(), 2);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("set orientation SPL"));
+  undo().undo();
+  EXPECT_EQ(letters(), "RPS");
+  EXPECT_EQ(slices->currentText(), QStringLiteral("Head"));
+  undo().undo();
+  EXPECT_FALSE(scene().volume->info().orientationKnown);
+  EXPECT_EQ(named("view-left")->text(), QStringLiteral("From the last column"));
+  EXPECT_TRUE(rest());
+}
+
+TEST_F(OrientationWindow, whatIsAssumedCanBeUsedAsItIs) {
+  named("setOrientation")->trigger();
+  QTest::mouseClick(dialog().findChild<QDialogButtonBox*>()->buttons().front(), Qt::LeftButton);
+  EXPECT_EQ(letters(), "LPS");
+}
+
+TEST_F(OrientationWindow, sessionAndPictureKeepIt) {
+  named("setOrientation")->trigger();
+  click("Flip: Rows run to");
+  ASSERT_EQ(letters(), "LAS");
+  dialog().close();
+  ASSERT_TRUE(rest());
+  saving().writePicture(pathTo("picture.png"));
+  saving().writeSession(pathTo("session.json"));
+  for (const char* file : {"picture.png", "session.json"}) {
+    ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+    ASSERT_TRUE(open(pathTo(file)));
+    EXPECT_EQ(letters(), "LAS") << file;
+    EXPECT_FALSE(messages().isVisible()) << file << ": " << messages().sentence().toStdString();
+  }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/view/gestures/CameraGesture.h"
+
+#include <QLineEdit>
+#include <QMessageBox>
+
+// The tools of the left button, in the program's window.
+
+namespace limn {
+namespace {
+
+class ToolWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+    setLayout(CompareLayout::single);
+  }
+
+  QString checkedTool() const {
+    QStringList checked;
+    for (const QAction* one : window->findChild<QToolBar*>()->actions())
+      if (one->isChecked() && one->objectName().startsWith(QStringLiteral("tool-")))
+        checked << one->objectName().mid(5);
+    return checked.join(QLatin1Char(' '));
+  }
+
+  QWidget* button(const char* tool) const {
+    auto* bar = window->findChild<QToolBar*>();
+    return bar->widgetForAction(window->findChild<QAction*>(QStringLiteral("tool-") + QLatin1String(tool)));
+  }
+
+  void dragInThePicture() {
+    const QPoint from = view().mapTo(window.get(), QPoint(view().width() / 2, view().height() / 2));
+    QWindow* handle = window->windowHandle();
+    QTest::mousePress(handle, Qt::LeftButton, {}, from);
+    for (int step = 1; step <= 3; ++step)
+      QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(9 * step, 5 * step));
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(27, 15));
+    QCoreApplication::processEvents();
+  }
+};
+
+TEST_F(ToolWindow, theToolBarShowsAndChoosesTheTool) {
+  EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+  ASSERT_TRUE(button("pan")->isVisible());
+  QTest::mouseClick(button("pan"), Qt::LeftButton);
+  EXPECT_EQ(checkedTool(), QStringLiteral("pan"));
+  EXPECT_EQ(view().cursor().shape(), Qt::SizeAllCursor);
+  const Camera before = scene().camera;
+  dragInThePicture();
+  EXPECT_NE(scene().camera.target, before.target);
+  EXPECT_NEAR(glm::dot(basisOf(scene().camera).forward, basisOf(before).forward), 1.0, 1e-12);
+
+  QTest::mouseClick(button("zoom"), Qt::LeftButton);
+  EXPECT_EQ(checkedTool(), QStringLiteral("zoom"));
+  EXPECT_EQ(view().cursor().shape(), Qt::BitmapCursor);
+  const Camera panned = scene().camera;
+  dragInThePicture();
+  EXPECT_EQ(scene().camera.target, panned.target);
+  EXPECT_NE(scene().camera.position, panned.position);
+}
+
+TEST_F(ToolWindow, keysChooseToolsAndEscReturnsToRotating) {
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_W);
+  EXPECT_EQ(checkedTool(), QStringLiteral("window-level"));
+  EXPECT_EQ(view().cursor().shape(), Qt::BitmapCursor);
+  dragInThePicture();
+  EXPECT_EQ(undo().count(), 1) << "the window was dragged";
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+  EXPECT_EQ(view().cursor().shape(), Qt::ArrowCursor);
+  const Camera before = scene().camera;
+  dragInThePicture();
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_NE(scene().camera, before);
+  QTest::keyClick(&view(), Qt::Key_M);
+  EXPECT_EQ(checkedTool(), QStringLiteral("pan"));
+  QTest::keyClick(&view(), Qt::Key_BracketLeft);
+  EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+}
+
+TEST_F(ToolWindow, escCancelsADragFirst) {
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_Z);
+  const Camera before = scene().camera;
+  const QPoint from = view().mapTo(window.get(), QPoint(60, 60));
+  QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, from);
+  QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {}, from + QPoint(0, 20));
+  QCoreApplication::processEvents();
+  ASSERT_NE(scene().camera, before);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(scene().camera, before);
+  EXPECT_EQ(checkedTool(), QStringLiteral("zoom"));
+  QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, from);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+}
+
+TEST_F(ToolWindow, escReturnsToRotatingWhereverTheKeyboardIs) {
+  view().setTool(ViewTool::windowLevel);
+  auto* search = window->findChild<PresetBrowser*>()->findChild<QLineEdit*>();
+  search->setFocus();
+  QTest::keyClick(search, Qt::Key_M); // a letter there
+  EXPECT_EQ(checkedTool(), QStringLiteral("window-level"));
+  QTest::keyClick(search, Qt::Key_Escape); // empties the field
+  EXPECT_TRUE(search->text().isEmpty());
+  EXPECT_EQ(checkedTool(), QStringLiteral("window-level"));
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+}
+
+TEST_F(ToolWindow, theListOfKeysNamesThem) {
+  QTest::keyClick(window.get(), Qt::Key_F1);
+  auto* box = window->findChild<QMessageBox*>();
+  ASSERT_NE(box, nullptr);
+  for (const char* key : {"[ M Z W", "Esc"})
+    EXPECT_TRUE(box->text().contains(QStringLiteral("<td>%1</td>").arg(QLatin1String(key)))) << key;
+  box->close();
+}
+
+} // namespace
+} // namespace limn
