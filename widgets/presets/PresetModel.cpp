@@ -15,6 +15,10 @@ namespace limn {
 namespace {
 
 QString groupTitle(const QString& modality) {
+  if (modality == QStringLiteral("PT"))
+    return QObject::tr("PET");
+  if (modality == QStringLiteral("US"))
+    return QObject::tr("Ultrasound");
   return modality.isEmpty() ? QObject::tr("Any data") : modality;
 }
 

@@ -20,8 +20,8 @@ inline constexpr Landmarks hounsfieldLandmarks{-1000.0, -300.0, 1500.0};
 /// Of a volume's values; always ascending, by a bin at least.
 Landmarks landmarksOf(const Histogram& histogram);
 
-/// The value that lies between the landmarks `to` as `value` lies between `from`: linear from each landmark to
-/// the next and beyond the outermost.
+/// The value that lies between the landmarks `to` as `value` lies between `from`: linear from each landmark
+/// to the next and beyond the outermost.
 double moved(double value, const Landmarks& from, const Landmarks& to);
 
 /// Every point moved so.

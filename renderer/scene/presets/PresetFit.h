@@ -24,16 +24,16 @@ Preset fittedTo(const Preset& preset, const Histogram& histogram);
 /// Whether a preset means Hounsfield units.
 bool isForHounsfield(const Preset& preset);
 
-/// The preset with the landmarks of Hounsfield units where it means those, so that it can be fitted to data in
-/// another scale.
+/// The preset with the landmarks of Hounsfield units where it means those, so that it can be fitted to data
+/// in another scale.
 Preset withLandmarks(Preset preset);
 
 /// The name of the built-in preset that a volume opens with: by modality, body part and contrast where its
 /// file hints at them, and by its values. Empty where none suits; then it is the automatic ramp.
 std::string firstLook(const Volume& volume, const Histogram& histogram);
 
-/// The preset a volume opens with: its first look from `builtIn`, fitted; the automatic ramp where none suits.
-/// `builtIn` may be empty.
+/// The preset a volume opens with: its first look from `builtIn`, fitted; the automatic ramp where none
+/// suits. `builtIn` may be empty.
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort = {});
 
 } // namespace limn
