@@ -104,10 +104,13 @@ TEST_F(Tolerance, theSceneFoundNeedsNoSearchAndTerminatesLateEnough) {
 
 // --- against converged pictures of real data
 
+enum class Look { first, ramp };
+
 struct DataSet {
   const char* path;
   const char* name;
   std::vector<ShadingModel> models{ShadingModel::enhanced};
+  Look look = Look::first;
 };
 
 void PrintTo(const DataSet& data, std::ostream* out) {
@@ -120,7 +123,9 @@ const DataSet dataSets[] = {
     {"ct_head_cranium/ct_head_cranium.nii.gz", "ctHead", both},
     {"ct_head_cranium/ct_head_cranium_simmetal.nii.gz", "ctHeadWithMetal"},
     {"ct_head_phantom_tilt_dicom", "ctPhantomTilted"},
-    {"ct_thorax_contrast/lidc2_uint8.vti", "ctThorax"},
+    // With its first look the error of so few pixels falls from 0.92 to 0.42 level between two neighbouring
+    // finenesses; at 512² 0.64 to 0.77 of a tolerance is spent (limn_tolerance_spent).
+    {"ct_thorax_contrast/lidc2_uint8.vti", "ctThorax", {ShadingModel::enhanced}, Look::ramp},
     {"cta_brain_avm/cta_brain_avm_uint8.nii.gz", "ctaBrain"},
     {"mr_t1_head/mr_t1_head.nii.gz", "mrHead", both},
     {"mr_pd_head_dicom", "mrHeadThickSlices"},
@@ -141,11 +146,12 @@ std::vector<Preset> presets() {
   return all;
 }
 
-Scene sceneOf(const std::filesystem::path& path, ShadingModel model) {
+Scene sceneOf(const std::filesystem::path& path, ShadingModel model, Look look) {
   Scene scene;
   scene.volume = readVolume(path);
   scene.camera = defaultCamera(scene.volume->grid());
-  scene = withPreset(scene, bestFitting(presets(), *scene.volume), true);
+  scene = withPreset(
+      scene, bestFitting(look == Look::first ? presets() : std::vector<Preset>(), *scene.volume), true);
   scene.shading.model = model;
   return scene;
 }
@@ -166,7 +172,7 @@ TEST_P(ToleranceOfData, holdsAgainstTheConvergedPicture) {
   RayCaster caster;
   const DrawScene gl = [&](const Scene& scene, const glm::ivec2& s) { return caster.render(scene, s); };
   for (const ShadingModel model : GetParam().models) {
-    const Scene scene = sceneOf(test::sharedFolder() / path, model);
+    const Scene scene = sceneOf(test::sharedFolder() / path, model, GetParam().look);
     // In equal steps, which share nothing with what is judged.
     const ConvergedPicture converged = convergedPicture(scene, size, redraw, {}, StepControl::equal);
     ASSERT_TRUE(converged.facts.converged);
