@@ -21,7 +21,7 @@ std::shared_ptr<const Volume> sparseVolume(const glm::ivec3& dims, int visibleVo
   grid.dims = dims;
   grid.spacingMm = {1.0, 0.7, 1.6};
   std::mt19937 generator(5);
-  BlockDistances voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 10);
+  std::vector<std::uint8_t> voxels(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 10);
   voxels[0] = 0;
   for (int i = 0; i < visibleVoxels; ++i)
     voxels[generator() % voxels.size()] = 200;
