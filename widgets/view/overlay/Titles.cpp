@@ -53,7 +53,7 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
   const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
   DifferenceTitle title;
   title.label.label.title =
-      QObject::tr("Difference of %1 and %2 ×%3")
+      QObject::tr("%2 minus %1, ×%3")
           .arg(sideTitle(sceneOfSide(source.comparison, 0)), sideTitle(sceneOfSide(source.comparison, 1)))
           .arg(differenceGain);
   title.label.label.leadsToMenu = false;
@@ -85,9 +85,11 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};
-  return QObject::tr("<p>Black where both sides show the same; brighter the more they differ, in the colour "
-                     "in which they differ. Differences are shown %1 times as large as they are.</p>")
-      .arg(differenceGain);
+  return QObject::
+      tr("<p>Black where both sides show the same; blue where the left side is brighter, orange where the "
+         "right side is, by the part of the colour that differs most. Differences are shown %1 times as "
+         "large as they are.</p>")
+          .arg(differenceGain);
 }
 
 } // namespace limn

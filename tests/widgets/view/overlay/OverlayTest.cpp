@@ -58,8 +58,25 @@ TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
     EXPECT_FALSE(title->label.plate.intersects(label.plate));
     EXPECT_FALSE(title->note.plate.intersects(label.plate));
   }
+  EXPECT_EQ(title->label.label.title, QStringLiteral("Enhanced minus Classic, ×4"));
   EXPECT_FALSE(toolTipAt(source(), title->label.plate.center()).isEmpty());
   EXPECT_TRUE(toolTipAt(source(), {350.0, 300.0}).isEmpty());
+}
+
+TEST_F(OverlayAbove, aDifferenceHasABarThatTellsItsColoursAndCoversNothing) {
+  EXPECT_FALSE(overlayOf(source()).differenceBar);
+  comparison.layout = CompareLayout::difference;
+  const Overlay overlay = overlayOf(source());
+  ASSERT_TRUE(overlay.differenceBar);
+  EXPECT_EQ(overlay.differenceBar->lowest, QStringLiteral("−64")); // 255 levels over a gain of 4
+  EXPECT_EQ(overlay.differenceBar->highest, QStringLiteral("+64 of 255"));
+  EXPECT_EQ(overlay.differenceBar->leftBrighter, QStringLiteral("Classic brighter"));
+  const QRectF& plate = overlay.differenceBar->plate;
+  EXPECT_TRUE(overlay.view.contains(plate));
+  for (const Note& note : overlay.notes)
+    EXPECT_FALSE(plate.intersects(note.plate)) << note.text.toStdString();
+  for (const PlacedLabel& label : overlay.labels)
+    EXPECT_FALSE(plate.intersects(label.plate));
 }
 
 TEST_F(OverlayAbove, progressIsShownWhileSomethingIsDrawn) {
