@@ -9,6 +9,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QUndoView>
 
 #include <algorithm>
 
@@ -23,6 +24,13 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
   m_right[0] = add(tr("Properties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
+  panels.history = new QUndoView(&window);
+  panels.history->setEmptyLabel(tr("As opened"));
+  panels.history->setAccessibleName(tr("History"));
+  m_history = add(tr("History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
+  window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  window.tabifyDockWidget(m_presets, m_history);
+  m_presets->raise();
   panels.effects = new EffectsPanel(&window);
   m_right[1] = add(tr("Effects"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[0], m_right[1]);
@@ -51,7 +59,7 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
 
 QList<QAction*> Docks::toggleActions() const {
   QList<QAction*> actions;
-  for (const QDockWidget* dock : {m_presets, m_right[0], m_right[1], m_right[2], m_curve})
+  for (const QDockWidget* dock : {m_presets, m_history, m_right[0], m_right[1], m_right[2], m_curve})
     actions << dock->toggleViewAction();
   return actions;
 }
@@ -73,10 +81,14 @@ void Docks::show(SessionDocument::Panel panel) {
 
 void Docks::showPresets() {
   m_presets->show();
+  m_presets->raise();
 }
 
 void Docks::setAllVisible(bool visible) {
+  if (!visible)
+    m_presetsOnTop = !m_presets->widget()->visibleRegion().isEmpty();
   m_presets->setVisible(visible);
+  m_history->setVisible(visible);
   if (!visible)
     for (QDockWidget* dock : m_right)
       if (!dock->widget()->visibleRegion().isEmpty())
@@ -85,6 +97,8 @@ void Docks::setAllVisible(bool visible) {
     dock->setVisible(visible);
   if (visible && m_onTop)
     m_onTop->raise();
+  if (visible)
+    (m_presetsOnTop ? m_presets : m_history)->raise();
 }
 
 } // namespace limn

@@ -10,6 +10,7 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
+class QUndoView;
 
 namespace limn {
 
@@ -26,10 +27,11 @@ struct Panels {
   PresetBrowser* presets = nullptr;
   EffectsPanel* effects = nullptr;
   AccuracyPanel* accuracy = nullptr;
+  QUndoView* history = nullptr; ///< what can be undone and redone, by name
 };
 
-/// The docks around the picture, one for each panel: presets left, properties, effects and accuracy in one
-/// place at the right, curves below.
+/// The docks around the picture, one for each panel: presets and history left, properties, effects and
+/// accuracy in one place at the right, curves below.
 class Docks : public QObject {
   Q_OBJECT
 
@@ -56,8 +58,10 @@ private:
 
   QMainWindow& m_window;
   QDockWidget* m_presets = nullptr;
+  QDockWidget* m_history = nullptr;
   std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none
   QDockWidget* m_curve = nullptr;
+  bool m_presetsOnTop = true;        ///< of those at the left, when they were hidden
   QDockWidget* m_seenLast = nullptr; ///< of those at the right
   QDockWidget* m_onTop = nullptr;    ///< of those at the right, when they were hidden
 };
