@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -24,12 +26,23 @@ SideLabel labelOf(const OverlaySource& source, int position) {
   return label;
 }
 
+// Where two labels over one picture part: at the border of the wipe, unless that leaves one of them no room.
+double partingOf(const OverlaySource& source, const QRectF& picture) {
+  constexpr double least = 160.0;
+  const bool isWipe = source.geometry.layout == CompareLayout::wipe;
+  return isWipe && picture.width() > 2 * least
+             ? std::clamp(wipeX(source.geometry), picture.left() + least, picture.right() - least)
+             : picture.center().x();
+}
+
 QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label) {
   QRectF side = pictureRect(source.geometry, position);
   const CompareLayout layout = source.geometry.layout;
   const bool isShared = layout == CompareLayout::wipe || layout == CompareLayout::difference;
-  if (isShared) // two labels share one picture: each has its half
-    position == 0 ? side.setRight(side.center().x()) : side.setLeft(side.center().x());
+  if (isShared) { // two labels share one picture: each has its part
+    const double parting = partingOf(source, side);
+    position == 0 ? side.setRight(parting) : side.setLeft(parting);
+  }
   return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
 }
 

@@ -49,6 +49,20 @@ TEST_F(OverlayAbove, aLabelIsFoundUnderThePointerWhereThereIsAModelToChoose) {
   EXPECT_EQ(labelAt(source(), labelsOf(source())[0].plate.center()), -1);
 }
 
+TEST_F(OverlayAbove, labelsStayOnTheirSideOfTheWipeWhereverItsBorderIs) {
+  comparison.layout = CompareLayout::wipe;
+  for (const double wipe : {0.3, 0.5, 0.7}) {
+    comparison.wipe = wipe;
+    const std::vector<PlacedLabel> labels = labelsOf(source());
+    EXPECT_LE(labels[0].plate.right(), wipe * 700.0) << wipe; // of the view's width
+    EXPECT_GE(labels[1].plate.left(), wipe * 700.0) << wipe;
+  }
+  comparison.wipe = 0.0; // one has no side left: both are told all the same
+  const std::vector<PlacedLabel> labels = labelsOf(source());
+  EXPECT_FALSE(labels[0].plate.intersects(labels[1].plate));
+  EXPECT_GT(labels[0].plate.width(), 60.0);
+}
+
 TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
   EXPECT_FALSE(overlayOf(source()).difference);
   comparison.layout = CompareLayout::difference;
