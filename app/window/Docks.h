@@ -10,6 +10,7 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
+class QMenu;
 class QUndoView;
 
 namespace limn {
@@ -39,7 +40,7 @@ public:
   /// Makes the panels, too.
   Docks(QMainWindow& window, Panels& panels);
 
-  /// Show and hide each dock.
+  /// Show and hide each dock, and put it into a window of its own.
   QList<QAction*> toggleActions() const;
 
   /// The panel at the right that was seen last; none where it is closed.
@@ -54,9 +55,12 @@ signals:
   void panelChanged();
 
 private:
+  QList<QDockWidget*> all() const;
+  void makeFloatingMenu();
   QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
   QMainWindow& m_window;
+  QMenu* m_floating = nullptr;
   QDockWidget* m_presets = nullptr;
   QDockWidget* m_history = nullptr;
   std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none

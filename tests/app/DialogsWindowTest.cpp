@@ -12,7 +12,7 @@
 #include <QPushButton>
 #include <QUndoView>
 
-// Settings, history and stability checks, in the program's window.
+// Settings, history, stability checks and panels in windows of their own, in the program's window.
 
 namespace limn {
 namespace {
@@ -73,6 +73,17 @@ TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
   EXPECT_EQ(scene().transferFunction, before);
   clickRow(1);
   EXPECT_EQ(scene().transferFunction, dragged);
+}
+
+TEST_F(DialogsWindow, aPanelGoesIntoAWindowOfItsOwnAndBack) {
+  auto* curve = window->findChild<QDockWidget*>(QStringLiteral("curveDock"));
+  EXPECT_LE(curve->widget()->y(), 1) << "no row for a name that its contents tell"; // a frame at most
+  named("float-curveDock")->trigger();
+  EXPECT_TRUE(curve->isFloating() && curve->isVisible());
+  EXPECT_EQ(curve->titleBarWidget(), nullptr);
+  named("float-curveDock")->trigger();
+  EXPECT_FALSE(curve->isFloating());
+  EXPECT_NE(curve->titleBarWidget(), nullptr);
 }
 
 TEST_F(DialogsWindow, checksThatCannotStartOrAreStoppedSaySo) {
