@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/actions/HelpBoxes.h"
 #include "app/actions/ModelMenus.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
@@ -31,6 +30,7 @@
 #include <QMimeData>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 namespace limn {
@@ -64,6 +64,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
       m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}),
       m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *m_centre.messages, *this}),
+      m_dialogs(m_actions, QString::fromStdString(m_folders.reports.string()), *this),
       m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
@@ -87,6 +88,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   connectOpening();
   connectSaving();
   connectActions();
+  m_panels.history->setStack(&m_session.undoStack());
   m_presets.refresh();
   resize(1440, 900);
   restoreGeometry(m_settings.windowGeometry());
@@ -183,6 +185,7 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
+  connect(&m_dialogs, &DialogDesk::clearRecentRequested, &m_opening, &OpeningDesk::clearRecent);
   connect(&m_opening, &OpeningDesk::recentChanged, m_centre.view, &CompareView::setRecentSources);
   m_centre.view->setRecentSources(m_opening.recentTexts());
   connect(m_centre.view, &CompareView::recentRequested, &m_opening, &OpeningDesk::openRecent);
@@ -234,8 +237,6 @@ void MainWindow::connectActions() {
     m_panels.presets->focusSearch();
   });
   run(m_actions.savePreset, &m_presets, &PresetDesk::askForName);
-  run(m_actions.shortcuts, this, [this] { showShortcuts(this); });
-  run(m_actions.about, this, [this] { showAbout(this); });
 }
 
 // Actions that show settings and change them.

@@ -17,6 +17,7 @@
 #include "app/window/ComparisonDesk.h"
 #include "app/window/CropBoxDesk.h"
 #include "app/window/CurveDesk.h"
+#include "app/window/DialogDesk.h"
 #include "app/window/Docks.h"
 #include "app/window/EngineDesk.h"
 #include "app/window/OrientationDesk.h"
@@ -107,6 +108,7 @@ private:
   CropBoxDesk m_cropBox;
   OrientationDesk m_orientation;
   RegionDesk m_regions;
+  DialogDesk m_dialogs;
   CurveDesk m_curves;
   PresetDesk m_presets;
   ProjectionCurves m_projections;

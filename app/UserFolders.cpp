@@ -20,11 +20,12 @@ UserFolders UserFolders::ofThisUser() {
   // Sessions name paths of this machine, so they do not roam with the user.
   return {standard(QStandardPaths::GenericConfigLocation) / "limn" / "settings.json",
           standard(QStandardPaths::AppDataLocation) / "presets",
-          standard(QStandardPaths::AppLocalDataLocation) / "sessions"};
+          standard(QStandardPaths::AppLocalDataLocation) / "sessions",
+          standard(QStandardPaths::AppLocalDataLocation) / "reports"};
 }
 
 UserFolders UserFolders::below(const fs::path& folder) {
-  return {folder / "settings" / "settings.json", folder / "presets", folder / "sessions"};
+  return {folder / "settings" / "settings.json", folder / "presets", folder / "sessions", folder / "reports"};
 }
 
 void makeFolder(const fs::path& folder) {

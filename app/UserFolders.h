@@ -10,6 +10,7 @@ struct UserFolders {
   std::filesystem::path settings; ///< the file of the settings
   std::filesystem::path presets;  ///< own presets
   std::filesystem::path sessions; ///< sessions that nobody saved
+  std::filesystem::path reports;  ///< of the stability checks
 
   static UserFolders ofThisUser();
 

@@ -59,6 +59,7 @@ ThemeColors themeColors(bool dark) {
             .accent = "#5aa7ff",
             .accentText = "#0b1625",
             .histogram = "#434951",
+            .histogramEdge = "#727b87",
             .curve = "#e6e9ed"};
   return {.window = "#f3f4f6",
           .base = "#ffffff",
@@ -72,6 +73,7 @@ ThemeColors themeColors(bool dark) {
           .accent = "#1667cc",
           .accentText = "#ffffff",
           .histogram = "#d3d8de",
+          .histogramEdge = "#858d97",
           .curve = "#262b31"};
 }
 

@@ -26,10 +26,11 @@ struct ThemeColors {
   QColor text;          ///< contrast with window, base and raised ≥ 7:1
   QColor secondaryText; ///< units, hints, axis labels; contrast ≥ 4.5:1
   QColor disabledText;
-  QColor accent;     ///< the one accent: focus, selection, handles
-  QColor accentText; ///< on the accent
-  QColor histogram;  ///< filled area behind the curve
-  QColor curve;      ///< the opacity curve
+  QColor accent;        ///< the one accent: focus, selection, handles
+  QColor accentText;    ///< on the accent
+  QColor histogram;     ///< filled area behind the curve
+  QColor histogramEdge; ///< its outline; contrast with base ≥ 3:1
+  QColor curve;         ///< the opacity curve
 };
 
 /// The designed colours of the dark or the light look.

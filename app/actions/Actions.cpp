@@ -208,6 +208,12 @@ void Actions::makeEngines() {
 void Actions::makeOtherActions() {
   findPreset = made("findPreset", {.text = tr("&Find preset"), .shortcut = QKeySequence::Find});
   savePreset = made("savePreset", {.text = tr("&Save as preset…")});
+  settings = made("settings", {.text = tr("&Settings…"), .shortcut = tr("Ctrl+,")});
+  settings->setMenuRole(QAction::PreferencesRole);
+  stability =
+      made("stability",
+           {.text = tr("&Stability checks…"),
+            .toolTip = tr("Checks what this computer's driver draws where renderers are known to fail.")});
   shortcuts = made("shortcuts", {.text = tr("Mouse and &keys"), .shortcut = QKeySequence::HelpContents});
   about = made("about", {.text = tr("&About Limn")});
 }

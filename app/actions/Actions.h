@@ -60,7 +60,9 @@ public:
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
+  QAction* settings = nullptr;
   QAction* shortcuts = nullptr;
+  QAction* stability = nullptr;
   QAction* about = nullptr;
 
 private:

@@ -34,6 +34,8 @@ void makeEditMenu(QMenuBar& bar, const Actions& actions) {
   menu->addActions({actions.undo, actions.redo});
   menu->addSeparator();
   menu->addAction(actions.copyPicture);
+  menu->addSeparator();
+  menu->addAction(actions.settings);
 }
 
 /// What the tool bar offers, too.
@@ -114,7 +116,7 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   makeViewMenu(bar, actions, panels, shared);
   menus.models = shared.models;
   bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset});
-  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
+  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});
   makeToolBar(window, actions, shared);
   return menus;
 }

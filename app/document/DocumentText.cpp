@@ -61,6 +61,9 @@ QString suggestedName(const OpenDocument& document) {
 
 QString volumeText(const Volume& volume) {
   const Grid& grid = volume.grid();
+  const auto number = [](double value) {
+    return QString::number(value, 'g', 5).replace(QLatin1Char('-'), QChar(0x2212)); // a real minus sign
+  };
   return QObject::tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
       .arg(grid.dims.x)
       .arg(grid.dims.y)
@@ -68,8 +71,7 @@ QString volumeText(const Volume& volume) {
       .arg(grid.spacingMm.x, 0, 'g', 3)
       .arg(grid.spacingMm.y, 0, 'g', 3)
       .arg(grid.spacingMm.z, 0, 'g', 3)
-      .arg(volume.range().lowest, 0, 'g', 5)
-      .arg(volume.range().highest, 0, 'g', 5)
+      .arg(number(volume.range().lowest), number(volume.range().highest))
       .arg(QString::fromStdString(volume.info().unit));
 }
 

@@ -188,6 +188,12 @@ void OpeningDesk::openRecent(int number) {
     open(recent[number].path);
 }
 
+void OpeningDesk::clearRecent() {
+  m_settings.clearRecentSources();
+  m_recent.setEnabled(false);
+  emit recentChanged({});
+}
+
 void OpeningDesk::refreshRecent() {
   m_recent.clear();
   const QStringList texts = recentTexts();
@@ -196,11 +202,7 @@ void OpeningDesk::refreshRecent() {
                        [this, number] { openRecent(number); });
   m_recent.setEnabled(!m_recent.isEmpty());
   m_recent.addSeparator();
-  m_recent.addAction(tr("&Clear this list"), this, [this] {
-    m_settings.clearRecentSources();
-    m_recent.setEnabled(false);
-    emit recentChanged({});
-  });
+  m_recent.addAction(tr("&Clear this list"), this, &OpeningDesk::clearRecent);
   emit recentChanged(texts);
 }
 

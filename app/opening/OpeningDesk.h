@@ -44,6 +44,7 @@ public:
   void remember(const QString& path, const QString& label, const std::string& volume);
   /// What was opened before, latest first, in words that name nobody.
   QStringList recentTexts();
+  void clearRecent();
   /// Opens one of these, from 0 on.
   void openRecent(int number);
 

@@ -9,10 +9,23 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QMenu>
+#include <QUndoView>
 
 #include <algorithm>
 
 namespace limn {
+namespace {
+
+// Tabs and contents name docks; a title below or above them would say it again. In a window of its own a dock
+// has one.
+void showTitle(QDockWidget& dock, bool isShown) {
+  QWidget* hidden = dock.titleBarWidget();
+  dock.setTitleBarWidget(isShown ? nullptr : new QWidget(&dock));
+  delete hidden;
+}
+
+} // namespace
 
 Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   panels.curves = new CurvePanel(&window);
@@ -23,6 +36,14 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
   m_right[0] = add(tr("Properties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
+  panels.history = new QUndoView(&window);
+  panels.history->setEmptyLabel(tr("As opened"));
+  panels.history->setAccessibleName(tr("History"));
+  panels.history->setSpacing(2);
+  m_history = add(tr("History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
+  window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  window.tabifyDockWidget(m_presets, m_history);
+  m_presets->raise();
   panels.effects = new EffectsPanel(&window);
   m_right[1] = add(tr("Effects"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[0], m_right[1]);
@@ -31,6 +52,7 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.tabifyDockWidget(m_right[1], m_right[2]);
   m_right[0]->raise();
   m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
+  makeFloatingMenu();
   window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
   window.resizeDocks({m_curve}, {280}, Qt::Vertical);
   for (QDockWidget* dock : m_right)
@@ -46,14 +68,36 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
   m_window.addDockWidget(area, dock);
+  showTitle(*dock, false);
+  connect(dock, &QDockWidget::topLevelChanged, this, [dock](bool floats) { showTitle(*dock, floats); });
   return dock;
+}
+
+QList<QDockWidget*> Docks::all() const {
+  return {m_presets, m_history, m_right[0], m_right[1], m_right[2], m_curve};
 }
 
 QList<QAction*> Docks::toggleActions() const {
   QList<QAction*> actions;
-  for (const QDockWidget* dock : {m_presets, m_right[0], m_right[1], m_right[2], m_curve})
+  for (const QDockWidget* dock : all())
     actions << dock->toggleViewAction();
-  return actions;
+  return actions << m_floating->menuAction();
+}
+
+// Docks without a title cannot be torn off by it.
+void Docks::makeFloatingMenu() {
+  m_floating = new QMenu(tr("In a &window of its own"), &m_window);
+  for (QDockWidget* dock : all()) {
+    QAction* action = m_floating->addAction(dock->windowTitle());
+    action->setObjectName(QStringLiteral("float-") + dock->objectName());
+    action->setCheckable(true);
+    connect(dock, &QDockWidget::topLevelChanged, action, &QAction::setChecked);
+    connect(action, &QAction::triggered, dock, [dock](bool floats) {
+      dock->setFloating(floats);
+      dock->show();
+      dock->raise();
+    });
+  }
 }
 
 SessionDocument::Panel Docks::panel() const {
@@ -73,10 +117,14 @@ void Docks::show(SessionDocument::Panel panel) {
 
 void Docks::showPresets() {
   m_presets->show();
+  m_presets->raise();
 }
 
 void Docks::setAllVisible(bool visible) {
+  if (!visible)
+    m_presetsOnTop = !m_presets->widget()->visibleRegion().isEmpty();
   m_presets->setVisible(visible);
+  m_history->setVisible(visible);
   if (!visible)
     for (QDockWidget* dock : m_right)
       if (!dock->widget()->visibleRegion().isEmpty())
@@ -85,6 +133,8 @@ void Docks::setAllVisible(bool visible) {
     dock->setVisible(visible);
   if (visible && m_onTop)
     m_onTop->raise();
+  if (visible)
+    (m_presetsOnTop ? m_presets : m_history)->raise();
 }
 
 } // namespace limn

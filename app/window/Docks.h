@@ -10,6 +10,8 @@
 class QAction;
 class QDockWidget;
 class QMainWindow;
+class QMenu;
+class QUndoView;
 
 namespace limn {
 
@@ -26,10 +28,11 @@ struct Panels {
   PresetBrowser* presets = nullptr;
   EffectsPanel* effects = nullptr;
   AccuracyPanel* accuracy = nullptr;
+  QUndoView* history = nullptr; ///< what can be undone and redone, by name
 };
 
-/// The docks around the picture, one for each panel: presets left, properties, effects and accuracy in one
-/// place at the right, curves below.
+/// The docks around the picture, one for each panel: presets and history left, properties, effects and
+/// accuracy in one place at the right, curves below.
 class Docks : public QObject {
   Q_OBJECT
 
@@ -37,7 +40,7 @@ public:
   /// Makes the panels, too.
   Docks(QMainWindow& window, Panels& panels);
 
-  /// Show and hide each dock.
+  /// Show and hide each dock, and put it into a window of its own.
   QList<QAction*> toggleActions() const;
 
   /// The panel at the right that was seen last; none where it is closed.
@@ -52,12 +55,17 @@ signals:
   void panelChanged();
 
 private:
+  QList<QDockWidget*> all() const;
+  void makeFloatingMenu();
   QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
   QMainWindow& m_window;
+  QMenu* m_floating = nullptr;
   QDockWidget* m_presets = nullptr;
+  QDockWidget* m_history = nullptr;
   std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none
   QDockWidget* m_curve = nullptr;
+  bool m_presetsOnTop = true;        ///< of those at the left, when they were hidden
   QDockWidget* m_seenLast = nullptr; ///< of those at the right
   QDockWidget* m_onTop = nullptr;    ///< of those at the right, when they were hidden
 };

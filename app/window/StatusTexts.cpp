@@ -2,24 +2,37 @@
 #include "app/window/StatusTexts.h"
 
 #include "app/document/DocumentText.h"
+#include "widgets/ValueText.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/status/PictureStatus.h"
 
 #include <QLabel>
 #include <QStatusBar>
 
+#include <array>
+#include <cmath>
+
 namespace limn {
 
 namespace {
 
-// "310 HU at cursor · 12.0, -3.5, 40.1 mm"
-QString probeText(const Probe& probe, const QString& unit) {
-  return QObject::tr("%1 %2 at cursor · %3, %4, %5 mm")
-      .arg(probe.value, 0, 'f', unit.isEmpty() ? 2 : 0)
-      .arg(unit)
-      .arg(probe.positionMm.x, 0, 'f', 1)
-      .arg(probe.positionMm.y, 0, 'f', 1)
-      .arg(probe.positionMm.z, 0, 'f', 1);
+// "12.0 L" for x, y or z of world millimetres; without a letter where the sides are unknown.
+QString placeText(double mm, int axis, bool isKnown) {
+  constexpr std::array<std::array<char, 2>, 3> letters{{{'R', 'L'}, {'A', 'P'}, {'I', 'S'}}};
+  if (!isKnown)
+    return valueText(mm, {}, 1);
+  const char letter = letters[static_cast<std::size_t>(axis)][mm < 0.0 ? 0 : 1];
+  return valueText(std::abs(mm), QString(QLatin1Char(letter)), 1);
+}
+
+// "310 HU at cursor · 12 L, 3.5 A, 40.1 S mm"
+QString probeText(const Probe& probe, const VolumeInfo& info) {
+  const QString unit = QString::fromStdString(info.unit);
+  QStringList places;
+  for (int axis = 0; axis < 3; ++axis)
+    places << placeText(probe.positionMm[axis], axis, info.orientationKnown);
+  return QObject::tr("%1 at cursor · %2 mm")
+      .arg(valueText(probe.value, unit, unit.isEmpty() ? 2 : 0), places.join(QStringLiteral(", ")));
 }
 
 } // namespace
@@ -37,8 +50,7 @@ void StatusTexts::showVolume(const Volume* volume) {
 }
 
 void StatusTexts::showProbe(const std::optional<Probe>& probe, const Volume* volume) {
-  m_probe->setText(probe && volume ? probeText(*probe, QString::fromStdString(volume->info().unit))
-                                   : QString());
+  m_probe->setText(probe && volume ? probeText(*probe, volume->info()) : QString());
 }
 
 void StatusTexts::showPicture(const PictureState& state, const Scene& scene) {

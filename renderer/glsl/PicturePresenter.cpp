@@ -2,6 +2,7 @@
 #include "glsl/PicturePresenter.h"
 
 #include "glsl/programs/EmbeddedShaders.h"
+#include "scene/view/CompareLayout.h"
 
 #include <epoxy/gl.h>
 
@@ -47,6 +48,8 @@ void PicturePresenter::draw(unsigned left, unsigned right, const Placement& plac
   m_program.set("u_right", 1);
   m_program.set("u_background", glm::vec3(background));
   m_program.set("u_gain", static_cast<float>(gain));
+  m_program.set("u_leftBrighter", glm::vec3(leftBrighterColor));
+  m_program.set("u_rightBrighter", glm::vec3(rightBrighterColor));
   glBindVertexArray(m_vertexArray.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);

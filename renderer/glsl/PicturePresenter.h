@@ -23,7 +23,8 @@ public:
   /// Draws the picture over the background.
   void show(unsigned texture, const Placement& placement, const glm::dvec3& background) const;
 
-  /// Draws the absolute difference of two pictures over the background, times `gain`.
+  /// Draws the signed difference of two pictures over the background, times `gain`
+  /// (scene/view/CompareLayout).
   void showDifference(unsigned left, unsigned right, const Placement& placement, const glm::dvec3& background,
                       double gain) const;
 

@@ -39,6 +39,7 @@ TEST_P(Look, whatIsNoTextStandsOutByThreeToOne) {
     EXPECT_GE(contrastRatio(c.curve, background), 3.0);
   }
   EXPECT_GE(contrastRatio(c.curve, c.histogram), 4.5);
+  EXPECT_GE(contrastRatio(c.histogramEdge, c.base), 3.0);
 }
 
 TEST_P(Look, thePaletteIsRecognisedAsItsLook) {
@@ -57,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Theme, Look, testing::Values(true, false));
 TEST(Icons, areSharpAndFollowTheLook) {
   for (const char* name :
        {"open", "undo", "redo", "single", "side-by-side", "wipe", "difference", "compass", "snapshot",
-        "preset-save", "delete", "search", "reset", "fold", "unfold", "crop-box"})
+        "preset-save", "delete", "search", "show-all", "fold", "unfold", "crop-box"})
     EXPECT_TRUE(iconNames().contains(QLatin1String(name))) << name;
   for (const QString& name : iconNames())
     for (const bool dark : {true, false}) {

@@ -198,7 +198,7 @@ void TransferFunctionEditor::hideWhatHasNoRoom() {
 }
 
 void TransferFunctionEditor::showIcons() {
-  m_showAll->setIcon(themedIcon(QStringLiteral("reset"), palette()));
+  m_showAll->setIcon(themedIcon(QStringLiteral("show-all"), palette()));
 }
 
 } // namespace limn

@@ -34,7 +34,7 @@ PresetBrowser::PresetBrowser(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   auto* top = new QHBoxLayout;
-  top->setContentsMargins(8, 8, 8, 4);
+  top->setContentsMargins(8, 4, 8, 4);
   top->addWidget(m_search);
   layout->addLayout(top);
   layout->addWidget(m_nothing);
@@ -78,7 +78,7 @@ void PresetBrowser::makeList() {
 QWidget* PresetBrowser::makeButtons() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
   layout->addWidget(m_save, 1);
   layout->addWidget(m_delete);

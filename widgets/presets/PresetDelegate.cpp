@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr int groupHeight = 28;
+constexpr int groupHeight = 24;
 constexpr int margin = 8;
 
 void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
@@ -127,7 +127,7 @@ QSize PresetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelI
   if (index.data(presetRole::isGroup).toBool())
     return {180, groupHeight};
   const int texts = QFontMetrics(option.font).height() + 2 * QFontMetrics(noteFont(option.font)).height();
-  return {180, std::max(texts, thumbnailHeight) + 11};
+  return {180, std::max(texts, thumbnailHeight) + 9};
 }
 
 } // namespace limn

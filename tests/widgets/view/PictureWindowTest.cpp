@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 // What the view draws, in a real window.
 
@@ -100,6 +101,34 @@ TEST(Picture, theWipeShowsEachSidesPartOfItsPicture) {
   const QImage shown = colours(host.grabFramebuffer());
   EXPECT_EQ(shown.copy(0, 0, 100, 240), colours(host.view.currentPicture(0)).copy(0, 0, 100, 240));
   EXPECT_EQ(shown.copy(100, 0, 300, 240), colours(host.view.currentPicture(1)).copy(100, 0, 300, 240));
+}
+
+TEST(Picture, theColourOfADifferenceTellsWhichSideIsBrighter) {
+  ViewHost host;
+  host.view.setCompareLayout(CompareLayout::difference);
+  host.view.setOverlayVisible(false);
+  host.view.setModels(ShadingModel::classic, ShadingModel::enhanced);
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  const QImage shown = colours(host.grabFramebuffer());
+  const QImage left = colours(host.view.currentPicture(0));
+  const QImage right = colours(host.view.currentPicture(1));
+  int leftBrighter = 0, rightBrighter = 0;
+  for (int y = 0; y < shown.height(); ++y)
+    for (int x = 0; x < shown.width(); ++x) {
+      const QColor one = left.pixelColor(x, y), other = right.pixelColor(x, y), told = shown.pixelColor(x, y);
+      const std::array apart{other.red() - one.red(), other.green() - one.green(), other.blue() - one.blue()};
+      const auto [least, most] = std::minmax_element(apart.begin(), apart.end());
+      if (*least > -8 && *most > 8) { // beyond rounding, and of one sign
+        ++rightBrighter;
+        EXPECT_GT(told.red(), told.blue()) << x << ' ' << y;
+      } else if (*least < -8 && *most < 8) {
+        ++leftBrighter;
+        EXPECT_LT(told.red(), told.blue()) << x << ' ' << y;
+      }
+    }
+  EXPECT_GT(leftBrighter + rightBrighter, 100);
 }
 
 TEST(Picture, theDifferenceOfEqualSidesIsBlack) {

@@ -54,21 +54,26 @@ std::vector<double> histogramHeights(const Histogram& histogram, const ValueRang
   return outline;
 }
 
-QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform, const QColor& color,
-                         double devicePixelRatio) {
+QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform,
+                         const HistogramColors& colors, double devicePixelRatio) {
   const QSizeF size = transform.plot.size();
   QPixmap picture((size * devicePixelRatio).toSize());
   picture.setDevicePixelRatio(devicePixelRatio);
   picture.fill(Qt::transparent);
   const int columns = std::max(1, static_cast<int>(size.width()));
   const std::vector<double> heights = histogramHeights(histogram, transform.visible, columns);
-  QPainterPath outline(QPointF(0.0, size.height()));
+  QPolygonF edge;
   for (int i = 0; i < columns; ++i) // leave a little air above the fullest bin
-    outline.lineTo(i + 0.5, size.height() * (1.0 - 0.92 * heights[static_cast<std::size_t>(i)]));
+    edge << QPointF(i + 0.5, size.height() * (1.0 - 0.92 * heights[static_cast<std::size_t>(i)]));
+  QPainterPath outline(QPointF(0.0, size.height()));
+  for (const QPointF& point : edge)
+    outline.lineTo(point);
   outline.lineTo(size.width(), size.height());
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillPath(outline, color);
+  painter.fillPath(outline, colors.fill);
+  painter.setPen(QPen(colors.edge, 1.0));
+  painter.drawPolyline(edge);
   return picture;
 }
 
@@ -77,14 +82,14 @@ void HistogramCache::setHistogram(const Histogram& histogram) {
   m_picture = {};
 }
 
-QPixmap HistogramCache::picture(const PlotTransform& transform, const QColor& color,
+QPixmap HistogramCache::picture(const PlotTransform& transform, const HistogramColors& colors,
                                 double devicePixelRatio) {
   if (m_histogram.counts.empty())
     return {};
-  const Key key{transform, color, devicePixelRatio};
+  const Key key{transform, colors, devicePixelRatio};
   if (m_picture.isNull() || key != m_key) {
     m_key = key;
-    m_picture = histogramPicture(m_histogram, transform, color, devicePixelRatio);
+    m_picture = histogramPicture(m_histogram, transform, colors, devicePixelRatio);
   }
   return m_picture;
 }

@@ -14,9 +14,15 @@ namespace limn {
 /// is linear.
 std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns);
 
+/// What a histogram is painted with.
+struct HistogramColors {
+  QColor fill, edge;
+  bool operator==(const HistogramColors&) const = default;
+};
+
 /// The filled outline in the size of the plot, transparent elsewhere.
-QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform, const QColor& color,
-                         double devicePixelRatio);
+QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform,
+                         const HistogramColors& colors, double devicePixelRatio);
 
 /// A histogram with its picture, which is made anew only where something of it changed.
 class HistogramCache {
@@ -24,12 +30,12 @@ public:
   void setHistogram(const Histogram& histogram);
 
   /// Null for a histogram without counts.
-  QPixmap picture(const PlotTransform& transform, const QColor& color, double devicePixelRatio);
+  QPixmap picture(const PlotTransform& transform, const HistogramColors& colors, double devicePixelRatio);
 
 private:
   struct Key {
     PlotTransform transform;
-    QColor color;
+    HistogramColors colors;
     double devicePixelRatio = 0.0;
     bool operator==(const Key&) const = default;
   };

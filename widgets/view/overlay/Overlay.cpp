@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/Overlay.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/view/overlay/OverlayRows.h"
 #include "widgets/view/overlay/RegionNote.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QObject>
 
@@ -13,12 +15,10 @@ namespace limn {
 namespace {
 
 // A value with as many digits as its range makes sensible.
-QString valueText(double value, const Volume& volume) {
+QString readingText(double value, const Volume& volume) {
   const double span = volume.range().highest - volume.range().lowest;
   const int digits = span > 0.0 ? std::clamp(static_cast<int>(3.0 - std::log10(span)), 0, 6) : 0;
-  const QString number = QString::number(value, 'f', digits);
-  const QString unit = QString::fromStdString(volume.info().unit);
-  return unit.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, unit);
+  return valueText(value, QString::fromStdString(volume.info().unit), digits);
 }
 
 std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
@@ -53,6 +53,19 @@ std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   return plates;
 }
 
+// The bar of a difference, with its lower right corner there.
+DifferenceBar differenceBarOf(const OverlaySource& source, const QPointF& corner) {
+  const int most = static_cast<int>(std::lround(255.0 / differenceGain));
+  DifferenceBar bar;
+  bar.lowest = QStringLiteral("−%1").arg(most);
+  bar.middle = QStringLiteral("0");
+  bar.highest = QObject::tr("+%1 of 255").arg(most);
+  bar.leftBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 0)));
+  bar.rightBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 1)));
+  bar.plate = differenceBarPlate(source.font, bar, corner);
+  return bar;
+}
+
 // Scale and notes at the lower edge; tells the plates. The notes never give way, the scale does.
 std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
@@ -66,6 +79,11 @@ std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   if (scale && !scale->plate.adjusted(0.0, 0.0, overlayMargin, 0.0).intersects(warning.plate)) {
     overlay.scale = scale;
     plates.push_back(scale->plate);
+  }
+  if (source.geometry.layout == CompareLayout::difference) {
+    overlay.differenceBar =
+        differenceBarOf(source, warning.plate.topRight() - QPointF(0.0, overlayMargin / 3));
+    plates.push_back(overlay.differenceBar->plate);
   }
   if (!source.state.limitation.isEmpty()) {
     Note note = noteAt(source.font, source.state.limitation, {width / 2.0, height - 3 * overlayMargin},
@@ -142,7 +160,7 @@ Overlay overlayOf(const OverlaySource& source) {
   plates.insert(plates.end(), notes.begin(), notes.end());
   addOrientation(overlay, source, plates);
   if (source.read)
-    overlay.reading = Overlay::Reading{valueText(source.read->value, source.volume()), source.read->at};
+    overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
   overlay.progress = progressOf(source.state);
   return overlay;
 }

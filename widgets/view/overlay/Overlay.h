@@ -39,6 +39,7 @@ struct Overlay {
   std::optional<Border> border;
   std::vector<PlacedLabel> labels;
   std::optional<DifferenceTitle> difference;
+  std::optional<DifferenceBar> differenceBar;
   double explanationOpacity = 1.0; ///< of the note under the title of a difference
   std::vector<Note> notes;
   std::optional<ScaleMark> scale;

@@ -44,6 +44,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   paintTitles(painter, overlay);
   for (const Note& note : overlay.notes)
     paintNote(painter, note);
+  if (overlay.differenceBar)
+    paintDifferenceBar(painter, *overlay.differenceBar);
   if (overlay.scale)
     paintScaleBar(painter, *overlay.scale);
   for (const Overlay::PlacedLetters& each : overlay.letters)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/OverlayParts.h"
 
+#include "scene/view/CompareLayout.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPainterPath>
@@ -148,6 +150,41 @@ void paintScaleBar(QPainter& painter, const ScaleMark& mark) {
   painter.drawPolyline(QPolygonF({QPointF(x, y - unit), QPointF(x, y), QPointF(x + mark.bar.pixels, y),
                                   QPointF(x + mark.bar.pixels, y - unit)}));
   painter.drawText(mark.plate.adjusted(2 * unit, unit, 0, 0), Qt::AlignLeft | Qt::AlignTop, mark.text);
+  painter.restore();
+}
+
+QRectF differenceBarPlate(const QFont& font, const DifferenceBar& bar, const QPointF& corner) {
+  const QFontMetricsF metrics(smallFont(font));
+  const double words =
+      metrics.horizontalAdvance(bar.leftBrighter) + metrics.horizontalAdvance(bar.rightBrighter);
+  const QSizeF size(words + 10 * unit, 2 * metrics.height() + 6 * unit);
+  return {corner - QPointF(size.width(), size.height()), size};
+}
+
+void paintDifferenceBar(QPainter& painter, const DifferenceBar& bar) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(smallFont(painter.font()));
+  paintPlate(painter, bar.plate);
+  const QRectF inside = bar.plate.adjusted(2 * unit, unit, -2 * unit, -unit);
+  const double line = QFontMetricsF(painter.font()).height();
+  const QRectF strip(inside.left(), inside.top() + line + unit / 2, inside.width(), 3 * unit);
+  const auto colorOf = [](const glm::dvec3& color) {
+    return QColor::fromRgbF(static_cast<float>(color.r), static_cast<float>(color.g),
+                            static_cast<float>(color.b));
+  };
+  QLinearGradient colors(strip.topLeft(), strip.topRight());
+  colors.setColorAt(0.0, colorOf(leftBrighterColor));
+  colors.setColorAt(0.5, Qt::black);
+  colors.setColorAt(1.0, colorOf(rightBrighterColor));
+  painter.fillRect(strip, colors);
+  painter.setPen(textColor);
+  painter.drawText(inside, Qt::AlignLeft | Qt::AlignTop, bar.leftBrighter);
+  painter.drawText(inside, Qt::AlignRight | Qt::AlignTop, bar.rightBrighter);
+  painter.setPen(quietColor);
+  painter.drawText(inside, Qt::AlignLeft | Qt::AlignBottom, bar.lowest);
+  painter.drawText(inside, Qt::AlignHCenter | Qt::AlignBottom, bar.middle);
+  painter.drawText(inside, Qt::AlignRight | Qt::AlignBottom, bar.highest);
   painter.restore();
 }
 

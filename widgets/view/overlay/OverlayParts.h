@@ -47,6 +47,16 @@ struct ScaleMark {
   QRectF plate;
 };
 
+/// What the colours of a signed difference mean: a strip from one end to the other with three numbers below.
+struct DifferenceBar {
+  QString lowest, middle, highest; ///< "−64", "0", "+64 levels"
+  QString leftBrighter, rightBrighter;
+  QRectF plate;
+};
+
+/// The plate of such a bar with its lower right corner at `corner`.
+QRectF differenceBarPlate(const QFont& font, const DifferenceBar& bar, const QPointF& corner);
+
 /// The room an orientation letter takes.
 QSizeF letterSize(const QFont& font);
 
@@ -62,5 +72,6 @@ void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hover
 /// Marks the probed point and tells its value.
 void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
 void paintNote(QPainter& painter, const Note& note);
+void paintDifferenceBar(QPainter& painter, const DifferenceBar& bar);
 
 } // namespace limn

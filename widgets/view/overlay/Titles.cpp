@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -24,12 +26,23 @@ SideLabel labelOf(const OverlaySource& source, int position) {
   return label;
 }
 
+// Where two labels over one picture part: at the border of the wipe, unless that leaves one of them no room.
+double partingOf(const OverlaySource& source, const QRectF& picture) {
+  constexpr double least = 160.0;
+  const bool isWipe = source.geometry.layout == CompareLayout::wipe;
+  return isWipe && picture.width() > 2 * least
+             ? std::clamp(wipeX(source.geometry), picture.left() + least, picture.right() - least)
+             : picture.center().x();
+}
+
 QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label) {
   QRectF side = pictureRect(source.geometry, position);
   const CompareLayout layout = source.geometry.layout;
   const bool isShared = layout == CompareLayout::wipe || layout == CompareLayout::difference;
-  if (isShared) // two labels share one picture: each has its half
-    position == 0 ? side.setRight(side.center().x()) : side.setLeft(side.center().x());
+  if (isShared) { // two labels share one picture: each has its part
+    const double parting = partingOf(source, side);
+    position == 0 ? side.setRight(parting) : side.setLeft(parting);
+  }
   return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
 }
 
@@ -53,7 +66,7 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
   const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
   DifferenceTitle title;
   title.label.label.title =
-      QObject::tr("Difference of %1 and %2 ×%3")
+      QObject::tr("%2 minus %1, ×%3")
           .arg(sideTitle(sceneOfSide(source.comparison, 0)), sideTitle(sceneOfSide(source.comparison, 1)))
           .arg(differenceGain);
   title.label.label.leadsToMenu = false;
@@ -85,9 +98,11 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};
-  return QObject::tr("<p>Black where both sides show the same; brighter the more they differ, in the colour "
-                     "in which they differ. Differences are shown %1 times as large as they are.</p>")
-      .arg(differenceGain);
+  return QObject::
+      tr("<p>Black where both sides show the same; blue where the left side is brighter, orange where the "
+         "right side is, by the part of the colour that differs most. Differences are shown %1 times as "
+         "large as they are.</p>")
+          .arg(differenceGain);
 }
 
 } // namespace limn

@@ -4,10 +4,12 @@
 #include "engine/DrawingEngine.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
+#include "scene/view/CompareLayout.h"
 
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limn {
@@ -77,14 +79,34 @@ QColor colorOf(const glm::dvec3& color) {
                           static_cast<float>(color.b));
 }
 
-// Rows of bytes become |left - right| · gain.
+// Levels of the part that differs most, right minus left.
+int mostApart(QRgb left, QRgb right) {
+  int most = qRed(right) - qRed(left);
+  for (const int apart : {qGreen(right) - qGreen(left), qBlue(right) - qBlue(left)})
+    if (std::abs(apart) > std::abs(most))
+      most = apart;
+  return most;
+}
+
+// The colour of every difference from -255 to 255.
+std::array<QRgb, 511> differenceColors(double gain) {
+  std::array<QRgb, 511> colors{};
+  for (int apart = -255; apart <= 255; ++apart) {
+    const glm::dvec3 color =
+        std::min(1.0, gain * std::abs(apart) / 255.0) * (apart < 0 ? leftBrighterColor : rightBrighterColor);
+    colors[static_cast<std::size_t>(apart + 255)] = colorOf(color).rgb();
+  }
+  return colors;
+}
+
+// The left picture becomes the difference; both have the format of frames.
 void keepDifference(QImage& left, const QImage& right, double gain) {
+  const std::array<QRgb, 511> colors = differenceColors(gain);
   for (int y = 0; y < left.height(); ++y) {
-    uchar* row = left.scanLine(y);
-    const uchar* other = right.constScanLine(y);
-    for (int x = 0; x < 4 * left.width(); ++x)
-      if (x % 4 != 3)
-        row[x] = static_cast<uchar>(std::min(255.0, gain * std::abs(int(row[x]) - int(other[x]))));
+    auto* row = reinterpret_cast<QRgb*>(left.scanLine(y));
+    const auto* other = reinterpret_cast<const QRgb*>(right.constScanLine(y));
+    for (int x = 0; x < left.width(); ++x)
+      row[x] = colors[static_cast<std::size_t>(mostApart(row[x], other[x]) + 255)];
   }
 }
 

@@ -66,7 +66,7 @@ public:
   virtual void show(const ShownPixels& pixels, const PixelRect& place, const PixelRect& part,
                     const glm::dvec3& background) = 0;
 
-  /// The absolute difference of two pictures over the background, times `gain`.
+  /// The signed difference of two pictures over the background, times `gain` (scene/view/CompareLayout).
   virtual void showDifference(const ShownPixels& left, const ShownPixels& right, const PixelRect& place,
                               const PixelRect& part, const glm::dvec3& background, double gain) = 0;
 

@@ -49,6 +49,20 @@ TEST_F(OverlayAbove, aLabelIsFoundUnderThePointerWhereThereIsAModelToChoose) {
   EXPECT_EQ(labelAt(source(), labelsOf(source())[0].plate.center()), -1);
 }
 
+TEST_F(OverlayAbove, labelsStayOnTheirSideOfTheWipeWhereverItsBorderIs) {
+  comparison.layout = CompareLayout::wipe;
+  for (const double wipe : {0.3, 0.5, 0.7}) {
+    comparison.wipe = wipe;
+    const std::vector<PlacedLabel> labels = labelsOf(source());
+    EXPECT_LE(labels[0].plate.right(), wipe * 700.0) << wipe; // of the view's width
+    EXPECT_GE(labels[1].plate.left(), wipe * 700.0) << wipe;
+  }
+  comparison.wipe = 0.0; // one has no side left: both are told all the same
+  const std::vector<PlacedLabel> labels = labelsOf(source());
+  EXPECT_FALSE(labels[0].plate.intersects(labels[1].plate));
+  EXPECT_GT(labels[0].plate.width(), 60.0);
+}
+
 TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
   EXPECT_FALSE(overlayOf(source()).difference);
   comparison.layout = CompareLayout::difference;
@@ -58,8 +72,25 @@ TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
     EXPECT_FALSE(title->label.plate.intersects(label.plate));
     EXPECT_FALSE(title->note.plate.intersects(label.plate));
   }
+  EXPECT_EQ(title->label.label.title, QStringLiteral("Enhanced minus Classic, ×4"));
   EXPECT_FALSE(toolTipAt(source(), title->label.plate.center()).isEmpty());
   EXPECT_TRUE(toolTipAt(source(), {350.0, 300.0}).isEmpty());
+}
+
+TEST_F(OverlayAbove, aDifferenceHasABarThatTellsItsColoursAndCoversNothing) {
+  EXPECT_FALSE(overlayOf(source()).differenceBar);
+  comparison.layout = CompareLayout::difference;
+  const Overlay overlay = overlayOf(source());
+  ASSERT_TRUE(overlay.differenceBar);
+  EXPECT_EQ(overlay.differenceBar->lowest, QStringLiteral("−64")); // 255 levels over a gain of 4
+  EXPECT_EQ(overlay.differenceBar->highest, QStringLiteral("+64 of 255"));
+  EXPECT_EQ(overlay.differenceBar->leftBrighter, QStringLiteral("Classic brighter"));
+  const QRectF& plate = overlay.differenceBar->plate;
+  EXPECT_TRUE(overlay.view.contains(plate));
+  for (const Note& note : overlay.notes)
+    EXPECT_FALSE(plate.intersects(note.plate)) << note.text.toStdString();
+  for (const PlacedLabel& label : overlay.labels)
+    EXPECT_FALSE(plate.intersects(label.plate));
 }
 
 TEST_F(OverlayAbove, progressIsShownWhileSomethingIsDrawn) {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "app/window/SettingsDialog.h"
+#include "app/window/StabilityDialog.h"
+#include "support/Places.h"
+#include "widgets/FindWidget.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QUndoView>
+
+// Settings, history, stability checks and panels in windows of their own, in the program's window.
+
+namespace limn {
+namespace {
+
+class DialogsWindow : public test::WindowHarness {
+protected:
+  QAction* named(const char* name) const { return window->findChild<QAction*>(QLatin1String(name)); }
+  Settings settings() const { return Settings(UserFolders::below(folder.path()).settings); }
+};
+
+TEST_F(DialogsWindow, theSettingsShowAndChangeWhatTheMenusDo) {
+  QTest::keyClick(window.get(), Qt::Key_Comma, Qt::ControlModifier);
+  auto* dialog = window->findChild<SettingsDialog*>();
+  ASSERT_TRUE(dialog && dialog->isVisible());
+  auto* engine = widgetNamed<QComboBox>(*dialog, "Engine");
+  EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL")) << "what the harness chose";
+  engine->setFocus();
+  QTest::keyClick(engine, Qt::Key_Down);
+  EXPECT_EQ(settings().engine(), EngineSetting::processor);
+  EXPECT_TRUE(named("engine-cpu")->isChecked());
+  named("engine-gl")->trigger(); // in the menu
+  EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL"));
+  for (QCheckBox* box : dialog->findChildren<QCheckBox*>())
+    if (box->text() == QStringLiteral("Patient in the title bar"))
+      QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+  EXPECT_FALSE(settings().patientIsShown());
+  EXPECT_FALSE(named("patientInTitle")->isChecked());
+}
+
+TEST_F(DialogsWindow, whatWasOpenedBeforeIsForgottenFromTheSettings) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_FALSE(settings().recentSources().isEmpty());
+  named("settings")->trigger();
+  auto* dialog = window->findChild<SettingsDialog*>();
+  QTest::mouseClick(dialog->findChild<QPushButton*>(), Qt::LeftButton);
+  EXPECT_TRUE(settings().recentSources().isEmpty());
+  EXPECT_FALSE(window->findChild<QMenu*>(QStringLiteral("recentSources"))->isEnabled());
+}
+
+TEST_F(DialogsWindow, theHistoryListsEveryStepAndAClickGoesThere) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  auto* history = window->findChild<QUndoView*>();
+  ASSERT_NE(history, nullptr);
+  const TransferFunction before = scene().transferFunction;
+  dragAPoint();
+  const TransferFunction dragged = scene().transferFunction;
+  dragAPoint();
+  ASSERT_EQ(history->model()->rowCount(), 3);
+  EXPECT_EQ(history->model()->index(0, 0).data().toString(), QStringLiteral("As opened"));
+  EXPECT_TRUE(history->model()->index(1, 0).data().toString().contains(QStringLiteral("point")));
+  window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->raise();
+  QCoreApplication::processEvents();
+  const auto clickRow = [history](int row) {
+    const QRect place = history->visualRect(history->model()->index(row, 0));
+    QTest::mouseClick(history->viewport(), Qt::LeftButton, {}, place.center());
+  };
+  clickRow(0);
+  EXPECT_EQ(scene().transferFunction, before);
+  clickRow(1);
+  EXPECT_EQ(scene().transferFunction, dragged);
+}
+
+TEST_F(DialogsWindow, aPanelGoesIntoAWindowOfItsOwnAndBack) {
+  auto* curve = window->findChild<QDockWidget*>(QStringLiteral("curveDock"));
+  EXPECT_LE(curve->widget()->y(), 1) << "no row for a name that its contents tell"; // a frame at most
+  named("float-curveDock")->trigger();
+  EXPECT_TRUE(curve->isFloating() && curve->isVisible());
+  EXPECT_EQ(curve->titleBarWidget(), nullptr);
+  named("float-curveDock")->trigger();
+  EXPECT_FALSE(curve->isFloating());
+  EXPECT_NE(curve->titleBarWidget(), nullptr);
+}
+
+TEST_F(DialogsWindow, checksThatCannotStartOrAreStoppedSaySo) {
+  const QString reports = pathTo("reports");
+  StabilityDialog missing(pathTo("no such program"), reports, window.get());
+  missing.show();
+  const auto button = [](const StabilityDialog& dialog, const char* text) {
+    for (QPushButton* one : dialog.findChildren<QPushButton*>())
+      if (one->text() == QLatin1String(text))
+        return one;
+    return static_cast<QPushButton*>(nullptr);
+  };
+  const auto says = [](const StabilityDialog& dialog, const char* words) {
+    return dialog.findChild<QLabel*>()->text().contains(QLatin1String(words));
+  };
+  QTest::mouseClick(button(missing, "Check"), Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return says(missing, "could not be started"); }));
+  EXPECT_TRUE(button(missing, "Check")->isVisible());
+
+  StabilityDialog stopped(QString::fromStdString(test::programPath()), reports, window.get());
+  stopped.show();
+  QTest::mouseClick(button(stopped, "Check"), Qt::LeftButton);
+  ASSERT_TRUE(button(stopped, "Stop")->isVisible());
+  QTest::mouseClick(button(stopped, "Stop"), Qt::LeftButton);
+  EXPECT_TRUE(test::waitUntil([&] { return says(stopped, "before they were complete"); }));
+  EXPECT_FALSE(button(stopped, "Open the report")->isVisible());
+}
+
+} // namespace
+} // namespace limn
