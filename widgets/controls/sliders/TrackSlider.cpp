@@ -3,6 +3,7 @@
 
 #include "widgets/Gesture.h"
 #include "widgets/Theme.h"
+#include "widgets/ValueText.h"
 #include "widgets/controls/sliders/AccessibleTrack.h"
 
 #include <QAccessible>
@@ -121,6 +122,11 @@ double TrackSlider::keyStepOf(int handle) const {
   const bool atEnd = fraction + keyStep > 1.0;
   const double next = valueAtFraction(m_scale, atEnd ? fraction - keyStep : fraction + keyStep);
   return std::max(std::abs(next - value), std::pow(10.0, -m_decimals));
+}
+
+QString TrackSlider::readOutOf(int handle) const {
+  const double value = m_values[static_cast<std::size_t>(handle)];
+  return m_readOut ? m_readOut(value) : plainNumber(value, std::min(m_decimals, 6));
 }
 
 double TrackSlider::trackWidth() const {

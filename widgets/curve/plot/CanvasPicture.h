@@ -44,6 +44,9 @@ inline constexpr double plotRight = 12.0;
 inline constexpr double ticksBelow = 25.0;
 inline constexpr double stripBelow = 15.0;
 
+/// The plot in a widget of this size, pixels; never narrower or lower than 20.
+QRectF plotWithin(const QSizeF& size, CurveSubject subject);
+
 /// Grid, axes, tick labels and the colour strip.
 void paintAxes(QPainter& painter, const CanvasPicture& picture);
 
