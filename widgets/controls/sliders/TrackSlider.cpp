@@ -183,7 +183,7 @@ void TrackSlider::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const double middle = height() / 2.0;
-  painter.setBrush(isEnabled() ? colors.border : colors.hover);
+  painter.setBrush(isEnabled() ? colors.outline : colors.border);
   painter.drawRoundedRect(QRectF(handleRadius + 1.0, middle - 2.0, trackWidth(), 4.0), 2.0, 2.0);
 
   const double originX = handleRadius + 1.0 + fractionOf(m_scale, m_origin) * trackWidth();

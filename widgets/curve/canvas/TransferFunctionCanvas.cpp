@@ -121,7 +121,7 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.colors = themeColors(palette());
   picture.unit = m_plot.unit;
   picture.decimals = shownDecimals();
-  picture.histogram = m_histogram.picture(picture.transform, picture.colors.histogram, devicePixelRatioF());
+  picture.histogram = m_histogram.picture(picture.transform, picture.colors, devicePixelRatioF());
   picture.hint = m_hint.isEmpty() && !m_plot.values ? tr("Open a volume to see its histogram") : m_hint;
   picture.selected = m_plot.selected;
   picture.hoveredValue = m_hoveredValue;
