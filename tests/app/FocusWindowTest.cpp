@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowHarness.h"
 #include "widgets/Theme.h"
+#include "widgets/view/panels/FocusRing.h"
 
 #include <QApplication>
 #include <QImage>
@@ -56,8 +57,11 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
     QCoreApplication::processEvents();
     EXPECT_FALSE(now->visibleRegion().isEmpty())
         << described(*now); // not behind another panel or scrolled away
-    if (now == &view())
-      continue; // a picture that changes by itself
+    if (now == &view()) {   // a picture that changes by itself
+      EXPECT_TRUE(view().findChild<FocusRing*>()->isVisible());
+      continue;
+    }
+    EXPECT_FALSE(view().findChild<FocusRing*>()->isVisible());
     const QImage with = around(*now);
     now->clearFocus();
     const QImage without = around(*now);

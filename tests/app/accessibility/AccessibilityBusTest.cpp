@@ -57,7 +57,6 @@ protected:
     return findAll(root(), [role](const BusObject& object) { return hasRole(object, role); });
   }
 
-private:
   inline static std::unique_ptr<ProgramOnPrivateBus> s_program;
   inline static std::optional<BusObject> s_canvas;
 };
@@ -116,6 +115,25 @@ TEST_F(OnTheBus, anOpacitySetMovesThePointUp) {
   EXPECT_EQ(second.place().center().y() < before, wanted > 0.5);
   EXPECT_TRUE(second.description().endsWith(QStringLiteral("opacity %1").arg(wanted)))
       << second.description().toStdString();
+}
+
+TEST_F(OnTheBus, whatChangesIsTold) {
+  test::BusEvents told(s_program->bus(), QStringLiteral("object:property-change:accessible-value"));
+  // The program learns of the wish when it comes to it, and tells nothing of what changed before.
+  const auto isToldOf = [&told](const BusObject& object, double one, double other) {
+    return test::waitUntil([&] {
+      object.setNumber(object.number() == one ? other : one);
+      return told.paths().contains(object.path());
+    });
+  };
+  const BusObject third = point(2), opacity = third.children().at(0);
+  const double lowest = *third.number(QStringLiteral("MinimumValue"));
+  const double highest = *third.number(QStringLiteral("MaximumValue"));
+  ASSERT_LT(lowest, highest);
+  ASSERT_TRUE(isToldOf(third, lowest, highest));
+  EXPECT_FALSE(told.paths().contains(opacity.path()));
+  EXPECT_FALSE(told.paths().contains(point(0).path()));
+  ASSERT_TRUE(isToldOf(opacity, 0.25, 0.75));
 }
 
 TEST_F(OnTheBus, aPointThatIsGivenTheFocusHasIt) {

@@ -124,6 +124,21 @@ std::vector<BusObject> findAll(const BusObject& root, const std::function<bool(c
   return found;
 }
 
+BusEvents::BusEvents(QDBusConnection bus, const QString& kind) {
+  bus.connect({}, {}, atspi + QStringLiteral("Event.Object"), QStringLiteral("PropertyChange"), this,
+              SLOT(take(QDBusMessage)));
+  // Programs tell only what somebody has registered for, and ask the registry again when it says so.
+  QDBusMessage wish = QDBusMessage::createMethodCall(
+      atspi + QStringLiteral("Registry"), QStringLiteral("/org/a11y/atspi/registry"),
+      atspi + QStringLiteral("Registry"), QStringLiteral("RegisterEvent"));
+  wish.setArguments({kind});
+  bus.call(wish, QDBus::Block, answerMs);
+}
+
+void BusEvents::take(const QDBusMessage& event) {
+  m_paths << event.path();
+}
+
 ProgramOnPrivateBus::ProgramOnPrivateBus(const QStringList& arguments) {
   startBus();
   if (!m_missing.isEmpty())

@@ -4,6 +4,8 @@
 #include "support/TemporaryFolder.h"
 
 #include <QDBusConnection>
+#include <QDBusMessage>
+#include <QObject>
 #include <QProcess>
 #include <QRect>
 #include <QStringList>
@@ -65,6 +67,23 @@ private:
   QDBusConnection m_bus{QString()};
   QString m_service;
   QString m_path;
+};
+
+/// Listens to events of one kind, named as assistive technology registers for them.
+class BusEvents : public QObject {
+  Q_OBJECT
+
+public:
+  BusEvents(QDBusConnection bus, const QString& kind);
+
+  /// The objects they were about so far.
+  const QStringList& paths() const { return m_paths; }
+
+private slots:
+  void take(const QDBusMessage& event);
+
+private:
+  QStringList m_paths;
 };
 
 /// Every object below `root` for which `wanted` holds, in the order of the tree.
