@@ -55,11 +55,12 @@ ThemeColors themeColors(bool dark) {
             .grid = "#2a2d32",
             .text = "#e6e9ed",
             .secondaryText = "#a4acb7",
-            .disabledText = "#6d747d",
+            .disabledText = "#929aa4",
             .accent = "#5aa7ff",
             .accentText = "#0b1625",
+            .outline = "#777e88",
             .histogram = "#434951",
-            .histogramEdge = "#727b87",
+            .histogramEdge = "#a4acb7",
             .curve = "#e6e9ed"};
   return {.window = "#f3f4f6",
           .base = "#ffffff",
@@ -69,11 +70,12 @@ ThemeColors themeColors(bool dark) {
           .grid = "#eceef1",
           .text = "#1b1f24",
           .secondaryText = "#57606b",
-          .disabledText = "#9aa1aa",
+          .disabledText = "#636a73",
           .accent = "#1667cc",
           .accentText = "#ffffff",
+          .outline = "#80878f",
           .histogram = "#d3d8de",
-          .histogramEdge = "#858d97",
+          .histogramEdge = "#57606b",
           .curve = "#262b31"};
 }
 
@@ -105,12 +107,13 @@ QString themeStyleSheet(bool dark) {
   if (!file.open(QIODevice::ReadOnly))
     qFatal("The style sheet is missing from the program's resources.");
   const ThemeColors c = themeColors(dark);
-  const std::array<std::pair<const char*, QColor>, 11> names{{{"@window", c.window},
+  const std::array<std::pair<const char*, QColor>, 12> names{{{"@window", c.window},
                                                               {"@base", c.base},
                                                               {"@raised", c.raised},
                                                               {"@hover", c.hover},
                                                               {"@border", c.border},
                                                               {"@grid", c.grid},
+                                                              {"@outline", c.outline},
                                                               {"@text", c.text},
                                                               {"@secondary", c.secondaryText},
                                                               {"@disabled", c.disabledText},

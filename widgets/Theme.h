@@ -21,16 +21,18 @@ struct ThemeColors {
   QColor base;          ///< behind text entry, lists and plots
   QColor raised;        ///< buttons
   QColor hover;         ///< a button or row under the pointer
-  QColor border;        ///< hairlines around controls
+  QColor border;        ///< hairlines between parts
   QColor grid;          ///< hairlines in a plot
   QColor text;          ///< contrast with window, base and raised ≥ 7:1
   QColor secondaryText; ///< units, hints, axis labels; contrast ≥ 4.5:1
-  QColor disabledText;
+  QColor disabledText;  ///< contrast with window and base ≥ 4.5:1: it still says something
   QColor accent;        ///< the one accent: focus, selection, handles
   QColor accentText;    ///< on the accent
-  QColor histogram;     ///< filled area behind the curve
-  QColor histogramEdge; ///< its outline; contrast with base ≥ 3:1
-  QColor curve;         ///< the opacity curve
+  QColor outline;       ///< around what is typed in or pressed, tracks of sliders; contrast ≥ 3:1
+  QColor histogram;     ///< filled area behind the curve, quiet so that curve and marks stand out from it
+  QColor
+      histogramEdge; ///< its upper edge, which tells its shape; contrast ≥ 3:1 under any colour of the curve
+  QColor curve;      ///< the opacity curve
 };
 
 /// The designed colours of the dark or the light look.

@@ -45,6 +45,9 @@ QList<HelpRow> helpRows() {
       {QObject::tr("Drag the handle"), QObject::tr("shift the curve; Alt: width")},
       {QObject::tr("Wheel, Shift+wheel"), QObject::tr("zoom, pan the value axis")},
       {QObject::tr("Tab, arrows, Enter"), QObject::tr("walk the points, move, type numbers")},
+      {QObject::tr("N, Ins"), QObject::tr("add a point beside the one in hand")},
+      {QObject::tr("Menu key"), QObject::tr("colour and numbers, delete, show all values")},
+      {QObject::tr("Ctrl with + − 0 ← →"), QObject::tr("zoom the value axis, show all of it, pan")},
   };
 }
 

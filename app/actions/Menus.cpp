@@ -83,6 +83,9 @@ void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& share
   bar->setObjectName(QStringLiteral("toolBar"));
   bar->setMovable(false);
   bar->setIconSize({20, 20});
+  // Qt's own button for what has no room.
+  if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
+    more->setAccessibleName(QObject::tr("More tools"));
   QToolButton* open = menuButton(*bar, shared.recent, QToolButton::MenuButtonPopup);
   open->setDefaultAction(actions.openFile);
   bar->addWidget(open);

@@ -59,6 +59,8 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
         m_seenLast = dock;
+      // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
+      dock->widget()->setVisible(visible);
       emit panelChanged();
     });
 }

@@ -21,14 +21,14 @@ MessageBar::MessageBar(QWidget* parent)
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
   m_more->setText(tr("Details"));
+  m_action->setAccessibleName(tr("What can be done about it")); // until a message brings its own
+  m_close->setText(tr("Dismiss"));
   m_more->setCheckable(true);
   m_more->setToolTip(tr("Shows every remark about this volume."));
   auto* row = new QHBoxLayout;
   row->addWidget(m_sentence, 1);
-  for (QToolButton* button : {m_action, m_more, m_close}) {
-    button->setAccessibleName(button->text());
+  for (QToolButton* button : {m_action, m_more, m_close})
     row->addWidget(button, 0, Qt::AlignTop);
-  }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 8, 8, 8);
   column->setSpacing(4);

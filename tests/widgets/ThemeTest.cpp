@@ -3,11 +3,14 @@
 #include "widgets/ContrastRatio.h"
 #include "widgets/Icons.h"
 #include "widgets/WidgetSamples.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QApplication>
 #include <QImage>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -27,6 +30,8 @@ TEST_P(Look, textContrastIsAtLeastFourAndAHalf) {
     EXPECT_GE(contrastRatio(c.text, background), 7.0) << background.name().toStdString();
     EXPECT_GE(contrastRatio(c.secondaryText, background), 4.5) << background.name().toStdString();
   }
+  for (const QColor& background : {c.window, c.base}) // a label that is out of use still says something
+    EXPECT_GE(contrastRatio(c.disabledText, background), 4.5) << background.name().toStdString();
   EXPECT_GE(contrastRatio(c.accentText, c.accent), 4.5);
   // Tool tips are inverted: base on text.
   EXPECT_GE(contrastRatio(c.base, c.text), 7.0);
@@ -34,12 +39,31 @@ TEST_P(Look, textContrastIsAtLeastFourAndAHalf) {
 
 TEST_P(Look, whatIsNoTextStandsOutByThreeToOne) {
   const ThemeColors c = themeColors(GetParam());
-  for (const QColor& background : {c.window, c.base}) {
-    EXPECT_GE(contrastRatio(c.accent, background), 3.0);
-    EXPECT_GE(contrastRatio(c.curve, background), 3.0);
+  for (const QColor& background : {c.window, c.base, c.raised}) {
+    EXPECT_GE(contrastRatio(c.accent, background), 3.0) << background.name().toStdString();
+    EXPECT_GE(contrastRatio(c.curve, background), 3.0) << background.name().toStdString();
+    EXPECT_GE(contrastRatio(c.outline, background), 3.0) << background.name().toStdString();
   }
+  // What lies over the histogram stands out from its area.
   EXPECT_GE(contrastRatio(c.curve, c.histogram), 4.5);
+  EXPECT_GE(contrastRatio(c.accent, c.histogram), 3.0);
+  EXPECT_GE(contrastRatio(c.secondaryText, c.histogram), 3.0);
+}
+
+// The histogram's shape is told by its edge, which lies over the colours of the curve.
+TEST_P(Look, theHistogramStandsOutFromThePlotUnderAnyColour) {
+  const ThemeColors c = themeColors(GetParam());
   EXPECT_GE(contrastRatio(c.histogramEdge, c.base), 3.0);
+  for (int corner = 0; corner < 8; ++corner) { // contrast is least at a corner of the cube of colours
+    const auto over = [&](double ground, int bit) {
+      return std::lerp(ground, corner >> bit & 1 ? 1.0 : 0.0, colorsOpacity);
+    };
+    const QColor colored = QColor::fromRgbF(static_cast<float>(over(c.base.redF(), 0)),
+                                            static_cast<float>(over(c.base.greenF(), 1)),
+                                            static_cast<float>(over(c.base.blueF(), 2)));
+    EXPECT_GE(contrastRatio(c.histogramEdge, colored), 3.0) << colored.name().toStdString();
+    EXPECT_GE(contrastRatio(c.curve, colored), 3.0) << colored.name().toStdString();
+  }
 }
 
 TEST_P(Look, thePaletteIsRecognisedAsItsLook) {

@@ -48,6 +48,9 @@ PresetBrowser::PresetBrowser(QWidget* parent)
   m_search->setPlaceholderText(tr("Search presets"));
   m_search->setClearButtonEnabled(true);
   m_search->setAccessibleName(tr("Search presets"));
+  for (QToolButton* button : m_search->findChildren<QToolButton*>()) // Qt's own, without names
+    button->setAccessibleName(button->defaultAction() == m_searchIcon ? tr("Search presets")
+                                                                      : tr("Clear the search"));
   m_search->setToolTip(tr("Shows only presets whose name, modality or note holds these words (Ctrl+F)"));
   m_search->installEventFilter(this);
   connect(m_search, &QLineEdit::textChanged, this, &PresetBrowser::search);

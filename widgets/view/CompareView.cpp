@@ -7,6 +7,7 @@
 #include "widgets/view/gestures/ViewInput.h"
 #include "widgets/view/overlay/LabelFade.h"
 #include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/panels/FocusRing.h"
 #include "widgets/view/panels/ModelMenu.h"
 #include "widgets/view/panels/PanelStack.h"
 
@@ -22,7 +23,8 @@ CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* par
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAccessibleName(tr("3D view"));
-  setAccessibleDescription(tr("Drag to rotate, middle drag to pan, right drag or wheel to zoom"));
+  setAccessibleDescription(
+      tr("Drag to rotate, middle drag to pan, right drag or wheel to zoom; arrows rotate, + and − zoom"));
   m_engines = new EngineSwitch(std::move(engines), engine, orders(), *this);
 
   ViewInput::Facts facts;
@@ -35,6 +37,7 @@ CompareView::CompareView(DrawingEngines engines, ViewEngine engine, QWidget* par
   connectInput();
   connectFit();
   arrangeParts();
+  new FocusRing(this);
 }
 
 ViewOrders CompareView::orders() {

@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QKeyEvent>
 
+#include <numeric>
+
 namespace limn {
 namespace {
 
@@ -67,6 +69,70 @@ TEST_F(CanvasFixture, controlASelectsAllAndControlDNone) {
   EXPECT_EQ(m_canvas.selected().size(), 5u);
   QTest::keyClick(&m_canvas, Qt::Key_D, Qt::ControlModifier);
   EXPECT_TRUE(m_canvas.selected().empty());
+}
+
+TEST_F(CanvasFixture, nAddsAPointOnTheCurveBesideTheOneInHand) {
+  m_canvas.selectPoints({2});
+  const std::vector<ControlPoint> before = points();
+  const double middle = std::midpoint(before[2].value, before[3].value);
+  const double opacity = classify(m_canvas.transferFunction(), middle).opacity;
+  QTest::keyClick(&m_canvas, Qt::Key_N);
+  ASSERT_EQ(points().size(), before.size() + 1);
+  EXPECT_EQ(points()[3].value, middle);
+  EXPECT_EQ(points()[3].opacity, opacity);
+  EXPECT_EQ(m_canvas.selected(), PointIndices{3});
+  EXPECT_EQ(m_edits.size(), 1u);
+}
+
+TEST_F(CanvasFixture, insertBesideTheLastPointGoesBeforeItAndWithoutAPointToTheMiddleOfThePlot) {
+  m_canvas.selectPoints({points().size() - 1});
+  const std::vector<ControlPoint> before = points();
+  QTest::keyClick(&m_canvas, Qt::Key_Insert);
+  ASSERT_EQ(points().size(), before.size() + 1);
+  EXPECT_EQ(points()[before.size() - 1].value,
+            std::midpoint(before[before.size() - 2].value, before.back().value));
+  m_canvas.selectPoints({});
+  const ValueRange visible = m_canvas.transform().visible;
+  QTest::keyClick(&m_canvas, Qt::Key_Insert);
+  ASSERT_EQ(m_canvas.selected().size(), 1u);
+  EXPECT_EQ(points()[m_canvas.selected().front()].value, std::midpoint(visible.lowest, visible.highest));
+}
+
+TEST_F(CanvasFixture, aPointThatKeysReachComesIntoSight) {
+  const auto isInSight = [&](std::size_t i) {
+    const double x = xOfValue(m_canvas.transform(), points()[i].value);
+    const QRectF plot = m_canvas.transform().plot;
+    return x >= plot.left() && x <= plot.right();
+  };
+  wheel(pixelOf(2), 12); // twelve notches of 1.25: a fifteenth of the axis
+  ASSERT_TRUE(isInSight(2));
+  ASSERT_FALSE(isInSight(0));
+  ASSERT_FALSE(isInSight(4));
+  const double perPixelBefore = perPixel();
+  for (std::size_t i = 0; i < points().size(); ++i) {
+    QTest::keyClick(&m_canvas, Qt::Key_Tab);
+    ASSERT_EQ(m_canvas.selected(), PointIndices{i});
+    EXPECT_TRUE(isInSight(i)) << i;
+  }
+  EXPECT_NEAR(perPixel(), perPixelBefore, 1e-9 * perPixelBefore); // moved, not zoomed
+  for (int press = 0; press < 60; ++press)
+    QTest::keyClick(&m_canvas, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_TRUE(isInSight(4));
+}
+
+TEST_F(CanvasFixture, controlWithPlusMinusArrowsAndZeroShowsPartsOfTheAxis) {
+  const PlotTransform all = m_canvas.transform();
+  m_canvas.selectPoints({2});
+  const int x = pixelOf(2).x();
+  QTest::keyClick(&m_canvas, Qt::Key_Plus, Qt::ControlModifier);
+  EXPECT_NEAR(perPixel(), valuePerPixel(all) / 1.25, 1e-9); // a notch of the wheel
+  EXPECT_EQ(pixelOf(2).x(), x);
+  const ValueRange zoomed = m_canvas.transform().visible;
+  QTest::keyClick(&m_canvas, Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NEAR(m_canvas.transform().visible.lowest, zoomed.lowest + 80.0 * perPixel(), 1e-9);
+  EXPECT_TRUE(m_edits.empty());
+  QTest::keyClick(&m_canvas, Qt::Key_0, Qt::ControlModifier);
+  EXPECT_EQ(m_canvas.transform(), all);
 }
 
 TEST_F(CanvasFixture, enterAsksForNumbers) {

@@ -71,13 +71,13 @@ void StopSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor accent = isEnabled() ? colors.accent : colors.disabledText;
-  painter.setPen(QPen(colors.border, 3.0, Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(QPen(colors.outline, 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(centreAt(0.0), centreAt(maximum()));
   painter.setPen(QPen(accent, 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(centreAt(0.0), centreAt(m_place));
   painter.setPen(Qt::NoPen);
   for (int stop = 0; stop <= maximum(); ++stop) {
-    painter.setBrush(stop <= m_place ? accent : colors.border);
+    painter.setBrush(stop <= m_place ? accent : colors.outline);
     painter.drawEllipse(centreAt(stop), stopRadius, stopRadius);
   }
   painter.setPen(QPen(hasFocus() ? colors.text : accent, hasFocus() ? 2.0 : 1.5));

@@ -32,8 +32,15 @@ void ColorButton::paintEvent(QPaintEvent*) {
   painter.setOpacity(isEnabled() ? 1.0 : 0.35);
   painter.setBrush(toQColor(m_color));
   const bool lively = hasFocus() || underMouse();
-  painter.setPen(QPen(lively ? colors.accent : colors.border, 1.0));
+  painter.setPen(QPen(lively ? colors.accent : colors.outline, 1.0));
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+  if (!hasFocus())
+    return;
+  // Two rings: one of them stands out from whatever colour this is.
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5), 3.0, 3.0);
+  painter.setPen(QPen(colors.base, 1.0));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(2.5, 2.5, -2.5, -2.5), 2.0, 2.0);
 }
 
 void ColorButton::openPicker() {

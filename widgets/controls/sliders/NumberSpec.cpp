@@ -15,6 +15,10 @@ QString toolTipOf(const NumberSpec& spec, bool isRange) {
       .arg(spec.help, rangeText(spec.lowest, spec.highest, spec.decimals), unit, initial);
 }
 
+QString describedFor(const NumberSpec& spec) {
+  return spec.unit.isEmpty() ? spec.help : QObject::tr("In %1. %2").arg(spec.unit, spec.help);
+}
+
 QString changeText(const QString& label) {
   const bool acronym = label.size() > 1 && label.at(1).isUpper();
   return QObject::tr("change %1").arg(acronym ? label : label.left(1).toLower() + label.mid(1));

@@ -25,6 +25,9 @@ struct NumberSpec {
 /// The tool tip of a row: the help, then range and default (`isRange`: both defaults), then how to reset.
 QString toolTipOf(const NumberSpec& spec, bool isRange);
 
+/// What assistive technology says of a slider beside its name: the unit, then the help.
+QString describedFor(const NumberSpec& spec);
+
 /// What undo shows: "change ambient light".
 QString changeText(const QString& label);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/sliders/RangeSlider.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/TrackSlider.h"
@@ -57,6 +58,8 @@ void RangeSlider::setSpec(const NumberSpec& spec) {
   m_upper->setAccessibleName(
       tr("%1, %2").arg(spec.label, spec.upperName.isEmpty() ? tr("to") : spec.upperName));
   m_slider->setAccessibleName(spec.label);
+  m_slider->setAccessibleDescription(describedFor(spec));
+  m_slider->setReadOut([spec](double value) { return valueText(value, spec.unit, spec.decimals); });
   m_slider->setHandleNames({m_lower->accessibleName(), m_upper->accessibleName()});
   if (isEnabled())
     setToolTip(toolTipOf(spec, true));

@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTextDocumentFragment>
 
 namespace limn {
 
@@ -23,6 +24,8 @@ SpringSlider::SpringSlider(const QString& label, const QString& help, const Slid
   m_slider->setOrigin(neutral);
   m_slider->setValues({neutral});
   m_slider->setAccessibleName(label);
+  m_slider->setAccessibleDescription(QTextDocumentFragment::fromHtml(help).toPlainText());
+  m_slider->setReadOut(readOut);
   setToolTip(help);
 
   connect(m_slider, &TrackSlider::valuesEdited, this,

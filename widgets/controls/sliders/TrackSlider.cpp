@@ -3,6 +3,7 @@
 
 #include "widgets/Gesture.h"
 #include "widgets/Theme.h"
+#include "widgets/ValueText.h"
 #include "widgets/controls/sliders/AccessibleTrack.h"
 
 #include <QAccessible>
@@ -123,6 +124,11 @@ double TrackSlider::keyStepOf(int handle) const {
   return std::max(std::abs(next - value), std::pow(10.0, -m_decimals));
 }
 
+QString TrackSlider::readOutOf(int handle) const {
+  const double value = m_values[static_cast<std::size_t>(handle)];
+  return m_readOut ? m_readOut(value) : plainNumber(value, std::min(m_decimals, 6));
+}
+
 double TrackSlider::trackWidth() const {
   return std::max(1.0, width() - 2.0 * (handleRadius + 1.0));
 }
@@ -177,7 +183,7 @@ void TrackSlider::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
   const double middle = height() / 2.0;
-  painter.setBrush(isEnabled() ? colors.border : colors.hover);
+  painter.setBrush(isEnabled() ? colors.outline : colors.border);
   painter.drawRoundedRect(QRectF(handleRadius + 1.0, middle - 2.0, trackWidth(), 4.0), 2.0, 2.0);
 
   const double originX = handleRadius + 1.0 + fractionOf(m_scale, m_origin) * trackWidth();

@@ -7,6 +7,8 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace limn {
@@ -34,6 +36,10 @@ public:
   /// What assistive technology calls the handles of a range, one name each.
   void setHandleNames(const QStringList& names) { m_handleNames = names; }
   const QStringList& handleNames() const { return m_handleNames; }
+
+  /// How a number is read out, with its unit; without it as a bare number.
+  void setReadOut(std::function<QString(double)> readOut) { m_readOut = std::move(readOut); }
+  QString readOutOf(int handle) const;
 
   /// Moves a handle as a gesture of the user's own, up to its neighbours.
   void moveHandle(int handle, double value);
@@ -84,6 +90,7 @@ private:
   SliderScale m_scale;
   std::vector<double> m_values;
   QStringList m_handleNames;
+  std::function<QString(double)> m_readOut;
   std::vector<double> m_before;
   double m_origin;
   int m_decimals = 9;

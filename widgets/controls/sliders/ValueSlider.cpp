@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/sliders/ValueSlider.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/TrackSlider.h"
@@ -55,6 +56,8 @@ void ValueSlider::setSpec(const NumberSpec& spec) {
   m_slider->setDecimals(spec.decimals);
   m_field->setAccessibleName(spec.label);
   m_slider->setAccessibleName(spec.label);
+  m_slider->setAccessibleDescription(describedFor(spec));
+  m_slider->setReadOut([spec](double value) { return valueText(value, spec.unit, spec.decimals); });
   if (isEnabled())
     setToolTip(toolTipOf(spec, false));
 }

@@ -22,6 +22,20 @@ bool hasControl(const QKeyEvent& event) {
   return event.modifiers() & Qt::ControlModifier;
 }
 
+bool movesTheView(const QKeyEvent& event) {
+  switch (event.key()) {
+  case Qt::Key_Plus:
+  case Qt::Key_Equal: // + without Shift on many keyboards
+  case Qt::Key_Minus:
+  case Qt::Key_Left:
+  case Qt::Key_Right:
+  case Qt::Key_0:
+    return hasControl(event);
+  default:
+    return false;
+  }
+}
+
 } // namespace
 
 CurveKey curveKeyOf(const QKeyEvent& event, bool anySelected) {
@@ -35,6 +49,9 @@ CurveKey curveKeyOf(const QKeyEvent& event, bool anySelected) {
   case Qt::Key_Delete:
   case Qt::Key_Backspace:
     return anySelected && !hasControl(event) ? CurveKey::deleteSelected : CurveKey::none;
+  case Qt::Key_Insert:
+  case Qt::Key_N:
+    return hasControl(event) ? CurveKey::none : CurveKey::addPoint;
   case Qt::Key_Return:
   case Qt::Key_Enter:
     return hasControl(event) ? CurveKey::none : CurveKey::typeNumbers;
@@ -45,8 +62,9 @@ CurveKey curveKeyOf(const QKeyEvent& event, bool anySelected) {
 
 bool comesBeforeShortcuts(const QKeyEvent& event, bool anySelected) {
   if (hasControl(event))
-    return event.key() == Qt::Key_A || event.key() == Qt::Key_D;
-  return anySelected && curveKeyOf(event, anySelected) != CurveKey::none;
+    return event.key() == Qt::Key_A || event.key() == Qt::Key_D || movesTheView(event);
+  const CurveKey key = curveKeyOf(event, anySelected);
+  return key == CurveKey::addPoint || (anySelected && key != CurveKey::none);
 }
 
 QPointF arrowOf(const QKeyEvent& event) {
@@ -70,6 +88,28 @@ ValueRange wheeledView(const PlotTransform& transform, const QWheelEvent& event,
   if (event.modifiers() & Qt::ShiftModifier)
     return pannedBy(transform, -pixelsPerNotch * notches(event), full);
   return zoomedAtX(transform, event.position().x(), std::pow(zoomPerNotch, notches(event)), full);
+}
+
+std::optional<ValueRange> keyedView(const PlotTransform& transform, const QKeyEvent& event,
+                                    const CurvePlot& plot) {
+  if (!movesTheView(event))
+    return std::nullopt;
+  const ValueRange full = fullRange(plot);
+  const double about = plot.selected.empty()
+                           ? transform.plot.center().x()
+                           : xOfValue(transform, plot.function.points[plot.selected.front()].value);
+  switch (event.key()) {
+  case Qt::Key_0:
+    return full;
+  case Qt::Key_Left:
+    return pannedBy(transform, -pixelsPerNotch, full);
+  case Qt::Key_Right:
+    return pannedBy(transform, pixelsPerNotch, full);
+  case Qt::Key_Minus:
+    return zoomedAtX(transform, about, 1.0 / zoomPerNotch, full);
+  default:
+    return zoomedAtX(transform, about, zoomPerNotch, full);
+  }
 }
 
 Qt::CursorShape cursorFor(CurveHit::Part part) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/curve/edits/CurvePlot.h"
 #include "widgets/curve/plot/CurveGeometry.h"
+
+#include <optional>
 
 class QKeyEvent;
 class QWheelEvent;
@@ -9,7 +12,7 @@ class QWheelEvent;
 namespace limn {
 
 /// What a key asks of the points in hand.
-enum class CurveKey { none, selectAll, selectNone, deleteSelected, typeNumbers, nudge };
+enum class CurveKey { none, selectAll, selectNone, deleteSelected, addPoint, typeNumbers, nudge };
 
 /// `anySelected`: points are in hand.
 CurveKey curveKeyOf(const QKeyEvent& event, bool anySelected);
@@ -23,6 +26,11 @@ QPointF arrowOf(const QKeyEvent& event);
 
 /// The visible values after a turn of the wheel: zoomed at the pointer or, with Shift, moved; within `full`.
 ValueRange wheeledView(const PlotTransform& transform, const QWheelEvent& event, const ValueRange& full);
+
+/// The visible values after a key: Ctrl with + and − zooms about the point in hand or the middle, with arrows
+/// moves, with 0 shows all; nothing for other keys.
+std::optional<ValueRange> keyedView(const PlotTransform& transform, const QKeyEvent& event,
+                                    const CurvePlot& plot);
 
 Qt::CursorShape cursorFor(CurveHit::Part part);
 

@@ -2,11 +2,11 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 
 #include "widgets/ValueText.h"
-#include "widgets/curve/canvas/CurveInput.h"
+#include "widgets/curve/canvas/AccessibleCanvas.h"
+#include "widgets/curve/canvas/CurveMenu.h"
 #include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QContextMenuEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -16,12 +16,14 @@ namespace limn {
 
 TransferFunctionCanvas::TransferFunctionCanvas(CurveSubject subject, QWidget* parent)
     : QWidget(parent), m_plot{.subject = subject, .function = {}, .selected = {}, .values = {}, .unit = {}} {
+  makeCanvasesAccessible();
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(subject == CurveSubject::value ? tr("Transfer function curve")
                                                    : tr("Curve of opacity over the gradient"));
   setAccessibleDescription(
-      tr("Tab walks the points, arrows move them, Enter edits numbers, Delete removes, Ctrl+A selects all."));
+      tr("Tab walks the points, arrows move them, N adds one, Enter edits numbers, Delete removes, Ctrl+A "
+         "selects all."));
 }
 
 void TransferFunctionCanvas::setTransferFunction(const TransferFunction& function) {
@@ -32,10 +34,11 @@ void TransferFunctionCanvas::setTransferFunction(const TransferFunction& functio
   m_hovered = {};
   if (function.points.size() != m_plot.function.points.size())
     m_plot.selected.clear();
-  m_plot.function = function;
+  const TransferFunction before = std::exchange(m_plot.function, function);
   if (!m_plot.values)
     resetView();
   update();
+  tellPoints(*this, before);
 }
 
 void TransferFunctionCanvas::setHistogram(const Histogram& histogram) {
@@ -47,10 +50,7 @@ void TransferFunctionCanvas::setHistogram(const Histogram& histogram) {
 }
 
 PlotTransform TransferFunctionCanvas::transform() const {
-  const double plotBottom = ticksBelow + (hasColors(m_plot.subject) ? stripBelow : 0.0);
-  const QRectF plot(plotLeft, plotTop, std::max(20.0, width() - plotLeft - plotRight),
-                    std::max(20.0, height() - plotTop - plotBottom));
-  return {plot, m_visible, m_fineLowOpacities};
+  return {plotWithin(size(), m_plot.subject), m_visible, m_fineLowOpacities};
 }
 
 int TransferFunctionCanvas::shownDecimals() const {
@@ -67,18 +67,34 @@ void TransferFunctionCanvas::selectPoints(const PointIndices& indices) {
   m_plot.selected = indices;
   update();
   emit selectionChanged();
+  tellPointFocus(*this);
 }
 
-void TransferFunctionCanvas::selectAll() {
-  selectPoints(allPoints(m_plot.function));
+std::optional<std::size_t> TransferFunctionCanvas::focusedPoint() const {
+  return hasFocus() && !m_plot.selected.empty() ? std::optional(m_plot.selected.front()) : std::nullopt;
 }
 
-void TransferFunctionCanvas::deleteSelected() {
-  apply(withoutSelected(m_plot, shownDecimals()), nextGestureId());
+void TransferFunctionCanvas::takeInHand(std::size_t index) {
+  selectPoints({index});
+  revealSelected();
 }
 
-void TransferFunctionCanvas::apply(const CurveChange& change, std::uint64_t gestureId) {
-  edit(change.function, {gestureId, change.text});
+void TransferFunctionCanvas::placePoint(std::size_t index, double value, double opacity) {
+  if (isDragging())
+    return;
+  apply(withPointPlaced(m_plot, index, value, opacity, shownDecimals()));
+  revealSelected();
+}
+
+// Several points may lie too far apart for one view.
+void TransferFunctionCanvas::revealSelected() {
+  if (m_plot.selected.size() == 1)
+    setShown(m_visible, revealed(transform(), m_plot.function.points[m_plot.selected.front()].value,
+                                 2.0 * pointDiameter, fullRange(m_plot)));
+}
+
+void TransferFunctionCanvas::apply(const CurveChange& change, std::optional<std::uint64_t> gestureId) {
+  edit(change.function, {gestureId ? *gestureId : nextGestureId(), change.text});
   selectPoints(change.selected);
 }
 
@@ -87,12 +103,13 @@ void TransferFunctionCanvas::edit(const TransferFunction& wanted, const Gesture&
   if (function == m_plot.function)
     return;
   const bool sameCount = function.points.size() == m_plot.function.points.size();
-  m_plot.function = function;
+  const TransferFunction before = std::exchange(m_plot.function, function);
   if (!sameCount) {
     m_hovered = {};
     selectPoints({});
   }
   update();
+  tellPoints(*this, before);
   emit transferFunctionEdited(function, gesture);
 }
 
@@ -104,8 +121,7 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.colors = themeColors(palette());
   picture.unit = m_plot.unit;
   picture.decimals = shownDecimals();
-  picture.histogram = m_histogram.picture(
-      picture.transform, {picture.colors.histogram, picture.colors.histogramEdge}, devicePixelRatioF());
+  picture.histogram = m_histogram.picture(picture.transform, picture.colors, devicePixelRatioF());
   picture.hint = m_hint.isEmpty() && !m_plot.values ? tr("Open a volume to see its histogram") : m_hint;
   picture.selected = m_plot.selected;
   picture.hoveredValue = m_hoveredValue;
@@ -206,14 +222,14 @@ void TransferFunctionCanvas::continueDrag(const QMouseEvent& event) {
 
 void TransferFunctionCanvas::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton && !isDragging())
-    return showMenu(event->position().toPoint());
+    return openCurveMenu(*this, event->position());
   const CurveHit hit = hitAt(transform(), m_plot.function, event->position());
   const bool middleClick =
       event->button() == Qt::MiddleButton && m_drag.kind == CurveDrag::Kind::pan && !m_drag.started;
   endDrag();
   if (middleClick && hit.part == CurveHit::Part::point) {
     selectPoints({hit.index});
-    deleteSelected();
+    apply(withoutSelected(m_plot, shownDecimals()));
   }
   hover(event->position());
 }
@@ -251,8 +267,7 @@ void TransferFunctionCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void TransferFunctionCanvas::addPoint(const QPointF& position) {
   const PlotTransform plot = transform();
-  apply(withPointAt(m_plot, valueAtX(plot, position.x()), opacityAtY(plot, position.y()), shownDecimals()),
-        nextGestureId());
+  apply(withPointAt(m_plot, valueAtX(plot, position.x()), opacityAtY(plot, position.y()), shownDecimals()));
 }
 
 void TransferFunctionCanvas::wheelEvent(QWheelEvent* event) {
@@ -281,33 +296,6 @@ void TransferFunctionCanvas::setHoveredValue(std::optional<double> value) {
     emit valueHovered(value);
 }
 
-void TransferFunctionCanvas::showMenu(const QPoint& position) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  const CurveHit hit = hitAt(transform(), m_plot.function, position);
-  if (hit.part == CurveHit::Part::point)
-    addPointActions(*menu, hit.index);
-  else
-    menu->addAction(tr("Add point here"), this, [this, position] { addPoint(position); });
-  menu->addSeparator();
-  menu->addAction(tr("Select all points"), this, &TransferFunctionCanvas::selectAll);
-  menu->addAction(tr("Show all values"), this, &TransferFunctionCanvas::resetView);
-  if (m_pinnedValue)
-    menu->addAction(tr("Remove the pin"), this, [this] { setPinnedValue(std::nullopt); });
-  menu->popup(mapToGlobal(position));
-}
-
-void TransferFunctionCanvas::addPointActions(QMenu& menu, std::size_t index) {
-  if (!contains(m_plot.selected, index))
-    selectPoints({index});
-  const std::size_t count = m_plot.selected.size();
-  QAction* deletion = menu.addAction(count > 1 ? tr("Delete %1 points").arg(count) : tr("Delete"), this,
-                                     &TransferFunctionCanvas::deleteSelected);
-  deletion->setEnabled(m_plot.function.points.size() > 1);
-  menu.addAction(hasColors(m_plot.subject) ? tr("Colour and numbers…") : tr("Numbers…"), this,
-                 [this, index] { emit pointDetailsRequested(index); });
-}
-
 void TransferFunctionCanvas::contextMenuEvent(QContextMenuEvent* event) {
   // The mouse opens the menu on release, on every platform alike; here only the menu key counts.
   if (event->reason() != QContextMenuEvent::Keyboard)
@@ -315,7 +303,7 @@ void TransferFunctionCanvas::contextMenuEvent(QContextMenuEvent* event) {
   const PointIndices& selected = m_plot.selected;
   const QPointF place = selected.empty() ? transform().plot.center()
                                          : positionOf(transform(), m_plot.function.points[selected.front()]);
-  showMenu(place.toPoint());
+  openCurveMenu(*this, place);
 }
 
 bool TransferFunctionCanvas::isOwnKey(const QKeyEvent& event) const {
@@ -341,8 +329,13 @@ bool TransferFunctionCanvas::focusNextPrevChild(bool next) {
   const auto point = pointAfter(m_plot.selected, m_plot.function.points.size(), next);
   if (!point)
     return QWidget::focusNextPrevChild(next);
-  selectPoints({*point});
+  takeInHand(*point);
   return true;
+}
+
+void TransferFunctionCanvas::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  tellPointFocusSoon(*this);
 }
 
 void TransferFunctionCanvas::focusOutEvent(QFocusEvent* event) {
@@ -357,21 +350,33 @@ void TransferFunctionCanvas::keyPressEvent(QKeyEvent* event) {
     m_spaceHeld = true;
     return setCursor(Qt::OpenHandCursor);
   }
-  // A drag owns the curve until it ends.
-  switch (isDragging() ? CurveKey::none : curveKeyOf(*event, !m_plot.selected.empty())) {
+  if (isDragging())
+    return; // a drag owns the curve until it ends
+  if (const auto view = keyedView(transform(), *event, m_plot))
+    return setShown(m_visible, *view);
+  const CurveKey key = curveKeyOf(*event, !m_plot.selected.empty());
+  if (key == CurveKey::none)
+    return QWidget::keyPressEvent(event);
+  doKey(key, *event);
+  revealSelected();
+}
+
+void TransferFunctionCanvas::doKey(CurveKey key, const QKeyEvent& event) {
+  switch (key) {
   case CurveKey::selectAll:
-    return selectAll();
+    return selectPoints(allPoints(m_plot.function));
   case CurveKey::selectNone:
     return selectPoints({});
   case CurveKey::deleteSelected:
-    return deleteSelected();
+    return apply(withoutSelected(m_plot, shownDecimals()));
+  case CurveKey::addPoint:
+    return apply(withPointBeside(m_plot, m_visible, shownDecimals()));
   case CurveKey::typeNumbers:
     return emit numbersRequested();
   case CurveKey::nudge:
-    return nudge(*event);
+    return nudge(event);
   case CurveKey::none:
-    if (!isDragging())
-      QWidget::keyPressEvent(event);
+    return;
   }
 }
 

@@ -3,14 +3,13 @@
 
 #include "widgets/Gesture.h"
 #include "widgets/curve/canvas/CurveDrag.h"
+#include "widgets/curve/canvas/CurveInput.h"
 #include "widgets/curve/edits/CurvePlot.h"
 #include "widgets/curve/plot/HistogramPicture.h"
 
 #include <QWidget>
 
 #include <optional>
-
-class QMenu;
 
 namespace limn {
 
@@ -40,6 +39,8 @@ public:
   const TransferFunction& transferFunction() const { return m_plot.function; }
   const PointIndices& selected() const { return m_plot.selected; }
   const QString& unit() const { return m_plot.unit; }
+  const CurvePlot& plot() const { return m_plot; }
+  bool hasPin() const { return m_pinnedValue.has_value(); }
   PlotTransform transform() const;
 
   /// Decimals that tell neighbouring pixels apart.
@@ -52,6 +53,21 @@ public:
 
   /// Replaces the function as one edit of the user's, from the controls beside the plot.
   void edit(const TransferFunction& function, const Gesture& gesture);
+
+  /// An act of the user's in the plot; no id is one of its own.
+  void apply(const CurveChange& change, std::optional<std::uint64_t> gestureId = std::nullopt);
+
+  /// Adds a point at a place in the plot.
+  void addPoint(const QPointF& position);
+
+  /// Takes one point in hand, and scrolls it into view.
+  void takeInHand(std::size_t index);
+
+  /// Moves a point as an act of the user's, within its reach; not during a drag.
+  void placePoint(std::size_t index, double value, double opacity);
+
+  /// The point that keys go to: the first in hand while the plot has the focus.
+  std::optional<std::size_t> focusedPoint() const;
 
   QSize sizeHint() const override { return {720, 220}; }
   QSize minimumSizeHint() const override { return {240, 120}; }
@@ -77,6 +93,7 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   bool focusNextPrevChild(bool next) override;
 
@@ -87,9 +104,7 @@ private:
     update();
   }
   CanvasPicture picture();
-  void selectAll();
-  void deleteSelected();
-  void apply(const CurveChange& change, std::uint64_t gestureId);
+  void revealSelected();
 
   bool isDragging() const { return m_drag.kind != CurveDrag::Kind::none; }
   void press(const CurveHit& hit, const QMouseEvent& event);
@@ -98,12 +113,10 @@ private:
   void continueDrag(const QMouseEvent& event);
   void endDrag();
   void cancelDrag();
-  void addPoint(const QPointF& position);
 
   void hover(const QPointF& position);
   void setHoveredValue(std::optional<double> value);
-  void showMenu(const QPoint& position);
-  void addPointActions(QMenu& menu, std::size_t index);
+  void doKey(CurveKey key, const QKeyEvent& event);
   bool isOwnKey(const QKeyEvent& event) const;
   void nudge(const QKeyEvent& event);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace limn {
 
@@ -31,6 +32,13 @@ double valueUnit(const CurvePlot& plot) {
   return std::pow(10.0, std::floor(std::log10((full.highest - full.lowest) / 500.0)));
 }
 
+ValueRange reachOf(const CurvePlot& plot, std::size_t index) {
+  const auto& points = plot.function.points;
+  const ValueRange full = fullRange(plot);
+  return {index > 0 ? points[index - 1].value : std::max(full.lowest, lowestPlace(plot.subject)),
+          index + 1 < points.size() ? points[index + 1].value : full.highest};
+}
+
 CurveChange withPointAt(const CurvePlot& plot, double value, double opacity, int decimals) {
   const double place = std::max(value, lowestPlace(plot.subject));
   std::size_t index = 0;
@@ -38,6 +46,25 @@ CurveChange withPointAt(const CurvePlot& plot, double value, double opacity, int
   return {std::move(function),
           {index},
           QObject::tr("add point at %1").arg(valueText(place, plot.unit, decimals))};
+}
+
+CurveChange withPointBeside(const CurvePlot& plot, const ValueRange& visible, int decimals) {
+  const auto& points = plot.function.points;
+  double value = std::midpoint(visible.lowest, visible.highest);
+  if (!plot.selected.empty() && points.size() > 1) {
+    const std::size_t from = std::min(plot.selected.back(), points.size() - 2);
+    value = std::midpoint(points[from].value, points[from + 1].value);
+  }
+  return withPointAt(plot, value, classify(plot.function, value).opacity, decimals);
+}
+
+CurveChange withPointPlaced(const CurvePlot& plot, std::size_t index, double value, double opacity,
+                            int decimals) {
+  const ValueRange reach = reachOf(plot, index);
+  TransferFunction moved =
+      withPointMoved(plot.function, index, std::clamp(value, reach.lowest, reach.highest), opacity);
+  const QString text = movedText(1, valueText(moved.points[index].value, plot.unit, decimals));
+  return {std::move(moved), {index}, text};
 }
 
 CurveChange withoutSelected(const CurvePlot& plot, int decimals) {

@@ -26,6 +26,9 @@ ValueRange fullRange(const CurvePlot& plot);
 /// The smallest step of a value that matters to the data: 1 HU for CT.
 double valueUnit(const CurvePlot& plot);
 
+/// Where a point can go among the values: as far as its neighbours, or as the plot shows.
+ValueRange reachOf(const CurvePlot& plot, std::size_t index);
+
 /// An act of the user's: what the function becomes, which points are in hand then, and what undo shows.
 struct CurveChange {
   TransferFunction function;
@@ -35,6 +38,14 @@ struct CurveChange {
 
 /// A point more, and that in hand. Texts show values with so many `decimals`.
 CurveChange withPointAt(const CurvePlot& plot, double value, double opacity, int decimals);
+
+/// A point more on the curve itself: between the point in hand and the next, or the one before the last;
+/// without one in hand in the middle of the `visible` values.
+CurveChange withPointBeside(const CurvePlot& plot, const ValueRange& visible, int decimals);
+
+/// A point at another value and opacity, within its reach, and that in hand.
+CurveChange withPointPlaced(const CurvePlot& plot, std::size_t index, double value, double opacity,
+                            int decimals);
 
 /// Without the points in hand, but never the last one. The neighbour is next, so that one can go on.
 CurveChange withoutSelected(const CurvePlot& plot, int decimals);

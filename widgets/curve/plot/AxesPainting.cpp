@@ -96,6 +96,12 @@ void paintColorStrip(QPainter& painter, const CanvasPicture& picture) {
 
 } // namespace
 
+QRectF plotWithin(const QSizeF& size, CurveSubject subject) {
+  const double below = ticksBelow + (hasColors(subject) ? stripBelow : 0.0);
+  return {plotLeft, plotTop, std::max(20.0, size.width() - plotLeft - plotRight),
+          std::max(20.0, size.height() - plotTop - below)};
+}
+
 QImage colorRow(const CanvasPicture& picture) {
   const int columns = std::max(1, static_cast<int>(picture.transform.plot.width()));
   QImage row(columns, 1, QImage::Format_RGB32);

@@ -4,8 +4,8 @@
 #include "widgets/Theme.h"
 #include "widgets/curve/edits/CurveSubject.h"
 #include "widgets/curve/plot/CurveGeometry.h"
+#include "widgets/curve/plot/HistogramPicture.h"
 
-#include <QPixmap>
 #include <QString>
 
 #include <optional>
@@ -22,9 +22,9 @@ struct CanvasPicture {
   PlotTransform transform;
   ThemeColors colors;
   QString unit;
-  int decimals = 0;  ///< of shown values
-  QPixmap histogram; ///< null without a volume
-  QString hint;      ///< in the middle of the plot, empty for none
+  int decimals = 0;           ///< of shown values
+  HistogramPicture histogram; ///< null without a volume
+  QString hint;               ///< in the middle of the plot, empty for none
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;
@@ -43,6 +43,12 @@ inline constexpr double plotTop = 20.0;
 inline constexpr double plotRight = 12.0;
 inline constexpr double ticksBelow = 25.0;
 inline constexpr double stripBelow = 15.0;
+
+/// The plot in a widget of this size, pixels; never narrower or lower than 20.
+QRectF plotWithin(const QSizeF& size, CurveSubject subject);
+
+/// Of the curve's colours beneath it: so faint that the histogram's edge stands out from any of them.
+inline constexpr double colorsOpacity = 0.24;
 
 /// Grid, axes, tick labels and the colour strip.
 void paintAxes(QPainter& painter, const CanvasPicture& picture);

@@ -54,7 +54,8 @@ void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
                    withAlpha(picture.colors.accent, 26));
 }
 
-void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
+// The curve's colours below it.
+void paintColors(QPainter& painter, const CanvasPicture& picture) {
   const QRectF& plot = picture.transform.plot;
   const QPolygonF line = curvePolygon(picture.transform, picture.function);
   if (line.isEmpty())
@@ -65,9 +66,13 @@ void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
   colors.setTransform(QTransform::fromTranslate(plot.left(), 0.0));
   painter.setPen(Qt::NoPen);
   painter.setBrush(colors);
-  painter.setOpacity(0.36);
+  painter.setOpacity(colorsOpacity);
   painter.drawPolygon(area);
   painter.setOpacity(1.0);
+}
+
+void paintCurveLine(QPainter& painter, const CanvasPicture& picture) {
+  const QPolygonF line = curvePolygon(picture.transform, picture.function);
   painter.setBrush(Qt::NoBrush);
   const bool hovered = picture.hoveredPart == CurveHit::Part::curve;
   painter.setPen(QPen(hovered ? picture.colors.accent : picture.colors.curve, 1.75, Qt::SolidLine,
@@ -207,7 +212,7 @@ void paintHint(QPainter& painter, const CanvasPicture& picture) {
   const QRectF room = picture.transform.plot.adjusted(24.0, 4.0, -24.0, -4.0);
   const int flags = Qt::AlignCenter | Qt::TextWordWrap;
   const QRectF text = painter.boundingRect(room, flags, picture.hint);
-  if (!picture.histogram.isNull()) {
+  if (!picture.histogram.area.isNull()) {
     painter.setPen(QPen(picture.colors.border, 1.0));
     painter.setBrush(picture.colors.raised);
     painter.drawRoundedRect(text.adjusted(-12.0, -6.0, 12.0, 6.0), 4.0, 4.0);
@@ -223,9 +228,11 @@ void paintCurve(QPainter& painter, const CanvasPicture& picture) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.save();
   painter.setClipRect(plot.adjusted(-1.0, -1.0, 1.0, 1.0));
-  if (!picture.histogram.isNull())
-    painter.drawPixmap(plot.topLeft(), picture.histogram);
+  if (!picture.histogram.area.isNull())
+    painter.drawPixmap(plot.topLeft(), picture.histogram.area);
   paintTissueBand(painter, picture);
+  paintColors(painter, picture);
+  painter.drawPixmap(plot.topLeft(), picture.histogram.edge);
   paintCurveLine(painter, picture);
   paintHoverLine(painter, picture);
   paintMarkedValues(painter, picture);

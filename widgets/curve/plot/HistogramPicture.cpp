@@ -2,7 +2,7 @@
 #include "widgets/curve/plot/HistogramPicture.h"
 
 #include <QPainter>
-#include <QPainterPath>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +30,13 @@ std::vector<double> binHeights(const Histogram& histogram) {
   return heights;
 }
 
+QPixmap emptyPicture(const QSizeF& size, double devicePixelRatio) {
+  QPixmap picture((size * devicePixelRatio).toSize());
+  picture.setDevicePixelRatio(devicePixelRatio);
+  picture.fill(Qt::transparent);
+  return picture;
+}
+
 } // namespace
 
 std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns) {
@@ -54,26 +61,27 @@ std::vector<double> histogramHeights(const Histogram& histogram, const ValueRang
   return outline;
 }
 
-QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform,
-                         const HistogramColors& colors, double devicePixelRatio) {
+HistogramPicture histogramPicture(const Histogram& histogram, const PlotTransform& transform,
+                                  const ThemeColors& colors, double devicePixelRatio) {
   const QSizeF size = transform.plot.size();
-  QPixmap picture((size * devicePixelRatio).toSize());
-  picture.setDevicePixelRatio(devicePixelRatio);
-  picture.fill(Qt::transparent);
   const int columns = std::max(1, static_cast<int>(size.width()));
   const std::vector<double> heights = histogramHeights(histogram, transform.visible, columns);
   QPolygonF edge;
   for (int i = 0; i < columns; ++i) // leave a little air above the fullest bin
     edge << QPointF(i + 0.5, size.height() * (1.0 - 0.92 * heights[static_cast<std::size_t>(i)]));
-  QPainterPath outline(QPointF(0.0, size.height()));
-  for (const QPointF& point : edge)
-    outline.lineTo(point);
-  outline.lineTo(size.width(), size.height());
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillPath(outline, colors.fill);
-  painter.setPen(QPen(colors.edge, 1.0));
-  painter.drawPolyline(edge);
+  QPolygonF area = edge;
+  area << QPointF(size.width(), size.height()) << QPointF(0.0, size.height());
+
+  HistogramPicture picture{emptyPicture(size, devicePixelRatio), emptyPicture(size, devicePixelRatio)};
+  QPainter inArea(&picture.area);
+  inArea.setRenderHint(QPainter::Antialiasing);
+  inArea.setPen(Qt::NoPen);
+  inArea.setBrush(colors.histogram);
+  inArea.drawPolygon(area);
+  QPainter onEdge(&picture.edge);
+  onEdge.setRenderHint(QPainter::Antialiasing);
+  onEdge.setPen(QPen(colors.histogramEdge, 1.0));
+  onEdge.drawPolyline(edge);
   return picture;
 }
 
@@ -82,12 +90,12 @@ void HistogramCache::setHistogram(const Histogram& histogram) {
   m_picture = {};
 }
 
-QPixmap HistogramCache::picture(const PlotTransform& transform, const HistogramColors& colors,
-                                double devicePixelRatio) {
+HistogramPicture HistogramCache::picture(const PlotTransform& transform, const ThemeColors& colors,
+                                         double devicePixelRatio) {
   if (m_histogram.counts.empty())
     return {};
-  const Key key{transform, colors, devicePixelRatio};
-  if (m_picture.isNull() || key != m_key) {
+  const Key key{transform, colors.histogram, devicePixelRatio};
+  if (m_picture.area.isNull() || key != m_key) {
     m_key = key;
     m_picture = histogramPicture(m_histogram, transform, colors, devicePixelRatio);
   }

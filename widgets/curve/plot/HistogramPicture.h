@@ -2,9 +2,9 @@
 #pragma once
 
 #include "scene/volume/Histogram.h"
+#include "widgets/Theme.h"
 #include "widgets/curve/plot/PlotTransform.h"
 
-#include <QColor>
 #include <QPixmap>
 
 namespace limn {
@@ -14,34 +14,35 @@ namespace limn {
 /// is linear.
 std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns);
 
-/// What a histogram is painted with.
-struct HistogramColors {
-  QColor fill, edge;
-  bool operator==(const HistogramColors&) const = default;
+/// The area below the outline, and the line along it that tells its shape, each in the size of the plot and
+/// transparent elsewhere: colours of the curve lie between them.
+struct HistogramPicture {
+  QPixmap area;
+  QPixmap edge;
 };
 
-/// The filled outline in the size of the plot, transparent elsewhere.
-QPixmap histogramPicture(const Histogram& histogram, const PlotTransform& transform,
-                         const HistogramColors& colors, double devicePixelRatio);
+HistogramPicture histogramPicture(const Histogram& histogram, const PlotTransform& transform,
+                                  const ThemeColors& colors, double devicePixelRatio);
 
 /// A histogram with its picture, which is made anew only where something of it changed.
 class HistogramCache {
 public:
   void setHistogram(const Histogram& histogram);
 
-  /// Null for a histogram without counts.
-  QPixmap picture(const PlotTransform& transform, const HistogramColors& colors, double devicePixelRatio);
+  /// Null pictures for a histogram without counts.
+  HistogramPicture picture(const PlotTransform& transform, const ThemeColors& colors,
+                           double devicePixelRatio);
 
 private:
   struct Key {
     PlotTransform transform;
-    HistogramColors colors;
+    QColor area; ///< stands for the look
     double devicePixelRatio = 0.0;
     bool operator==(const Key&) const = default;
   };
   Histogram m_histogram;
   Key m_key;
-  QPixmap m_picture;
+  HistogramPicture m_picture;
 };
 
 } // namespace limn

@@ -50,6 +50,13 @@ ValueRange pannedBy(const PlotTransform& t, double pixels, const ValueRange& ful
   return keptWithin({t.visible.lowest + offset, t.visible.highest + offset}, full);
 }
 
+ValueRange revealed(const PlotTransform& t, double value, double margin, const ValueRange& full) {
+  const double x = xOfValue(t, value);
+  if (x >= t.plot.left() && x <= t.plot.right())
+    return t.visible;
+  return pannedBy(t, x < t.plot.left() ? x - t.plot.left() - margin : x - t.plot.right() + margin, full);
+}
+
 AxisTicks niceTicks(const ValueRange& range, int most) {
   const double least = (range.highest - range.lowest) / most;
   const double power = std::pow(10.0, std::floor(std::log10(least)));

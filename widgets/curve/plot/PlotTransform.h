@@ -36,6 +36,10 @@ ValueRange zoomedAtX(const PlotTransform& transform, double x, double factor, co
 /// The visible range moved by so many pixels (positive: to higher values), within `full`.
 ValueRange pannedBy(const PlotTransform& transform, double pixels, const ValueRange& full);
 
+/// The visible range moved no further than brings `value` to `margin` pixels from the plot's edge, within
+/// `full`; unchanged where it is in sight.
+ValueRange revealed(const PlotTransform& transform, double value, double margin, const ValueRange& full);
+
 /// Labelled places on an axis.
 struct AxisTicks {
   double step = 1.0; ///< 1, 2 or 5 times a power of ten

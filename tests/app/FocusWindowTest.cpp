@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/Theme.h"
+#include "widgets/view/panels/FocusRing.h"
+
+#include <QApplication>
+#include <QImage>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+// Where the focus is can be seen, and Tab goes everywhere.
+
+namespace limn {
+namespace {
+
+class FocusWindowTest : public test::WindowHarness, public testing::WithParamInterface<ThemeChoice> {};
+
+// The widget as it is on screen, with what its parents paint around it.
+QImage around(const QWidget& widget) {
+  QWidget* window = widget.window();
+  const QRect place(widget.mapTo(window, QPoint()), widget.size());
+  return window->grab(place.adjusted(-3, -3, 3, 3)).toImage();
+}
+
+int differingPixels(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+    for (int x = 0; x < std::min(a.width(), b.width()); ++x)
+      count += a.pixel(x, y) != b.pixel(x, y);
+  return count;
+}
+
+std::string described(const QWidget& widget) {
+  return (QString::fromLatin1(widget.metaObject()->className()) + QLatin1Char(' ') + widget.accessibleName() +
+          QLatin1Char(' ') + widget.objectName())
+      .toStdString();
+}
+
+TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
+  applyTheme(*qApp, GetParam());
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  view().setFocus();
+  std::set<QWidget*> reached;
+  for (int presses = 0; presses < 400; ++presses) {
+    QWidget* before = QApplication::focusWidget();
+    ASSERT_NE(before, nullptr);
+    QTest::keyClick(before, Qt::Key_Tab);
+    QWidget* now = QApplication::focusWidget();
+    ASSERT_NE(now, nullptr);
+    if (now == before)
+      continue; // the next point or handle
+    if (!reached.insert(now).second && now == &view())
+      break;
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(now->visibleRegion().isEmpty())
+        << described(*now); // not behind another panel or scrolled away
+    if (now == &view()) {   // a picture that changes by itself
+      EXPECT_TRUE(view().findChild<FocusRing*>()->isVisible());
+      continue;
+    }
+    EXPECT_FALSE(view().findChild<FocusRing*>()->isVisible());
+    const QImage with = around(*now);
+    now->clearFocus();
+    const QImage without = around(*now);
+    now->setFocus(Qt::TabFocusReason);
+    // Half the outline of a small button.
+    EXPECT_GE(differingPixels(with, without), 16) << described(*now);
+  }
+  EXPECT_TRUE(reached.contains(&view()));
+  EXPECT_TRUE(reached.contains(curves().valueEditor()->canvas()));
+  EXPECT_GE(reached.size(), 30u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest, testing::Values(ThemeChoice::light, ThemeChoice::dark));
+
+} // namespace
+} // namespace limn

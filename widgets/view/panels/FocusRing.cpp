@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/FocusRing.h"
+
+#include "widgets/Theme.h"
+
+#include <QFocusEvent>
+#include <QPainter>
+
+namespace limn {
+namespace {
+
+constexpr int ringWidth = 2; // pixels
+
+} // namespace
+
+FocusRing::FocusRing(QWidget* owner) : QWidget(owner) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::NoFocus);
+  owner->installEventFilter(this);
+  hide();
+}
+
+bool FocusRing::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+  case QEvent::FocusIn: {
+    const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+    setVisible(reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason);
+    break;
+  }
+  case QEvent::FocusOut:
+  case QEvent::MouseButtonPress:
+    hide();
+    break;
+  case QEvent::Resize:
+    break;
+  default:
+    return QWidget::eventFilter(watched, event);
+  }
+  setGeometry(parentWidget()->rect());
+  raise();
+  return QWidget::eventFilter(watched, event);
+}
+
+void FocusRing::paintEvent(QPaintEvent*) {
+  // The dark look's accent, because pictures are dark in both.
+  QPainter painter(this);
+  painter.setPen(QPen(themeColors(true).accent, ringWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+} // namespace limn
