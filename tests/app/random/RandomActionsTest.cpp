@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/engines/ProcessCost.h"
+#include "app/random/LastActions.h"
+#include "app/random/RandomHand.h"
+#include "support/Sanitizers.h"
+
+#include <QDeadlineTimer>
+#include <QDockWidget>
+
+#include <cstdio>
+
+// The program's window, used at random for LIMN_RANDOM_SECONDS (60), from LIMN_RANDOM_SEED (1).
+
+namespace limn {
+namespace {
+
+// What a second half may add, MB: programs at hand differ with the scenes that are met (GlProgramCache keeps
+// a bounded number of them), and so do the pages of the driver's compiler. Without the bound a minute added
+// 60 MB and more, and went on.
+constexpr double marginMb = 48.0;
+
+QStringList warnings;
+
+void noteWarning(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type != QtDebugMsg && type != QtInfoMsg)
+    warnings << message;
+}
+
+class RandomActions : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    window->resize(1280, 800);
+    view().setRefinesAtRest(true);
+    // The one thing that a hand would not come back from.
+    window->findChild<QAction*>(QStringLiteral("quit"))->setEnabled(false);
+    warnings.clear();
+    m_before = qInstallMessageHandler(noteWarning);
+  }
+  void TearDown() override { qInstallMessageHandler(m_before); }
+
+  // What makes places to go to: every panel, and a volume.
+  [[nodiscard]] bool bringBack() {
+    test::noteAction(QStringLiteral("bring back every panel and the phantom"));
+    QAction& pictureOnly = *window->findChild<QAction*>(QStringLiteral("pictureAndCurveOnly"));
+    if (pictureOnly.isChecked())
+      pictureOnly.trigger();
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+      dock->setFloating(false);
+      dock->show();
+    }
+    return open(QStringLiteral("phantom:4"));
+  }
+
+  // Acts at random until the time is over, then rests on a fresh phantom and tells what the process holds,
+  // MB.
+  double use(test::RandomHand& hand, int seconds) {
+    for (const QDeadlineTimer end(seconds * 1000); !end.hasExpired() && warnings.isEmpty(); ++m_actions) {
+      if (m_actions % 300 == 0 && !bringBack())
+        return 0.0;
+      hand.act();
+    }
+    hand.leaveOthers();
+    if (!bringBack() || !rest())
+      ADD_FAILURE() << "the window does not come to rest";
+    forgetPeak(); // what nobody holds is none of the program's
+    return residentMb();
+  }
+
+  int m_actions = 0;
+
+private:
+  QtMessageHandler m_before = nullptr;
+};
+
+TEST_F(RandomActions, neitherKillNorWarnNorFillTheMemory) {
+  const int seconds = qEnvironmentVariableIsSet("LIMN_RANDOM_SECONDS")
+                          ? qEnvironmentVariableIntValue("LIMN_RANDOM_SECONDS")
+                          : 60;
+  const auto seed = static_cast<unsigned>(
+      qEnvironmentVariableIsSet("LIMN_RANDOM_SEED") ? qEnvironmentVariableIntValue("LIMN_RANDOM_SEED") : 1);
+  test::watchForDeath(seed);
+  test::RandomHand hand(seed, *window);
+  const double first = use(hand, seconds / 2);
+  const double second = use(hand, seconds - seconds / 2);
+  std::printf("seed %u: %d actions, %.0f MB after the first half, %.0f after the second\n", seed, m_actions,
+              first, second);
+  EXPECT_TRUE(window->isVisible());
+  ASSERT_TRUE(warnings.isEmpty()) << "seed " << seed << ": " << warnings.join(u'\n').toStdString()
+                                  << "\nlast actions:\n"
+                                  << test::lastActions();
+  EXPECT_GT(m_actions, seconds) << "the window hardly moves";
+  if (test::isSanitised)
+    GTEST_SKIP() << "checked all but its memory, to which a sanitizer adds its own";
+  EXPECT_LE(second, first + marginMb) << "seed " << seed;
+}
+
+} // namespace
+} // namespace limn
