@@ -106,6 +106,8 @@ MainWindow::~MainWindow() {
 void MainWindow::connectView() {
   CompareView* view = m_centre.view;
   connect(view, &CompareView::cameraEdited, &m_session, &Session::setCamera);
+  connect(view, &CompareView::cameraFitted, this,
+          [this](const Camera& camera) { m_document.fitCamera(camera); });
   connect(view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
   connect(view, &CompareView::cropEdited, &m_session, &Session::setCrop);
   connect(view, &CompareView::pinRequested, m_panels.curves->valueEditor(),

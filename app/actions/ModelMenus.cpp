@@ -32,7 +32,7 @@ void ModelMenus::addTo(QToolBar& bar) {
 
 void ModelMenus::show(const std::vector<ShadingModel>& models) {
   const bool isSingle = models.size() < 2;
-  const std::array menuTexts{isSingle ? tr("&Model") : tr("&Left model"), tr("R&ight model")};
+  const std::array menuTexts{isSingle ? tr("&Model") : tr("Le&ft model"), tr("R&ight model")};
   const std::array buttonTexts{isSingle ? tr("%1") : tr("Left: %1"), tr("Right: %1")};
   const std::array toolTips{isSingle ? tr("The shading model of the picture: how tissue is lit.")
                                      : tr("The shading model of the left side."),

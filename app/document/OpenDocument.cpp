@@ -52,6 +52,12 @@ OpenDocument::PresetInUse OpenDocument::presetInUse() const {
   return {preset.name, withPreset(scene(), preset, true) != scene()};
 }
 
+void OpenDocument::fitCamera(const Camera& camera) {
+  if (Camera& settled = m_settled.scene.scene.camera; settled == scene().camera)
+    settled = camera;
+  m_session.setCamera(camera);
+}
+
 SessionDocument OpenDocument::described() const {
   SessionDocument session;
   session.scene.scene = scene();

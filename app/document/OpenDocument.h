@@ -52,6 +52,9 @@ public:
   /// What a session file says of it, but for where its volume is seen from there.
   SessionDocument described() const;
 
+  /// Moves the camera because the window changed its shape: alone no change of what counts as saved.
+  void fitCamera(const Camera& camera);
+
   /// The session `now` counts as saved; it does not after an unsaved one was opened.
   void settle(const SessionDocument& now) { m_settled = now; }
   /// It was saved to a file as `now`.

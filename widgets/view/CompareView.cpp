@@ -97,7 +97,7 @@ void CompareView::connectInput() {
 }
 
 void CompareView::connectFit() {
-  connect(m_fit, &CameraFit::cameraEdited, this, &CompareView::cameraEdited);
+  connect(m_fit, &CameraFit::cameraEdited, this, &CompareView::cameraFitted);
   connect(this, &CompareView::pictureStateChanged, m_fit, [this] {
     // What is told may be of the scene before.
     if (pictureState().resting)

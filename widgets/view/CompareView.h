@@ -122,6 +122,8 @@ public slots:
 
 signals:
   void cameraEdited(const limn::Camera& camera);
+  /// The same, but nobody asked: the pictures changed their shape, or what is visible.
+  void cameraFitted(const limn::Camera& camera);
   void windowLevelEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.

@@ -123,6 +123,21 @@ TEST_F(OpenDocumentTest, aPresetIsInUseAndToldAsModifiedWhereWhatItSetsIsChanged
   EXPECT_EQ(document.presetInUse(), changed);
 }
 
+TEST_F(OpenDocumentTest, aCameraThatFollowsTheWindowIsNoChangeAndOneThatIsMovedIs) {
+  openAndSettle("/data/head.nii");
+  Camera camera = session.scene().camera;
+  camera.position.x += 5.0;
+  document.fitCamera(camera);
+  EXPECT_EQ(session.scene().camera, camera);
+  EXPECT_FALSE(document.unsaved(document.described()));
+  camera.position.x += 5.0;
+  session.setCamera(camera);
+  EXPECT_TRUE(document.unsaved(document.described()));
+  camera.position.x += 5.0;
+  document.fitCamera(camera); // what was moved stays a change
+  EXPECT_TRUE(document.unsaved(document.described()));
+}
+
 TEST_F(OpenDocumentTest, undoBringsBackThePresetBefore) {
   openAndSettle("/data/head.nii");
   Preset skin;

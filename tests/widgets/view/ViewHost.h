@@ -28,11 +28,13 @@ public:
       : view({makeRayCasterEngine, std::move(processor)}, engine) {
     view.resize(size);
     view.setRefinesAtRest(false);
-    QObject::connect(&view, &CompareView::cameraEdited, [this](const Camera& camera) {
+    const auto moveTo = [this](const Camera& camera) {
       ++cameraEdits;
       scene.camera = camera;
       view.setScene(scene);
-    });
+    };
+    QObject::connect(&view, &CompareView::cameraEdited, moveTo);
+    QObject::connect(&view, &CompareView::cameraFitted, moveTo);
     QObject::connect(&view, &CompareView::windowLevelEdited,
                      [this](const TransferFunction& function, const Gesture& gesture) {
                        gestures.push_back(gesture);
