@@ -29,6 +29,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -88,7 +89,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   connectSaving();
   connectActions();
   m_presets.refresh();
-  resize(1440, 900);
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize())); // at 200 % a screen may have less
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
   updateTitle();
