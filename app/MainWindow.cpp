@@ -28,6 +28,7 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoView>
@@ -90,7 +91,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   connectActions();
   m_panels.history->setStack(&m_session.undoStack());
   m_presets.refresh();
-  resize(1440, 900);
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize())); // at 200 % a screen may have less
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
   updateTitle();
