@@ -38,10 +38,9 @@ TEST(Layering, sceneUsesOnlyTheStandardLibraryAndGlm) {
 }
 
 TEST(Layering, regionsAreFoundFromTheSceneAlone) {
-  expectNoIncludes(
-      "renderer/regions",
-      R"(^(io|gl|glsl|raycaster|slices|cpu|reference|accuracy|stability|widgets|app)/|vtk|itk)",
-      "a body is found from voxels");
+  expectNoIncludes("renderer/regions",
+                   R"(^(io|gl|glsl|raycaster|slices|cpu|reference|accuracy|stability|widgets|app)/|vtk|itk)",
+                   "a body is found from voxels");
 }
 
 TEST(Layering, referenceAndGlKnowOnlyTheScene) {
