@@ -17,11 +17,19 @@
 namespace limn {
 namespace {
 
+// Takes no room. A plain widget has no size to go by, which docks warn of.
+class NoTitle : public QWidget {
+public:
+  using QWidget::QWidget;
+  QSize sizeHint() const override { return {0, 0}; }
+  QSize minimumSizeHint() const override { return {0, 0}; }
+};
+
 // Tabs and contents name docks; a title below or above them would say it again. In a window of its own a dock
 // has one.
 void showTitle(QDockWidget& dock, bool isShown) {
   QWidget* hidden = dock.titleBarWidget();
-  dock.setTitleBarWidget(isShown ? nullptr : new QWidget(&dock));
+  dock.setTitleBarWidget(isShown ? nullptr : new NoTitle(&dock));
   delete hidden;
 }
 
