@@ -7,12 +7,25 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 
 #include <algorithm>
 
 namespace limn {
+namespace {
+
+// A widget without height stands for the title where none is shown; View hides such a dock, too.
+void setTitled(QDockWidget& dock, bool titled) {
+  QWidget* placeholder = dock.titleBarWidget();
+  if (titled == (placeholder == nullptr))
+    return;
+  dock.setTitleBarWidget(titled ? nullptr : new QWidget(&dock));
+  delete placeholder;
+}
+
+} // namespace
 
 Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   panels.curves = new CurvePanel(&window);
@@ -32,13 +45,19 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   m_right[0]->raise();
   m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
-  window.resizeDocks({m_curve}, {280}, Qt::Vertical);
+  window.resizeDocks({m_curve}, {296}, Qt::Vertical);
   for (QDockWidget* dock : m_right)
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
         m_seenLast = dock;
       emit panelChanged();
     });
+  for (QDockWidget* dock : {m_presets, m_right[0], m_right[1], m_right[2], m_curve}) {
+    connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles, Qt::QueuedConnection);
+    // Of a dock behind another one that is hidden, its visibility tells nothing.
+    connect(dock->toggleViewAction(), &QAction::toggled, this, &Docks::showTitles, Qt::QueuedConnection);
+  }
+  showTitles();
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -47,6 +66,15 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
   dock->setWidget(content);
   m_window.addDockWidget(area, dock);
   return dock;
+}
+
+void Docks::showTitles() {
+  const auto isDocked = [](const QDockWidget* dock) { return !dock->isHidden() && !dock->isFloating(); };
+  const auto tabs = std::ranges::count_if(m_right, isDocked);
+  for (QDockWidget* dock : m_right)
+    setTitled(*dock, tabs < 2 || dock->isFloating());
+  for (QDockWidget* dock : {m_presets, m_curve})
+    setTitled(*dock, dock->isFloating());
 }
 
 QList<QAction*> Docks::toggleActions() const {

@@ -52,6 +52,9 @@ signals:
   void panelChanged();
 
 private:
+  /// A title stands where nothing else says what a dock is: not above the presets and
+  /// the curve, nor below a tab.
+  void showTitles();
   QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
   QMainWindow& m_window;

@@ -78,7 +78,7 @@ void PresetBrowser::makeList() {
 QWidget* PresetBrowser::makeButtons() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setContentsMargins(8, 4, 8, 4);
   layout->setSpacing(4);
   layout->addWidget(m_save, 1);
   layout->addWidget(m_delete);
