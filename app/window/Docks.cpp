@@ -62,15 +62,16 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
   window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
-  window.resizeDocks({m_curve}, {280}, Qt::Vertical);
+  window.resizeDocks({m_curve}, {296}, Qt::Vertical);
   for (QDockWidget* dock : m_right)
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
         m_seenLast = dock;
-      // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
-      dock->widget()->setVisible(visible);
       emit panelChanged();
     });
+  // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
+  for (QDockWidget* dock : all())
+    connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {

@@ -17,8 +17,8 @@ FoldingSection::FoldingSection(const QString& title, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_header);
   layout->addWidget(m_body);
-  m_contents->setContentsMargins(12, 4, 12, 16);
-  m_contents->setSpacing(12);
+  m_contents->setContentsMargins(12, 4, 12, 12);
+  m_contents->setSpacing(8);
   connect(m_header, &QAbstractButton::clicked, this, [this](bool open) {
     setFolded(!open);
     emit foldedByUser(!open);

@@ -20,7 +20,7 @@ class FoldingSection : public QWidget {
 public:
   explicit FoldingSection(const QString& title, QWidget* parent = nullptr);
 
-  /// Where the section's controls go, 12 px apart.
+  /// Where the section's controls go, 8 px apart.
   QVBoxLayout* contents() const { return m_contents; }
 
   void setFolded(bool folded);

@@ -50,8 +50,8 @@ void LightSection::addStrengths() {
       initial.specular, &Shading::specular);
   add(tr("Ambient light (Ia)"), tr("The light that comes from everywhere and casts no form."),
       initial.ambientIntensity, &Shading::ambientIntensity);
-  add(tr("Lamp (Id)"), tr("The strength of the lamp that makes form and highlights."), initial.lightIntensity,
-      &Shading::lightIntensity);
+  add(tr("Lamp light (Id)"), tr("The strength of the lamp that makes form and highlights."),
+      initial.lightIntensity, &Shading::lightIntensity);
 }
 
 void LightSection::addDirection() {

@@ -6,10 +6,14 @@
 #include "widgets/controls/ResetLabel.h"
 #include "widgets/controls/sliders/TrackSlider.h"
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 
 namespace limn {
 namespace {
+
+// Where the tracks of a column begin, unless a name needs more; and what a track never goes below.
+constexpr int labelWidth = 124;
+constexpr int shortestTrack = 48;
 
 // Equal widths in a column, unless a unit and its digits need more.
 int fieldWidth(const NumberSpec& spec) {
@@ -26,14 +30,14 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
     : QWidget(parent), m_spec(spec), m_label(new ResetLabel(spec.label)),
       m_slider(new TrackSlider(spec.scale, 1)),
       m_field(new NumberField(spec.lowest, spec.highest, spec.decimals)) {
-  auto* layout = new QGridLayout(this);
+  auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(8);
-  layout->setVerticalSpacing(4);
-  layout->addWidget(m_label, 0, 0);
-  layout->addWidget(m_field, 0, 1);
-  layout->addWidget(m_slider, 1, 0, 1, 2);
-  layout->setColumnStretch(0, 1);
+  layout->setSpacing(8);
+  layout->addWidget(m_label);
+  layout->addWidget(m_slider, 1);
+  layout->addWidget(m_field);
+  m_label->setMinimumWidth(labelWidth);
+  m_slider->setMinimumWidth(shortestTrack);
 
   m_label->setBuddy(m_field);
   setValue(spec.defaultValue);

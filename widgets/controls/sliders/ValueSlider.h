@@ -12,7 +12,7 @@ class NumberField;
 class ResetLabel;
 class TrackSlider;
 
-/// One number: its name, a field to type in, and a slider below. A double click on the name resets.
+/// One number in one line: its name, a slider, and a field to type in. A double click on the name resets.
 class ValueSlider : public QWidget {
   Q_OBJECT
 

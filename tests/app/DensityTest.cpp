@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowHarness.h"
+#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/presets/PresetModel.h"
+#include "widgets/properties/PropertiesPanel.h"
+#include "widgets/shading/LightSection.h"
+
+#include <QDockWidget>
+#include <QTabBar>
+#include <QTreeView>
+
+// How much a new window of 1280×800 pixels has room for.
+
+namespace limn {
+namespace {
+
+class Density : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    // A window that had another size before divides itself differently.
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    window->resize(1280, 800);
+    window->show();
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+    QCoreApplication::processEvents();
+  }
+
+  QDockWidget& dock(const char* name) const { return *window->findChild<QDockWidget*>(QLatin1String(name)); }
+
+  // How often the window says a dock's name, as a tab and above it.
+  int headings(const QString& name) const {
+    int count = 0;
+    for (const QTabBar* tabs : window->findChildren<QTabBar*>())
+      for (int i = 0; !tabs->visibleRegion().isEmpty() && i < tabs->count(); ++i)
+        count += tabs->tabText(i) == name;
+    for (const QDockWidget* one : window->findChildren<QDockWidget*>())
+      count += one->windowTitle() == name && !one->visibleRegion().isEmpty() && !one->titleBarWidget();
+    return count;
+  }
+};
+
+TEST_F(Density, thePlotIsAtLeast200PixelsHigh) {
+  EXPECT_GE(curves().valueEditor()->canvas()->transform().plot.height(), 200.0);
+}
+
+TEST_F(Density, sixPresetsAreSeenWhole) {
+  auto* list = window->findChild<QTreeView*>(QStringLiteral("presetList"));
+  ASSERT_TRUE(list);
+  int whole = 0;
+  for (QModelIndex index = list->model()->index(0, 0); index.isValid(); index = list->indexBelow(index))
+    whole += !index.data(presetRole::isGroup).toBool() &&
+             list->viewport()->rect().contains(list->visualRect(index));
+  EXPECT_GE(whole, 6);
+}
+
+TEST_F(Density, aPropertyWithOneNumberTakesOneLine) {
+  const auto sliders = window->findChild<LightSection*>()->findChildren<ValueSlider*>();
+  ASSERT_EQ(sliders.size(), 7);
+  for (const ValueSlider* slider : sliders)
+    EXPECT_LE(slider->height(), 28) << "as high as the field in it";
+}
+
+TEST_F(Density, noHeadingIsSaidTwice) {
+  for (const char* name : {"shadingDock", "effectsDock", "accuracyDock"}) {
+    dock(name).raise();
+    QCoreApplication::processEvents();
+    EXPECT_EQ(headings(dock(name).windowTitle()), 1) << name;
+  }
+  EXPECT_EQ(headings(dock("presetDock").windowTitle()), 0) << "its search field says what it is";
+  EXPECT_EQ(headings(dock("curveDock").windowTitle()), 0) << "its axes say what it is";
+}
+
+TEST_F(Density, aPanelWithoutTabsHasItsTitle) {
+  dock("effectsDock").hide();
+  dock("accuracyDock").hide();
+  ASSERT_TRUE(test::waitUntil([&] { return dock("shadingDock").titleBarWidget() == nullptr; }));
+  // The tabs go when the docks are next laid out.
+  EXPECT_TRUE(test::waitUntil([&] { return headings(QStringLiteral("Properties")) == 1; }));
+  dock("accuracyDock").show();
+  ASSERT_TRUE(test::waitUntil([&] { return dock("shadingDock").titleBarWidget() != nullptr; }));
+  EXPECT_EQ(headings(QStringLiteral("Accuracy")), 1);
+}
+
+TEST_F(Density, aFloatingPanelHasItsTitle) {
+  for (const char* name : {"curveDock", "effectsDock"}) {
+    dock(name).setFloating(true);
+    EXPECT_TRUE(test::waitUntil([&] { return dock(name).titleBarWidget() == nullptr; })) << name;
+    dock(name).setFloating(false);
+    EXPECT_TRUE(test::waitUntil([&] { return dock(name).titleBarWidget() != nullptr; })) << name;
+  }
+}
+
+} // namespace
+} // namespace limn
