@@ -106,8 +106,8 @@ private:
   ComparisonDesk m_comparison;
   EngineDesk m_engines;
   CropBoxDesk m_cropBox;
-  OrientationDesk m_orientation;
   RegionDesk m_regions;
+  OrientationDesk m_orientation;
   DialogDesk m_dialogs;
   CurveDesk m_curves;
   PresetDesk m_presets;

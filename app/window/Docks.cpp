@@ -25,10 +25,10 @@ public:
   QSize minimumSizeHint() const override { return {0, 0}; }
 };
 
-// Tabs and contents name docks; a title below or above them would say it again. In a window of its own a dock
-// has one.
 void showTitle(QDockWidget& dock, bool isShown) {
   QWidget* hidden = dock.titleBarWidget();
+  if (isShown == (hidden == nullptr))
+    return;
   dock.setTitleBarWidget(isShown ? nullptr : new NoTitle(&dock));
   delete hidden;
 }
@@ -72,6 +72,16 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
   for (QDockWidget* dock : all())
     connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
+  showTitles();
+}
+
+void Docks::showTitles() {
+  const auto isDocked = [](const QDockWidget* dock) { return !dock->isHidden() && !dock->isFloating(); };
+  const auto tabs = std::ranges::count_if(m_right, isDocked);
+  for (QDockWidget* dock : all()) {
+    const bool isLone = tabs < 2 && std::ranges::find(m_right, dock) != m_right.end();
+    showTitle(*dock, isLone || dock->isFloating());
+  }
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
@@ -79,8 +89,9 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
   m_window.addDockWidget(area, dock);
-  showTitle(*dock, false);
-  connect(dock, &QDockWidget::topLevelChanged, this, [dock](bool floats) { showTitle(*dock, floats); });
+  connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles, Qt::QueuedConnection);
+  // Of a dock behind another one that is hidden, its visibility tells nothing.
+  connect(dock->toggleViewAction(), &QAction::toggled, this, &Docks::showTitles, Qt::QueuedConnection);
   return dock;
 }
 

@@ -55,6 +55,9 @@ signals:
   void panelChanged();
 
 private:
+  /// Tabs and contents name docks; a title below or above them would say it again. A dock of the right side
+  /// without tabs has one, and so has a dock in a window of its own.
+  void showTitles();
   QList<QDockWidget*> all() const;
   void makeFloatingMenu();
   QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int partGap = 12; // between parts
 
-constexpr std::size_t badge = 0, estimate = 1, step = 2, time = 3, engine = 4;
+constexpr std::size_t badgePart = 0, estimatePart = 1, stepPart = 2, timePart = 3, enginePart = 4;
 
 // In the order in which they give way when there is little room; the others stay.
-constexpr std::array givesWay{engine, step};
+constexpr std::array givesWay{enginePart, stepPart};
 
 using Texts = std::array<QString, 5>;
 
@@ -31,7 +31,7 @@ PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent), m_badge(new QTo
   m_badge->setAutoRaise(true);
   m_badge->setToolButtonStyle(Qt::ToolButtonTextOnly);
   m_badge->setObjectName(QStringLiteral("accuracyBadge"));
-  m_parts[badge] = m_badge;
+  m_parts[badgePart] = m_badge;
   for (std::size_t i = 0; i < m_labels.size(); ++i)
     m_parts[i + 1] = m_labels[i] = new QLabel(this);
   connect(m_badge, &QToolButton::toggled, this, [this] {
@@ -45,8 +45,8 @@ void PictureStatus::setText(const PictureStatusText& text) {
     return;
   m_text = text;
   const Texts shown = partsOf(text);
-  m_badge->setText(shown[badge]);
-  m_badge->setAccessibleName(tr("Accuracy: %1").arg(shown[badge].section(QLatin1Char(' '), 1)));
+  m_badge->setText(shown[badgePart]);
+  m_badge->setAccessibleName(tr("Accuracy: %1").arg(shown[badgePart].section(QLatin1Char(' '), 1)));
   for (std::size_t i = 0; i < m_labels.size(); ++i) {
     const QString& part = shown[i + 1];
     m_labels[i]->setText(part);
@@ -70,9 +70,9 @@ std::array<int, PictureStatus::partCount> PictureStatus::widths() const {
       widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
     widths[i] = widest + m_padding + partGap;
   }
-  widths[badge] += partGap; // the button's own margins
+  widths[badgePart] += partGap; // the button's own margins
   if (!m_badge->isChecked())
-    widths[estimate] = widths[step] = 0;
+    widths[estimatePart] = widths[stepPart] = 0;
   return widths;
 }
 
@@ -85,7 +85,7 @@ QSize PictureStatus::sizeHint() const {
 
 QSize PictureStatus::minimumSizeHint() const {
   const std::array<int, partCount> parts = widths();
-  return {parts[badge] + parts[estimate] + parts[time], fontMetrics().height()};
+  return {parts[badgePart] + parts[estimatePart] + parts[timePart], fontMetrics().height()};
 }
 
 void PictureStatus::resizeEvent(QResizeEvent* event) {
@@ -113,7 +113,7 @@ void PictureStatus::arrange() {
   int x = std::max(0, width() - total);
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     m_parts[i]->setVisible(widths[i] > 0);
-    m_parts[i]->setGeometry(x, 0, std::max(0, widths[i] - (i == badge ? partGap : 0)), height());
+    m_parts[i]->setGeometry(x, 0, std::max(0, widths[i] - (i == badgePart ? partGap : 0)), height());
     x += widths[i];
   }
 }

@@ -216,7 +216,9 @@ std::vector<PictureStatusText> commonStatusTexts() {
   const PictureStatusText preview = pictureStatusText(state, {});
   state.resting = state.refines = true;
   side.shownMs = 88800.0;
-  return {preview, pictureStatusText(state, {})};
+  const PictureStatusText refining = pictureStatusText(state, {});
+  side.estimate = ErrorEstimate{exactLevels, 0.0, 1.0};
+  return {preview, refining, pictureStatusText(state, {})};
 }
 
 } // namespace limn
