@@ -71,7 +71,8 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
     });
   // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
   for (QDockWidget* dock : all())
-    connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
+    if (dock != m_curve)
+      connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
   showTitles();
 }
 
@@ -89,7 +90,7 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
   m_window.addDockWidget(area, dock);
-  connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles, Qt::QueuedConnection);
+  connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles);
   // Of a dock behind another one that is hidden, its visibility tells nothing.
   connect(dock->toggleViewAction(), &QAction::toggled, this, &Docks::showTitles, Qt::QueuedConnection);
   return dock;
