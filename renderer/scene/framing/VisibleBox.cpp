@@ -5,7 +5,6 @@
 #include "scene/basics/Error.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -53,8 +52,9 @@ public:
       : m_stored(stored), m_rescale(scene.volume->rescale()), m_shown(scene),
         m_region(isRestricting(scene.keep) ? &scene.keep : nullptr) {
     if constexpr (sizeof(T) <= 2) {
-      for (int value = std::numeric_limits<T>::min(); value <= std::numeric_limits<T>::max(); ++value)
-        m_table.push_back(showsAt(static_cast<T>(value), 1.0));
+      m_table.resize(std::size_t{1} << (8 * sizeof(T)));
+      for (std::size_t place = 0; place < m_table.size(); ++place)
+        m_table[place] = showsAt(static_cast<T>(place), 1.0);
     }
   }
 
@@ -76,8 +76,7 @@ public:
   bool shows(std::size_t voxel) const {
     const T value = m_stored[voxel];
     if constexpr (sizeof(T) <= 2) {
-      const auto place = static_cast<std::size_t>(int{value} - int{std::numeric_limits<T>::min()});
-      if (!m_table[place])
+      if (!m_table[static_cast<std::make_unsigned_t<T>>(value)])
         return false;
       if (!m_region)
         return true;
@@ -96,7 +95,7 @@ private:
   Rescale m_rescale;
   Shown m_shown;
   const Region* m_region;
-  std::vector<std::uint8_t> m_table;
+  std::vector<std::uint8_t> m_table; // by the bits of the value
 };
 
 // The voxels whose centres lie in the crop.

@@ -13,7 +13,7 @@ using Words = std::initializer_list<const char*>;
 
 // A word that hints begins so, or is it where it is short: "ct" must not be found in "sector".
 bool isAny(const std::string& word, const Words& words) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string known) {
+  return std::any_of(words.begin(), words.end(), [&](std::string_view known) {
     return known.size() > 4 ? word.starts_with(known) : word == known;
   });
 }
