@@ -70,14 +70,14 @@ TEST(CpuAgainstReference, everyParameterShowsAsTheReferenceShowsIt) {
   }
 }
 
-TEST(CpuAgainstReference, everyProjectionAndKindOfStepAgrees) {
+void compareProjections(const Scene& base, const std::string& what) {
   CpuRenderer renderer;
   for (const Projection projection :
        {Projection::composite, Projection::mip, Projection::minip, Projection::average, Projection::xray,
         Projection::isosurface, Projection::compositeIsosurface})
     for (const auto preintegrated : {Preintegration::never, Preintegration::always})
       for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
-        Scene scene = test::headScene(phantomVolume({.spacingMm = 3.0}), ShadingModel::enhanced);
+        Scene scene = base;
         scene.projection = projection;
         scene.isovalue = 300.0;
         scene.quality.preintegrated = preintegrated;
@@ -88,32 +88,21 @@ TEST(CpuAgainstReference, everyProjectionAndKindOfStepAgrees) {
           scene.transferFunction.points.insert(scene.transferFunction.points.begin(),
                                                {-1000.0, {0.2, 0.4, 0.9}, 0.6});
         expectAgreement(renderer, scene, {80, 64},
-                        "projection " + std::to_string(static_cast<int>(projection)));
+                        what + "projection " + std::to_string(static_cast<int>(projection)));
       }
 }
 
+TEST(CpuAgainstReference, everyProjectionAndKindOfStepAgrees) {
+  compareProjections(test::headScene(phantomVolume({.spacingMm = 3.0}), ShadingModel::enhanced), "");
+}
+
 TEST(CpuAgainstReference, everyProjectionAndKindOfStepOfAKeptRegionAgrees) {
-  CpuRenderer renderer;
-  for (const std::vector<double>& weights : {std::vector{0.0, 1.0}, std::vector{0.0, 1.0, 0.4}})
-    for (const Projection projection :
-         {Projection::composite, Projection::mip, Projection::minip, Projection::average, Projection::xray,
-          Projection::isosurface, Projection::compositeIsosurface})
-      for (const auto preintegrated : {Preintegration::never, Preintegration::always})
-        for (const auto tolerance : {std::optional<double>(), std::optional<double>(1.0)}) {
-          Scene scene = test::headScene(phantomVolume({.spacingMm = 3.0}), ShadingModel::enhanced);
-          scene.camera = orbited(scene.camera, 0.5, 0.3); // no sample in a plane between two voxels
-          scene.keep = cubesRegion(scene.volume->grid().dims, 9, weights);
-          scene.projection = projection;
-          scene.isovalue = 300.0;
-          scene.quality.preintegrated = preintegrated;
-          scene.quality.toleranceLevels = tolerance;
-          scene.quality.fineness = 4.75;
-          if (projection == Projection::minip)
-            scene.transferFunction.points.insert(scene.transferFunction.points.begin(),
-                                                 {-1000.0, {0.2, 0.4, 0.9}, 0.6});
-          expectAgreement(renderer, scene, {80, 64},
-                          "region, projection " + std::to_string(static_cast<int>(projection)));
-        }
+  Scene scene = test::headScene(phantomVolume({.spacingMm = 3.0}), ShadingModel::enhanced);
+  scene.camera = orbited(scene.camera, 0.5, 0.3); // no sample in a plane between two voxels
+  for (const std::vector<double>& weights : {std::vector{0.0, 1.0}, std::vector{0.0, 1.0, 0.4}}) {
+    scene.keep = cubesRegion(scene.volume->grid().dims, 9, weights);
+    compareProjections(scene, "region, ");
+  }
 }
 
 // Voxels of every stored type, in volumes of few voxels too.
