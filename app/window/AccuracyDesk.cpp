@@ -24,7 +24,7 @@
 namespace limn {
 namespace {
 
-constexpr int mostPixels = 320; ///< each way, of a picture that is measured
+constexpr int mostPixels = 256; ///< each way, of a picture that is measured
 constexpr QSize chartSize(1200, 750);
 
 QByteArray pngOf(const QImage& picture) {

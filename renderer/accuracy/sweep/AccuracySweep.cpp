@@ -9,8 +9,8 @@
 namespace limn {
 namespace {
 
-constexpr int fewestTimes = 3;
-constexpr int usualTimes = 7;
+constexpr std::size_t fewestTimes = 3;
+constexpr std::size_t usualTimes = 7;
 constexpr double quickMs = 400.0; ///< pictures that take longer are drawn the fewest times
 
 double elapsedMs(const std::function<void()>& work) {
@@ -48,13 +48,15 @@ public:
         const ReportProgress& progress)
       : m_report(report), m_scene(scene), m_renderers(renderers), m_progress(progress) {}
 
-  // Draws every point once, which compiles its program and gives its picture.
+  // Draws every point once, which gives its picture; of a family's first point it also compiles the program,
+  // and under a tolerance finds the steps: those times count for nothing.
   void comparePictures(const std::vector<OperatingPoint>& points, const PrecisePixels& converged) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       tell(0.5 * static_cast<double>(i) / static_cast<double>(points.size()), points[i]);
       try {
-        m_report.points.push_back(compared(points[i], converged));
-        m_times.emplace_back();
+        std::vector<double> times;
+        m_report.points.push_back(compared(points[i], converged, times));
+        m_times.push_back(std::move(times));
       } catch (const Error& error) {
         if (error.kind() != Error::Kind::usage)
           throw;
@@ -65,12 +67,17 @@ public:
   }
 
   void takeTimes() {
-    for (int round = 0; round < usualTimes; ++round)
+    for (std::size_t round = 0; round < usualTimes; ++round)
       for (std::size_t i = 0; i < m_times.size(); ++i) {
-        if (round >= fewestTimes && m_times[i].front() > quickMs)
+        const std::size_t enough =
+            !m_times[i].empty() && m_times[i].front() > quickMs ? fewestTimes : usualTimes;
+        if (m_times[i].size() >= enough)
           continue;
         const OperatingPoint& point = m_report.points[i].point;
-        tell(0.5 + 0.5 * (round + static_cast<double>(i) / static_cast<double>(m_times.size())) / usualTimes,
+        tell(0.5 + 0.5 *
+                       (static_cast<double>(round) +
+                        static_cast<double>(i) / static_cast<double>(m_times.size())) /
+                       usualTimes,
              point);
         m_times[i].push_back(elapsedMs([&] { draw(point); }));
       }
@@ -88,7 +95,8 @@ private:
     m_renderers.draw(m_scene, point, sizeAt(point, m_report.size));
   }
 
-  MeasuredPoint compared(const OperatingPoint& point, const PrecisePixels& converged) {
+  MeasuredPoint compared(const OperatingPoint& point, const PrecisePixels& converged,
+                         std::vector<double>& times) {
     MeasuredPoint measured;
     measured.point = point;
     // Memory depends on the family, not on the step.
@@ -96,7 +104,9 @@ private:
     if (isNew)
       known->second = m_renderers.peakMb(m_scene, point, sizeAt(point, m_report.size));
     measured.peakMb = known->second;
-    draw(point);
+    const double ms = elapsedMs([&] { draw(point); });
+    if (!isNew && !point.toleranceLevels)
+      times.push_back(ms);
     measured.error = imageError(enlarged(m_renderers.picture(), m_report.size), converged);
     return measured;
   }

@@ -146,6 +146,21 @@ TEST(Refinement, showsTheNewRowsAboveTheOldPictureWhileItDraws) {
   EXPECT_EQ(seen, kept);
 }
 
+TEST(Refinement, isSaidToBeUnderWayFromTheFirstMomentOfRest) {
+  RefiningHost host;
+  int rests = 0;
+  int doubts = 0; // at rest, not at its end, and nothing said to come
+  QObject::connect(&host.view, &CompareView::pictureStateChanged, &host.view, [&](const PictureState& state) {
+    rests += state.resting;
+    doubts += state.resting && !state.refinementEnd && !state.refines;
+  });
+  host.showPhantom();
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.refined());
+  EXPECT_GT(rests, 1);
+  EXPECT_EQ(doubts, 0);
+}
+
 TEST(Refinement, givesWayToAnyChangeAtOnceAndBeginsAnew) {
   RefiningHost host;
   host.showPhantom();

@@ -89,11 +89,14 @@ std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm)
 std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestPerMm) {
   std::vector<OperatingPoint> points;
   const double earlyTermination = withStep(scene, 1.0).quality.earlyTermination;
+  const bool hasTolerances = integrates(scene.projection);
   for (OperatingPoint point : fewPoints()) {
+    // Where a tolerance gets closer in less time, finer steps than the dial's are not worth waiting for.
+    const bool isFinerThanDial = !point.toleranceLevels && point.stepVoxels < dialSteps.back();
+    if (hasTolerances ? isFinerThanDial : point.toleranceLevels.has_value())
+      continue;
     if (!point.toleranceLevels)
       point.earlyTermination = earlyTermination;
-    else if (!integrates(scene.projection))
-      continue;
     points.push_back(point);
   }
   for (const OperatingPoint& point : dialPoints(scene, steepestPerMm))

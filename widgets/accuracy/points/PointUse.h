@@ -26,8 +26,8 @@ inline constexpr double exactToleranceLevels = 0.5;
 /// last one has error-controlled steps where the projection integrates.
 std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm);
 
-/// The points that the window measures for a scene: those of its dial, finer steps, and where that makes a
-/// difference the same steps with the curve averaged between samples or not.
+/// The points that the window measures for a scene: those of its dial, another tolerance or finer steps, and
+/// where that makes a difference the same steps with the curve averaged between samples or not.
 std::vector<OperatingPoint> pointsToMeasure(const Scene& scene, double steepestPerMm);
 
 /// At which point a scene is drawn; absent with jitter, which no point has.

@@ -51,8 +51,8 @@ void MapSection::setUnavailable(const QString& reason) {
   m_check->setEnabled(reason.isEmpty());
   m_check->setToolTip(
       reason.isEmpty()
-          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255, at no more "
-               "than 320 pixels each way. The next change of the picture takes it away.</p>")
+          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255. The next "
+               "change of the picture takes it away.</p>")
           : reason);
 }
 

@@ -178,7 +178,9 @@ void PictureLoop::setRefines(bool refines) {
 }
 
 void PictureLoop::updateState() {
-  const PictureState state = m_pictures->state();
+  PictureState state = m_pictures->state();
+  // What else is done at rest comes first: refinement is under way as soon as nothing stands between.
+  state.refines = state.refines || (state.resting && m_refines && !state.refinementEnd);
   if (state == m_state)
     return;
   m_state = state;
@@ -222,7 +224,7 @@ void PictureLoop::workAtRest() {
   const RestTurn turn = restTurn();
   const std::vector<SideState> before = m_state.sides;
   updateState();
-  const bool isDue = m_state.refines && m_sinceShown.elapsed() >= showEveryMs;
+  const bool isDue = m_state.refinementFraction > 0.0 && m_sinceShown.elapsed() >= showEveryMs;
   if (turn == RestTurn::finished || isDue || before != m_state.sides)
     emit showNeeded();
   if (turn == RestTurn::nothing)

@@ -45,7 +45,7 @@ struct SideState {
 struct PictureState {
   std::vector<SideState> sides;
   bool resting = false; ///< every side is complete at the scene's step; it may be refined from there
-  bool refines = false; ///< a better picture is being drawn, or looked for
+  bool refines = false; ///< a better picture is being drawn, looked for, or will be
   double refinementFraction = 0.0;            ///< of the pass that is being drawn, 0..1
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
   QString renderer;                           ///< what draws, by its own name
