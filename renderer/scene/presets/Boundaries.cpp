@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/presets/Boundaries.h"
+
+#include "scene/light/EligibleVoxels.h"
+#include "scene/light/GradientHistogram.h"
+#include "scene/light/Stencil.h"
+#include "scene/presets/LowHighHistogram.h"
+#include "scene/volume/RowPieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+namespace limn {
+namespace {
+
+// Weaker changes than this part of the strongest common ones are shades within a material.
+constexpr double weakest = 0.02;
+constexpr double strongestQuantile = 0.999;
+
+// Most voxels lie within materials, where nothing changes but by noise. Of moduli of Gaussian noise one in
+// ten thousand is three times their median.
+constexpr double overNoise = 3.0;
+
+// So many places tell as much as all.
+constexpr std::uint64_t mostPlaces = 400000;
+
+// The field is followed so far to either side, in steps of half a voxel along the axis of its steepest way.
+constexpr int mostSteps = 12;
+
+// It stops changing where a step gains no more than this part of the largest one.
+constexpr double standstill = 0.1;
+
+constexpr double leastShare = 0.01;
+
+// Two boundaries of which so much is common are one: what is thin does not reach its value everywhere.
+constexpr double sameOverlap = 0.7;
+
+// A well-mixed hash of a voxel's number, so that places are spread evenly and always the same.
+std::uint64_t scattered(std::uint64_t number) {
+  number = (number ^ (number >> 31)) * 0x9e3779b97f4a7c15u;
+  return number ^ (number >> 29);
+}
+
+// A volume's voxels between their centres, scalar units.
+template <class T>
+class Field {
+public:
+  Field(const Volume& volume, const std::vector<T>& stored)
+      : m_rescale(volume.rescale()), m_stored(stored), m_dims(volume.grid().dims) {}
+
+  double at(const glm::dvec3& index) const {
+    const glm::dvec3 inside = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(m_dims - 1));
+    const glm::ivec3 low = glm::min(glm::ivec3(inside), glm::max(m_dims - 2, 0));
+    const glm::dvec3 w = inside - glm::dvec3(low);
+    const glm::ivec3 high = glm::min(low + 1, m_dims - 1);
+    const auto row = [&](int j, int k) { return glm::mix(voxel(low.x, j, k), voxel(high.x, j, k), w.x); };
+    const double stored = glm::mix(glm::mix(row(low.y, low.z), row(high.y, low.z), w.y),
+                                   glm::mix(row(low.y, high.z), row(high.y, high.z), w.y), w.z);
+    return m_rescale.slope * stored + m_rescale.intercept;
+  }
+
+private:
+  double voxel(int i, int j, int k) const {
+    return static_cast<double>(m_stored[voxelOffset(m_dims, i, j, k)]);
+  }
+
+  Rescale m_rescale;
+  const std::vector<T>& m_stored;
+  glm::ivec3 m_dims;
+};
+
+// The field along its gradient at a place, which is the entry in the middle.
+using Profile = std::array<double, 2 * mostSteps + 1>;
+
+template <class T>
+Profile profileAt(const Field<T>& field, const glm::dvec3& place, const glm::dvec3& step) {
+  Profile profile;
+  for (int n = -mostSteps; n <= mostSteps; ++n)
+    profile[static_cast<std::size_t>(n + mostSteps)] = field.at(place + static_cast<double>(n) * step);
+  return profile;
+}
+
+// Whether the field changes as fast here as a voxel before and behind.
+bool isSteepest(const Profile& profile) {
+  const auto gain = [&](int n) { return profile[mostSteps + n + 1] - profile[mostSteps + n - 1]; };
+  return gain(0) >= gain(-2) && gain(0) >= gain(2);
+}
+
+// Where the field stops changing, going up (`direction` 1) or down (-1).
+double endOf(const Profile& profile, int direction) {
+  double largest =
+      std::max(profile[mostSteps + 1] - profile[mostSteps], profile[mostSteps] - profile[mostSteps - 1]);
+  int n = mostSteps;
+  for (; n + direction >= 0 && n + direction <= 2 * mostSteps; n += direction) {
+    const double gain =
+        direction * (profile[static_cast<std::size_t>(n + direction)] - profile[static_cast<std::size_t>(n)]);
+    largest = std::max(largest, gain);
+    if (gain <= standstill * largest)
+      break;
+  }
+  return profile[static_cast<std::size_t>(n)];
+}
+
+// A step along a gradient that moves half a voxel along one axis and less along the others, in voxels.
+glm::dvec3 stepAlong(const glm::dvec3& gradient, const glm::dvec3& spacingMm) {
+  const glm::dvec3 inVoxels = gradient / spacingMm;
+  return 0.5 * inVoxels /
+         glm::max(glm::max(std::abs(inVoxels.x), std::abs(inVoxels.y)), std::abs(inVoxels.z));
+}
+
+// What the ranges from low to high have in common, as a part of what they span together.
+double overlapOf(const Boundary& a, const Boundary& b) {
+  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
+  return common / (std::max(a.high, b.high) - std::min(a.low, b.low));
+}
+
+// Adds a boundary, the larger ones first, to the one that it is a part of, if there is such.
+void add(const Boundary& boundary, std::vector<Boundary>& boundaries) {
+  const auto same = std::ranges::find_if(
+      boundaries, [&](const Boundary& other) { return overlapOf(boundary, other) > sameOverlap; });
+  if (same == boundaries.end())
+    boundaries.push_back(boundary);
+  else
+    same->share += boundary.share;
+}
+
+} // namespace
+
+std::vector<Boundary> boundariesOf(const Volume& volume, const Effort& effort) {
+  const Histogram moduli = gradientHistogram(volume, 4096, partOf(effort, 0.0, 0.5));
+  const double least =
+      std::max(weakest * quantile(moduli, strongestQuantile), overNoise * quantile(moduli, 0.5));
+  if (!(moduli.range.highest > 0.0))
+    return {};
+  std::uint64_t strong = 0;
+  for (std::size_t bin = 0; bin < moduli.counts.size(); ++bin)
+    strong += valueOfBin(moduli, bin) >= least ? moduli.counts[bin] : 0;
+  const std::uint64_t each = strong / mostPlaces + 1;
+
+  std::vector<LowAndHigh> found;
+  std::mutex mutex;
+  const EligibleVoxels eligible(volume);
+  const RowPieces rows(volume.grid().dims);
+  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+    const Stencil<T> stencil{volume, stored};
+    const Field<T> field(volume, stored);
+    shareOut(rows.pieces(), partOf(effort, 0.5, 1.0), [&](Pieces& pieces) {
+      std::vector<LowAndHigh> own;
+      const auto look = [&](int j, int k) {
+        for (int i = 0; i < stencil.dims.x; ++i) {
+          if (scattered(voxelOffset(stencil.dims, i, j, k)) % each != 0 || !eligible.has(i, j, k))
+            continue;
+          const glm::dvec3 gradient = stencil.alongAxes(i, j, k);
+          if (!(glm::length(gradient) >= least))
+            continue;
+          const Profile profile = profileAt(field, {i, j, k}, stepAlong(gradient, volume.grid().spacingMm));
+          if (isSteepest(profile))
+            own.push_back({endOf(profile, -1), endOf(profile, 1)});
+        }
+      };
+      for (int piece = pieces.next(); piece >= 0; piece = pieces.next())
+        rows.forEachRow(piece, look);
+      const std::lock_guard lock(mutex);
+      found.insert(found.end(), own.begin(), own.end());
+    });
+  });
+
+  std::vector<Boundary> boundaries;
+  for (const LowHighPeak& peak : peaksOf(std::move(found)))
+    if (peak.share >= leastShare)
+      add({peak.at.low, peak.at.high, peak.share}, boundaries);
+  std::stable_sort(boundaries.begin(), boundaries.end(),
+                   [](const Boundary& a, const Boundary& b) { return a.share > b.share; });
+  return boundaries;
+}
+
+} // namespace limn
