@@ -69,7 +69,8 @@ int runCommandLine(int argc, char** argv) {
                 "open the window on this volume, DICOM folder, session, scene or Limn picture");
   syntax.option("--screenshot", window.screenshot,
                 "save a PNG of the window once its picture rests, then quit");
-  syntax.option("--theme", window.theme, "light or dark, for this run").oneOf({"light", "dark"});
+  syntax.option("--theme", window.theme, "light, dark or contrast (high), for this run")
+      .oneOf({"light", "dark", "contrast"});
   addSourceOptions(syntax, arguments.source);
   syntax.footer("Example: limn head.nii.gz");
   addInfoCommand(syntax);

@@ -42,11 +42,29 @@ void loadWidgetResources() {
 ThemeChoice themeNamed(const QString& name) {
   if (name == QStringLiteral("dark"))
     return ThemeChoice::dark;
+  if (name == QStringLiteral("contrast"))
+    return ThemeChoice::contrast;
   return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
 }
 
-ThemeColors themeColors(bool dark) {
-  if (dark)
+ThemeColors themeColors(Look look) {
+  if (look == Look::contrast)
+    return {.window = "#000000",
+            .base = "#000000",
+            .raised = "#000000",
+            .hover = "#262626",
+            .border = "#b0b0b0",
+            .grid = "#333333",
+            .text = "#ffffff",
+            .secondaryText = "#f0f0f0",
+            .disabledText = "#b8b8b8",
+            .accent = "#ffd400",
+            .accentText = "#000000",
+            .outline = "#ffffff",
+            .histogram = "#3a3a3a",
+            .histogramEdge = "#dcdcdc",
+            .curve = "#ffffff"};
+  if (look == Look::dark)
     return {.window = "#212428",
             .base = "#191b1e",
             .raised = "#2d3137",
@@ -80,11 +98,18 @@ ThemeColors themeColors(bool dark) {
 }
 
 ThemeColors themeColors(const QPalette& palette) {
-  return themeColors(isDark(palette));
+  return themeColors(lookOf(palette));
 }
 
-QPalette themePalette(bool dark) {
-  const ThemeColors c = themeColors(dark);
+Look lookOf(const QPalette& palette) {
+  if (!isDark(palette))
+    return Look::light;
+  return palette.color(QPalette::Window) == themeColors(Look::contrast).window ? Look::contrast : Look::dark;
+}
+
+QPalette themePalette(Look look) {
+  const ThemeColors c = themeColors(look);
+  const bool dark = look != Look::light;
   QPalette palette(c.text, c.raised, c.hover, c.border, c.border, c.text, c.text, c.base, c.window);
   palette.setColor(QPalette::Midlight, c.hover);
   palette.setColor(QPalette::Dark, c.border);
@@ -101,12 +126,12 @@ QPalette themePalette(bool dark) {
   return palette;
 }
 
-QString themeStyleSheet(bool dark) {
+QString themeStyleSheet(Look look) {
   loadWidgetResources();
   QFile file(QStringLiteral(":/limn/theme.qss"));
   if (!file.open(QIODevice::ReadOnly))
     qFatal("The style sheet is missing from the program's resources.");
-  const ThemeColors c = themeColors(dark);
+  const ThemeColors c = themeColors(look);
   const std::array<std::pair<const char*, QColor>, 12> names{{{"@window", c.window},
                                                               {"@base", c.base},
                                                               {"@raised", c.raised},
@@ -120,7 +145,10 @@ QString themeStyleSheet(bool dark) {
                                                               {"@accentText", c.accentText},
                                                               {"@accent", c.accent}}};
   QString sheet = QString::fromUtf8(file.readAll());
-  sheet.replace(QLatin1String("@check"), dark ? QStringLiteral("check-dark") : QStringLiteral("check-light"));
+  // The tick is drawn in the colour of text on the accent.
+  const bool isTickLight = c.accentText.lightness() > 127;
+  sheet.replace(QLatin1String("@check"),
+                isTickLight ? QStringLiteral("check-light") : QStringLiteral("check-dark"));
   for (const auto& [name, color] : names)
     sheet.replace(QLatin1String(name), color.name());
   return sheet;
@@ -134,11 +162,13 @@ bool isDark(const QPalette& palette) {
 void applyTheme(QApplication& application, ThemeChoice choice) {
   // An unset palette lets the platform's own show through, which is what `system` has to ask.
   QApplication::setPalette(QPalette());
-  const bool dark =
-      choice == ThemeChoice::dark || (choice == ThemeChoice::system && isDark(QApplication::palette()));
+  const Look look = choice == ThemeChoice::system  ? lookOf(QApplication::palette())
+                    : choice == ThemeChoice::light ? Look::light
+                    : choice == ThemeChoice::dark  ? Look::dark
+                                                   : Look::contrast;
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  QApplication::setPalette(themePalette(dark));
-  application.setStyleSheet(themeStyleSheet(dark));
+  QApplication::setPalette(themePalette(look));
+  application.setStyleSheet(themeStyleSheet(look));
 }
 
 } // namespace limn

@@ -9,11 +9,14 @@ class QApplication;
 
 namespace limn {
 
-/// What the user asks for: `system` follows the platform's own lightness.
-enum class ThemeChoice { system, light, dark };
+/// What the user asks for: `system` follows the platform's own lightness, and its high contrast.
+enum class ThemeChoice { system, light, dark, contrast };
 
-/// The choice called "light" or "dark"; `system` for any other name.
+/// The choice called "light", "dark" or "contrast"; `system` for any other name.
 ThemeChoice themeNamed(const QString& name);
+
+/// A designed look. `contrast` is for eyes that see little: white and yellow on black, every line visible.
+enum class Look { light, dark, contrast };
 
 /// The colours of one look. The palette carries the roles Qt knows; our own painting takes the rest here.
 struct ThemeColors {
@@ -35,16 +38,19 @@ struct ThemeColors {
   QColor curve;      ///< the opacity curve
 };
 
-/// The designed colours of the dark or the light look.
-ThemeColors themeColors(bool dark);
+/// The designed colours of a look.
+ThemeColors themeColors(Look look);
 
 /// The colours that belong to a palette made by themePalette, or the nearer look for any other palette.
 ThemeColors themeColors(const QPalette& palette);
 
-QPalette themePalette(bool dark);
+/// The look that a palette made by themePalette belongs to, or the nearer of light and dark.
+Look lookOf(const QPalette& palette);
+
+QPalette themePalette(Look look);
 
 /// Rounded hairline controls on a 4-px grid, as a Qt style sheet.
-QString themeStyleSheet(bool dark);
+QString themeStyleSheet(Look look);
 
 /// True where a palette's windows are darker than its text.
 bool isDark(const QPalette& palette);

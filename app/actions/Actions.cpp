@@ -191,6 +191,7 @@ void Actions::makeThemes() {
   add("system", tr("Follow the system"));
   add("light", tr("Light"));
   add("dark", tr("Dark"));
+  add("contrast", tr("High contrast"));
 }
 
 void Actions::makeEngines() {

@@ -74,7 +74,7 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
   EXPECT_GE(reached.size(), 30u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest, testing::Values(ThemeChoice::light, ThemeChoice::dark));
+INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest, testing::Values(ThemeChoice::light, ThemeChoice::dark, ThemeChoice::contrast));
 
 } // namespace
 } // namespace limn

@@ -196,7 +196,7 @@ TEST_F(PresetBrowserTest, savingIsAskedFor) {
 
 TEST(CurveThumbnail, showsTheFunctionsColours) {
   const TransferFunction red{1.0, {{0.0, {1, 0, 0}, 0.5}, {100.0, {1, 0, 0}, 0.5}}};
-  const QImage image = curveThumbnail(red, {56, 40}, 1.0, true);
+  const QImage image = curveThumbnail(red, {56, 40}, 1.0, Look::dark);
   EXPECT_EQ(image.pixelColor(28, 38), QColor(Qt::red)); // the strip of colours at the bottom
 }
 

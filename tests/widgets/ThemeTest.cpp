@@ -22,9 +22,9 @@ TEST(Contrast, isThatOfTheStandard) {
   EXPECT_NEAR(contrastRatio(QColor("#767676"), Qt::white), 4.54, 0.005);
 }
 
-class Look : public testing::TestWithParam<bool> {};
+class LookTest : public testing::TestWithParam<Look> {};
 
-TEST_P(Look, textContrastIsAtLeastFourAndAHalf) {
+TEST_P(LookTest, textContrastIsAtLeastFourAndAHalf) {
   const ThemeColors c = themeColors(GetParam());
   for (const QColor& background : {c.window, c.base, c.raised, c.hover}) {
     EXPECT_GE(contrastRatio(c.text, background), 7.0) << background.name().toStdString();
@@ -37,7 +37,7 @@ TEST_P(Look, textContrastIsAtLeastFourAndAHalf) {
   EXPECT_GE(contrastRatio(c.base, c.text), 7.0);
 }
 
-TEST_P(Look, whatIsNoTextStandsOutByThreeToOne) {
+TEST_P(LookTest, whatIsNoTextStandsOutByThreeToOne) {
   const ThemeColors c = themeColors(GetParam());
   for (const QColor& background : {c.window, c.base, c.raised}) {
     EXPECT_GE(contrastRatio(c.accent, background), 3.0) << background.name().toStdString();
@@ -51,7 +51,7 @@ TEST_P(Look, whatIsNoTextStandsOutByThreeToOne) {
 }
 
 // The histogram's shape is told by its edge, which lies over the colours of the curve.
-TEST_P(Look, theHistogramStandsOutFromThePlotUnderAnyColour) {
+TEST_P(LookTest, theHistogramStandsOutFromThePlotUnderAnyColour) {
   const ThemeColors c = themeColors(GetParam());
   EXPECT_GE(contrastRatio(c.histogramEdge, c.base), 3.0);
   for (int corner = 0; corner < 8; ++corner) { // contrast is least at a corner of the cube of colours
@@ -66,18 +66,28 @@ TEST_P(Look, theHistogramStandsOutFromThePlotUnderAnyColour) {
   }
 }
 
-TEST_P(Look, thePaletteIsRecognisedAsItsLook) {
-  EXPECT_EQ(isDark(themePalette(GetParam())), GetParam());
+TEST_P(LookTest, thePaletteIsRecognisedAsItsLook) {
+  EXPECT_EQ(lookOf(themePalette(GetParam())), GetParam());
+  EXPECT_EQ(isDark(themePalette(GetParam())), GetParam() != Look::light);
   EXPECT_EQ(themeColors(themePalette(GetParam())).window, themeColors(GetParam()).window);
 }
 
-TEST_P(Look, theStyleSheetHasNoNameLeft) {
+TEST_P(LookTest, theStyleSheetHasNoNameLeft) {
   const QString sheet = themeStyleSheet(GetParam());
   EXPECT_GT(sheet.size(), 1000);
   EXPECT_FALSE(sheet.section(QStringLiteral("*/"), 2).contains(QLatin1Char('@')));
 }
 
-INSTANTIATE_TEST_SUITE_P(Theme, Look, testing::Values(true, false));
+INSTANTIATE_TEST_SUITE_P(Theme, LookTest, testing::Values(Look::light, Look::dark, Look::contrast));
+
+TEST(Contrast, ofTheLookForItIsSevenToOneAndLinesAreSeen) {
+  const ThemeColors c = themeColors(Look::contrast);
+  for (const QColor& background : {c.window, c.base, c.raised, c.hover}) {
+    for (const QColor& text : {c.text, c.secondaryText, c.disabledText, c.accent})
+      EXPECT_GE(contrastRatio(text, background), 7.0) << text.name().toStdString();
+    EXPECT_GE(contrastRatio(c.border, background), 4.5) << background.name().toStdString();
+  }
+}
 
 TEST(Icons, areSharpAndFollowTheLook) {
   for (const char* name :
@@ -85,9 +95,9 @@ TEST(Icons, areSharpAndFollowTheLook) {
         "preset-save", "delete", "search", "show-all", "fold", "unfold", "crop-box"})
     EXPECT_TRUE(iconNames().contains(QLatin1String(name))) << name;
   for (const QString& name : iconNames())
-    for (const bool dark : {true, false}) {
-      const QImage image = themedIcon(name, themePalette(dark)).pixmap(QSize(24, 24)).toImage();
-      const QColor text = themeColors(dark).text;
+    for (const Look look : {Look::light, Look::dark, Look::contrast}) {
+      const QImage image = themedIcon(name, themePalette(look)).pixmap(QSize(24, 24)).toImage();
+      const QColor text = themeColors(look).text;
       int strongest = 0;
       QColor drawn;
       for (int y = 0; y < image.height(); ++y)

@@ -100,7 +100,7 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
 }
 
 void PresetBrowser::refill() {
-  fillPresetModel(*m_model, m_builtIn, m_own, isDark(palette()));
+  fillPresetModel(*m_model, m_builtIn, m_own, lookOf(palette()));
   search(m_search->text());
   mark();
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));

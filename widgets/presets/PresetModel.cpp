@@ -54,18 +54,18 @@ QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture)
 } // namespace
 
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
-                      bool dark) {
+                      Look look) {
   QImage image(size * devicePixelRatio, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(devicePixelRatio);
   image.fill(Qt::transparent);
   CanvasPicture picture;
-  picture.colors = themeColors(dark);
+  picture.colors = themeColors(look);
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath frame;
   frame.addRoundedRect(QRectF(QPointF(0.0, 0.0), QSizeF(size)), 4.0, 4.0);
   painter.setClipPath(frame);
-  painter.fillPath(frame, dark ? QColor("#101214") : QColor("#2a2e33"));
+  painter.fillPath(frame, look == Look::light ? QColor("#2a2e33") : QColor("#101214"));
   if (function.points.empty())
     return image;
 
@@ -101,11 +101,11 @@ void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use
 }
 
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, bool dark) {
+                     const std::vector<Preset>& own, Look look) {
   model.clear();
   const auto add = [&](const Preset& preset, bool isOwn, const QString& group) {
     const QSize size(thumbnailWidth, thumbnailHeight);
-    const QImage picture = curveThumbnail(preset.transferFunction, size, 2.0, dark);
+    const QImage picture = curveThumbnail(preset.transferFunction, size, 2.0, look);
     groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
   };
   for (const Preset& preset : own)

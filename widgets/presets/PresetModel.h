@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/presets/Preset.h"
+#include "widgets/Theme.h"
 
 #include <Qt>
 
@@ -22,16 +23,16 @@ enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText, use };
 }
 
 /// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
-/// order in which they are given, each with a picture of its curve in `dark` or light colours.
+/// order in which they are given, each with a picture of its curve in the colours of a look.
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, bool dark);
+                     const std::vector<Preset>& own, Look look);
 
 /// Marks the preset of this name, and no other, as used this way; an unknown or empty name marks none.
 void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use);
 
 /// A small picture of a transfer function: its coloured curve over a strip of its colours.
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
-                      bool dark);
+                      Look look);
 
 inline constexpr int thumbnailWidth = 56;
 inline constexpr int thumbnailHeight = 40;

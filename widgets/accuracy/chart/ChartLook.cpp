@@ -30,7 +30,7 @@ ChartColors chartColors(ChartStyle style) {
             .border = "#777777",
             .accent = "#1667cc",
             .trade = "#eaeaea"};
-  const ThemeColors theme = themeColors(style == ChartStyle::dark);
+  const ThemeColors theme = themeColors(style == ChartStyle::dark ? Look::dark : Look::light);
   return {.background = theme.window,
           .text = theme.text,
           .secondaryText = theme.secondaryText,

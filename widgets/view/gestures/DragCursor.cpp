@@ -13,7 +13,7 @@ namespace {
 constexpr int cursorSize = 24; // logical pixels
 
 QPixmap iconIn(const QString& icon, bool isLight) {
-  return themedIcon(icon, themePalette(isLight)).pixmap(cursorSize, cursorSize);
+  return themedIcon(icon, themePalette(isLight ? Look::dark : Look::light)).pixmap(cursorSize, cursorSize);
 }
 
 // A dark sign with a light edge.
