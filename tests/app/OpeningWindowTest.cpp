@@ -95,6 +95,22 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
       << "in the next run";
 }
 
+TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("labels"));
+  QString asked;
+  onceAsked<QFileDialog>([&asked](QFileDialog& dialog) {
+    asked = dialog.directory().absolutePath();
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  EXPECT_EQ(asked, pathTo("labels"));
+}
+
 TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
   ASSERT_TRUE(open(smallVolume("a")));
   QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
