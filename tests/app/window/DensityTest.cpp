@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/properties/PropertiesPanel.h"

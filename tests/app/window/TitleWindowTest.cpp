@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/privacy/Marks.h"
 
 // Whether the title bar names the patient, in the window.

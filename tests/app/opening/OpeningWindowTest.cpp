@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
 #include "app/SceneSource.h"
+#include "app/WindowHarness.h"
 #include "support/FileBytes.h"
 
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/window/SettingsDialog.h"
 #include "app/window/StabilityDialog.h"
 #include "support/Places.h"

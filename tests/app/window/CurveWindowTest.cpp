@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "widgets/controls/color/ColorPicker.h"
 #include "widgets/curve/points/PointFields.h"
 #include "widgets/curve/points/PointPopup.h"

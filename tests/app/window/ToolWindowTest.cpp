@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/view/gestures/CameraGesture.h"
 
