@@ -4,6 +4,7 @@
 #include "io/labels/LabelReader.h"
 #include "regions/Body.h"
 #include "scene/presets/PresetFit.h"
+#include "scene/volume/Orientation.h"
 
 namespace limn {
 namespace {
@@ -34,7 +35,7 @@ FoundRegion regionOf(const KeptPart& part, const Volume& volume, const Progress&
     return {};
   if (part.kind == Region::Kind::body)
     return bodyOf(volume, progress);
-  Region region = readLabels(part.labels, volume.grid(), progress);
+  Region region = readLabels(part.labels, gridOfFile(volume), progress);
   region.weights = weightsOf(region.labels->labels(), part.weights,
                              std::filesystem::path(part.labels).filename().string());
   return {std::move(region), {}};

@@ -41,9 +41,10 @@ Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  for (MessageBar** bar : {&recovery, &unsafe, &messages})
+  for (MessageBar** bar : {&recovery, &unsafe, &patient, &messages})
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
+  patient->setObjectName(QStringLiteral("patientBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
   view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
                           [] { return makeCpuEngine(); }},
@@ -60,11 +61,13 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
       m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
+      m_focus(*this, m_docks, *m_actions.pictureAndCurveOnly),
+      m_title({m_document, m_settings, *m_actions.patientInTitle, *m_centre.patient, *this}),
       m_comparison(m_session, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
-      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, *this}),
-      m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *m_centre.messages, *this}),
+      m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, m_settings, *this}),
+      m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *this}),
       m_dialogs(m_actions, QString::fromStdString(m_folders.reports.string()), *this),
       m_curves(*m_panels.curves),
       m_presets(PresetStore(m_folders.presets),
@@ -78,7 +81,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                {*m_centre.recovery, *m_centre.unsafe, *m_menus.unsavedSessions, *this}),
       m_opening(
           m_settings, *m_actions.patientInTitle, *m_menus.recentSources, *m_centre.messages,
-          [this] { return m_safety.savingOfNow(); }, *this) {
+          [this] { return m_safety.savingOfNow(); }, *this),
+      m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this) {
   setObjectName(QStringLiteral("limnWindow"));
   setAcceptDrops(true);
   setMinimumSize(800, 560);
@@ -94,7 +98,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   resize(QSize(1440, 900).boundedTo(screen()->availableSize())); // at 200 % a screen may have less
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
-  updateTitle();
+  m_title.show();
   m_comparison.setLayout(CompareLayout::sideBySide);
   showScene(m_session.scene());
 }
@@ -204,7 +208,7 @@ void MainWindow::connectSaving() {
           [this](const QString& sentence) { m_notes.sayFailure(sentence); });
   connect(&m_safety, &SessionSafety::saveRequested, &m_saving, &SavingDesk::saveSession);
   connect(&m_saving, &SavingDesk::sessionSaved, &m_safety, &SessionSafety::noteChange);
-  connect(&m_saving, &SavingDesk::sessionSaved, this, &MainWindow::updateTitle);
+  connect(&m_saving, &SavingDesk::sessionSaved, &m_title, &TitleDesk::show);
 }
 
 void MainWindow::connectActions() {
@@ -234,7 +238,6 @@ void MainWindow::connectActions() {
   connect(m_actions.views, &QActionGroup::triggered, m_centre.view, [this](const QAction* chosen) {
     m_centre.view->lookFrom(static_cast<StandardView>(chosen->data().toInt()));
   });
-  connect(m_actions.pictureAndCurveOnly, &QAction::toggled, this, &MainWindow::setFocusMode);
   run(m_actions.findPreset, this, [this] {
     m_docks.showPresets();
     m_panels.presets->focusSearch();
@@ -247,11 +250,6 @@ void MainWindow::connectSettings() {
   m_settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   m_actions.refineAtRest->setChecked(m_settings.refinesAtRest());
   connect(m_actions.refineAtRest, &QAction::toggled, &m_accuracy, &AccuracyDesk::setRefinesAtRest);
-  m_actions.patientInTitle->setChecked(m_settings.patientIsShown());
-  connect(m_actions.patientInTitle, &QAction::toggled, this, [this](bool shown) {
-    m_settings.setPatientIsShown(shown);
-    updateTitle();
-  });
   checkOnly(*m_actions.themes, m_settings.theme());
   connect(m_actions.themes, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     const QString theme = chosen->data().toString();
@@ -298,7 +296,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_curves.showVolume(loaded.scene.volume, histogram);
   m_panels.properties->foldUnused();
   m_status.showVolume(loaded.scene.volume.get());
-  showRemarks(loaded);
+  m_remarks.show(loaded.notes);
   if (loaded.session)
     restoreSession(*loaded.session);
   if (request.isUnsavedSession) {
@@ -308,25 +306,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
     m_safety.noteChange();
   }
   m_opening.remember(m_document.request().source, labelOf(m_document), m_document.volumePath());
-  updateTitle();
-}
-
-void MainWindow::showRemarks(const LoadedScene& loaded) {
-  const Volume& volume = *loaded.scene.volume;
-  const QStringList remarks = remarksOn(volume, loaded.notes);
-  if (remarks.isEmpty())
-    return;
-  const MessageBar::Action setSpacing{
-      tr("Set spacing…"), [this] {
-        const auto& open = m_session.scene().volume;
-        m_opening.askForSpacing(m_document.request(), open ? open->grid().spacingMm : glm::dvec3(1.0));
-      }};
-  const MessageBar::Action setOrientation{tr("Set orientation…"), [this] { m_orientation.ask(); }};
-  const VolumeInfo& info = volume.info();
-  m_centre.messages->show(MessageBar::Kind::warning, remarks.front(), remarks.mid(1),
-                          !info.spacingKnown       ? setSpacing
-                          : !info.orientationKnown ? setOrientation
-                                                   : MessageBar::Action{});
+  m_title.show();
 }
 
 void MainWindow::closeVolume() {
@@ -336,7 +316,7 @@ void MainWindow::closeVolume() {
   m_document.close();
   m_curves.showVolume(nullptr, {});
   m_status.showVolume(nullptr);
-  updateTitle();
+  m_title.show();
 }
 
 void MainWindow::copyPicture() {
@@ -344,17 +324,6 @@ void MainWindow::copyPicture() {
     QApplication::clipboard()->setImage(picture);
   else
     statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."), 4000);
-}
-
-void MainWindow::setFocusMode(bool on) {
-  m_docks.setAllVisible(!on);
-  for (QToolBar* bar : findChildren<QToolBar*>())
-    bar->setVisible(!on);
-  statusBar()->setVisible(!on);
-}
-
-void MainWindow::updateTitle() {
-  setWindowTitle(titleOf(m_document, m_actions.patientInTitle->isChecked()));
 }
 
 void MainWindow::showError(const QString& sentence) {
@@ -366,8 +335,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  if (m_actions.pictureAndCurveOnly->isChecked())
-    m_actions.pictureAndCurveOnly->trigger();
+  m_focus.leave();
   m_settings.setWindow(saveGeometry(), saveState());
   m_opening.cancel();
   m_safety.end();

@@ -20,9 +20,12 @@
 #include "app/window/DialogDesk.h"
 #include "app/window/Docks.h"
 #include "app/window/EngineDesk.h"
+#include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
 #include "app/window/RegionDesk.h"
+#include "app/window/RemarksDesk.h"
 #include "app/window/StatusTexts.h"
+#include "app/window/TitleDesk.h"
 
 #include <QMainWindow>
 
@@ -38,6 +41,7 @@ struct Centre {
 
   MessageBar* recovery; ///< offers what an earlier window left behind
   MessageBar* unsafe;   ///< says so as long as the session cannot be kept
+  MessageBar* patient;  ///< asks once whether a patient may be named
   MessageBar* messages;
   CompareView* view;
 };
@@ -82,12 +86,9 @@ private:
   void connectSettings();
   void showScene(const Scene& scene);
   void showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request);
-  void showRemarks(const LoadedScene& loaded);
   void restoreSession(const SessionDocument& session);
   void closeVolume();
   void copyPicture();
-  void setFocusMode(bool on);
-  void updateTitle();
   void showError(const QString& sentence);
 
   UserFolders m_folders;
@@ -103,6 +104,8 @@ private:
   StatusTexts m_status;
   Actions m_actions;
   ChangingMenus m_menus;
+  FocusMode m_focus;
+  TitleDesk m_title;
   ComparisonDesk m_comparison;
   EngineDesk m_engines;
   CropBoxDesk m_cropBox;
@@ -116,6 +119,7 @@ private:
   SavingDesk m_saving;
   SessionSafety m_safety;
   OpeningDesk m_opening;
+  RemarksDesk m_remarks;
 };
 
 } // namespace limn

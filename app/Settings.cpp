@@ -309,8 +309,9 @@ EngineMemory Settings::engineMemory() {
           }};
 }
 
-bool Settings::patientIsShown() const {
-  return text(patientKey) != written(false);
+std::optional<bool> Settings::patientIsShown() const {
+  const QString chosen = text(patientKey);
+  return chosen.isEmpty() ? std::nullopt : std::optional(chosen == written(true));
 }
 
 void Settings::setPatientIsShown(bool shown) {

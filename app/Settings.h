@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace limn {
@@ -78,7 +79,8 @@ public:
   /// The outcome of trials on this machine and others that share the file. Valid while this lives.
   EngineMemory engineMemory();
 
-  bool patientIsShown() const;
+  /// Whether the title bar may name the patient; absent until somebody has chosen.
+  std::optional<bool> patientIsShown() const;
   void setPatientIsShown(bool shown);
 
 private:

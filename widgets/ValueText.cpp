@@ -48,6 +48,15 @@ int decimalsFor(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
 }
 
+QString promisedLevels(double levels) {
+  if (!(levels > 0.0) || std::isinf(levels))
+    return levels > 0.0 ? QStringLiteral("∞") : QStringLiteral("0");
+  const double unit = std::pow(10.0, std::floor(std::log10(levels)) - 1.0);
+  // A part in 10⁹ is rounding of the division and not worth another digit.
+  const double rounded = std::ceil(levels / unit - 1e-9) * unit;
+  return plainNumber(rounded, std::clamp(static_cast<int>(-std::floor(std::log10(unit) + 0.5)), 0, 6));
+}
+
 QString rangeText(double lowest, double highest, int decimals) {
   return readableNumber(lowest, decimals) + QChar(0x2009) + QChar(0x2013) + QChar(0x2009) +
          readableNumber(highest, decimals);

@@ -14,6 +14,9 @@ QString opacityText(double opacity);
 /// A number for reading, with a real minus sign and its unit: "−310 HU". An empty unit adds nothing.
 QString valueText(double value, const QString& unit, int decimals);
 
+/// An error in 8-bit levels that is promised, two digits, rounded up: "0.66".
+QString promisedLevels(double levels);
+
 /// The decimals that tell apart two numbers `step` > 0 apart, 0..9.
 int decimalsFor(double step);
 

@@ -2,12 +2,12 @@
 #include "app/actions/Menus.h"
 
 #include "app/actions/Actions.h"
+#include "app/actions/MenuButton.h"
 #include "app/actions/ModelMenus.h"
 
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
-#include <QToolButton>
 
 namespace limn {
 namespace {
@@ -69,15 +69,6 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
 }
 
-/// A button with an icon that opens a menu.
-QToolButton* menuButton(QToolBar& bar, QMenu* menu, QToolButton::ToolButtonPopupMode mode) {
-  auto* button = new QToolButton(&bar);
-  button->setPopupMode(mode);
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  button->setMenu(menu);
-  return button;
-}
-
 void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& shared) {
   QToolBar* bar = window.addToolBar(QObject::tr("Tools"));
   bar->setObjectName(QStringLiteral("toolBar"));
@@ -86,7 +77,8 @@ void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& share
   // Qt's own button for what has no room.
   if (auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button")))
     more->setAccessibleName(QObject::tr("More tools"));
-  QToolButton* open = menuButton(*bar, shared.recent, QToolButton::MenuButtonPopup);
+  QToolButton* open = addMenuButton(*bar, shared.recent, QToolButton::MenuButtonPopup);
+  open->setObjectName(QStringLiteral("openButton"));
   open->setDefaultAction(actions.openFile);
   bar->addWidget(open);
   bar->addSeparator();
@@ -99,7 +91,7 @@ void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& share
   bar->addActions(actions.layouts->actions());
   bar->addSeparator();
   bar->addAction(actions.cropBox);
-  QToolButton* look = menuButton(*bar, shared.views, QToolButton::InstantPopup);
+  QToolButton* look = addMenuButton(*bar, shared.views, QToolButton::InstantPopup);
   look->setText(QObject::tr("Views"));
   actions.icons.give(*look, QStringLiteral("compass"));
   bar->addWidget(look);

@@ -2,11 +2,11 @@
 #include "app/actions/ModelMenus.h"
 
 #include "app/actions/Actions.h"
+#include "app/actions/MenuButton.h"
 #include "widgets/shading/ModelSection.h"
 
 #include <QMenu>
 #include <QToolBar>
-#include <QToolButton>
 
 namespace limn {
 
@@ -21,10 +21,8 @@ ModelMenus::ModelMenus(const std::array<QActionGroup*, 2>& models, QMenu& menu) 
 void ModelMenus::addTo(QToolBar& bar) {
   const std::array names{"modelButton", "rightModelButton"};
   for (std::size_t side = 0; side < m_sides.size(); ++side) {
-    auto* button = new QToolButton(&bar);
+    QToolButton* button = addMenuButton(bar, m_sides[side].menu, QToolButton::InstantPopup);
     button->setObjectName(QLatin1String(names[side]));
-    button->setPopupMode(QToolButton::InstantPopup);
-    button->setMenu(m_sides[side].menu);
     m_sides[side].button = button;
     m_sides[side].place = bar.addWidget(button);
   }

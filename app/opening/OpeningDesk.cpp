@@ -2,12 +2,12 @@
 #include "app/opening/OpeningDesk.h"
 
 #include "app/Settings.h"
+#include "app/opening/OpenDialog.h"
 #include "app/opening/SeriesDialog.h"
 #include "app/window/MessageBar.h"
 
 #include <QAction>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QLocale>
@@ -71,8 +71,8 @@ void OpeningDesk::start(const Request& request, const QString& what) {
 }
 
 void OpeningDesk::locateVolume(const QString& scene) {
-  const QString path = askForPath(tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()),
-                                  QFileDialog::ExistingFile);
+  const QString path = askWhatToOpen(
+      &m_window, {.title = tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName())}, m_settings);
   if (path.isEmpty())
     return;
   Request request = m_requested;
@@ -82,34 +82,22 @@ void OpeningDesk::locateVolume(const QString& scene) {
 }
 
 void OpeningDesk::askForFile() {
-  const QString path = askForPath(
-      tr("Open a volume, session, scene or Limn picture"), QFileDialog::ExistingFile,
-      {tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 "
-          "*.hdr *.tif *.tiff *.png *.jpg *.json *.exr)"),
-       tr("All files (*)")});
+  const QString path = askWhatToOpen(
+      &m_window,
+      {.title = tr("Open a volume, session, scene or Limn picture"),
+       .filters = {tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
+                      "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)"),
+                   tr("All files (*)")}},
+      m_settings);
   if (!path.isEmpty())
     open(path);
 }
 
 void OpeningDesk::askForFolder() {
-  const QString path = askForPath(tr("Open a DICOM folder or an image stack"), QFileDialog::Directory);
+  const QString path = askWhatToOpen(
+      &m_window, {.title = tr("Open a DICOM folder or an image stack"), .isFolder = true}, m_settings);
   if (!path.isEmpty())
     open(path);
-}
-
-// Empty where nobody wants to open anything.
-QString OpeningDesk::askForPath(const QString& title, int mode, const QStringList& filters) {
-  QFileDialog dialog(&m_window, title, m_settings.dialogFolder());
-  dialog.setFileMode(static_cast<QFileDialog::FileMode>(mode));
-  dialog.setOption(QFileDialog::HideNameFilterDetails); // a list of endings would be cut off
-  dialog.setOption(QFileDialog::ShowDirsOnly, mode == QFileDialog::Directory);
-  if (!filters.isEmpty())
-    dialog.setNameFilters(filters);
-  if (dialog.exec() != QDialog::Accepted)
-    return {};
-  const QString path = dialog.selectedFiles().value(0);
-  m_settings.setDialogFolder(QFileInfo(path).absolutePath());
-  return path;
 }
 
 void OpeningDesk::chooseSeries(const QString& source, const std::vector<SeriesSummary>& series) {

@@ -62,7 +62,6 @@ signals:
 
 private:
   void start(const Request& request, const QString& what);
-  QString askForPath(const QString& title, int mode, const QStringList& filters = {});
   void locateVolume(const QString& scene);
   void chooseSeries(const QString& source, const std::vector<SeriesSummary>& series);
   void readWithSpacing(const Request& shown, const QString& entered);

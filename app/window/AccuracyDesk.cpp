@@ -19,6 +19,7 @@
 
 #include <QBuffer>
 #include <QFileInfo>
+#include <QPointer>
 #include <QStandardPaths>
 
 namespace limn {
@@ -58,6 +59,7 @@ AccuracyDesk::AccuracyDesk(const Partners& partners, QObject* parent)
   connectPanel();
   connectMeasurer();
   connect(m_map, &ErrorMapOverlay::outgrown, this, &AccuracyDesk::takeMapBack);
+  connect(&m_with.view, &CompareView::pictureStateChanged, this, &AccuracyDesk::showOnScreen);
 }
 
 void AccuracyDesk::connectPanel() {
@@ -83,6 +85,9 @@ void AccuracyDesk::connectMeasurer() {
     setWork(AccuracyWork::none);
     m_measured = measured.report;
     m_with.panel.setMeasured(timedFor(measured, shownSize()));
+    m_with.view.setMeasuredErrors([panel = QPointer(&m_with.panel)](const Scene& shown) {
+      return panel ? levelsMeasuredOf(shown, *panel->measured()) : std::nullopt;
+    });
   });
   connect(&m_measurer, &AccuracyMeasurer::stepsFound, this, &AccuracyDesk::useSteps);
   connect(&m_measurer, &AccuracyMeasurer::compared, this, &AccuracyDesk::showCompared);
@@ -162,6 +167,14 @@ void AccuracyDesk::showScene() {
   m_with.panel.setMapUnavailable(
       liesOver ? tr("Choose one picture or side by side: here two pictures lie over each other.")
                : QString());
+}
+
+void AccuracyDesk::showOnScreen(const PictureState& state) {
+  const auto side = static_cast<std::size_t>(measuredSide());
+  m_with.panel.setOnScreen(
+      state.resting && side < state.sides.size()
+          ? std::optional(qualityShown(m_with.view.sceneOfSide(measuredSide()).quality, state.sides[side]))
+          : std::nullopt);
 }
 
 void AccuracyDesk::setRefinesAtRest(bool refines) {

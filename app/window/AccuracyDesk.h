@@ -15,6 +15,7 @@ class OpenDocument;
 class SaveNotes;
 class Session;
 class Settings;
+struct PictureState;
 enum class AccuracyWork;
 
 /// Measures on request how close the picture is to the exact one and what that costs, finds steps for a
@@ -56,6 +57,7 @@ private:
   void showCompared(const ComparedPicture& picture);
   void setWork(AccuracyWork work);
   void save();
+  void showOnScreen(const PictureState& state);
   int measuredSide() const;
   glm::ivec2 shownSize() const;
   glm::ivec2 measuredSize() const;

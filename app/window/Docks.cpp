@@ -13,6 +13,7 @@
 #include <QUndoView>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -143,21 +144,22 @@ void Docks::showPresets() {
   m_presets->raise();
 }
 
-void Docks::setAllVisible(bool visible) {
-  if (!visible)
-    m_presetsOnTop = !m_presets->widget()->visibleRegion().isEmpty();
-  m_presets->setVisible(visible);
-  m_history->setVisible(visible);
-  if (!visible)
-    for (QDockWidget* dock : m_right)
-      if (!dock->widget()->visibleRegion().isEmpty())
-        m_onTop = dock;
-  for (QDockWidget* dock : m_right)
-    dock->setVisible(visible);
-  if (visible && m_onTop)
-    m_onTop->raise();
-  if (visible)
-    (m_presetsOnTop ? m_presets : m_history)->raise();
+void Docks::hideAllButCurve() {
+  for (QDockWidget* dock : all())
+    if (dock != m_curve && !dock->isHidden())
+      m_hidden << dock;
+  for (QDockWidget* dock : m_hidden)
+    if (!dock->widget()->visibleRegion().isEmpty())
+      m_onTop << dock;
+  for (QDockWidget* dock : m_hidden)
+    dock->hide();
+}
+
+void Docks::showAgain() {
+  for (QDockWidget* dock : std::exchange(m_hidden, {}))
+    dock->show();
+  for (QDockWidget* dock : std::exchange(m_onTop, {}))
+    dock->raise();
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "io/scenefile/SessionFile.h"
 
+#include <QList>
 #include <QObject>
 
 #include <array>
@@ -48,8 +49,10 @@ public:
   void show(SessionDocument::Panel panel);
   void showPresets();
 
-  /// Shows or hides all but the curve; what lay on top at the right does so again.
-  void setAllVisible(bool visible);
+  /// Hides all but the curve.
+  void hideAllButCurve();
+  /// Shows again what that hid; what lay on top of others does so again.
+  void showAgain();
 
 signals:
   void panelChanged();
@@ -68,9 +71,9 @@ private:
   QDockWidget* m_history = nullptr;
   std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none
   QDockWidget* m_curve = nullptr;
-  bool m_presetsOnTop = true;        ///< of those at the left, when they were hidden
   QDockWidget* m_seenLast = nullptr; ///< of those at the right
-  QDockWidget* m_onTop = nullptr;    ///< of those at the right, when they were hidden
+  QList<QDockWidget*> m_hidden;      ///< by hideAllButCurve
+  QList<QDockWidget*> m_onTop;       ///< of those, what was seen
 };
 
 } // namespace limn

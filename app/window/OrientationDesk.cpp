@@ -2,7 +2,6 @@
 #include "app/window/OrientationDesk.h"
 
 #include "app/document/Session.h"
-#include "app/window/MessageBar.h"
 #include "app/window/OrientationDialog.h"
 #include "scene/view/Camera.h"
 #include "scene/volume/Orientation.h"
@@ -55,8 +54,6 @@ void OrientationDesk::showScene(const Scene& scene) {
                         ? m_viewNames[i]
                         : voxelViewName(m_volume->grid(), static_cast<StandardView>(action->data().toInt())));
   }
-  if (isByHand && m_parts.messages.sentence() == QLatin1String(orientationUnknown))
-    m_parts.messages.hide();
   if (m_dialog && !m_parts.setOrientation.isEnabled())
     m_dialog->close();
   else if (m_dialog)

@@ -12,7 +12,6 @@ class QWidget;
 
 namespace limn {
 
-class MessageBar;
 class OrientationDialog;
 class Session;
 
@@ -27,7 +26,6 @@ public:
     Session& session;
     QAction& setOrientation;
     QActionGroup& views; ///< data: StandardView as int
-    MessageBar& messages;
     QWidget& window;
   };
   explicit OrientationDesk(const Parts& parts);

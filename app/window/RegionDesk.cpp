@@ -2,12 +2,13 @@
 #include "app/window/RegionDesk.h"
 
 #include "app/document/Session.h"
+#include "app/opening/OpenDialog.h"
 #include "app/window/MessageBar.h"
 #include "io/labels/LabelReader.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/Orientation.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -24,16 +25,19 @@ RegionDesk::~RegionDesk() {
 }
 
 void RegionDesk::askForLabels() {
-  const QString path = QFileDialog::getOpenFileName(
-      &m_parts.window, tr("Open the labels of this volume"), QString(),
-      tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk);;All files (*)"));
+  const QString path = askWhatToOpen(
+      &m_parts.window,
+      {.title = tr("Open the labels of this volume"),
+       .filters = {tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)"),
+                   tr("All files (*)")}},
+      m_parts.settings);
   if (!path.isEmpty())
     openLabels(path);
 }
 
 void RegionDesk::openLabels(const QString& path) {
   start(tr("Opening labels"), tr("open labels"), [path](const Volume& volume, const Progress& progress) {
-    return FoundRegion{readLabels(path.toStdString(), volume.grid(), progress), {}};
+    return FoundRegion{readLabels(path.toStdString(), gridOfFile(volume), progress), {}};
   });
 }
 

@@ -19,6 +19,7 @@ namespace limn {
 
 class MessageBar;
 class Session;
+class Settings;
 
 /// What is kept of the volume: the body, which it finds, or the labels of a segmentation, which it reads, on
 /// a thread of its own, one at a time. What it makes becomes an undo step. Another volume ends its work.
@@ -30,6 +31,7 @@ public:
     Session& session;
     QAction& bodyOnly;
     MessageBar& messages;
+    Settings& settings;
     QWidget& window;
   };
   explicit RegionDesk(Parts parts);

@@ -26,6 +26,7 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
     Settings settings(file());
     EXPECT_EQ(settings.theme(), "system");
     EXPECT_TRUE(settings.refinesAtRest());
+    EXPECT_FALSE(settings.patientIsShown().has_value()) << "nobody was asked";
     settings.setTheme("dark");
     settings.setRefinesAtRest(false);
     settings.setPatientIsShown(false);
@@ -35,7 +36,7 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
   const Settings settings(file());
   EXPECT_EQ(settings.theme(), "dark");
   EXPECT_FALSE(settings.refinesAtRest());
-  EXPECT_FALSE(settings.patientIsShown());
+  EXPECT_EQ(settings.patientIsShown(), false);
   EXPECT_EQ(settings.movingMs(), 16.5);
   EXPECT_EQ(settings.windowGeometry(), QByteArray("\0\xff", 2));
   EXPECT_EQ(settings.windowState(), "state");

@@ -194,6 +194,36 @@ TEST_F(PresetBrowserTest, savingIsAskedFor) {
   EXPECT_EQ(asked, 1);
 }
 
+// Two lines at least; with room for six higher rows a note is told whole.
+TEST_F(PresetBrowserTest, aNoteTakesMoreLinesWhereTheListIsHigh) {
+  std::vector<Preset> presets = samplePresets();
+  presets[0].note = "Everything brighter than the background as one closed surface; fitted to each series";
+  m_browser.setPresets(presets, {});
+  const auto heightOf = [&](int height) {
+    m_browser.resize(230, height);
+    for (int round = 0; round < 3; ++round)
+      QCoreApplication::processEvents();
+    return rowOf(m_browser, QString::fromStdString(presets[0].name)).height();
+  };
+  const int low = heightOf(300);
+  EXPECT_GT(heightOf(900), low);
+  EXPECT_EQ(heightOf(300), low);
+}
+
+TEST_F(PresetBrowserTest, noLineOfTextIsCutByTheEdgeOfTheList) {
+  const int ink = qGray(m_browser.palette().text().color().rgb());
+  int letters = 0;                                 // pixels of them in the last row of the list
+  for (int height = 300; height < 360; ++height) { // the edge wanders over a row and more
+    m_browser.resize(230, height);
+    for (int round = 0; round < 3; ++round)
+      QCoreApplication::processEvents();
+    const QImage seen = list()->viewport()->grab().toImage();
+    for (int x = 12 + thumbnailWidth + 12; x < seen.width() - 12; ++x)
+      letters += std::abs(qGray(seen.pixel(x, seen.height() - 1)) - ink) < 40;
+  }
+  EXPECT_EQ(letters, 0);
+}
+
 TEST(CurveThumbnail, showsTheFunctionsColours) {
   const TransferFunction red{1.0, {{0.0, {1, 0, 0}, 0.5}, {100.0, {1, 0, 0}, 0.5}}};
   const QImage image = curveThumbnail(red, {56, 40}, 1.0, Look::dark);

@@ -10,6 +10,8 @@
 
 #include <QTimer>
 
+#include <utility>
+
 namespace limn {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
@@ -59,12 +61,17 @@ void AccuracyPanel::setMovingMs(double ms) {
   m_dial->setMovingMs(ms);
 }
 
+void AccuracyPanel::setOnScreen(const std::optional<Quality>& quality) {
+  if (std::exchange(m_onScreen, quality) != quality)
+    showScene();
+}
+
 void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   m_measured = measured;
   m_chart->setMeasured(&*m_measured);
   m_wish->setMeasured(holding());
   showScene();
-  bringIntoView(m_chart);
+  showChartWhole();
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {
@@ -97,6 +104,13 @@ void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) 
     bringIntoView(m_map);
 }
 
+// Scrolling to it is enough where the panel is as high as all that belongs to it.
+void AccuracyPanel::showChartWhole() {
+  if (isVisible() && m_chart->sizeHint().height() > viewport()->height())
+    m_chart->offerApart();
+  bringIntoView(m_chart);
+}
+
 // What was begun or found is seen, once it has its place.
 void AccuracyPanel::bringIntoView(QWidget* part) {
   QTimer::singleShot(0, part, [this, part] { ensureWidgetVisible(part); });
@@ -104,7 +118,9 @@ void AccuracyPanel::bringIntoView(QWidget* part) {
 
 void AccuracyPanel::showScene() {
   const MeasuredAccuracy* holds = holding();
-  m_dial->show(m_scene, holds);
+  Scene onScreen = m_scene;
+  onScreen.quality = m_onScreen.value_or(m_scene.quality);
+  m_dial->show(m_scene, holds, pointOf(onScreen, steepestPerMm()));
   const std::optional<OperatingPoint> point = pointOf(m_scene, steepestPerMm());
   m_chart->setCurrent(holds && point ? indexOf(*point, holds->report.points) : std::nullopt);
   if (m_measured)

@@ -30,6 +30,9 @@ public:
   void setScene(const Scene& scene);
   void setMovingMs(double ms);
 
+  /// The quality with which that picture stands on screen once it rests, refined or not; absent before.
+  void setOnScreen(const std::optional<Quality>& quality);
+
   /// What was measured, as last told; absent before.
   void setMeasured(const MeasuredAccuracy& measured);
   const std::optional<MeasuredAccuracy>& measured() const { return m_measured; }
@@ -62,10 +65,12 @@ private:
   void answer(const WishAnswer& answer);
   void showScene();
   void bringIntoView(QWidget* part);
+  void showChartWhole();
   const MeasuredAccuracy* holding() const;
   double steepestPerMm() const;
 
   Scene m_scene;
+  std::optional<Quality> m_onScreen;
   std::optional<MeasuredAccuracy> m_measured;
   std::optional<OperatingPoint> m_answered; ///< what a wish chose, while its answer stands
   AccuracyWork m_work = AccuracyWork::none;

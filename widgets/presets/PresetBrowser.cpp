@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QToolButton>
@@ -26,7 +27,7 @@
 namespace limn {
 
 PresetBrowser::PresetBrowser(QWidget* parent)
-    : QWidget(parent), m_search(new QLineEdit), m_list(new QTreeView),
+    : QWidget(parent), m_search(new QLineEdit), m_list(new QTreeView), m_delegate(new PresetDelegate(m_list)),
       m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
       m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
       m_model(new QStandardItemModel(this)), m_filtered(new QSortFilterProxyModel(this)) {
@@ -62,7 +63,7 @@ void PresetBrowser::makeList() {
   m_filtered->setRecursiveFilteringEnabled(true);
   m_filtered->setFilterRole(presetRole::searchText);
   m_list->setModel(m_filtered);
-  m_list->setItemDelegate(new PresetDelegate(m_list));
+  m_list->setItemDelegate(m_delegate);
   m_list->setObjectName(QStringLiteral("presetList"));
   m_list->setHeaderHidden(true);
   m_list->setRootIsDecorated(false);
@@ -74,6 +75,9 @@ void PresetBrowser::makeList() {
   m_list->setAccessibleName(tr("Presets"));
   m_list->installEventFilter(this);
   m_list->viewport()->installEventFilter(this);
+  // Lines that the edge cut are painted once they are whole: to move the pixels is not enough.
+  connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, m_list->viewport(),
+          qOverload<>(&QWidget::update));
   connect(m_list, &QAbstractItemView::clicked, this, &PresetBrowser::choose);
   connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &PresetBrowser::showButtons);
 }
@@ -191,8 +195,11 @@ void PresetBrowser::showButtons() {
 }
 
 bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_list->viewport())
+  if (watched == m_list->viewport()) {
+    if (event->type() == QEvent::Resize)
+      m_delegate->layOutAgain();
     return handleRightClick(*event);
+  }
   if (event->type() == QEvent::ContextMenu && watched == m_list) {
     const QModelIndex index = m_list->currentIndex();
     offerMenu(index, m_list->viewport()->mapToGlobal(m_list->visualRect(index).center()));

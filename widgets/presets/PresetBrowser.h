@@ -17,6 +17,8 @@ class QTreeView;
 
 namespace limn {
 
+class PresetDelegate;
+
 /// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
 /// Enter chooses, a right click opens a menu and selects nothing; names are unique over both lists. The frame
 /// marks the preset that is shown, wherever the keyboard is. It saves and deletes nothing itself.
@@ -70,6 +72,7 @@ private:
   bool m_isModified = false;
   QLineEdit* m_search;
   QTreeView* m_list;
+  PresetDelegate* m_delegate;
   QLabel* m_nothing;
   QPushButton* m_save;
   QToolButton* m_delete;

@@ -4,24 +4,99 @@
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetModel.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 #include <QPainterPath>
 #include <QTextLayout>
 
 #include <algorithm>
+#include <optional>
 
 namespace limn {
 namespace {
 
 constexpr int groupHeight = 24;
 constexpr int margin = 8;
+constexpr int rowSpace = 9; // of a row, around its texts
 
-void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
+const QAbstractItemView* viewOf(const QStyleOptionViewItem& option) {
+  return qobject_cast<const QAbstractItemView*>(option.widget);
+}
+
+QFont titleFontOf(const QStyleOptionViewItem& option) {
   QFont bold = option.font;
   bold.setWeight(QFont::DemiBold);
+  return bold;
+}
+
+QFont noteFont(const QFont& font) {
+  QFont small = font;
+  small.setPointSizeF(small.pointSizeF() * 0.9);
+  return small;
+}
+
+// The lines of a text at this width, at most so many, the last one cut off with an ellipsis where it goes on.
+QStringList wrapped(const QString& text, const QFont& font, int width, int most) {
+  QStringList lines;
+  QTextLayout layout(text, font);
+  layout.beginLayout();
+  while (lines.size() < most) {
+    QTextLine line = layout.createLine();
+    if (!line.isValid())
+      break;
+    line.setLineWidth(width);
+    lines << (lines.size() + 1 < most
+                  ? text.mid(line.textStart(), line.textLength()).trimmed()
+                  : QFontMetrics(font).elidedText(text.mid(line.textStart()), Qt::ElideRight, width));
+  }
+  layout.endLayout();
+  return lines;
+}
+
+// Two, and more where the list has room for six rows with more.
+int mostNoteLines(const QStyleOptionViewItem& option) {
+  constexpr int rowsSeen = 6;
+  const QAbstractItemView* view = viewOf(option);
+  const int height = view ? view->viewport()->height() / rowsSeen : 0;
+  const int room = height - QFontMetrics(option.font).height() - rowSpace;
+  return std::clamp(room / QFontMetrics(noteFont(option.font)).height(), 2, 4);
+}
+
+QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
+  return wrapped(index.data(presetRole::note).toString(), noteFont(option.font), width,
+                 mostNoteLines(option));
+}
+
+// Of a row that is so wide, beside its picture.
+int textWidth(int rowWidth) {
+  return rowWidth - thumbnailWidth - 4 * margin;
+}
+
+/// Hands out the lines of a text from the top down, but for those that the edge of the list would cut.
+class WholeLines {
+public:
+  WholeLines(const QStyleOptionViewItem& option, const QRect& place)
+      : m_seen(viewOf(option) ? viewOf(option)->viewport()->rect() : option.rect), m_place(place) {}
+
+  std::optional<QRect> next(const QFont& font) {
+    const QRect line(m_place.left(), m_place.top(), m_place.width(), QFontMetrics(font).height());
+    m_place.setTop(line.bottom() + 1);
+    return m_seen.contains(line) ? std::optional(line) : std::nullopt;
+  }
+
+private:
+  QRect m_seen;
+  QRect m_place;
+};
+
+void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
+  const QFont bold = titleFontOf(option);
+  QRect room = option.rect.adjusted(margin + 4, 4, -margin, 0);
+  room.setTop(room.center().y() - QFontMetrics(bold).height() / 2);
   painter.setFont(bold);
   painter.setPen(themeColors(option.palette).secondaryText);
-  painter.drawText(option.rect.adjusted(margin + 4, 4, -margin, 0), Qt::AlignLeft | Qt::AlignVCenter, title);
+  if (const std::optional<QRect> line = WholeLines(option, room).next(bold))
+    painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, title);
 }
 
 void paintPicture(QPainter& painter, const QRectF& place, const QImage& picture) {
@@ -37,57 +112,35 @@ void paintPicture(QPainter& painter, const QRectF& place, const QImage& picture)
   painter.restore();
 }
 
-QFont noteFont(const QFont& font) {
-  QFont small = font;
-  small.setPointSizeF(small.pointSizeF() * 0.9);
-  return small;
-}
-
-// As many lines of `text` as fit, the last one cut off with an ellipsis where it goes on.
-void paintLines(QPainter& painter, const QRect& place, const QString& text) {
-  const QFontMetrics metrics(painter.font());
-  const int most = std::max(1, place.height() / metrics.height());
-  QTextLayout layout(text, painter.font());
-  layout.beginLayout();
-  for (int number = 1; number <= most; ++number) {
-    QTextLine line = layout.createLine();
-    if (!line.isValid())
-      break;
-    line.setLineWidth(place.width());
-    const QString rest = text.mid(line.textStart());
-    const QString shown = number < most ? text.mid(line.textStart(), line.textLength()).trimmed()
-                                        : metrics.elidedText(rest, Qt::ElideRight, place.width());
-    painter.drawText(
-        QRect(place.left(), place.top() + (number - 1) * metrics.height(), place.width(), metrics.height()),
-        Qt::AlignLeft | Qt::AlignVCenter, shown);
-  }
-  layout.endLayout();
-}
-
-void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRect& place,
-                const QModelIndex& index, PresetUse use) {
+void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line, const QString& name,
+               PresetUse use) {
   const ThemeColors colors = themeColors(option.palette);
-  const QFontMetrics metrics(option.font);
   const QFont small = noteFont(option.font);
-  const QFontMetrics smallMetrics(small);
   const QString modified = use == PresetUse::modified ? QObject::tr("modified") : QString();
-  const int beside = modified.isEmpty() ? 0 : smallMetrics.horizontalAdvance(modified) + 6;
-  const QString noteText = index.data(presetRole::note).toString();
-  const int noteLines = smallMetrics.horizontalAdvance(noteText) > place.width() ? 2
-                        : noteText.isEmpty()                                     ? 0
-                                                                                 : 1;
-  const int height = metrics.height() + noteLines * smallMetrics.height();
-  const QRect line(place.left(), place.center().y() - height / 2, place.width(), metrics.height());
+  const int beside = modified.isEmpty() ? 0 : QFontMetrics(small).horizontalAdvance(modified) + 6;
   painter.setFont(option.font);
   painter.setPen(colors.text);
-  painter.drawText(
-      line, Qt::AlignLeft | Qt::AlignVCenter,
-      metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, line.width() - beside));
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                   QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width() - beside));
   painter.setFont(small);
   painter.setPen(colors.secondaryText);
   painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, modified);
-  paintLines(painter, {line.left(), line.bottom() + 1, line.width(), noteLines * smallMetrics.height()},
-             noteText);
+}
+
+void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRect& room,
+                const QModelIndex& index, PresetUse use) {
+  const QFont small = noteFont(option.font);
+  const QStringList note = noteLines(option, index, room.width());
+  const int height =
+      QFontMetrics(option.font).height() + static_cast<int>(note.size()) * QFontMetrics(small).height();
+  WholeLines lines(option, {room.left(), room.center().y() - height / 2, room.width(), height});
+  if (const std::optional<QRect> line = lines.next(option.font))
+    paintName(painter, option, *line, index.data(Qt::DisplayRole).toString(), use);
+  painter.setFont(small);
+  painter.setPen(themeColors(option.palette).secondaryText);
+  for (const QString& text : note)
+    if (const std::optional<QRect> line = lines.next(small))
+      painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 } // namespace
@@ -116,18 +169,25 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const QRect picture(option.rect.left() + margin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
                       thumbnailWidth, thumbnailHeight);
   paintPicture(*painter, picture, index.data(presetRole::thumbnail).value<QImage>());
-  const QRect texts(picture.right() + 12, option.rect.top(), option.rect.right() - picture.right() - 20,
+  const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
   paintTexts(*painter, option, texts, index, use);
   painter->restore();
 }
 
-// Room for a name and two lines of its note.
+// Room for a name and two lines of its note in any case, so that most rows are alike.
 QSize PresetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   if (index.data(presetRole::isGroup).toBool())
     return {180, groupHeight};
-  const int texts = QFontMetrics(option.font).height() + 2 * QFontMetrics(noteFont(option.font)).height();
-  return {180, std::max(texts, thumbnailHeight) + 9};
+  const QAbstractItemView* view = viewOf(option);
+  const int width = textWidth(view ? view->viewport()->width() : option.rect.width());
+  const int lines = std::max(2, static_cast<int>(noteLines(option, index, width).size()));
+  const int texts = QFontMetrics(option.font).height() + lines * QFontMetrics(noteFont(option.font)).height();
+  return {180, std::max(texts, thumbnailHeight) + rowSpace};
+}
+
+void PresetDelegate::layOutAgain() {
+  emit sizeHintChanged({});
 }
 
 } // namespace limn

@@ -47,6 +47,7 @@ QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture)
       note.isEmpty()
           ? name
           : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), note.toHtmlEscaped()));
+  item->setStatusTip(note); // whole, however narrow the list is
   item->setEditable(false);
   return item;
 }

@@ -59,7 +59,8 @@ void CompareView::connectEngines() {
   connect(m_engines, &EngineSwitch::redrawNeeded, this, &CompareView::redraw);
   connect(m_engines, &EngineSwitch::preparing, this, &CompareView::showPreparing);
   connect(m_engines, &EngineSwitch::replaced, this, [this] { showPreparing(1.0); });
-  connect(m_engines, &EngineSwitch::stateChanged, this, &CompareView::pictureStateChanged);
+  connect(m_engines, &EngineSwitch::stateChanged, this,
+          [this](const PictureState& state) { emit pictureStateChanged(withMeasured(state)); });
   connect(m_engines, &EngineSwitch::effectsChanged, this, &CompareView::effectsChanged);
   connect(m_engines, &EngineSwitch::timesChanged, this, &CompareView::effectTimesChanged);
   connect(m_engines, &EngineSwitch::restored, this, &CompareView::graphicsRestored);
@@ -231,7 +232,22 @@ ViewEngine CompareView::engine() const {
 }
 
 PictureState CompareView::pictureState() const {
-  return m_engines->state();
+  return withMeasured(m_engines->state());
+}
+
+PictureState CompareView::withMeasured(PictureState state) const {
+  for (std::size_t side = 0; m_measuredErrors && state.resting && side < state.sides.size(); ++side) {
+    Scene scene = sceneOfSide(static_cast<int>(side));
+    scene.quality = qualityShown(scene.quality, state.sides[side]);
+    state.sides[side].measuredLevels = m_measuredErrors(scene);
+  }
+  return state;
+}
+
+void CompareView::setMeasuredErrors(MeasuredErrors errors) {
+  m_measuredErrors = std::move(errors);
+  emit pictureStateChanged(pictureState());
+  repaintOverlay();
 }
 
 QImage CompareView::currentPicture(int side) {

@@ -13,6 +13,7 @@
 #include <QImage>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,9 @@ enum class ViewTool;
 struct EffectTimes;
 struct OverlaySource;
 struct ViewOrders;
+
+/// The error that was measured of the picture of a scene, levels (99.9th percentile); absent where none was.
+using MeasuredErrors = std::function<std::optional<double>(const Scene& scene)>;
 
 /// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
 /// engine, one copy of the volume. Draws coarsely while something moves and strip by strip to full quality at
@@ -94,6 +98,9 @@ public:
   void clearLoading();
 
   PictureState pictureState() const;
+
+  /// What was measured, from now on told in place of estimates; to be set again when that changes.
+  void setMeasuredErrors(MeasuredErrors errors);
 
   /// The picture of side 0 or 1 over the background as shown at rest; null before it is complete.
   QImage currentPicture(int side);
@@ -175,6 +182,7 @@ private:
   void connectFit();
   void arrangeParts();
   ViewGeometry geometry() const;
+  PictureState withMeasured(PictureState state) const;
   OverlaySource overlaySource() const;
   void redraw();
   void showOtherParts();
@@ -186,6 +194,7 @@ private:
   void offerModels(int position);
 
   Comparison m_shown;
+  MeasuredErrors m_measuredErrors;
   bool m_overlayVisible = true;
   bool m_cropBoxVisible = false;
   bool m_isPreparing = false; ///< it is said that a volume is got ready

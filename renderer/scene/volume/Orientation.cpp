@@ -75,9 +75,15 @@ std::shared_ptr<const Volume> orientedByHand(const Volume& volume, const std::st
   VolumeInfo info = volume.info();
   info.orientationKnown = true;
   info.orientationByHand = letters;
+  info.gridOfFile = gridOfFile(volume);
   std::erase(info.warnings, orientationUnknown);
   return std::make_shared<const Volume>(
       volume.placed(withAxisLetters(volume.grid(), letters), std::move(info)));
+}
+
+const Grid& gridOfFile(const Volume& volume) {
+  const std::optional<Grid>& told = volume.info().gridOfFile;
+  return told ? *told : volume.grid();
 }
 
 } // namespace limn

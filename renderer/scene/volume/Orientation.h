@@ -33,4 +33,8 @@ Grid withAxisLetters(Grid grid, const std::string& letters);
 /// silence about it no longer told.
 std::shared_ptr<const Volume> orientedByHand(const Volume& volume, const std::string& letters);
 
+/// Where the voxels lie for those who have nothing but the file, a label map that was made of it among them:
+/// no answer of a person's changes that.
+const Grid& gridOfFile(const Volume& volume);
+
 } // namespace limn

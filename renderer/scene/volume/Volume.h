@@ -64,6 +64,7 @@ struct VolumeInfo {
   bool orientationKnown = true;
   std::string
       orientationByHand; ///< the axes' letters that a person gave (Orientation.h), empty: the file told
+  std::optional<Grid> gridOfFile; ///< where a person gave them: what the file alone says
   bool spacingKnown = true;
   std::vector<std::string> warnings; ///< one sentence each, without patient data
   PatientLabel patient;

@@ -100,6 +100,55 @@ TEST_F(AccuracyPanelTest, theDialTellsErrorAndTimeOfItsPositionOnceMeasured) {
   EXPECT_EQ(sentence(), QStringLiteral("Step 1/4 voxel: within 0.65 levels, 48 ms."));
 }
 
+TEST_F(AccuracyPanelTest, theDialTellsWhatAPictureThatWasRefinedIsOnScreen) {
+  measure();
+  panel.setOnScreen(scene.quality);
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms.")) << "as chosen";
+  Quality refined = scene.quality;
+  refined.stepVoxels = 0.125;
+  panel.setOnScreen(refined);
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms. Refined on screen to step "
+                                       "1/8 voxel, within 0.17 levels."));
+  Scene shown = scene;
+  shown.quality = refined;
+  EXPECT_NEAR(*levelsMeasuredOf(shown, *panel.measured()), 10.4 / 64.0, 1e-12) << "10.4 step²";
+  shown.camera.position.x += 1.0;
+  EXPECT_FALSE(levelsMeasuredOf(shown, *panel.measured())) << "of another direction";
+  refined.stepVoxels = 0.3;
+  panel.setOnScreen(refined);
+  EXPECT_TRUE(sentence().endsWith(QStringLiteral("Refined on screen to step 0.3 voxels.")))
+      << sentence().toStdString();
+  panel.setOnScreen(std::nullopt);
+  EXPECT_EQ(sentence(), QStringLiteral("Step 1/2 voxel: within 2.6 levels, 30 ms.")) << "being drawn";
+}
+
+TEST_F(AccuracyPanelTest, theChartGoesIntoAWindowOfItsOwnWhereThePanelIsLow) {
+  auto* apart = widgetNamed<QPushButton>(panel, "Chart in a window of its own");
+  measure();
+  EXPECT_FALSE(apart->isChecked());
+  EXPECT_EQ(chart().window(), &panel) << "1300 pixels are enough";
+  panel.resize(320, 380);
+  measure();
+  EXPECT_TRUE(apart->isChecked());
+  QWidget* window = chart().window();
+  ASSERT_NE(window, &panel);
+  EXPECT_TRUE(window->isVisible());
+  EXPECT_EQ(chart().viewport()->visibleRegion().boundingRect(), chart().rect()) << "all of it";
+  clickPoint(raysAt(0.125));
+  EXPECT_EQ(scene.quality.stepVoxels, 0.125) << "it works there, too";
+  QTest::keyClick(window, Qt::Key_Escape);
+  EXPECT_EQ(chart().window(), &panel);
+  EXPECT_TRUE(chart().isVisibleTo(&panel));
+  EXPECT_FALSE(apart->isChecked());
+  measure();
+  EXPECT_EQ(chart().window(), &panel) << "a person has put it back";
+  panel.ensureWidgetVisible(apart);
+  QTest::mouseClick(apart, Qt::LeftButton);
+  EXPECT_NE(chart().window(), &panel);
+  QTest::mouseClick(apart, Qt::LeftButton);
+  EXPECT_EQ(chart().window(), &panel);
+}
+
 TEST_F(AccuracyPanelTest, theDialObeysKeysAndStandsBetweenPositionsWhereTheStepIsNone) {
   dial().setFocus();
   QTest::keyClick(&dial(), Qt::Key_Left);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Phantom.h"
 #include "widgets/ContrastRatio.h"
+#include "widgets/ValueText.h"
 #include "widgets/accuracy/AccuracySamples.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
 #include "widgets/accuracy/map/ErrorScale.h"

@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -43,15 +42,6 @@ QString errorRow(const ReferenceFacts& reference, const QString& name, double le
 }
 
 } // namespace
-
-QString promisedLevels(double levels) {
-  if (!(levels > 0.0) || std::isinf(levels))
-    return levels > 0.0 ? tr("∞") : QStringLiteral("0");
-  const double unit = std::pow(10.0, std::floor(std::log10(levels)) - 1.0);
-  // A part in 10⁹ is rounding of the division and not worth another digit.
-  const double rounded = std::ceil(levels / unit - 1e-9) * unit;
-  return plainNumber(rounded, std::clamp(static_cast<int>(-std::floor(std::log10(unit) + 0.5)), 0, 6));
-}
 
 QString msText(double ms) {
   return tr("%1 ms").arg(plainNumber(ms, ms < 10.0 ? 1 : 0));

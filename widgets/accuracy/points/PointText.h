@@ -7,9 +7,6 @@
 
 namespace limn {
 
-/// An error that is promised, two digits, rounded up: "0.66".
-QString promisedLevels(double levels);
-
 /// A time: one decimal below 10 ms.
 QString msText(double ms);
 

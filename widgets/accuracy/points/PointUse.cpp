@@ -133,6 +133,17 @@ bool holdsFor(const Scene& measured, const Scene& shown) {
   return contentOf(measured) == contentOf(shown);
 }
 
+std::optional<double> levelsMeasuredOf(const Scene& shown, const MeasuredAccuracy& measured) {
+  const ReferenceFacts& reference = measured.report.reference;
+  if (!reference.converged || !holdsFor(measured.scene, shown) || measured.scene.camera != shown.camera)
+    return std::nullopt;
+  const std::optional<OperatingPoint> point = pointOf(shown, measured.steepestPerMm);
+  const std::optional<std::size_t> index = point ? indexOf(*point, measured.report.points) : std::nullopt;
+  if (!index)
+    return std::nullopt;
+  return std::max(measured.report.points[*index].error.p99_9, leastP99_9(reference));
+}
+
 std::optional<std::size_t> indexOf(const OperatingPoint& point, const std::vector<MeasuredPoint>& points) {
   const auto found = std::find_if(points.begin(), points.end(),
                                   [&](const MeasuredPoint& measured) { return measured.point == point; });

@@ -44,6 +44,11 @@ Quality qualityAt(const OperatingPoint& point, const Scene& scene, double steepe
 /// written picture and quality.
 bool holdsFor(const Scene& measured, const Scene& shown);
 
+/// The error that was measured of the picture that a scene shows (99.9th percentile, levels; where it cannot
+/// be told from none, what is certain): of the same content from the same camera at a measured point. Absent
+/// where there is none.
+std::optional<double> levelsMeasuredOf(const Scene& shown, const MeasuredAccuracy& measured);
+
 /// The index of a point among measured ones.
 std::optional<std::size_t> indexOf(const OperatingPoint& point, const std::vector<MeasuredPoint>& points);
 

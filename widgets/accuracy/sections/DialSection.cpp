@@ -39,6 +39,14 @@ double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops)
   return std::clamp(place, 0.0, hasExact ? last - 0.5 : last);
 }
 
+// What the status bar tells of a picture that is closer to the exact one than it was asked to be.
+QString refinedText(const OperatingPoint& onScreen, const AccuracyReport& report) {
+  const std::optional<std::size_t> index = indexOf(onScreen, report.points);
+  return index ? DialSection::tr("Refined on screen to %1, within %2.")
+                     .arg(pointText(onScreen), pointErrorText(report.points[*index], report.reference))
+               : DialSection::tr("Refined on screen to %1.").arg(pointText(onScreen));
+}
+
 QLabel* endLabel(const QString& text) {
   auto* label = new QLabel(text);
   label->setForegroundRole(QPalette::PlaceholderText);
@@ -89,16 +97,20 @@ DialSection::DialSection(QWidget* parent)
           [this](int index) { emit movingMsPicked(movingMs[static_cast<std::size_t>(index)]); });
   connect(m_dial, &StopSlider::stopPicked, this,
           [this](int stop) { emit pointPicked(m_points[static_cast<std::size_t>(stop)]); });
-  show(Scene{}, nullptr);
+  show(Scene{}, nullptr, std::nullopt);
 }
 
-void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured) {
+void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
+                       const std::optional<OperatingPoint>& onScreen) {
   const double steepest = measured ? measured->steepestPerMm : 0.0;
   m_points = dialPoints(scene, steepest);
   showStops(measured);
   m_dial->setPlace(placeOf(scene.quality, m_points));
   m_dial->setEnabled(scene.volume != nullptr);
-  m_sentence->setText(sentenceFor(scene, measured));
+  QString sentence = sentenceFor(scene, measured);
+  if (measured && onScreen && onScreen != pointOf(scene, steepest))
+    sentence += QLatin1Char(' ') + refinedText(*onScreen, measured->report);
+  m_sentence->setText(sentence);
   m_dial->setAccessibleDescription(m_sentence->text());
 }
 

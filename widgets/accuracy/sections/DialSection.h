@@ -21,8 +21,10 @@ class DialSection : public FoldingSection {
 public:
   explicit DialSection(QWidget* parent = nullptr);
 
-  /// Shows where a scene stands; `measured` is null where nothing that holds for it was measured.
-  void show(const Scene& scene, const MeasuredAccuracy* measured);
+  /// Shows where a scene stands, and at which point its picture on screen does, which may be refined;
+  /// `measured` is null where nothing that holds for it was measured.
+  void show(const Scene& scene, const MeasuredAccuracy* measured,
+            const std::optional<OperatingPoint>& onScreen);
 
   /// The time that a picture may take while something moves; the nearest choice is shown.
   void setMovingMs(double ms);

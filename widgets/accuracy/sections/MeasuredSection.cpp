@@ -2,6 +2,7 @@
 #include "widgets/accuracy/sections/MeasuredSection.h"
 
 #include "widgets/accuracy/chart/AccuracyChartView.h"
+#include "widgets/accuracy/chart/ChartWindow.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 #include "widgets/controls/ChoiceRow.h"
 
@@ -14,8 +15,9 @@ namespace limn {
 
 MeasuredSection::MeasuredSection(QWidget* parent)
     : FoldingSection(tr("Measured on this computer"), parent), m_measure(new QPushButton(tr("Measure"))),
-      m_save(new QPushButton(tr("Save…"))), m_work(new WorkRow(tr("Measuring"))), m_summary(new QLabel),
-      m_chart(new AccuracyChartView) {
+      m_save(new QPushButton(tr("Save…"))), m_apart(new QPushButton(tr("Enlarge"))),
+      m_work(new WorkRow(tr("Measuring"))), m_summary(new QLabel), m_chart(new AccuracyChartView),
+      m_window(new ChartWindow(this)) {
   addButtons();
   contents()->addWidget(m_work);
   m_summary->setObjectName(QStringLiteral("summary"));
@@ -27,6 +29,7 @@ MeasuredSection::MeasuredSection(QWidget* parent)
   connect(m_measure, &QPushButton::clicked, this, &MeasuredSection::measureRequested);
   connect(m_save, &QPushButton::clicked, this, &MeasuredSection::saveRequested);
   connect(m_chart, &AccuracyChartView::pointPicked, this, &MeasuredSection::pointPicked);
+  connectApart();
   setMeasured(nullptr);
 }
 
@@ -42,6 +45,10 @@ void MeasuredSection::addButtons() {
       tr("Writes the chart as a picture (PNG), the numbers as a table (CSV), or both as a page (HTML)."));
   buttons->addWidget(m_measure);
   buttons->addStretch(1);
+  m_apart->setCheckable(true);
+  m_apart->setAccessibleName(tr("Chart in a window of its own"));
+  m_apart->setToolTip(tr("Shows the chart in a window of its own, where it is larger."));
+  buttons->addWidget(m_apart);
   buttons->addWidget(m_save);
   contents()->addLayout(buttons);
 }
@@ -56,6 +63,29 @@ void MeasuredSection::addMeasureChoice() {
           [this](int index) { m_chart->setMeasure(index == 0 ? ErrorMeasure::p99_9 : ErrorMeasure::mean); });
 }
 
+void MeasuredSection::connectApart() {
+  const auto choose = [this](bool isApart) {
+    m_wasPutBack = !isApart;
+    setApart(isApart);
+  };
+  connect(m_apart, &QPushButton::clicked, this, choose);
+  connect(m_window, &QDialog::finished, this, [choose] { choose(false); });
+}
+
+void MeasuredSection::setApart(bool isApart) {
+  m_apart->setChecked(isApart);
+  if (isApart)
+    return m_window->openBeside(*m_chart, *this);
+  contents()->insertWidget(contents()->indexOf(m_choice), m_chart);
+  m_chart->show();
+  m_window->hide();
+}
+
+void MeasuredSection::offerApart() {
+  if (!m_wasPutBack)
+    setApart(true);
+}
+
 void MeasuredSection::setMeasured(const MeasuredAccuracy* measured) {
   m_report = measured ? measured->report : AccuracyReport{};
   m_timedSize = measured ? measured->timedSize : glm::ivec2(0);
@@ -64,6 +94,7 @@ void MeasuredSection::setMeasured(const MeasuredAccuracy* measured) {
   m_chart->setVisible(isShown);
   m_choice->setVisible(isShown);
   m_save->setVisible(isShown);
+  m_apart->setVisible(isShown);
   showSummary();
 }
 

@@ -10,6 +10,7 @@ class QPushButton;
 namespace limn {
 
 class AccuracyChartView;
+class ChartWindow;
 class ChoiceRow;
 class WorkRow;
 
@@ -31,6 +32,10 @@ public:
   /// Whether there is a picture to measure, and nothing else that is at work.
   void setCanMeasure(bool can);
 
+  /// Puts the chart into a window of its own or back. Once a person has put it back, `offerApart` leaves it.
+  void setApart(bool isApart);
+  void offerApart();
+
   /// How far it is.
   WorkRow* work() const { return m_work; }
 
@@ -42,6 +47,7 @@ signals:
 private:
   void addButtons();
   void addMeasureChoice();
+  void connectApart();
   void showSummary();
 
   AccuracyReport m_report;
@@ -49,9 +55,12 @@ private:
   MeasuredFor m_relation = MeasuredFor::thisPicture;
   QPushButton* m_measure;
   QPushButton* m_save;
+  QPushButton* m_apart;
   WorkRow* m_work;
   QLabel* m_summary;
   AccuracyChartView* m_chart;
+  ChartWindow* m_window;
+  bool m_wasPutBack = false; ///< by a person
   ChoiceRow* m_choice = nullptr;
 };
 

@@ -26,7 +26,8 @@ constexpr double rowHeight = 26.0;
 } // namespace
 
 ColorPicker::ColorPicker(QWidget* parent) : QWidget(parent), m_hex(new QLineEdit(this)) {
-  setFixedSize(sizeHint());
+  setMinimumWidth(sizeHint().width());
+  setFixedHeight(sizeHint().height());
   setAccessibleName(tr("Colour"));
   m_hex->setAccessibleName(tr("Colour as hex code"));
   m_hex->setToolTip(tr("The colour as a hex code, from #000000 (black) to #ffffff (white)"));

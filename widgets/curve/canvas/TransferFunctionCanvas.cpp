@@ -131,6 +131,8 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.focused = hasFocus();
   if (m_hovered.part == CurveHit::Part::point)
     picture.hoveredPoint = picture.readOut = m_hovered.index;
+  else if (!m_hoveredValue && m_plot.selected.size() == 1)
+    picture.readOut = focusedPoint();
   if (m_drag.kind == CurveDrag::Kind::points)
     picture.readOut = m_drag.grabbed;
   if (m_drag.kind == CurveDrag::Kind::band && m_drag.started)

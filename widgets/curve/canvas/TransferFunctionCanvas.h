@@ -43,6 +43,9 @@ public:
   bool hasPin() const { return m_pinnedValue.has_value(); }
   PlotTransform transform() const;
 
+  /// What it shows, as a value.
+  CanvasPicture picture();
+
   /// Decimals that tell neighbouring pixels apart.
   int shownDecimals() const;
 
@@ -103,7 +106,6 @@ private:
     shown = value;
     update();
   }
-  CanvasPicture picture();
   void revealSelected();
 
   bool isDragging() const { return m_drag.kind != CurveDrag::Kind::none; }

@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/controls/color/ColorConversion.h"
-#include "widgets/curve/plot/Tissue.h"
+#include "widgets/curve/plot/ReadOut.h"
 
 #include <QObject>
 #include <QPainter>
@@ -14,7 +14,6 @@ namespace limn {
 namespace {
 
 constexpr double gripHalfWidth = 14.0;
-constexpr double gripClearance = gripHalfWidth + 4.0;
 
 QColor withAlpha(QColor color, int alpha) {
   color.setAlpha(alpha);
@@ -42,9 +41,7 @@ void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString&
 }
 
 void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
-  if (!picture.hoveredValue || picture.unit != QLatin1String("HU"))
-    return;
-  const auto tissue = tissueAt(*picture.hoveredValue);
+  const std::optional<Tissue> tissue = toldTissue(picture);
   if (!tissue)
     return;
   const QRectF& plot = picture.transform.plot;
@@ -161,12 +158,10 @@ void paintPoints(QPainter& painter, const CanvasPicture& picture) {
 void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.readOut || *picture.readOut >= picture.function.points.size())
     return;
-  const ControlPoint& point = picture.function.points[*picture.readOut];
-  const QPointF centre = positionOf(picture.transform, point);
-  paintBubble(painter, picture,
-              QObject::tr("%1 · opacity %2")
-                  .arg(valueText(point.value, picture.unit, picture.decimals), opacityText(point.opacity)),
-              centre - QPointF(0.0, 12.0));
+  const QPointF centre = positionOf(picture.transform, picture.function.points[*picture.readOut]);
+  const QRectF& plot = picture.transform.plot;
+  if (centre.x() >= plot.left() && centre.x() <= plot.right())
+    paintBubble(painter, picture, readOutText(picture), centre - QPointF(0.0, 12.0));
 }
 
 void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
@@ -178,31 +173,15 @@ void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
 }
 
-// In the bar's lane, where it hides neither numbers of the axis nor the curve; beside the grip.
+// Where it hides neither the curve nor the bar that spans it.
 void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.hoveredValue || picture.readOut)
     return;
-  const double value = *picture.hoveredValue;
-  QString text = valueText(value, picture.unit, picture.decimals);
-  if (!picture.function.points.empty())
-    text += QObject::tr(" · opacity %1").arg(opacityText(classify(picture.function, value).opacity));
-  if (const auto tissue = tissueAt(value); tissue && picture.unit == QLatin1String("HU"))
-    text += QStringLiteral(" · ") + tissue->name;
-  const QRectF& plot = picture.transform.plot;
-  const double x = xOfValue(picture.transform, value);
-  const double width = painter.fontMetrics().horizontalAdvance(text) + 12.0;
-  const double rightmost = std::max(plot.left(), plot.right() - width);
-  QRectF box(std::clamp(x - width / 2.0, plot.left(), rightmost), 0.5, width, plot.top() - 1.5);
-  if (const auto bar = curveBar(picture.transform, picture.function)) {
-    const double grip = bar->grip.x();
-    const double before = grip - gripClearance - width;
-    const double after = grip + gripClearance;
-    const bool fitsBefore = before >= plot.left();
-    const bool fitsAfter = after <= rightmost;
-    if (box.right() > grip - gripClearance && box.left() < after && (fitsBefore || fitsAfter))
-      box.moveLeft(fitsBefore && (x < grip || !fitsAfter) ? before : after);
-  }
-  paintBox(painter, picture, text, box);
+  const QString text = readOutText(picture);
+  const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
+  paintBox(painter, picture, text,
+           clearPlace(picture.transform, picture.function, size,
+                      xOfValue(picture.transform, *picture.hoveredValue)));
 }
 
 // On a plate where a histogram would disturb the reading.

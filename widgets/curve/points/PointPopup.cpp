@@ -20,7 +20,7 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, s
   layout->setContentsMargins(12, 12, 12, 12);
   layout->setSpacing(12);
   layout->addWidget(m_fields);
-  layout->addWidget(m_picker, 0, Qt::AlignHCenter);
+  layout->addWidget(m_picker);
   m_picker->setVisible(hasColors(subject));
   m_fields->setPoints(function, {index}, unit, decimals);
   m_picker->setColor(function.points[index].color);

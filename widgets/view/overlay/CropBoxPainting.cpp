@@ -10,32 +10,40 @@ namespace limn {
 namespace {
 
 // Opaque inks: Qt blends a translucent line over the whole rectangle around it, which costs a software driver
-// as much as a coarse picture. The grey of what is hidden has a contrast of about 4:1 on white and 5:1 on
-// black.
+// as much as a coarse picture. Everything light has something dark around it, so that it stands out from
+// bright bone and from black alike.
 const QColor lightColor(255, 255, 255);
 const QColor darkColor(12, 14, 18);
-const QColor hiddenColor(122, 128, 138);
+const QColor hiddenColor(122, 128, 138); // of handles behind the box
 const QColor accentColor(77, 163, 255);
 
-void paintLines(QPainter& painter, const CropBoxShape& shape, bool hidden, const QPen& pen) {
-  painter.setPen(pen);
-  for (const CropEdge& edge : shape.edges)
-    if (edge.isHidden == hidden)
-      painter.drawLine(edge.line);
+// Dashes of 4 pixels, whatever their width: Qt counts in widths.
+QPen linePen(const QColor& color, double width, bool isDashed) {
+  QPen pen(color, width, Qt::SolidLine, Qt::FlatCap);
+  if (isDashed)
+    pen.setDashPattern({4.0 / width, 4.0 / width});
+  return pen;
 }
 
 void paintEdges(QPainter& painter, const CropBoxShape& shape, bool hidden) {
-  if (hidden)
-    return paintLines(painter, shape, true, QPen(hiddenColor, 1.0, Qt::DashLine, Qt::FlatCap));
-  for (const auto& [color, width] : {std::pair(darkColor, 3.0), std::pair(lightColor, 1.0)})
-    paintLines(painter, shape, false, QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+  for (const auto& [color, width] : {std::pair(darkColor, 3.5), std::pair(lightColor, 1.5)}) {
+    painter.setPen(linePen(color, width, hidden));
+    for (const CropEdge& edge : shape.edges)
+      if (edge.isHidden == hidden)
+        painter.drawLine(edge.line);
+  }
 }
 
+// A dark ring, a light one in it, and what tells its state in the middle.
 void paintHandle(QPainter& painter, const CropHandle& handle, bool lively) {
   const double radius = lively ? cropHandleRadius + 1.5 : cropHandleRadius;
-  painter.setPen(QPen(darkColor, 1.5));
-  painter.setBrush(lively ? accentColor : handle.isHidden ? hiddenColor : lightColor);
-  painter.drawEllipse(handle.centre, radius, radius);
+  painter.setPen(Qt::NoPen);
+  const QColor middle = lively ? accentColor : handle.isHidden ? hiddenColor : lightColor;
+  for (const auto& [color, inset] :
+       {std::pair(darkColor, 0.0), std::pair(lightColor, 1.5), std::pair(middle, 3.0)}) {
+    painter.setBrush(color);
+    painter.drawEllipse(handle.centre, radius + 1.5 - inset, radius + 1.5 - inset);
+  }
 }
 
 void paintHandles(QPainter& painter, const CropBoxShape& shape, const std::optional<CropFace>& lively,

@@ -108,7 +108,19 @@ std::vector<double> letterColumns(const ViewGeometry& geometry) {
   return columns;
 }
 
-void addOrientation(Overlay& overlay, const OverlaySource& source, const std::vector<QRectF>& plates) {
+// Letters keep clear of the handles of the crop box, too.
+std::vector<QRectF> handlePlates(const std::vector<CropBoxOverlay>& boxes) {
+  std::vector<QRectF> plates;
+  for (const CropBoxOverlay& box : boxes)
+    for (const CropHandle& handle : box.shape.handles)
+      if (handle.canMove) {
+        const QPointF reach(cropHandleHitRadius, cropHandleHitRadius);
+        plates.emplace_back(handle.centre - reach, handle.centre + reach);
+      }
+  return plates;
+}
+
+void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<QRectF> plates) {
   const double lowest = source.geometry.size.height() - overlayMargin;
   const std::vector<double> columns = letterColumns(source.geometry);
   if (!source.volume().info().orientationKnown) {
@@ -121,13 +133,26 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, const std::ve
     }
     return;
   }
+  const std::vector<QRectF> handles = handlePlates(overlay.cropBoxes);
+  plates.insert(plates.end(), handles.begin(), handles.end());
   const QSizeF letter = letterSize(source.font);
-  const double top = clearRowBelow(overlayMargin, letter, columns, plates);
-  const double bottom = clearRowAbove(lowest, letter, columns, plates);
-  for (std::size_t position = 0; position < columns.size(); ++position)
-    overlay.letters.push_back({orientationLetters(source.comparison.scene.camera),
-                               pictureRect(source.geometry, static_cast<int>(position)), columns[position],
-                               top, bottom});
+  std::vector<double> edges; // the columns of the letters at the left and right
+  for (std::size_t position = 0; position < columns.size(); ++position) {
+    const QRectF picture = pictureRect(source.geometry, static_cast<int>(position));
+    const double inset = letterInset(source.font);
+    edges.insert(edges.end(), {picture.left() + inset, picture.right() - inset});
+  }
+  LetterMarks marks;
+  marks.letters = orientationLetters(source.comparison.scene.camera);
+  marks.onPlates = source.hasCropBox;
+  marks.top = clearRowBelow(overlayMargin, letter, columns, plates);
+  marks.middle = clearRowBelow((source.geometry.size.height() - letter.height()) / 2, letter, edges, plates);
+  marks.bottom = clearRowAbove(lowest, letter, columns, plates);
+  for (std::size_t position = 0; position < columns.size(); ++position) {
+    marks.picture = pictureRect(source.geometry, static_cast<int>(position));
+    marks.column = columns[position];
+    overlay.letters.push_back(marks);
+  }
 }
 
 std::vector<double> progressOf(const PictureState& state) {

@@ -18,14 +18,6 @@ struct Overlay {
     double x = 0.0;
     bool isHovered = false;
   };
-  /// The letters at the edges of one picture; the upper and the lower one stand at `column`.
-  struct PlacedLetters {
-    OrientationLetters letters;
-    QRectF picture;
-    double column = 0.0;
-    double top = 0.0;    ///< where the upper letter begins
-    double bottom = 0.0; ///< where the lower one ends
-  };
   /// A value beside the point at which it was read.
   struct Reading {
     QString text;
@@ -43,7 +35,7 @@ struct Overlay {
   double explanationOpacity = 1.0; ///< of the note under the title of a difference
   std::vector<Note> notes;
   std::optional<ScaleMark> scale;
-  std::vector<PlacedLetters> letters;
+  std::vector<LetterMarks> letters;
   std::optional<Reading> reading;
   std::vector<double> progress; ///< each 0..1
 };

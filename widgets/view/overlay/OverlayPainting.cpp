@@ -48,8 +48,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
     paintDifferenceBar(painter, *overlay.differenceBar);
   if (overlay.scale)
     paintScaleBar(painter, *overlay.scale);
-  for (const Overlay::PlacedLetters& each : overlay.letters)
-    paintLetters(painter, each.letters, each.picture, each.column, each.top, each.bottom);
+  for (const LetterMarks& letters : overlay.letters)
+    paintLetters(painter, letters);
   if (overlay.reading)
     paintProbe(painter, overlay.reading->at, overlay.reading->text, overlay.view);
   for (const double fraction : overlay.progress)

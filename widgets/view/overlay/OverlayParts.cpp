@@ -52,15 +52,28 @@ constexpr double arrowWidth = 4 * unit;
 
 } // namespace
 
+QString fittingDetails(const QFont& font, const QStringList& details, double room) {
+  const QFontMetricsF metrics(font);
+  QString line;
+  for (const QString& part : details) {
+    const QString longer = line.isEmpty() ? part : line + QStringLiteral(" · ") + part;
+    if (metrics.horizontalAdvance(longer) > room)
+      break;
+    line = longer;
+  }
+  return line;
+}
+
 QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment) {
   const QFontMetricsF title(titleFont(font));
-  const QFontMetricsF details(font);
   double width = title.horizontalAdvance(label.title) + 4 * unit;
   if (label.leadsToMenu)
     width += arrowWidth;
-  if (label.detailsOpacity > 0.0 && !label.details.isEmpty())
-    width += details.horizontalAdvance(label.details) + 2 * unit;
-  width = std::min(width, side.width() - 2 * overlayMargin);
+  const double most = side.width() - 2 * overlayMargin;
+  if (const QString details = fittingDetails(font, label.details, most - width - 2 * unit);
+      label.detailsOpacity > 0.0 && !details.isEmpty())
+    width += QFontMetricsF(font).horizontalAdvance(details) + 2 * unit;
+  width = std::min(width, most);
   const double height = title.height() + 2 * unit;
   double x = side.left() + overlayMargin;
   if (alignment & Qt::AlignRight)
@@ -116,26 +129,36 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
     painter.setFont(font);
     painter.setOpacity(label.detailsOpacity);
     painter.setPen(quietColor);
-    const QString fitting = QFontMetricsF(font).elidedText(label.details, Qt::ElideRight, text.width() + 1.0);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                     fittingDetails(font, label.details, text.width() + 1.0));
   }
   painter.restore();
 }
 
-void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
-                  double top, double bottom) {
+double letterInset(const QFont& font) {
+  return overlayMargin + letterSize(font).height() / 2;
+}
+
+void paintLetters(QPainter& painter, const LetterMarks& marks) {
   painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
   const QSizeF size = letterSize(painter.font());
+  const double inset = letterInset(painter.font());
   painter.setFont(titleFont(painter.font()));
-  const double middle = side.center().y();
-  const auto place = [&](double x, double y) {
-    return QRectF(QPointF(x - size.width() / 2, y - size.height() / 2), size);
+  const auto paint = [&](double x, double top, const std::string& letter) {
+    const QRectF place(QPointF(x - size.width() / 2, top), size);
+    const QString text = QString::fromStdString(letter);
+    if (marks.onPlates) {
+      QRectF plate(0, 0, painter.fontMetrics().horizontalAdvance(text) + 2 * unit, size.height());
+      plate.moveCenter(place.center());
+      paintPlate(painter, plate);
+    }
+    paintOutlined(painter, place, text);
   };
-  const double inset = overlayMargin + size.height() / 2;
-  paintOutlined(painter, place(side.left() + inset, middle), QString::fromStdString(letters.left));
-  paintOutlined(painter, place(side.right() - inset, middle), QString::fromStdString(letters.right));
-  paintOutlined(painter, place(column, top + size.height() / 2), QString::fromStdString(letters.top));
-  paintOutlined(painter, place(column, bottom - size.height() / 2), QString::fromStdString(letters.bottom));
+  paint(marks.picture.left() + inset, marks.middle, marks.letters.left);
+  paint(marks.picture.right() - inset, marks.middle, marks.letters.right);
+  paint(marks.column, marks.top, marks.letters.top);
+  paint(marks.column, marks.bottom - size.height(), marks.letters.bottom);
   painter.restore();
 }
 

@@ -6,6 +6,7 @@
 #include <QFont>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 
 class QPainter;
 
@@ -17,11 +18,14 @@ inline constexpr double overlayMargin = 12.0;
 /// The name of a side and the numbers that matter, in the side's upper left corner. The numbers fade.
 struct SideLabel {
   QString title;
-  QString details;
+  QStringList details; ///< the most important first; where there is little room the last ones are left out
   double detailsOpacity = 1.0; ///< 0..1
   bool hovered = false;
   bool leadsToMenu = true; ///< shows that a click changes the model
 };
+
+/// As many details as have room in so many logical pixels, in one line.
+QString fittingDetails(const QFont& font, const QStringList& details, double room);
 
 /// The plate of a label at the upper edge of `side`, logical pixels: left, centred or right.
 QRectF labelPlate(const QFont& font, const SideLabel& label, const QRectF& side, Qt::Alignment alignment);
@@ -60,12 +64,24 @@ QRectF differenceBarPlate(const QFont& font, const DifferenceBar& bar, const QPo
 /// The room an orientation letter takes.
 QSizeF letterSize(const QFont& font);
 
+/// The centre of a letter at the left or right edge lies so far from it.
+double letterInset(const QFont& font);
+
+/// The letters at the edges of one picture; the upper and the lower one stand at `column`.
+struct LetterMarks {
+  OrientationLetters letters;
+  QRectF picture;
+  double column = 0.0;
+  double top = 0.0;      ///< where the upper letter begins
+  double middle = 0.0;   ///< where those at the left and right begin
+  double bottom = 0.0;   ///< where the lower letter ends
+  bool onPlates = false; ///< so that they stand out from lines, too
+};
+
 /// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on
 /// any picture.
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
-/// The upper letter starts at `top`, the lower one ends at `bottom`; both stand at `column`.
-void paintLetters(QPainter& painter, const OrientationLetters& letters, const QRectF& side, double column,
-                  double top, double bottom);
+void paintLetters(QPainter& painter, const LetterMarks& marks);
 void paintScaleBar(QPainter& painter, const ScaleMark& mark);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);

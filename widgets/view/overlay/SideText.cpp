@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/SideText.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/status/PictureStatusText.h"
 
 #include <QObject>
-#include <QStringList>
 
 namespace limn {
 namespace {
@@ -38,21 +38,23 @@ QString sideTitle(const Scene& scene) {
   return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
 }
 
-QString sideDetails(const Scene& scene, const SideState& state) {
+QStringList sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
+  if (state.measuredLevels)
+    parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));
+  else if (state.estimate && !state.isRough && state.isResolved)
+    parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
+  if (state.completeMs)
+    parts << QObject::tr("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
   if (state.contrast)
     parts << QObject::tr("contrast %1").arg(*state.contrast, 0, 'f', 3);
   if (state.overflow)
     parts << QObject::tr("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
-  if (state.completeMs)
-    parts << QObject::tr("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
-  if (state.estimate && !state.isRough && state.isResolved)
-    parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
                                                        : QObject::tr("unlit, the same with every model");
   if (!lighting.isEmpty())
     parts << lighting;
-  return parts.join(QStringLiteral(" · "));
+  return parts;
 }
 
 } // namespace limn

@@ -5,15 +5,16 @@
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace limn {
 
 /// What a side is called: its model, or the projection where that is not lit.
 QString sideTitle(const Scene& scene);
 
-/// The few numbers that matter for a side: contrast, overflow of the highlights, drawing time and error where
-/// they are known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of projections that are not lit it says
-/// so.
-QString sideDetails(const Scene& scene, const SideState& state);
+/// The few numbers that matter for a side, the most important first: error, drawing time, contrast and
+/// overflow of the highlights where they are known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of
+/// projections that are not lit it says so.
+QStringList sideDetails(const Scene& scene, const SideState& state);
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "scene/PictureFigures.h"
+#include "scene/Scene.h"
 
 #include <QString>
 
@@ -37,9 +38,27 @@ struct SideState {
                                     ///< unlit
   std::optional<ErrorEstimate> estimate; ///< of the error of what is shown; absent while nothing is known
   bool isRough = true;                   ///< the estimate comes from small pictures
+  std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };
+
+/// The error that is told of a side, in levels: the measured one where there is one; absent while nothing is
+/// known.
+inline std::optional<double> levelsOf(const SideState& side) {
+  if (side.measuredLevels || !side.estimate)
+    return side.measuredLevels;
+  return side.estimate->p99_9;
+}
+
+/// The quality with which a side at rest is drawn as it stands on screen, refined or not; `asked` is its
+/// scene's.
+inline Quality qualityShown(Quality asked, const SideState& side) {
+  asked.toleranceLevels = side.toleranceLevels;
+  if (!side.toleranceLevels)
+    asked.stepVoxels = side.stepVoxels;
+  return asked;
+}
 
 /// What the compare view shows at the moment, from left to right.
 struct PictureState {

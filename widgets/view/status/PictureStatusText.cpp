@@ -2,6 +2,7 @@
 #include "widgets/view/status/PictureStatusText.h"
 
 #include "scene/steps/RayFrame.h"
+#include "widgets/ValueText.h"
 
 #include <QLocale>
 #include <QObject>
@@ -35,28 +36,41 @@ QString timeText(double ms) {
 // The side that lies farthest from its exact picture.
 const SideState& worstOf(const PictureState& state) {
   return *std::ranges::max_element(state.sides, [](const auto& a, const auto& b) {
-    return a.estimate.value_or(ErrorEstimate{}).p99_9 < b.estimate.value_or(ErrorEstimate{}).p99_9;
+    return levelsOf(a).value_or(0.0) < levelsOf(b).value_or(0.0);
   });
 }
 
 bool isKnown(const PictureState& state) {
-  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.estimate.has_value(); });
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return levelsOf(side).has_value(); });
 }
 
 bool isResolved(const PictureState& state) {
-  return std::ranges::all_of(state.sides, [](const SideState& side) { return side.isResolved; });
+  return std::ranges::all_of(state.sides,
+                             [](const SideState& side) { return side.isResolved || side.measuredLevels; });
 }
 
+QString worstText(const SideState& worst) {
+  if (worst.measuredLevels)
+    return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
+  const QString levels = levelsText(worst.estimate->p99_9);
+  return (worst.isRough ? QObject::tr("within about %1 of 255 levels")
+                        : QObject::tr("within %1 of 255 levels"))
+      .arg(levels);
+}
+
+// Where one of two pictures was measured it is told whose number this is.
 QString estimateText(const PictureState& state) {
   if (!isResolved(state))
     return QObject::tr("not resolved");
   if (!isKnown(state))
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
-  const QString levels = levelsText(worst.estimate->p99_9);
-  return (worst.isRough ? QObject::tr("within about %1 of 255 levels")
-                        : QObject::tr("within %1 of 255 levels"))
-      .arg(levels);
+  const QString text = worstText(worst);
+  const bool isMeasured =
+      std::ranges::any_of(state.sides, [](const SideState& side) { return side.measuredLevels.has_value(); });
+  if (state.sides.size() < 2 || !isMeasured)
+    return text;
+  return (&worst == &state.sides.front() ? QObject::tr("left %1") : QObject::tr("right %1")).arg(text);
 }
 
 // What the screen can show: a difference of one level in one of a thousand colour values (DEFINITION section
@@ -66,7 +80,7 @@ constexpr double exactLevels = 1.0;
 QString badgeText(const PictureState& state) {
   if (!state.resting)
     return QObject::tr("○ preview");
-  if (isResolved(state) && isKnown(state) && worstOf(state).estimate->p99_9 <= exactLevels)
+  if (isResolved(state) && isKnown(state) && *levelsOf(worstOf(state)) <= exactLevels)
     return QObject::tr("● exact to the screen");
   if (state.refines)
     return QObject::tr("◐ refining");
@@ -128,6 +142,11 @@ QString explanationOf(const PictureState& state) {
                        "steps, or smaller ones, see it.");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
+  if (const std::optional<double> measured = worstOf(state).measuredLevels)
+    return QObject::tr(
+               "999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
+               "within %1 levels of the exact one; black and white are 255 levels apart.")
+        .arg(promisedLevels(*measured));
   QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
                              "of the exact picture; black and white are 255 levels apart.")
                      .arg(levelsText(worstOf(state).estimate->p99_9));
@@ -151,7 +170,7 @@ QString numbersText(const PictureState& state, const Scene& scene) {
                  .arg(mm, 0, 'g', 3)
                  .arg(exactNumber(side.stepVoxels));
   }
-  if (isResolved(state) && isKnown(state)) {
+  if (isResolved(state) && isKnown(state) && worstOf(state).estimate) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
     const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
                                .arg(estimate.p99_9, 0, 'g', 3)

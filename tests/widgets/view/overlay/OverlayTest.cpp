@@ -2,6 +2,7 @@
 #include "widgets/view/overlay/Overlay.h"
 
 #include "scene/volume/Phantom.h"
+#include "widgets/view/gestures/CameraGesture.h"
 
 #include <gtest/gtest.h>
 
@@ -61,6 +62,51 @@ TEST_F(OverlayAbove, labelsStayOnTheirSideOfTheWipeWhereverItsBorderIs) {
   const std::vector<PlacedLabel> labels = labelsOf(source());
   EXPECT_FALSE(labels[0].plate.intersects(labels[1].plate));
   EXPECT_GT(labels[0].plate.width(), 60.0);
+}
+
+// Beside each other in a window of 1440 pixels each picture has 459.
+TEST_F(OverlayAbove, aLabelWithLittleRoomKeepsItsError) {
+  state.sides[0].estimate = ErrorEstimate{0.42, 0.1, 1.0};
+  state.sides[0].isRough = false;
+  state.sides[0].completeMs = 123.4;
+  state.sides[0].contrast = 0.2017;
+  state.sides[0].overflow = Overflow{0.0283, 0.1};
+  const auto shown = [&](int width) {
+    OverlaySource narrow = source();
+    narrow.geometry.size = {width, 400};
+    const PlacedLabel label = labelsOf(narrow)[0];
+    EXPECT_LE(label.plate.right(), width);
+    return fittingDetails(QFont(), label.label.details, label.plate.width());
+  };
+  EXPECT_TRUE(shown(459).startsWith(QStringLiteral("within 0.4 levels · 123 ms")));
+  EXPECT_TRUE(shown(1400).endsWith(QStringLiteral("SP 32"))) << "all of it";
+  for (int width = 120; width < 700; width += 20) // what does not fit is left out, not cut
+    EXPECT_FALSE(shown(width).contains(QChar(0x2026))) << width;
+}
+
+TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
+  for (const double turn : {0.0, 0.3, 0.8}) {
+    comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), turn, turn / 2.0);
+    OverlaySource with = source();
+    with.hasCropBox = true;
+    const Overlay overlay = overlayOf(with);
+    ASSERT_EQ(overlay.letters.size(), 1u);
+    const LetterMarks& marks = overlay.letters[0];
+    EXPECT_TRUE(marks.onPlates) << "they stand out from the box's lines, too";
+    const QSizeF size = letterSize(with.font);
+    const double inset = letterInset(with.font);
+    for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
+      if (!handle.canMove)
+        continue;
+      QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
+      disc.moveCenter(handle.centre);
+      for (const QPointF& corner : {QPointF(marks.column - size.width() / 2, marks.top),
+                                    QPointF(marks.column - size.width() / 2, marks.bottom - size.height()),
+                                    QPointF(marks.picture.left() + inset - size.width() / 2, marks.middle),
+                                    QPointF(marks.picture.right() - inset - size.width() / 2, marks.middle)})
+        EXPECT_FALSE(QRectF(corner, size).intersects(disc)) << turn;
+    }
+  }
 }
 
 TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {

@@ -48,21 +48,23 @@ TEST(ScaleBar, millimetresPerPixelHoldAtTheTarget) {
 
 TEST(SideText, namesTheFewNumbersThatMatter) {
   Scene scene;
-  EXPECT_EQ(sideDetails(scene, {}), QString::fromUtf8("SP 32"));
+  EXPECT_EQ(sideDetails(scene, {}), QStringList(QString::fromUtf8("SP 32")));
   scene.shading.model = ShadingModel::enhanced;
   SideState state;
   state.completeMs = 23.4;
-  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("23 ms · SP 1–64 · O 0–3"));
+  EXPECT_EQ(sideDetails(scene, state), (QStringList{"23 ms", "SP 1–64 · O 0–3"}));
   state.contrast = 0.2017;
   state.overflow = Overflow{0.0283, 0.1};
-  EXPECT_EQ(sideDetails(scene, state),
-            QString::fromUtf8("contrast 0.202 · overflow 2.8 % · 23 ms · SP 1–64 · O 0–3"));
+  state.estimate = ErrorEstimate{0.42, 0.0, 1.0};
+  state.isRough = false;
+  EXPECT_EQ(sideDetails(scene, state), (QStringList{"within 0.4 levels", "23 ms", "contrast 0.202",
+                                                    "overflow 2.8 %", "SP 1–64 · O 0–3"}));
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Enhanced"));
   scene.projection = Projection::mip;
   EXPECT_EQ(sideTitle(scene), QString::fromUtf8("Maximum (MIP)"));
   state = {};
   state.completeMs = 4.16;
-  EXPECT_EQ(sideDetails(scene, state), QString::fromUtf8("4.2 ms · unlit, the same with every model"));
+  EXPECT_EQ(sideDetails(scene, state), (QStringList{"4.2 ms", "unlit, the same with every model"}));
 }
 
 } // namespace

@@ -57,7 +57,7 @@ TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
     const Overlay overlay = overlayOf(source());
     for (const PlacedLabel& label : overlay.labels)
       EXPECT_FALSE(label.steadyPlate.intersects(note->plate)) << nameOf(layout);
-    for (const Overlay::PlacedLetters& letters : overlay.letters)
+    for (const LetterMarks& letters : overlay.letters)
       EXPECT_GE(letters.column, note->plate.right()) << nameOf(layout);
     if (overlay.difference) {
       EXPECT_FALSE(overlay.difference->label.plate.intersects(note->plate));

@@ -55,6 +55,23 @@ TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
             "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
 }
 
+TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
+  PictureState state = resting({sideWithin(0.76)});
+  state.sides[0].measuredLevels = 0.347; // promised with two digits, rounded up, as the panel does
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured")) << lineOf(state);
+  state.sides[0].estimate.reset();
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured"));
+}
+
+TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
+  PictureState state = resting({sideWithin(0.3), sideWithin(0.76)});
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.8 of 255 levels"));
+  state.sides[1].measuredLevels = 0.347;
+  EXPECT_TRUE(lineOf(state).starts_with("right within 0.35 of 255 levels, measured")) << lineOf(state);
+  state.sides[0].estimate->p99_9 = 2.0;
+  EXPECT_TRUE(lineOf(state).starts_with("left within 2.0 of 255 levels")) << lineOf(state);
+}
+
 TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {
   PictureState state = resting({sideWithin(2.0), sideWithin(1.0)});
   state.sides[0].isRough = true;

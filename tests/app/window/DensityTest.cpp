@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/LightSection.h"
 
 #include <QDockWidget>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTreeView>
 
@@ -52,6 +53,25 @@ TEST_F(Density, sixPresetsAreSeenWhole) {
     whole += !index.data(presetRole::isGroup).toBool() &&
              list->viewport()->rect().contains(list->visualRect(index));
   EXPECT_GE(whole, 6);
+}
+
+TEST_F(Density, theWholeNoteOfThePresetUnderThePointerStandsInTheStatusBar) {
+  auto* list = window->findChild<QTreeView*>(QStringLiteral("presetList"));
+  const QModelIndex first = list->indexBelow(list->model()->index(0, 0));
+  const QPoint at = list->viewport()->mapTo(window.get(), list->visualRect(first).center());
+  const QPoint inView = view().mapTo(window.get(), view().rect().center());
+  const auto saysOnceAt = [this](const QPoint& place, const QString& text) {
+    return test::waitUntil([&, step = 0]() mutable {
+      // It is told on a move; the display's own pointer may move, too.
+      QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, {},
+                        place + QPoint(++step % 3, 0));
+      return window->statusBar()->currentMessage() == text;
+    });
+  };
+  const QString note = first.data(presetRole::note).toString();
+  EXPECT_GT(note.size(), 40) << "more than the list has room for";
+  EXPECT_TRUE(saysOnceAt(at, note)) << window->statusBar()->currentMessage().toStdString();
+  EXPECT_TRUE(saysOnceAt(inView, {})) << window->statusBar()->currentMessage().toStdString();
 }
 
 TEST_F(Density, aPropertyWithOneNumberTakesOneLine) {

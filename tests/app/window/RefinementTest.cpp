@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "scene/light/ModelName.h"
 #include "support/Heart.h"
 #include "support/Places.h"

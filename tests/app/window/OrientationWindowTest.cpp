@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/window/OrientationDialog.h"
+#include "app/window/RegionDesk.h"
+#include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"
 #include "widgets/FindWidget.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QInputDialog>
 #include <QPushButton>
 
 // Which side is left where a file says nothing, said by hand in the window.
@@ -89,6 +92,68 @@ TEST_F(OrientationWindow, sessionAndPictureKeepIt) {
     EXPECT_EQ(letters(), "LAS") << file;
     EXPECT_FALSE(messages().isVisible()) << file << ": " << messages().sentence().toStdString();
   }
+}
+
+TEST_F(OrientationWindow, ofSeveralRemarksTheOneAboutItGoesAndTheOthersStay) {
+  test::writeBytes(folder.path() / "bare.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: ascii\n\n"
+                   "0 100 200 300 400 500 600 700\n");
+  ASSERT_TRUE(open(pathTo("bare.nrrd")));
+  const auto says = [this](const char* words) {
+    for (const QLabel* label : messages().findChildren<QLabel*>())
+      if (label->text().contains(QLatin1String(words)))
+        return true;
+    return false;
+  };
+  ASSERT_TRUE(messages().isVisible() && says("spacing") && says("Orientation unknown"));
+  named("setOrientation")->trigger();
+  click("Flip: Rows run to");
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_TRUE(says("spacing"));
+  EXPECT_FALSE(says("Orientation unknown"));
+  QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  EXPECT_NE(window->findChild<QInputDialog*>(), nullptr) << "the spacing can still be set";
+}
+
+// A label map is of the file's voxels: whatever a person says of the file holds for it, too.
+TEST_F(OrientationWindow, labelsStayOnTheirTissueHoweverTheVolumeIsTurned) {
+  test::writeBytes(folder.path() / "labels.nrrd",
+                   "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n\n"
+                   "0 0 0 0 0 0 0 7\n"); // on the brightest voxel
+  RegionDesk& regions = *window->findChild<RegionDesk*>();
+  const auto brightestIsHidden = [this] {
+    Region hidden = scene().keep;
+    hidden.weights.back() = 0.0;
+    EXPECT_EQ(scene().volume->value({1, 1, 1}), 700.0);
+    return weightAt(hidden, {1, 1, 1}) == 0.0 && weightAt(hidden, {0, 1, 1}) == 1.0;
+  };
+  const auto openLabels = [&] {
+    regions.openLabels(pathTo("labels.nrrd"));
+    return test::waitUntil([&] { return !regions.isBusy(); });
+  };
+  ASSERT_TRUE(openLabels());
+  ASSERT_TRUE(brightestIsHidden());
+  named("setOrientation")->trigger();
+  for (const char* turn : {"Flip: Columns run to", "Flip: Slices run to"}) {
+    click(turn);
+    EXPECT_TRUE(brightestIsHidden()) << "those that were open";
+    ASSERT_TRUE(openLabels());
+    EXPECT_TRUE(brightestIsHidden()) << "opened after " << turn;
+  }
+  auto* rows = widgetNamed<QComboBox>(dialog(), "Rows run to");
+  rows->setFocus();
+  QTest::keyClick(rows, Qt::Key_Home); // to the left: columns take the back or the front
+  EXPECT_NE(axisLettersOf(scene().volume->grid()).find('L'), std::string::npos);
+  ASSERT_TRUE(openLabels());
+  EXPECT_TRUE(brightestIsHidden()) << letters();
+  dialog().close();
+  ASSERT_TRUE(rest());
+  saving().writeSession(pathTo("session.json"));
+  const std::string chosen = letters();
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(pathTo("session.json")));
+  EXPECT_EQ(letters(), chosen);
+  EXPECT_TRUE(brightestIsHidden()) << "as the session opens";
 }
 
 } // namespace

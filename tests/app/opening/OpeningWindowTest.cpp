@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
 #include "app/SceneSource.h"
+#include "app/WindowHarness.h"
 #include "support/FileBytes.h"
 
 #include <QPushButton>
@@ -93,6 +93,22 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   EXPECT_EQ(folderOfNextDialog(), pathTo("b"));
   EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).dialogFolder(), pathTo("b"))
       << "in the next run";
+}
+
+TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("labels"));
+  QString asked;
+  onceAsked<QFileDialog>([&asked](QFileDialog& dialog) {
+    asked = dialog.directory().absolutePath();
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  EXPECT_EQ(asked, pathTo("labels"));
 }
 
 TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "support/FileBytes.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/presets/PresetBrowser.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/window/SettingsDialog.h"
 #include "app/window/StabilityDialog.h"
 #include "support/Places.h"
@@ -10,6 +10,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QToolBar>
 #include <QUndoView>
 
 // Settings, history, stability checks and panels in windows of their own, in the program's window.
@@ -38,8 +39,8 @@ TEST_F(DialogsWindow, theSettingsShowAndChangeWhatTheMenusDo) {
   for (QCheckBox* box : dialog->findChildren<QCheckBox*>())
     if (box->text() == QStringLiteral("Patient in the title bar"))
       QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
-  EXPECT_FALSE(settings().patientIsShown());
-  EXPECT_FALSE(named("patientInTitle")->isChecked());
+  EXPECT_EQ(settings().patientIsShown(), true);
+  EXPECT_TRUE(named("patientInTitle")->isChecked());
 }
 
 TEST_F(DialogsWindow, whatWasOpenedBeforeIsForgottenFromTheSettings) {
@@ -84,6 +85,31 @@ TEST_F(DialogsWindow, aPanelGoesIntoAWindowOfItsOwnAndBack) {
   named("float-curveDock")->trigger();
   EXPECT_FALSE(curve->isFloating());
   EXPECT_NE(curve->titleBarWidget(), nullptr);
+}
+
+TEST_F(DialogsWindow, thePictureAloneAndBackOpensNothingThatWasClosed) {
+  const auto isOpen = [this](const char* name) {
+    return !window->findChild<QWidget*>(QLatin1String(name))->isHidden();
+  };
+  window->findChild<QDockWidget*>(QStringLiteral("historyDock"))->close();
+  window->findChild<QDockWidget*>(QStringLiteral("shadingDock"))->close();
+  window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->raise();
+  window->findChild<QToolBar*>()->hide();
+  QCoreApplication::processEvents();
+  QTest::keyClick(window.get(), Qt::Key_F11);
+  for (const char* name :
+       {"presetDock", "historyDock", "shadingDock", "effectsDock", "accuracyDock", "toolBar"})
+    EXPECT_FALSE(isOpen(name)) << name;
+  EXPECT_TRUE(isOpen("curveDock"));
+  QTest::keyClick(window.get(), Qt::Key_F11);
+  for (const char* name : {"historyDock", "shadingDock", "toolBar"})
+    EXPECT_FALSE(isOpen(name)) << name;
+  for (const char* name : {"presetDock", "effectsDock", "accuracyDock", "curveDock"})
+    EXPECT_TRUE(isOpen(name)) << name;
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(
+      window->findChild<QDockWidget*>(QStringLiteral("accuracyDock"))->widget()->visibleRegion().isEmpty())
+      << "it lay on top";
 }
 
 TEST_F(DialogsWindow, checksThatCannotStartOrAreStoppedSaySo) {

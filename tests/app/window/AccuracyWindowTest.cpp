@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/engines/RealRenderers.h"
 #include "support/Heart.h"
 #include "support/JudgedTime.h"
 #include "support/TestData.h"
 #include "widgets/FindWidget.h"
+#include "widgets/ValueText.h"
 #include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/AccuracySamples.h"
 #include "widgets/accuracy/chart/AccuracyChart.h"
 #include "widgets/accuracy/chart/AccuracyChartView.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
@@ -16,6 +18,8 @@
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/status/PictureStatus.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -163,6 +167,49 @@ TEST_F(AccuracyWindowTest, aPointOfTheChartIsUsedAsOneUndoStepAndKeepsItsError) 
   EXPECT_EQ(scene().quality.stepVoxels, before);
 }
 
+TEST_F(AccuracyWindowTest, afterUseDialChartSentenceAndStatusBarTellOneNumber) {
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(measure());
+  const auto status = [this] { return window->findChild<PictureStatus*>()->text().estimate; };
+  QAction& refine = *window->findChild<QAction*>(QStringLiteral("refineAtRest"));
+  for (const bool refines : {false, true}) {
+    refine.setChecked(refines);
+    click(widgetNamed<QPushButton>(panel(), "Use: Error at most, levels")); // 1
+    ASSERT_TRUE(workEnds() && idle());
+    const Scene shown = view().sceneOfRestingImage(0);
+    const MeasuredAccuracy& measured = *panel().measured();
+    const std::optional<std::size_t> index =
+        indexOf(*pointOf(shown, measured.steepestPerMm), measured.report.points);
+    ASSERT_TRUE(index) << "the picture on screen is a measured one";
+    const QString levels = promisedLevels(
+        std::max(measured.report.points[*index].error.p99_9, leastP99_9(measured.report.reference)));
+    EXPECT_EQ(status(), QStringLiteral("within %1 of 255 levels, measured").arg(levels));
+    EXPECT_TRUE(textOf<DialSection>("sentence").contains(levels + QStringLiteral(" level")))
+        << textOf<DialSection>("sentence").toStdString() << " where the status bar says "
+        << status().toStdString();
+    Scene turned = scene();
+    turned.camera = orbited(turned.camera, 0.2, 0.1);
+    session().setCamera(turned.camera);
+    ASSERT_TRUE(idle());
+    EXPECT_FALSE(status().contains(QStringLiteral("measured"))) << "another direction was not measured";
+    session().setCamera(measured.scene.camera);
+  }
+}
+
+TEST_F(AccuracyWindowTest, theChartIsOnScreenIn1280By800) {
+  window->resize(1280, 800);
+  QCoreApplication::processEvents();
+  panel().setMeasured({sampleReport(pointsToMeasure(scene(), 0.0)), scene(), 0.0, {}});
+  const AccuracyChartView& chart = *panel().findChild<AccuracyChartView*>();
+  ASSERT_TRUE(
+      test::waitUntil([&] { return chart.viewport()->visibleRegion().boundingRect() == chart.rect(); }));
+  const QRect place(chart.mapToGlobal(QPoint(0, 0)), chart.size());
+  EXPECT_TRUE(chart.screen()->availableGeometry().contains(place));
+  const QRect panelPlace(panel().mapToGlobal(QPoint(0, 0)), panel().size());
+  EXPECT_FALSE(place.intersects(panelPlace)) << "what it is about can be used beside it";
+}
+
 TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   ASSERT_TRUE(measure());
   auto* useLevels = widgetNamed<QPushButton>(panel(), "Use: Error at most, levels");
@@ -171,7 +218,7 @@ TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {
   // what the exact picture is certain to.
   const std::vector<MeasuredPoint>& points = panel().measured()->report.points;
   OperatingPoint finest = *pointOf(panel().measured()->scene, 0.0);
-  finest.stepVoxels = 1.0 / 16.0;
+  finest.stepVoxels = 1.0 / 8.0; // of the dial
   finest.preintegrated = false;
   const double limit = 1.01 * std::max(points[*indexOf(finest, points)].error.p99_9,
                                        leastP99_9(panel().measured()->report.reference));

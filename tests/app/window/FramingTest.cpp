@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/window/RegionDesk.h"
 #include "scene/framing/VisibleBox.h"
 #include "support/TestData.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/view/gestures/CameraGesture.h"
 
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 
 // The tools of the left button, in the program's window.
@@ -111,6 +112,54 @@ TEST_F(ToolWindow, escReturnsToRotatingWhereverTheKeyboardIs) {
   EXPECT_EQ(checkedTool(), QStringLiteral("window-level"));
   QTest::keyClick(search, Qt::Key_Escape);
   EXPECT_EQ(checkedTool(), QStringLiteral("rotate"));
+}
+
+TEST_F(ToolWindow, aButtonWithAMenuDoesNotLookHoveredOnceTheMenuIsClosed) {
+  auto* open = window->findChild<QToolButton*>(QStringLiteral("openButton"));
+  const QPoint arrow = open->mapTo(window.get(), QPoint(open->width() - 6, open->height() / 2));
+  const QImage idleLook = open->grab().toImage();
+  QCursor::setPos(window->mapToGlobal(arrow)); // the pointer of the display
+  ASSERT_TRUE(test::waitUntil([&] { return open->underMouse(); }));
+  EXPECT_NE(open->grab().toImage(), idleLook);
+  bool wasOpen = false;
+  QTimer leave;
+  QObject::connect(&leave, &QTimer::timeout, &leave, [&] {
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    const QPoint elsewhere = view().mapToGlobal(view().rect().center());
+    if (!menu)
+      return;
+    wasOpen = true;
+    if (QCursor::pos() != elsewhere)
+      return QCursor::setPos(elsewhere);
+    leave.stop();
+    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().back()).center());
+  });
+  leave.start(10);
+  QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, arrow); // until the menu is closed
+  ASSERT_TRUE(test::waitUntil([&] { return wasOpen; }));
+  EXPECT_TRUE(test::waitUntil([&] { return !open->underMouse(); }));
+  EXPECT_FALSE(open->isDown());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(open->grab().toImage(), idleLook);
+}
+
+TEST_F(ToolWindow, aButtonDoesNotLookHoveredOnceItsDialogIsClosed) {
+  auto* open = window->findChild<QToolButton*>(QStringLiteral("openButton"));
+  const QPoint icon = open->mapTo(window.get(), QPoint(12, open->height() / 2));
+  const QImage idleLook = open->grab().toImage();
+  QCursor::setPos(window->mapToGlobal(icon)); // the pointer of the display
+  ASSERT_TRUE(test::waitUntil([&] { return open->underMouse(); }));
+  EXPECT_NE(open->grab().toImage(), idleLook);
+  const QPoint elsewhere = view().mapToGlobal(view().rect().center());
+  onceAsked<QFileDialog>([elsewhere](QFileDialog& dialog) {
+    QCursor::setPos(elsewhere);
+    ASSERT_TRUE(test::waitUntil([&] { return QCursor::pos() == elsewhere; }));
+    dialog.reject();
+  });
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, icon); // until the dialog is closed
+  EXPECT_TRUE(test::waitUntil([&] { return !open->underMouse(); }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(open->grab().toImage(), idleLook);
 }
 
 TEST_F(ToolWindow, theListOfKeysNamesThem) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WindowHarness.h"
+#include "app/WindowHarness.h"
 #include "app/saving/SaveDialog.h"
 #include "io/ImageFile.h"
 #include "scene/basics/Error.h"

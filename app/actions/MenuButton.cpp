@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/MenuButton.h"
+
+#include <QMenu>
+#include <QToolBar>
+
+namespace limn {
+
+QToolButton* addMenuButton(QToolBar& bar, QMenu* menu, QToolButton::ToolButtonPopupMode mode) {
+  auto* button = new QToolButton(&bar);
+  button->setPopupMode(mode);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setMenu(menu);
+  return button;
+}
+
+} // namespace limn

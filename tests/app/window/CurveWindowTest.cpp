@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "widgets/controls/color/ColorPicker.h"
+#include "widgets/curve/points/PointFields.h"
+#include "widgets/curve/points/PointPopup.h"
+
+// The curve's plot in the program's window.
+
+namespace limn {
+namespace {
+
+class CurveWindow : public test::WindowHarness {
+protected:
+  TransferFunctionCanvas& plot() const { return *curves().valueEditor()->canvas(); }
+};
+
+TEST_F(CurveWindow, thePopUpOfAPointLeavesItInSightAndItsPartsStandInLine) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  for (const QSize& size : {QSize(1280, 800), QSize(900, 640)}) {
+    window->resize(size);
+    QCoreApplication::processEvents();
+    const PlotTransform transform = plot().transform();
+    int seen = 0;
+    for (const ControlPoint& point : plot().transferFunction().points) {
+      const QPointF at(xOfValue(transform, point.value), yOfOpacity(transform, point.opacity));
+      if (!transform.plot.contains(at))
+        continue;
+      QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at.toPoint());
+      auto* popup = window->findChild<PointPopup*>();
+      ASSERT_NE(popup, nullptr);
+      ASSERT_TRUE(test::waitUntilExposed(*popup));
+      EXPECT_FALSE(popup->geometry().contains(plot().mapToGlobal(at).toPoint())) << point.value;
+      EXPECT_TRUE(popup->screen()->geometry().contains(popup->geometry()));
+      const QWidget& row = *popup->fields();
+      const QWidget& picker = *popup->findChild<ColorPicker*>();
+      EXPECT_EQ(picker.geometry().left(), row.geometry().left());
+      EXPECT_EQ(picker.geometry().right(), row.geometry().right());
+      delete popup;
+      ++seen;
+    }
+    EXPECT_GT(seen, 1);
+  }
+}
+
+} // namespace
+} // namespace limn

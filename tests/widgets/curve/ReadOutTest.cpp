@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/curve/plot/ReadOut.h"
+#include "widgets/curve/CanvasFixture.h"
+
+// What the plot tells of a value or a point, and where.
+
+namespace limn {
+namespace {
+
+class ReadOut : public CanvasFixture {
+protected:
+  QString told() { return readOutText(m_canvas.picture()); }
+  void point(const QPoint& at) { moveTo(at, at, {}, Qt::NoButton, 1); }
+};
+
+TEST_F(ReadOut, namesTheTissueUnderThePointerAndOfThePointInHand) {
+  m_canvas.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&m_canvas));
+  EXPECT_EQ(told(), QString());
+  point(pixel(500.0, 0.9));
+  EXPECT_TRUE(told().endsWith(QStringLiteral(" · bone, dense contrast agent"))) << told().toStdString();
+  QTest::mouseClick(&m_canvas, Qt::LeftButton, {}, pixelOf(4)); // 1200 HU
+  EXPECT_EQ(told(), QString::fromUtf8("1200\u00a0HU · opacity 0.9 · compact bone, dentine"));
+  point(pixel(500.0, 0.9)); // while the point is selected
+  EXPECT_TRUE(told().endsWith(QStringLiteral("bone, dense contrast agent"))) << told().toStdString();
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&m_canvas, &leave);
+  EXPECT_TRUE(told().endsWith(QStringLiteral("compact bone, dentine"))) << told().toStdString();
+  ASSERT_TRUE(toldTissue(m_canvas.picture()));
+  EXPECT_EQ(toldTissue(m_canvas.picture())->range.lowest, 700.0) << "its band is marked, too";
+  QTest::keyClick(&m_canvas, Qt::Key_Backtab); // 300 HU
+  EXPECT_TRUE(told().startsWith(QString::fromUtf8("300\u00a0HU · opacity 0.4"))) << told().toStdString();
+  m_canvas.setUnit({});
+  EXPECT_EQ(told(), QStringLiteral("300 · opacity 0.4"));
+}
+
+TEST_F(ReadOut, leavesBarCurveAndPointsInSight) {
+  const PlotTransform transform = m_canvas.transform();
+  const QPolygonF curve = curvePolygon(transform, m_canvas.transferFunction());
+  for (double x = transform.plot.left(); x <= transform.plot.right(); x += 7.0) {
+    const QRectF box = clearPlace(transform, m_canvas.transferFunction(), {190.0, 20.0}, x);
+    EXPECT_TRUE(transform.plot.contains(box)) << "the bar is above the plot";
+    for (const QPointF& corner : curve)
+      EXPECT_FALSE(box.contains(corner)) << x;
+    for (const ControlPoint& point : points())
+      EXPECT_FALSE(box.contains(positionOf(transform, point))) << x;
+    // Close to the value: beside its line at most.
+    EXPECT_LE(std::max(box.left() - x, x - box.right()), 190.0) << x;
+  }
+}
+
+} // namespace
+} // namespace limn
