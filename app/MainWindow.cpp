@@ -69,7 +69,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, m_settings, *this}),
       m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *this}),
       m_dialogs(m_actions, QString::fromStdString(m_folders.reports.string()), *this),
-      m_curves(*m_panels.curves),
+      m_curves(*m_panels.curves), m_suggestions(m_session, *m_actions.suggest, *this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -186,6 +186,12 @@ void MainWindow::connectScene() {
   connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
+  connect(&m_session, &Session::sceneChanged, &m_suggestions,
+          [this](const Scene& scene) { m_suggestions.showVolume(scene.volume); });
+  connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
+    m_centre.view->setScene(scene);
+    m_curves.showScene(scene);
+  });
 }
 
 void MainWindow::connectOpening() {

@@ -13,6 +13,7 @@
 #include "app/saving/PictureSaving.h"
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
+#include "app/suggestions/SuggestionDesk.h"
 #include "app/window/AccuracyDesk.h"
 #include "app/window/ComparisonDesk.h"
 #include "app/window/CropBoxDesk.h"
@@ -113,6 +114,7 @@ private:
   OrientationDesk m_orientation;
   DialogDesk m_dialogs;
   CurveDesk m_curves;
+  SuggestionDesk m_suggestions;
   PresetDesk m_presets;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

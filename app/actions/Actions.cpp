@@ -209,6 +209,9 @@ void Actions::makeEngines() {
 void Actions::makeOtherActions() {
   findPreset = made("findPreset", {.text = tr("&Find preset"), .shortcut = QKeySequence::Find});
   savePreset = made("savePreset", {.text = tr("&Save as preset…")});
+  suggest = made("suggest", {.text = tr("S&uggest from boundaries…"),
+                             .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
+                                           "the curve for each")});
   settings = made("settings", {.text = tr("&Settings…"), .shortcut = tr("Ctrl+,")});
   settings->setMenuRole(QAction::PreferencesRole);
   stability =
@@ -221,7 +224,7 @@ void Actions::makeOtherActions() {
 
 void Actions::setVolumeOpen(bool isOpen) const {
   for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
-                          closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset})
+                          closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools})
     for (QAction* action : group->actions())

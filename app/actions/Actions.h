@@ -60,6 +60,7 @@ public:
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
+  QAction* suggest = nullptr;
   QAction* settings = nullptr;
   QAction* shortcuts = nullptr;
   QAction* stability = nullptr;

@@ -110,7 +110,7 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   SharedMenus shared{menus.recentSources, nullptr, nullptr};
   makeViewMenu(bar, actions, panels, shared);
   menus.models = shared.models;
-  bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset});
+  bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset, actions.suggest});
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});
   makeToolBar(window, actions, shared);
   return menus;

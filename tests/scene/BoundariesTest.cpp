@@ -143,15 +143,15 @@ TEST(LowHighHistogram, toldTwoGroupsApart) {
 
 TEST(Suggestion, bandsLieAroundTheirBoundariesAndGrowMoreOpaque) {
   const std::vector<Suggestion> bands =
-      suggestionsFor({{0.0, 1000.0, 0.6}, {-1000.0, 0.0, 0.4}}, {-1000.0, 3000.0});
-  ASSERT_EQ(bands.size(), 2u);
-  EXPECT_EQ(bands[0].top.value, -500.0);
-  EXPECT_EQ(bands[0].from.value, -750.0) << "a quarter of the way between the two materials";
-  EXPECT_EQ(bands[0].to.value, -250.0);
-  EXPECT_EQ(bands[0].to.opacity, 0.0);
-  EXPECT_LT(bands[0].top.opacity, bands[1].top.opacity);
-  EXPECT_EQ(bands[1].to.value, 3000.0) << "nothing lies above the last";
-  EXPECT_EQ(bands[1].to.opacity, bands[1].top.opacity);
+      suggestionsFor({{0.0, 1000.0, 0.6}, {-1000.0, 0.0, 0.3}, {40.0, 50.0, 0.1}}, {-1000.0, 3000.0});
+  ASSERT_EQ(bands.size(), 2u) << "a step of 10 over a tenth of all boundaries is too little";
+  EXPECT_EQ(bands[1].top.value, -500.0) << "the less prominent";
+  EXPECT_EQ(bands[1].from.value, -750.0) << "a quarter of the way between the two materials";
+  EXPECT_EQ(bands[1].to.value, -250.0);
+  EXPECT_EQ(bands[1].to.opacity, 0.0);
+  EXPECT_LT(bands[1].top.opacity, bands[0].top.opacity);
+  EXPECT_EQ(bands[0].to.value, 3000.0) << "nothing lies above the last";
+  EXPECT_EQ(bands[0].to.opacity, bands[0].top.opacity);
 }
 
 TEST(Suggestion, aBandReplacesWhatWasThereAndNothingElse) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace limn {
 namespace {
@@ -11,6 +13,9 @@ namespace {
 // A band reaches so far to either side, in parts of the way from the boundary's low to its high value: far
 // enough for samples half a voxel apart to meet it, and clear of both materials.
 constexpr double halfWidth = 0.25;
+
+// What is less prominent than this part of the most prominent boundary is not worth a row.
+constexpr double leastProminence = 0.03;
 
 constexpr double lowestOpacity = 0.15, highestOpacity = 0.9;
 
@@ -25,27 +30,38 @@ glm::dvec3 colorAt(double share) {
   return glm::mix(colors[before], colors[before + 1], place - static_cast<double>(before));
 }
 
+double prominenceOf(const Boundary& boundary) {
+  return boundary.share * (boundary.high - boundary.low);
+}
+
 } // namespace
 
 std::vector<Suggestion> suggestionsFor(const std::vector<Boundary>& boundaries, const ValueRange& range) {
-  std::vector<Boundary> ascending = boundaries;
-  std::stable_sort(ascending.begin(), ascending.end(),
-                   [](const Boundary& a, const Boundary& b) { return a.value() < b.value(); });
+  double most = 0.0;
+  for (const Boundary& boundary : boundaries)
+    most = std::max(most, prominenceOf(boundary));
+  std::vector<Boundary> ascending;
+  std::ranges::copy_if(boundaries, std::back_inserter(ascending), [&](const Boundary& boundary) {
+    return prominenceOf(boundary) >= leastProminence * most;
+  });
+  std::ranges::stable_sort(ascending, {}, &Boundary::value);
   std::vector<Suggestion> suggestions;
-  const double last = std::max<double>(1.0, static_cast<double>(ascending.size()) - 1.0);
+  const auto last = static_cast<double>(ascending.size()) - 1.0;
   for (const Boundary& boundary : ascending) {
     const bool isHighest = suggestions.size() + 1 == ascending.size();
-    const double share = ascending.size() == 1 ? 1.0 : static_cast<double>(suggestions.size()) / last;
+    const double place = isHighest ? 1.0 : static_cast<double>(suggestions.size()) / last;
     const double reach = halfWidth * (boundary.high - boundary.low);
-    const glm::dvec3 color = colorAt(share);
-    const double opacity = glm::mix(lowestOpacity, highestOpacity, share);
-    const double end =
-        isHighest ? std::max(range.highest, boundary.value() + reach) : boundary.value() + reach;
-    suggestions.push_back({boundary,
-                           {boundary.value() - reach, color, 0.0},
-                           {boundary.value(), color, opacity},
-                           {end, color, isHighest ? opacity : 0.0}});
+    const glm::dvec3 color = colorAt(place);
+    const double opacity = glm::mix(lowestOpacity, highestOpacity, place);
+    const double end = boundary.value() + reach;
+    suggestions.push_back(
+        {boundary,
+         {boundary.value() - reach, color, 0.0},
+         {boundary.value(), color, opacity},
+         {isHighest ? std::max(range.highest, end) : end, color, isHighest ? opacity : 0.0}});
   }
+  std::ranges::stable_sort(suggestions, std::greater(),
+                           [](const Suggestion& suggestion) { return prominenceOf(suggestion.boundary); });
   return suggestions;
 }
 

@@ -17,9 +17,9 @@ struct Suggestion {
   bool operator==(const Suggestion&) const = default;
 };
 
-/// A band for each boundary of a volume, in ascending order of value, told apart by colour; the higher the
-/// value, the more opaque, so that what lies inside is seen through what is around it. `range` is the
-/// volume's, in the boundaries' unit.
+/// A band for each boundary of a volume that counts, the most prominent (large and of high contrast) first.
+/// They are told apart by colour; the higher the value, the more opaque, so that what lies inside is seen
+/// through what is around it. `range` is the volume's, in the boundaries' unit.
 std::vector<Suggestion> suggestionsFor(const std::vector<Boundary>& boundaries, const ValueRange& range);
 
 /// The function with a band in the place of what it had there; outside it stays as it is.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/suggestions/SuggestionDesk.h"
+
+#include "app/document/Session.h"
+#include "app/suggestions/SuggestionDialog.h"
+#include "app/suggestions/SuggestionText.h"
+#include "scene/basics/Error.h"
+#include "scene/presets/PresetFit.h"
+
+#include <QAction>
+#include <QMetaObject>
+
+#include <exception>
+
+namespace limn {
+
+SuggestionDesk::SuggestionDesk(Session& session, QAction& suggest, QWidget& window)
+    : QObject(&window), m_session(session), m_window(window) {
+  connect(&suggest, &QAction::triggered, this, &SuggestionDesk::show);
+}
+
+void SuggestionDesk::showVolume(const std::shared_ptr<const Volume>& volume) {
+  if (volume == m_volume)
+    return;
+  m_thread.request_stop();
+  m_volume = volume;
+  m_suggestions.clear();
+  m_isKnown = false;
+  if (m_dialog && m_dialog->isVisible() && volume)
+    look();
+  else if (m_dialog)
+    m_dialog->close();
+}
+
+void SuggestionDesk::show() {
+  if (!m_volume)
+    return;
+  if (!m_dialog) {
+    m_dialog = new SuggestionDialog(&m_window);
+    connect(m_dialog, &SuggestionDialog::previewed, this, &SuggestionDesk::preview);
+    connect(m_dialog, &SuggestionDialog::chosen, this, &SuggestionDesk::accept);
+  }
+  if (!m_isKnown)
+    look();
+  m_dialog->show();
+  m_dialog->raise();
+}
+
+void SuggestionDesk::look() {
+  m_dialog->showProgress(0.0);
+  m_thread = std::jthread([this, volume = m_volume](const std::stop_token& stop) { search(volume, stop); });
+}
+
+// On a worker thread. Only the volume asked for last counts.
+void SuggestionDesk::search(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop) {
+  std::vector<Suggestion> suggestions;
+  QString problem;
+  const Effort effort{0, [&stop] { return stop.stop_requested(); },
+                      [this, &volume](double fraction) {
+                        QMetaObject::invokeMethod(
+                            this,
+                            [this, volume, fraction] {
+                              if (volume == m_volume && !m_isKnown && m_dialog)
+                                m_dialog->showProgress(fraction);
+                            },
+                            Qt::QueuedConnection);
+                      }};
+  try {
+    suggestions = suggestionsFor(boundariesOf(*volume, effort), volume->range());
+  } catch (const Cancelled&) {
+    return;
+  } catch (const std::exception& error) {
+    problem = tr("Boundaries cannot be looked for: %1.").arg(QString::fromLocal8Bit(error.what()));
+  }
+  QMetaObject::invokeMethod(
+      this, [this, volume, suggestions, problem] { receive(volume, suggestions, problem); },
+      Qt::QueuedConnection);
+}
+
+void SuggestionDesk::receive(const std::shared_ptr<const Volume>& volume,
+                             const std::vector<Suggestion>& suggestions, const QString& problem) {
+  if (volume != m_volume || !m_dialog)
+    return;
+  m_isKnown = problem.isEmpty();
+  m_suggestions = suggestions;
+  if (m_isKnown)
+    m_dialog->setSuggestions(m_suggestions, names());
+  else
+    m_dialog->showSentence(problem);
+}
+
+void SuggestionDesk::preview(const std::optional<std::size_t>& index) {
+  Scene scene = m_session.scene();
+  if (index && *index < m_suggestions.size())
+    scene.transferFunction = withBand(scene.transferFunction, m_suggestions[*index]);
+  emit previewed(scene);
+}
+
+void SuggestionDesk::accept(std::size_t index) {
+  const Suggestion& used = m_suggestions[index];
+  m_session.setTransferFunction(
+      withBand(m_session.scene().transferFunction, used),
+      {nextGestureId(), tr("use the band %1").arg(boundaryName(used.boundary, names()))});
+}
+
+ValueNames SuggestionDesk::names() const {
+  return {QString::fromStdString(m_volume->info().unit), looksLikeHounsfield(*m_volume)};
+}
+
+} // namespace limn

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+#include "scene/presets/Suggestion.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <memory>
+#include <thread>
+#include <vector>
+
+class QAction;
+
+namespace limn {
+
+class Session;
+class SuggestionDialog;
+struct ValueNames;
+
+/// Proposes bands of the transfer function for the boundaries of the open volume, which it looks for beside
+/// the event loop, once for each volume.
+class SuggestionDesk : public QObject {
+  Q_OBJECT
+
+public:
+  /// `suggest` asks for proposals.
+  SuggestionDesk(Session& session, QAction& suggest, QWidget& window);
+
+  /// Another volume, or none: what is proposed holds no more.
+  void showVolume(const std::shared_ptr<const Volume>& volume);
+
+signals:
+  /// What the picture and the curve are to show for a while; it enters no history. The session's own scene
+  /// ends it.
+  void previewed(const limn::Scene& scene);
+
+private:
+  void show();
+  void look();
+  void search(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop);
+  void receive(const std::shared_ptr<const Volume>& volume, const std::vector<Suggestion>& suggestions,
+               const QString& problem);
+  void preview(const std::optional<std::size_t>& index);
+  void accept(std::size_t index);
+  ValueNames names() const;
+
+  Session& m_session;
+  QWidget& m_window;
+  QPointer<SuggestionDialog> m_dialog;
+  std::shared_ptr<const Volume> m_volume; ///< whose boundaries are looked for or known
+  std::vector<Suggestion> m_suggestions;
+  bool m_isKnown = false;
+  std::jthread m_thread;
+};
+
+} // namespace limn

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/suggestions/SuggestionText.h"
+
+#include <QDialog>
+
+#include <optional>
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QVBoxLayout;
+
+namespace limn {
+
+/// Lists the bands that are proposed for a volume. A row under the pointer, or with the focus, is previewed;
+/// its button takes it over.
+class SuggestionDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  explicit SuggestionDialog(QWidget* parent);
+
+  /// Boundaries are being looked for; nothing is proposed yet.
+  void showProgress(double fraction);
+
+  /// One sentence in place of proposals.
+  void showSentence(const QString& sentence);
+
+  void setSuggestions(const std::vector<Suggestion>& suggestions, const ValueNames& names);
+
+  /// Which one is previewed.
+  const std::optional<std::size_t>& previewedOne() const { return m_previewed; }
+
+signals:
+  /// The picture is to show a band, or none any more.
+  void previewed(const std::optional<std::size_t>& index);
+  void chosen(std::size_t index);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+private:
+  void clearRows();
+  QWidget* rowFor(const Suggestion& suggestion, std::size_t index, const ValueNames& names);
+  void preview(const std::optional<std::size_t>& index);
+
+  QLabel* m_text;
+  QProgressBar* m_bar;
+  QVBoxLayout* m_rows;
+  std::optional<std::size_t> m_previewed;
+};
+
+} // namespace limn

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/suggestions/SuggestionDialog.h"
+#include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
+#include "widgets/view/CompareView.h"
+
+#include <QPushButton>
+
+// Bands proposed for the boundaries of what is open, in the program's window.
+
+namespace limn {
+namespace {
+
+class SuggestionWindow : public test::WindowHarness {
+protected:
+  // Asks for proposals and waits for them.
+  [[nodiscard]] bool suggest() {
+    window->findChild<QAction*>(QStringLiteral("suggest"))->trigger();
+    return test::waitUntil([this] { return !buttons().empty(); });
+  }
+
+  SuggestionDialog& dialog() const { return *window->findChild<SuggestionDialog*>(); }
+
+  QList<QPushButton*> buttons() const {
+    QList<QPushButton*> found;
+    if (const auto* shown = window->findChild<SuggestionDialog*>())
+      for (QPushButton* button : shown->findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("Use"))
+          found << button;
+    return found;
+  }
+
+  QPushButton* buttonNamed(const QString& name) const {
+    for (QPushButton* button : buttons())
+      if (button->accessibleName().contains(name))
+        return button;
+    return nullptr;
+  }
+
+  void pointAt(QWidget& row, bool isInside) {
+    const QPointF centre = QRectF(row.rect()).center();
+    if (isInside) {
+      QEnterEvent enter(centre, centre, row.mapToGlobal(centre));
+      QCoreApplication::sendEvent(&row, &enter);
+    } else {
+      QEvent leave(QEvent::Leave);
+      QCoreApplication::sendEvent(&row, &leave);
+    }
+  }
+};
+
+TEST_F(SuggestionWindow, proposesSkinAndBoneForAHead) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:1.5")));
+  ASSERT_TRUE(suggest());
+  EXPECT_TRUE(buttonNamed(QStringLiteral("Skin")));
+  EXPECT_TRUE(buttonNamed(QStringLiteral("Bone")));
+}
+
+TEST_F(SuggestionWindow, aRowUnderThePointerIsSeenAndLeavesNothingBehind) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  ASSERT_TRUE(suggest());
+  const Scene before = scene();
+  const int steps = session().undoStack().count();
+  QWidget& row = *buttons().front()->parentWidget();
+  pointAt(row, true);
+  EXPECT_NE(view().scene().transferFunction, before.transferFunction) << "the picture";
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), view().scene().transferFunction)
+      << "the curve";
+  EXPECT_EQ(scene(), before) << "what is edited";
+  pointAt(row, false);
+  EXPECT_EQ(view().scene(), before);
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), before.transferFunction);
+  EXPECT_EQ(session().undoStack().count(), steps);
+}
+
+TEST_F(SuggestionWindow, oneIsTakenOverByMouseOrKeyInOneStep) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  ASSERT_TRUE(suggest());
+  const TransferFunction before = scene().transferFunction;
+  QTest::mouseClick(buttons().front(), Qt::LeftButton);
+  const TransferFunction first = scene().transferFunction;
+  EXPECT_NE(first, before);
+  EXPECT_TRUE(session().undoStack().undoText().startsWith(QStringLiteral("use the band")))
+      << session().undoStack().undoText().toStdString();
+  buttons().back()->setFocus();
+  QTest::keyClick(buttons().back(), Qt::Key_Space);
+  EXPECT_NE(scene().transferFunction, first);
+  session().undoStack().undo();
+  EXPECT_EQ(scene().transferFunction, first);
+  session().undoStack().undo();
+  EXPECT_EQ(scene().transferFunction, before);
+}
+
+TEST_F(SuggestionWindow, closingEndsThePreviewAndAnotherVolumeIsLookedAtAnew) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(suggest());
+  const Scene before = scene();
+  pointAt(*buttons().front()->parentWidget(), true);
+  ASSERT_NE(view().scene(), before);
+  dialog().close();
+  EXPECT_EQ(view().scene(), before);
+  ASSERT_TRUE(suggest());
+  const QPushButton* const old = buttons().front();
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  EXPECT_TRUE(test::waitUntil([&] { return !buttons().empty() && !buttons().contains(old); }));
+  window->findChild<QAction*>(QStringLiteral("closeVolume"))->trigger();
+  EXPECT_FALSE(dialog().isVisible());
+}
+
+} // namespace
+} // namespace limn
