@@ -99,10 +99,10 @@ std::string lookOf(const Volume& volume) {
 
 TEST(FirstLook, ofCtGoesByContrastBodyPartAndLungs) {
   ScanHints hints;
-  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT skin and bone");
+  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT bone and veil");
   EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT chest");
   hints.bodyPart = ScanHints::BodyPart::head;
-  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT skin and bone") << "the file says: a head";
+  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT bone and veil") << "the file says: a head";
   hints.bodyPart = ScanHints::BodyPart::chest;
   EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT chest");
   hints.isAngiography = true;

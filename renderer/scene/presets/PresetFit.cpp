@@ -30,7 +30,7 @@ const char* firstLookOfHounsfield(const ScanHints& hints, const Histogram& histo
     return "CT angiography";
   const bool isChest = hints.bodyPart == ScanHints::BodyPart::chest ||
                        (hints.bodyPart == ScanHints::BodyPart::unknown && holdsLungs(histogram));
-  return isChest ? "CT chest" : "CT skin and bone";
+  return isChest ? "CT chest" : "CT bone and veil";
 }
 
 const char* firstLookOfMr(const ScanHints& hints) {
@@ -51,7 +51,7 @@ std::string firstLook(const Volume& volume, const Histogram& histogram) {
     return "Vessels";
   const std::string& modality = volume.info().modality.empty() ? hints.modality : volume.info().modality;
   if (modality == "CT")
-    return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT skin and bone";
+    return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT bone and veil";
   if (modality == "MR")
     return firstLookOfMr(hints);
   if (modality == "PT")
