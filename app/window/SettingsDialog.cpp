@@ -56,7 +56,6 @@ QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
   auto* box = new QComboBox;
   box->setAccessibleName(name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); // one as wide as the other
   showChoice(*box, group);
   for (QAction* action : group.actions())
     connect(action, &QAction::changed, box, [box, &group] { showChoice(*box, group); });

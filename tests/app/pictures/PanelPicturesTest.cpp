@@ -8,6 +8,7 @@
 #include "widgets/accuracy/sections/MapSection.h"
 #include "widgets/controls/FoldingHeader.h"
 #include "widgets/controls/FoldingSection.h"
+#include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/points/PointPopup.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/properties/PropertiesPanel.h"
@@ -134,6 +135,11 @@ TEST_F(PanelPictures, ofTheCurves) {
   take(QStringLiteral("curve-point-popup"), *popup);
   popup->close();
   curves().showGradient(true);
+  QCheckBox* use = nullptr;
+  for (QCheckBox* box : curves().gradientEditor()->findChildren<QCheckBox*>())
+    use = box->text() == QStringLiteral("Use this curve") ? box : use;
+  ASSERT_TRUE(use && test::waitUntil([&] { return use->isEnabled(); })); // once the gradients are counted
+  use->click();
   take(QStringLiteral("curve-gradient"), curves());
 }
 
@@ -150,7 +156,7 @@ TEST_F(PanelPictures, ofTheLabels) {
   take(QStringLiteral("labels"));
 }
 
-// Of a coarse phantom, and the map in a small window, because it has the pixels of the screen.
+// Of a coarse phantom, and the map in a smaller window, because it has the pixels of the screen.
 TEST_F(PanelPictures, ofMeasuredEffectsAndAccuracy) {
   ASSERT_TRUE(open(QStringLiteral("phantom:16")));
   setLayout(CompareLayout::single);
@@ -166,7 +172,7 @@ TEST_F(PanelPictures, ofMeasuredEffectsAndAccuracy) {
   take(QStringLiteral("panel-accuracy-measuring"), accuracy);
   ASSERT_TRUE(test::waitUntil(ends));
   take(QStringLiteral("panel-accuracy-measured"), *panel.widget());
-  window->resize(window->minimumSize());
+  window->resize(1000, 700);
   ASSERT_TRUE(rest());
   panel.findChild<MapSection*>()->findChild<QCheckBox*>()->click();
   ASSERT_TRUE(test::waitUntil(ends));

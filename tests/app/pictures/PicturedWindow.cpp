@@ -49,8 +49,11 @@ bool PicturedWindow::openVolume() {
 }
 
 QImage PicturedWindow::shown() {
-  EXPECT_TRUE(waitUntil([this] { return !scene().volume || view().pictureState().resting; }));
-  QCoreApplication::processEvents();
+  // Labels and panels catch up; where that changes the size of the picture, it is drawn anew.
+  for (int turn = 0; turn < 2; ++turn) {
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(waitUntil([this] { return !scene().volume || view().pictureState().resting; }));
+  }
   window->repaint();
   return window->screen()->grabWindow(window->winId()).toImage();
 }
