@@ -76,9 +76,9 @@ void PicturedWindow::takeDialogOf(const char* action, const QString& name) {
   const auto takeAndClose = [&](QDialog* dialog) {
     if (!dialog || isTaken)
       return;
+    isTaken = true; // at once: while it is taken, the timer runs
     take(name, *dialog);
     dialog->close();
-    isTaken = true;
   };
   QTimer look; // while the action returns only once its dialog is answered
   QObject::connect(&look, &QTimer::timeout, &look,
