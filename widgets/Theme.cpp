@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Theme.h"
 
+#include "widgets/LookStyle.h"
+
 #include <QApplication>
 #include <QFile>
-#include <QStyleFactory>
 
 #include <array>
 #include <cmath>
@@ -166,7 +167,7 @@ void applyTheme(QApplication& application, ThemeChoice choice) {
                     : choice == ThemeChoice::light ? Look::light
                     : choice == ThemeChoice::dark  ? Look::dark
                                                    : Look::contrast;
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new LookStyle);
   QApplication::setPalette(themePalette(look));
   application.setStyleSheet(themeStyleSheet(look));
 }

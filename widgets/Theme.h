@@ -59,9 +59,9 @@ bool isDark(const QPalette& palette);
 /// unless somebody asks for them. Cheap to call again.
 void loadWidgetResources();
 
-/// Gives the whole program one look: Fusion, our palette and style sheet. `system` asks the platform anew at
-/// every call, so call it again on QEvent::ApplicationPaletteChange or when the setting changes.
-/// Widgets of ours repaint by themselves.
+/// Gives the whole program one look: Fusion with our own icons (LookStyle), palette and style sheet. `system`
+/// asks the platform anew at every call, so call it again on QEvent::ApplicationPaletteChange or when the
+/// setting changes. Widgets of ours repaint by themselves.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
 } // namespace limn

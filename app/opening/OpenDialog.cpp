@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/opening/OpenDialog.h"
 
+#include "app/FileDialogRoom.h"
 #include "app/Settings.h"
 
 #include <QFileDialog>
@@ -15,6 +16,7 @@ QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& s
   dialog.setOption(QFileDialog::ShowDirsOnly, question.isFolder);
   if (!question.filters.isEmpty())
     dialog.setNameFilters(question.filters);
+  giveRoom(dialog);
   if (dialog.exec() != QDialog::Accepted)
     return {};
   const QString path = dialog.selectedFiles().value(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/SaveDialog.h"
 
+#include "app/FileDialogRoom.h"
 #include "app/Settings.h"
 
 #include <QDir>
@@ -82,6 +83,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     // It would ask for the name as typed, before the ending.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     followFilter(dialog, offered);
+    giveRoom(dialog);
     if (dialog.exec() != QDialog::Accepted)
       return {};
     filter = dialog.selectedNameFilter();

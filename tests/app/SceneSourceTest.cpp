@@ -26,7 +26,7 @@ TEST(SceneSource, aSceneWithoutACurveTakesOnlyThatFromThePreset) {
 
 TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
   const LoadedScene loaded = loadScene("phantom:8", {}, {});
-  EXPECT_EQ(loaded.preset, "CT skin and bone");
+  EXPECT_EQ(loaded.preset, "CT bone and veil");
   EXPECT_EQ(loaded.scene.projection, Projection::composite);
   EXPECT_FALSE(loaded.hasOwnCamera);
 }

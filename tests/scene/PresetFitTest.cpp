@@ -42,6 +42,20 @@ TEST(PresetFit, automaticRampIsTransparentForTheBackgroundAndShowsTheObject) {
   EXPECT_GT(classify(ramp, 95.0).opacity, 0.3);
 }
 
+// The background is 10, 30 and 50 in equal parts (mean 30, standard deviation 16), the object 95 to 100.
+TEST(PresetFit, automaticRampLeavesNoiseAroundTheObjectTransparent) {
+  Grid grid;
+  grid.dims = {10, 10, 10};
+  std::vector<float> voxels(1000, 95.0f);
+  for (std::size_t i = 0; i < 600; ++i)
+    voxels[i] = 10.0f + 20.0f * static_cast<float>(i % 3);
+  voxels[999] = 0.0f;
+  voxels[998] = 100.0f;
+  const TransferFunction ramp = automaticRamp(histogramOf(Volume(grid, voxels, {}, {}, {}), 100));
+  EXPECT_EQ(classify(ramp, 50.0).opacity, 0.0);
+  EXPECT_GT(classify(ramp, 95.0).opacity, 0.3);
+}
+
 TEST(PresetFit, movesPresetsByTheirLandmarksAndLeavesOthersWhereTheyAre) {
   Preset mr = spanning(0, 1000, "MR");
   EXPECT_EQ(fittedTo(mr, histogramOf(twoClasses())), mr) << "it says of no data that it was shaped on it";
@@ -99,10 +113,10 @@ std::string lookOf(const Volume& volume) {
 
 TEST(FirstLook, ofCtGoesByContrastBodyPartAndLungs) {
   ScanHints hints;
-  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT skin and bone");
+  EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT bone and veil");
   EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT chest");
   hints.bodyPart = ScanHints::BodyPart::head;
-  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT skin and bone") << "the file says: a head";
+  EXPECT_EQ(lookOf(hounsfieldWith(0.4, -800.0f, hints)), "CT bone and veil") << "the file says: a head";
   hints.bodyPart = ScanHints::BodyPart::chest;
   EXPECT_EQ(lookOf(hounsfieldWith(0.0, -800.0f, hints)), "CT chest");
   hints.isAngiography = true;

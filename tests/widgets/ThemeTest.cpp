@@ -2,11 +2,13 @@
 #include "widgets/Theme.h"
 #include "widgets/ContrastRatio.h"
 #include "widgets/Icons.h"
+#include "widgets/LookStyle.h"
 #include "widgets/WidgetSamples.h"
 #include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QApplication>
 #include <QImage>
+#include <QStyleFactory>
 
 #include <gtest/gtest.h>
 
@@ -20,6 +22,22 @@ TEST(Contrast, isThatOfTheStandard) {
   EXPECT_NEAR(contrastRatio(Qt::red, Qt::red), 1.0, 1e-9);
   // #767676 on white is the standard's well-known lightest grey with 4.5:1 (4.54).
   EXPECT_NEAR(contrastRatio(QColor("#767676"), Qt::white), 4.54, 0.005);
+}
+
+TEST(LookStyle, givesDialogsIconsOfOurOwnAndTheirButtonsNone) {
+  const LookStyle look;
+  const std::unique_ptr<QStyle> fusion(QStyleFactory::create(QStringLiteral("Fusion")));
+  EXPECT_EQ(look.styleHint(QStyle::SH_DialogButtonBox_ButtonsHaveIcons, nullptr, nullptr, nullptr), 0);
+  const auto drawn = [](const QStyle& style, QStyle::StandardPixmap icon) {
+    return style.standardIcon(icon, nullptr, nullptr).pixmap(24).toImage();
+  };
+  for (const auto icon :
+       {QStyle::SP_DirIcon, QStyle::SP_FileIcon, QStyle::SP_ComputerIcon, QStyle::SP_DirHomeIcon,
+        QStyle::SP_ArrowBack, QStyle::SP_ArrowForward, QStyle::SP_FileDialogToParent,
+        QStyle::SP_FileDialogNewFolder, QStyle::SP_FileDialogListView, QStyle::SP_FileDialogDetailedView}) {
+    EXPECT_FALSE(drawn(look, icon).isNull()) << icon;
+    EXPECT_NE(drawn(look, icon), drawn(*fusion, icon)) << icon;
+  }
 }
 
 class LookTest : public testing::TestWithParam<Look> {};

@@ -43,6 +43,8 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Narrower, texts would be columns of words, and the tabs above it cut off.
+  setMinimumWidth(260);
   setAccessibleName(tr("Effects"));
   setRows({}, {});
   showTimes();

@@ -62,9 +62,13 @@ int mostNoteLines(const QStyleOptionViewItem& option) {
   return std::clamp(room / QFontMetrics(noteFont(option.font)).height(), 2, 4);
 }
 
+// The whole note where it has room, otherwise what stands before its semicolon; the tool tip has the rest.
 QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
-  return wrapped(index.data(presetRole::note).toString(), noteFont(option.font), width,
-                 mostNoteLines(option));
+  const QString note = index.data(presetRole::note).toString();
+  const QFont font = noteFont(option.font);
+  const int most = mostNoteLines(option);
+  const bool hasRoom = wrapped(note, font, width, most + 1).size() <= most;
+  return wrapped(hasRoom ? note : note.section(QLatin1Char(';'), 0, 0), font, width, most);
 }
 
 // Of a row that is so wide, beside its picture.

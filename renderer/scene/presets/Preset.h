@@ -13,7 +13,7 @@ namespace limn {
 struct Preset {
   std::string name;
   std::string modality; ///< "CT", "MR", …
-  std::string note;     ///< one sentence: what it shows
+  std::string note;     ///< one sentence: what it shows; short lists have it up to a semicolon
   TransferFunction transferFunction;
   std::optional<GradientOpacity> gradientOpacity;
   std::optional<Shading> shading;

@@ -2,6 +2,7 @@
 #include "scene/presets/PresetFit.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -25,12 +26,33 @@ bool holdsLungs(const Histogram& histogram) {
   return lung > 0.15 * body;
 }
 
+// Three standard deviations above the mean of what lies below the threshold: noise around an object ends
+// there.
+double endOfBackground(const Histogram& histogram, double threshold) {
+  double count = 0.0;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) {
+    const double value = valueOfBin(histogram, bin);
+    if (value >= threshold)
+      break;
+    const auto voxels = static_cast<double>(histogram.counts[bin]);
+    count += voxels;
+    sum += voxels * value;
+    squares += voxels * value * value;
+  }
+  if (count == 0.0)
+    return threshold;
+  const double mean = sum / count;
+  return mean + 3.0 * std::sqrt(std::max(0.0, squares / count - mean * mean));
+}
+
 const char* firstLookOfHounsfield(const ScanHints& hints, const Histogram& histogram) {
   if (hints.isAngiography)
     return "CT angiography";
   const bool isChest = hints.bodyPart == ScanHints::BodyPart::chest ||
                        (hints.bodyPart == ScanHints::BodyPart::unknown && holdsLungs(histogram));
-  return isChest ? "CT chest" : "CT skin and bone";
+  return isChest ? "CT chest" : "CT bone and veil";
 }
 
 const char* firstLookOfMr(const ScanHints& hints) {
@@ -51,7 +73,7 @@ std::string firstLook(const Volume& volume, const Histogram& histogram) {
     return "Vessels";
   const std::string& modality = volume.info().modality.empty() ? hints.modality : volume.info().modality;
   if (modality == "CT")
-    return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT skin and bone";
+    return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT bone and veil";
   if (modality == "MR")
     return firstLookOfMr(hints);
   if (modality == "PT")
@@ -76,9 +98,11 @@ TransferFunction automaticRamp(const Histogram& histogram) {
   const double low = histogram.range.lowest;
   const double high = std::max(quantile(histogram, 0.995), low + binWidth(histogram));
   const double threshold = std::clamp(landmarks.object, low, high);
-  // Skin is darker than what it covers: the ramp begins below the threshold.
+  // Skin is darker than what it covers: the ramp begins below the threshold, but above noise.
+  const double begin = std::clamp(endOfBackground(histogram, threshold), low + 0.6 * (threshold - low),
+                                  low + 0.9 * (threshold - low));
   return {1.0,
-          {{low + 0.6 * (threshold - low), {0.72, 0.55, 0.45}, 0.0},
+          {{begin, {0.72, 0.55, 0.45}, 0.0},
            {threshold, {0.86, 0.70, 0.58}, 0.25},
            {threshold + 0.35 * (high - threshold), {0.94, 0.82, 0.70}, 0.5},
            {high, {1.0, 0.97, 0.90}, 0.85}}};

@@ -13,8 +13,8 @@ namespace limn {
 /// air (-3100..-900) and reaches beyond soft tissue (> 150).
 bool looksLikeHounsfield(const Volume& volume);
 
-/// A function for data without a known scale: transparent up to 0.6 of the object threshold, a surface from
-/// there on, full at the 99.5 % quantile.
+/// A function for data without a known scale: transparent up to where the noise of the background ends (0.6
+/// to 0.9 of the object threshold), a surface from there on, full at the 99.5 % quantile.
 TransferFunction automaticRamp(const Histogram& histogram);
 
 /// A preset that knows the landmarks of the data that it was shaped on, moved onto those of other data;

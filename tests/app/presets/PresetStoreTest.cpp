@@ -27,6 +27,7 @@ TEST(BuiltInPresets, areTwentyAtLeastAndEachCanBeReadAndHasANameOfItsOwn) {
     EXPECT_TRUE(names.insert(preset.name).second) << preset.name;
     EXPECT_EQ(isForHounsfield(preset), preset.modality == "CT") << preset.name;
     EXPECT_FALSE(preset.note.empty()) << preset.name;
+    EXPECT_LE(preset.note.substr(0, preset.note.find(';')).size(), 34u) << "two lines: " << preset.name;
     EXPECT_GE(preset.transferFunction.points.size(), 3u) << preset.name;
     EXPECT_EQ(preset.transferFunction.points.front().opacity, 0.0) << preset.name;
   }
@@ -36,7 +37,7 @@ TEST(BuiltInPresets, holdEveryFirstLook) {
   std::set<std::string> names;
   for (const Preset& preset : builtInPresets())
     names.insert(preset.name);
-  for (const char* look : {"CT skin and bone", "CT chest", "CT angiography", "Vessels", "MR head",
+  for (const char* look : {"CT bone and veil", "CT chest", "CT angiography", "Vessels", "MR head",
                            "MR T2 head", "MR PD head", "PET hot spots", "Ultrasound surface"})
     EXPECT_TRUE(names.contains(look)) << look;
 }

@@ -91,6 +91,17 @@ TEST_F(Density, noHeadingIsSaidTwice) {
   EXPECT_EQ(headings(dock("curveDock").windowTitle()), 0) << "its axes say what it is";
 }
 
+TEST_F(Density, theTabsAtTheRightHaveRoomForTheirWords) {
+  for (const char* name : {"effectsDock", "accuracyDock", "shadingDock"}) {
+    dock(name).raise();
+    QCoreApplication::processEvents();
+    for (const QTabBar* tabs : window->findChildren<QTabBar*>())
+      for (int i = 0; !tabs->visibleRegion().isEmpty() && i < tabs->count(); ++i)
+        EXPECT_GE(tabs->tabRect(i).width(), tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
+            << tabs->tabText(i).toStdString() << " while " << name << " lies on top";
+  }
+}
+
 TEST_F(Density, aPanelWithoutTabsHasItsTitle) {
   dock("effectsDock").hide();
   dock("accuracyDock").hide();

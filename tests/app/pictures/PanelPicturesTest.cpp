@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/Actions.h"
+#include "app/pictures/PicturedWindow.h"
+#include "app/pictures/SmallVolumes.h"
+#include "app/window/RegionDesk.h"
+#include "widgets/FindWidget.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/sections/MapSection.h"
+#include "widgets/controls/FoldingHeader.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/curve/GradientOpacityEditor.h"
+#include "widgets/curve/points/PointPopup.h"
+#include "widgets/effects/EffectsPanel.h"
+#include "widgets/properties/PropertiesPanel.h"
+
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QPushButton>
+
+// Pictures of the window and of its parts.
+
+namespace limn {
+namespace {
+
+class PanelPictures : public test::PicturedWindow {
+protected:
+  QDockWidget& raised(const char* name) {
+    auto* dock = window->findChild<QDockWidget*>(QLatin1String(name));
+    dock->raise();
+    QCoreApplication::processEvents();
+    return *dock;
+  }
+
+  void unfoldOnly(const FoldingSection& wanted) {
+    for (FoldingSection* section : window->findChildren<FoldingSection*>())
+      section->setFolded(section != &wanted);
+    QCoreApplication::processEvents();
+  }
+
+  // Where a point of the curve lies in the window; the first that is neither transparent nor opaque.
+  QPoint pointOfTheCurve() {
+    const TransferFunctionCanvas& canvas = *curves().valueEditor()->canvas();
+    for (const ControlPoint& point : canvas.transferFunction().points)
+      if (point.opacity > 0.05 && point.opacity < 0.95)
+        return canvas
+            .mapTo(window.get(), QPointF(xOfValue(canvas.transform(), point.value),
+                                         yOfOpacity(canvas.transform(), point.opacity)))
+            .toPoint();
+    return {};
+  }
+};
+
+TEST_F(PanelPictures, ofThePageWithoutAVolume) {
+  take(QStringLiteral("empty"));
+  ASSERT_TRUE(openVolume());
+  action("closeVolume").trigger();
+  take(QStringLiteral("empty-with-recent"));
+}
+
+TEST_F(PanelPictures, ofEveryLayout) {
+  ASSERT_TRUE(openVolume());
+  take(QStringLiteral("window"));
+  for (QActionGroup* group : window->findChildren<QActionGroup*>())
+    for (QAction* choice : group->actions())
+      if (choice->objectName().startsWith(QLatin1String("layout-"))) {
+        choice->trigger();
+        take(choice->objectName());
+      }
+}
+
+TEST_F(PanelPictures, ofEveryTool) {
+  ASSERT_TRUE(openVolume());
+  for (QActionGroup* group : window->findChildren<QActionGroup*>())
+    for (QAction* choice : group->actions())
+      if (choice->objectName().startsWith(QLatin1String("tool-"))) {
+        choice->trigger();
+        take(choice->objectName(), *window->findChild<QToolBar*>());
+      }
+}
+
+TEST_F(PanelPictures, ofWhatLiesOverThePicture) {
+  ASSERT_TRUE(openVolume());
+  setLayout(CompareLayout::single);
+  action("cropBox").trigger();
+  take(QStringLiteral("crop-box"));
+  action("cropBox").trigger();
+  view().setLoading(0.4, QStringLiteral("Reading head.nii.gz"));
+  take(QStringLiteral("loading"));
+  view().clearLoading();
+  action("pictureAndCurveOnly").trigger();
+  take(QStringLiteral("picture-and-curve-only"));
+}
+
+TEST_F(PanelPictures, ofMessages) {
+  ASSERT_TRUE(openVolume());
+  ASSERT_TRUE(open(pathTo("missing.nii.gz")));
+  take(QStringLiteral("error"));
+  test::writeBall(folder.path() / "ball.nrrd", {}, test::BallKind::unknownOrientation);
+  ASSERT_TRUE(open(pathTo("ball.nrrd")));
+  take(QStringLiteral("unknown-orientation"));
+  takeDialogOf("setOrientation", QStringLiteral("dialog-orientation"));
+}
+
+TEST_F(PanelPictures, ofEveryPanel) {
+  ASSERT_TRUE(openVolume());
+  dragAPoint();
+  for (const char* name : {"presetDock", "historyDock", "shadingDock", "effectsDock", "accuracyDock"}) {
+    QDockWidget& dock = raised(name);
+    const QString panel = QStringLiteral("panel-") + dock.windowTitle().toLower();
+    take(panel + QStringLiteral("-in-window"));
+    take(panel, dock);
+  }
+}
+
+TEST_F(PanelPictures, ofEverySectionOfTheProperties) {
+  ASSERT_TRUE(openVolume());
+  raised("shadingDock");
+  for (FoldingSection* section : window->findChild<PropertiesPanel*>()->findChildren<FoldingSection*>()) {
+    unfoldOnly(*section);
+    const QString title = section->findChild<FoldingHeader*>()->accessibleName().toLower();
+    take(QStringLiteral("properties-") + QString(title).replace(QLatin1Char(' '), QLatin1Char('-')),
+         *section);
+  }
+}
+
+TEST_F(PanelPictures, ofTheCurves) {
+  ASSERT_TRUE(openVolume());
+  take(QStringLiteral("curve"), curves());
+  const QPoint at = pointOfTheCurve();
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, at);
+  take(QStringLiteral("curve-point"), curves());
+  QTest::mouseDClick(window->windowHandle(), Qt::LeftButton, {}, at);
+  auto* popup = window->findChild<PointPopup*>();
+  ASSERT_TRUE(popup && test::waitUntil([&] { return popup->isVisible(); }));
+  take(QStringLiteral("curve-point-popup"), *popup);
+  popup->close();
+  curves().showGradient(true);
+  QCheckBox* use = nullptr;
+  for (QCheckBox* box : curves().gradientEditor()->findChildren<QCheckBox*>())
+    use = box->text() == QStringLiteral("Use this curve") ? box : use;
+  ASSERT_TRUE(use && test::waitUntil([&] { return use->isEnabled(); })); // once the gradients are counted
+  use->click();
+  take(QStringLiteral("curve-gradient"), curves());
+}
+
+TEST_F(PanelPictures, ofTheLabels) {
+  ASSERT_TRUE(openVolume());
+  test::writeBall(folder.path() / "parts.seg.nrrd", scene().volume->grid(), test::BallKind::labels);
+  auto& regions = *window->findChild<RegionDesk*>();
+  regions.openLabels(pathTo("parts.seg.nrrd"));
+  ASSERT_TRUE(test::waitUntil([&] { return !regions.isBusy(); }));
+  raised("shadingDock");
+  for (FoldingSection* section : window->findChild<PropertiesPanel*>()->findChildren<FoldingSection*>())
+    if (section->findChild<FoldingHeader*>()->accessibleName() == QStringLiteral("Labels"))
+      unfoldOnly(*section);
+  take(QStringLiteral("labels"));
+}
+
+// Of a coarse phantom, and the map in a smaller window, because it has the pixels of the screen.
+TEST_F(PanelPictures, ofMeasuredEffectsAndAccuracy) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  QDockWidget& effects = raised("effectsDock");
+  view().measureEffects();
+  ASSERT_TRUE(idle());
+  take(QStringLiteral("panel-effects-measured"), effects);
+  QDockWidget& accuracy = raised("accuracyDock");
+  auto& panel = *window->findChild<AccuracyPanel*>();
+  const auto ends = [&] { return panel.work() == AccuracyWork::none; };
+  QTest::mouseClick(widgetNamed<QPushButton>(panel, "Measure error and time"), Qt::LeftButton);
+  take(QStringLiteral("panel-accuracy-measuring"), accuracy);
+  ASSERT_TRUE(test::waitUntil(ends));
+  take(QStringLiteral("panel-accuracy-measured"), *panel.widget());
+  window->resize(1000, 700);
+  ASSERT_TRUE(rest());
+  panel.findChild<MapSection*>()->findChild<QCheckBox*>()->click();
+  ASSERT_TRUE(test::waitUntil(ends));
+  take(QStringLiteral("map-of-errors"));
+}
+
+} // namespace
+} // namespace limn
