@@ -74,7 +74,8 @@ TEST_P(FocusWindowTest, tabReachesEveryPanelAndTheFocusShowsOnEachControl) {
   EXPECT_GE(reached.size(), 30u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest, testing::Values(ThemeChoice::light, ThemeChoice::dark, ThemeChoice::contrast));
+INSTANTIATE_TEST_SUITE_P(Theme, FocusWindowTest,
+                         testing::Values(ThemeChoice::light, ThemeChoice::dark, ThemeChoice::contrast));
 
 } // namespace
 } // namespace limn

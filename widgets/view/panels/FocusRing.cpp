@@ -44,7 +44,8 @@ bool FocusRing::eventFilter(QObject* watched, QEvent* event) {
 void FocusRing::paintEvent(QPaintEvent*) {
   // The dark look's accent, because pictures are dark in both.
   QPainter painter(this);
-  painter.setPen(QPen(themeColors(Look::dark).accent, ringWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.setPen(
+      QPen(themeColors(Look::dark).accent, ringWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
