@@ -31,8 +31,8 @@ void CurveDesk::showVolume(const std::shared_ptr<const Volume>& volume, const Hi
   m_volume = volume;
   TransferFunctionEditor* editor = m_panel.valueEditor();
   editor->setHistogram(histogram);
+  editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());
   if (volume) {
-    editor->setUnit(QString::fromStdString(volume->info().unit));
     editor->setPinnedValue(std::nullopt);
     editor->canvas()->resetView(); // the points of the volume before no longer stretch the axis
   }

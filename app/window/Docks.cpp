@@ -49,6 +49,8 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   panels.history->setEmptyLabel(tr("As opened"));
   panels.history->setAccessibleName(tr("History"));
   panels.history->setSpacing(2);
+  // Where it lies on top the presets must not become narrower than they can be.
+  panels.history->setMinimumWidth(panels.presets->minimumSizeHint().width());
   m_history = add(tr("History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
   window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   window.tabifyDockWidget(m_presets, m_history);
