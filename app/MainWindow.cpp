@@ -15,6 +15,7 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/labels/LabelSection.h"
+#include "widgets/planes/PlaneDeck.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
@@ -49,7 +50,7 @@ Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine
   view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
                           [] { return makeCpuEngine(); }},
                          engine, centre);
-  column->addWidget(view, 1);
+  column->addWidget(planes = new PlaneDeck(*view, centre), 1);
   window.setCentralWidget(centre);
 }
 
@@ -70,6 +71,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *this}),
       m_dialogs(m_actions, QString::fromStdString(m_folders.reports.string()), *this),
       m_curves(*m_panels.curves), m_suggestions(m_session, *m_actions.suggest, *this),
+      m_planes({m_session, m_document, *m_centre.planes, *m_centre.view, *m_panels.curves->valueEditor(),
+                m_status, m_actions},
+               this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -115,12 +119,6 @@ void MainWindow::connectView() {
           [this](const Camera& camera) { m_document.fitCamera(camera); });
   connect(view, &CompareView::windowLevelEdited, &m_session, &Session::setTransferFunction);
   connect(view, &CompareView::cropEdited, &m_session, &Session::setCrop);
-  connect(view, &CompareView::pinRequested, m_panels.curves->valueEditor(),
-          &TransferFunctionEditor::setPinnedValue);
-  connect(view, &CompareView::probed, this, [this](const std::optional<Probe>& probe) {
-    m_panels.curves->valueEditor()->setMarkedValue(probe ? std::optional(probe->value) : std::nullopt);
-    m_status.showProbe(probe, m_session.scene().volume.get());
-  });
   connect(view, &CompareView::pictureStateChanged, this, [this](const PictureState& state) {
     m_status.showPicture(state, m_session.scene());
     if (!state.limitation.isEmpty() && m_centre.messages->sentence() != state.limitation)
@@ -177,6 +175,7 @@ void MainWindow::connectPanels() {
 void MainWindow::connectScene() {
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
   connect(&m_session, &Session::sceneChanged, &m_regions, &RegionDesk::showScene);
+  connect(&m_session, &Session::planesChanged, &m_safety, &SessionSafety::noteChange);
   connect(&m_regions, &RegionDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_regions, &RegionDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_session.undoStack(), &QUndoStack::cleanChanged, this,
@@ -267,6 +266,7 @@ void MainWindow::connectSettings() {
 SessionDocument MainWindow::sessionDocument() const {
   SessionDocument session = m_document.described();
   m_comparison.describe(session);
+  m_planes.describe(session);
   session.panel = m_docks.panel();
   session.cropBoxIsShown = m_actions.cropBox->isChecked();
   session.gradientCurveIsShown = m_panels.curves->gradientIsShown();
@@ -276,6 +276,7 @@ SessionDocument MainWindow::sessionDocument() const {
 // Brings back what a session says beside its scene.
 void MainWindow::restoreSession(const SessionDocument& session) {
   m_comparison.restore(session);
+  m_planes.restore(session);
   m_actions.cropBox->setChecked(session.cropBoxIsShown);
   m_panels.curves->showGradient(session.gradientCurveIsShown);
   m_docks.show(session.panel);

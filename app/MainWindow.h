@@ -23,6 +23,7 @@
 #include "app/window/EngineDesk.h"
 #include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
+#include "app/window/PlaneDesk.h"
 #include "app/window/RegionDesk.h"
 #include "app/window/RemarksDesk.h"
 #include "app/window/StatusTexts.h"
@@ -45,6 +46,7 @@ struct Centre {
   MessageBar* patient;  ///< asks once whether a patient may be named
   MessageBar* messages;
   CompareView* view;
+  PlaneDeck* planes; ///< around the view
 };
 
 /// The window: the picture in the middle, presets left, properties right, the curve below. Lays out its parts
@@ -115,6 +117,7 @@ private:
   DialogDesk m_dialogs;
   CurveDesk m_curves;
   SuggestionDesk m_suggestions;
+  PlaneDesk m_planes;
   PresetDesk m_presets;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

@@ -5,6 +5,7 @@
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
+#include "scene/view/PlaneSettings.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/gestures/CameraGesture.h"
 
@@ -24,6 +25,7 @@ Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window
   makeFileActions();
   makeEditActions(history);
   makeLayouts();
+  makePlaneLayouts();
   makeModels();
   makeTools();
   makeViews();
@@ -104,6 +106,21 @@ void Actions::makeLayouts() {
   add(CompareLayout::wipe, tr("Wipe"), "wipe", tr("Two models over each other with a border to drag."));
   add(CompareLayout::difference, tr("Difference"), "difference",
       tr("Where the two models differ, amplified."));
+}
+
+void Actions::makePlaneLayouts() {
+  planeLayouts = new QActionGroup(&m_window);
+  const auto add = [this](PlaneLayout layout, const QString& text, const QString& tip) {
+    const QByteArray name = QByteArray("planes-") + nameOf(layout);
+    addChoice(*planeLayouts, QLatin1String(name), static_cast<int>(layout),
+              {.text = text, .toolTip = tip, .icon = name.constData(), .isCheckable = true});
+  };
+  add(PlaneLayout::pictureOnly, tr("3D only"), tr("The picture without slices."));
+  add(PlaneLayout::pictureAndThree, tr("3D and slices"),
+      tr("Axial, coronal and sagittal slices beside the picture."));
+  add(PlaneLayout::oneLarge, tr("One slice large"),
+      tr("One slice large, the picture and the other slices beside it; a double click on a slice chooses "
+         "it."));
 }
 
 void Actions::makeModels() {
@@ -226,7 +243,7 @@ void Actions::setVolumeOpen(bool isOpen) const {
   for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
                           closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest})
     action->setEnabled(isOpen);
-  for (const QActionGroup* group : {views, tools})
+  for (const QActionGroup* group : {views, tools, planeLayouts})
     for (QAction* action : group->actions())
       action->setEnabled(isOpen);
 }

@@ -42,7 +42,8 @@ public:
   QAction* redo = nullptr;
   QAction* copyPicture = nullptr;
 
-  QActionGroup* layouts = nullptr; ///< data: CompareLayout as int
+  QActionGroup* layouts = nullptr;      ///< data: CompareLayout as int
+  QActionGroup* planeLayouts = nullptr; ///< slices beside the picture; data: PlaneLayout as int
   std::array<QActionGroup*, 2>
       models{};                  ///< of the sides, the first also of a single picture; data: ShadingModel
   QActionGroup* tools = nullptr; ///< data: ViewTool as int
@@ -74,6 +75,7 @@ private:
   void makeFileActions();
   void makeEditActions(QUndoStack& history);
   void makeLayouts();
+  void makePlaneLayouts();
   void makeModels();
   void makeTools();
   void makeViews();

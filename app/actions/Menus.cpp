@@ -50,6 +50,7 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   QMenu* menu = bar.addMenu(QObject::tr("&View"));
   menu->addActions(actions.layouts->actions());
   menu->addSeparator();
+  menu->addMenu(QObject::tr("&Slices"))->addActions(actions.planeLayouts->actions());
   shared.models = new ModelMenus(actions.models, *menu);
   menu->addMenu(QObject::tr("Left &drag"))->addActions(actions.tools->actions());
   QMenu* views = shared.views = menu->addMenu(QObject::tr("&Look from"));
@@ -89,6 +90,8 @@ void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& share
   shared.models->addTo(*bar);
   bar->addSeparator();
   bar->addActions(actions.layouts->actions());
+  bar->addSeparator();
+  bar->addActions(actions.planeLayouts->actions());
   bar->addSeparator();
   bar->addAction(actions.cropBox);
   QToolButton* look = addMenuButton(*bar, shared.views, QToolButton::InstantPopup);

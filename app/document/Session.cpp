@@ -81,6 +81,13 @@ void Session::setCamera(const Camera& camera) {
   replace(next);
 }
 
+void Session::setPlanes(const PlaneSettings& settings) {
+  if (settings == m_planes)
+    return;
+  m_planes = settings;
+  emit planesChanged(m_planes);
+}
+
 void Session::replace(const Scene& scene) {
   m_scene = scene;
   emit sceneChanged(m_scene);

@@ -4,6 +4,7 @@
 #include "app/SceneSource.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
+#include "scene/view/PlaneSettings.h"
 #include "widgets/Gesture.h"
 
 #include <QObject>
@@ -64,8 +65,13 @@ public:
   /// Moves the camera; not undoable.
   void setCamera(const Camera& camera);
 
+  /// What the slices beside the picture show. Like the camera they are a way of looking: no undo steps.
+  const PlaneSettings& planes() const { return m_planes; }
+  void setPlanes(const PlaneSettings& settings);
+
 signals:
   void sceneChanged(const limn::Scene& scene);
+  void planesChanged(const limn::PlaneSettings& settings);
 
 private:
   friend class SceneEdit;
@@ -78,6 +84,7 @@ private:
   void replace(const Scene& scene);
 
   Scene m_scene;
+  PlaneSettings m_planes;
   Preset m_preset;
   std::string m_volumePath;
   QUndoStack m_undo;

@@ -43,6 +43,12 @@ TEST(Layering, regionsAreFoundFromTheSceneAlone) {
                    "a body is found from voxels");
 }
 
+TEST(Layering, slicesOfThePatientAreReadFromTheSceneAlone) {
+  expectNoIncludes("renderer/planes",
+                   R"(^(io|gl|glsl|raycaster|slices|cpu|reference|accuracy|stability|widgets|app)/|vtk|itk)",
+                   "they are no picture of the scene, and nothing draws them but widgets");
+}
+
 TEST(Layering, referenceAndGlKnowOnlyTheScene) {
   expectNoIncludes("renderer/reference", "^(io|gl|raycaster|slices|widgets|app)/",
                    "the reference checks the others");

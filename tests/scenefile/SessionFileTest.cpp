@@ -36,6 +36,15 @@ SessionDocument unusual() {
   session.leftModel = ShadingModel::none;
   session.rightModel = ShadingModel::robust;
   session.wipe = 0.3;
+  session.planes = {.layout = PlaneLayout::oneLarge,
+                    .large = PatientPlane::sagittal,
+                    .crosshairMm = glm::dvec3(1.0 / 3.0, -1e5, 0.1),
+                    .window = GreyWindow{-600.1, 1.0 / 7.0},
+                    .interpolation = PlaneInterpolation::nearest,
+                    .slab = {Slab::Mode::maximum, 12.3},
+                    .isTinted = true,
+                    .outlinesRegion = false,
+                    .distance = MeasuredDistance{PatientPlane::coronal, {0.1, 0.2, 0.3}, {4, 5, 1.0 / 6.0}}};
   session.panel = SessionDocument::Panel::accuracy;
   session.preset = "Mine \"ä\"";
   session.scene.keep = {Region::Kind::labels, "seg.nrrd", {{2, 0.5}}};
@@ -92,6 +101,12 @@ TEST(SessionFile, valuesOutsideTheirRangeAreRefusedWithTheRange) {
   EXPECT_NE(sessionRefusal(head + R"("series": 0})").find("from 1 to 100000"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("spacing_mm": [1, 0, 1]})").find("above 0"), std::string::npos);
   EXPECT_NE(sessionRefusal(head + R"("compare": {"layout": "four"}})").find("side_by_side"),
+            std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("slices": {"layout": "four"}})").find("picture_and_three"),
+            std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("slices": {"slab": {"thickness_mm": 101}}})").find("from 0 to 100"),
+            std::string::npos);
+  EXPECT_NE(sessionRefusal(head + R"("slices": {"window": {"width": 0}}})").find("above 0"),
             std::string::npos);
 }
 

@@ -81,6 +81,7 @@ void CompareView::connectInput() {
   connect(m_input, &ViewInput::wipeEdited, this, &CompareView::moveWipe);
   connect(m_input, &ViewInput::probed, this, &CompareView::probed);
   connect(m_input, &ViewInput::pinRequested, this, &CompareView::pinRequested);
+  connect(m_input, &ViewInput::placePinned, this, &CompareView::placePinned);
   connect(m_input, &ViewInput::modelsRequested, this, &CompareView::offerModels);
   connect(m_input, &ViewInput::everythingRequested, this, &CompareView::everythingRequested);
   connect(m_input, &ViewInput::maximiseRequested, this, &CompareView::maximiseRequested);

@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace limn {
@@ -86,6 +87,12 @@ public:
   void setCropBoxVisible(bool visible);
   bool cropBoxIsVisible() const { return m_cropBoxVisible; }
 
+  /// Marks a place of the world in the pictures, or none; there is none at first.
+  void setMark(const std::optional<glm::dvec3>& worldMm) {
+    if (worldMm != std::exchange(m_shown.markMm, worldMm))
+      repaintOverlay();
+  }
+
   /// What the left button does; at first it rotates. Esc in the view returns to that.
   void setTool(ViewTool tool);
   ViewTool tool() const;
@@ -136,6 +143,8 @@ signals:
   /// What lies under the pointer while Shift is held; nothing when it ends or hits nothing.
   void probed(const std::optional<limn::Probe>& probe);
   void pinRequested(double value);
+  /// Where that value is, world millimetres.
+  void placePinned(const glm::dvec3& worldMm);
   void modelChosen(int side, limn::ShadingModel model);
   void wipeMoved(double fraction);
   void toolChanged(limn::ViewTool tool);

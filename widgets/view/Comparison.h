@@ -5,6 +5,7 @@
 #include "scene/view/CompareLayout.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace limn {
@@ -18,6 +19,7 @@ struct Comparison {
   std::array<ShadingModel, 2> models{ShadingModel::classic, ShadingModel::enhanced};
   double wipe = 0.5; ///< where the border of the wipe lies, as a fraction of the width, 0..1
   bool isSwapped = false;
+  std::optional<glm::dvec3> markMm; ///< a place that is marked in the pictures, world
 };
 
 /// The scene as one side shows it.

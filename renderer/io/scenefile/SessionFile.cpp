@@ -2,6 +2,7 @@
 #include "io/scenefile/SessionFile.h"
 
 #include "io/json/JsonFields.h"
+#include "io/scenefile/PlanesJson.h"
 #include "io/scenefile/SceneJson.h"
 #include "scene/light/ModelName.h"
 
@@ -56,6 +57,8 @@ SessionDocument parseSession(std::string_view text, const std::string& name) {
   readVolumeOptions(fields, session);
   if (fields.has("compare"))
     readComparison(fields.object("compare"), session);
+  if (fields.has("slices"))
+    session.planes = readPlanes(fields.object("slices"));
   if (fields.has("window"))
     readWindow(fields.object("window"), session);
   fields.text("label", session.label);
@@ -81,6 +84,8 @@ std::string sessionToJson(const SessionDocument& session) {
                      {"left", nameOf(session.leftModel)},
                      {"right", nameOf(session.rightModel)},
                      {"wipe", session.wipe}};
+  if (session.planes != PlaneSettings{})
+    json["slices"] = planesJson(session.planes);
   json["window"] = {{"panel", panelWords.of(session.panel)},
                     {"preset", session.preset},
                     {"crop_box", session.cropBoxIsShown},

@@ -3,6 +3,7 @@
 
 #include "io/scenefile/SceneFile.h"
 #include "scene/view/CompareLayout.h"
+#include "scene/view/PlaneSettings.h"
 
 #include <optional>
 
@@ -20,6 +21,8 @@ struct SessionDocument {
   ShadingModel leftModel = ShadingModel::classic;
   ShadingModel rightModel = ShadingModel::enhanced;
   double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
+
+  PlaneSettings planes; ///< the slices beside the picture
 
   Panel panel = Panel::properties; ///< on top of those at the right
   std::string preset;              ///< the one whose curves are shown, empty where there is none

@@ -35,6 +35,19 @@ TEST(Session, twoGesturesAreTwoSteps) {
   EXPECT_EQ(session.scene().transferFunction, rampTo(10));
 }
 
+TEST(Session, slicesAreAWayOfLookingWithoutUndo) {
+  Session session;
+  std::vector<PlaneSettings> told;
+  QObject::connect(&session, &Session::planesChanged, [&](const PlaneSettings& now) { told.push_back(now); });
+  PlaneSettings settings;
+  settings.crosshairMm = glm::dvec3(1, 2, 3);
+  session.setPlanes(settings);
+  session.setPlanes(settings);
+  EXPECT_EQ(session.planes(), settings);
+  EXPECT_EQ(told, std::vector{settings}) << "an equal one changes nothing";
+  EXPECT_EQ(session.undoStack().count(), 0);
+}
+
 TEST(Session, undoKeepsTheCameraOfTheMoment) {
   Session session;
   session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});

@@ -41,6 +41,8 @@ public:
   const QString& unit() const { return m_plot.unit; }
   const CurvePlot& plot() const { return m_plot; }
   bool hasPin() const { return m_pinnedValue.has_value(); }
+  std::optional<double> markedValue() const { return m_markedValue; }
+  std::optional<double> pinnedValue() const { return m_pinnedValue; }
   PlotTransform transform() const;
 
   /// What it shows, as a value.

@@ -103,8 +103,10 @@ void ViewInput::release(const QMouseEvent& event) {
     hover(event); // its handle may have left the pointer
   if (!pins)
     return;
-  if (const std::optional<Probe> probe = probeAt(m_facts.shown(), event.position()))
+  if (const std::optional<Probe> probe = probeAt(m_facts.shown(), event.position())) {
     emit pinRequested(probe->value);
+    emit placePinned(probe->positionMm);
+  }
 }
 
 // Esc puts back what the drag has changed; the gesture's id lets undo see that nothing is left of it.

@@ -62,6 +62,7 @@ signals:
   void wipeEdited(double fraction);
   void probed(const std::optional<limn::Probe>& probe);
   void pinRequested(double value);
+  void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
   void everythingRequested();         ///< of what is hidden
   void maximiseRequested();

@@ -2,6 +2,7 @@
 #include "widgets/view/overlay/Overlay.h"
 
 #include "widgets/ValueText.h"
+#include "widgets/view/ViewProjection.h"
 #include "widgets/view/overlay/OverlayRows.h"
 #include "widgets/view/overlay/RegionNote.h"
 #include "widgets/view/overlay/SideText.h"
@@ -168,6 +169,21 @@ std::vector<double> progressOf(const PictureState& state) {
   return progress;
 }
 
+// A marked place in every picture that has it in view, in front of or behind what is drawn.
+std::vector<QPointF> marksOf(const OverlaySource& source) {
+  std::vector<QPointF> marks;
+  if (!source.comparison.markMm)
+    return marks;
+  for (int position = 0; position < standingCount(source.geometry); ++position) {
+    const QRectF picture = pictureRect(source.geometry, position);
+    const auto at =
+        pixelOf(viewProjection(source.comparison.scene.camera, picture), *source.comparison.markMm);
+    if (at && picture.contains(*at))
+      marks.push_back(*at);
+  }
+  return marks;
+}
+
 } // namespace
 
 Overlay overlayOf(const OverlaySource& source) {
@@ -184,6 +200,7 @@ Overlay overlayOf(const OverlaySource& source) {
   const std::vector<QRectF> notes = addNotes(overlay, source);
   plates.insert(plates.end(), notes.begin(), notes.end());
   addOrientation(overlay, source, plates);
+  overlay.marks = marksOf(source);
   if (source.read)
     overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
   overlay.progress = progressOf(source.state);

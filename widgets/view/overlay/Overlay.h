@@ -37,6 +37,7 @@ struct Overlay {
   std::optional<ScaleMark> scale;
   std::vector<LetterMarks> letters;
   std::optional<Reading> reading;
+  std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
   std::vector<double> progress; ///< each 0..1
 };
 

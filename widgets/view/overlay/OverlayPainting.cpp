@@ -39,6 +39,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   if (overlay.gap)
     painter.fillRect(*overlay.gap, QColor(70, 76, 88));
   paintCropBoxes(painter, overlay.cropBoxes);
+  for (const QPointF& mark : overlay.marks)
+    paintMark(painter, mark);
   if (overlay.border)
     paintWipeBorder(painter, overlay.border->x, overlay.view, overlay.border->isHovered);
   paintTitles(painter, overlay);

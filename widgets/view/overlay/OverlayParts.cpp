@@ -256,6 +256,19 @@ void paintProbe(QPainter& painter, const QPointF& point, const QString& text, co
   painter.restore();
 }
 
+void paintMark(QPainter& painter, const QPointF& point) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0, 180), 3.5), std::pair(markColor, 1.5)}) {
+    painter.setPen(QPen(color, width));
+    painter.drawEllipse(point, 1.5 * unit, 1.5 * unit);
+    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+      painter.drawLine(point + 1.5 * unit * way, point + 3 * unit * way);
+  }
+  painter.restore();
+}
+
 void paintNote(QPainter& painter, const Note& note) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

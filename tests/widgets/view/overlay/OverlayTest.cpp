@@ -42,6 +42,22 @@ TEST_F(OverlayAbove, namesEachPictureWhereItStands) {
   EXPECT_EQ(overlayOf(source()).labels[0].label.title, QStringLiteral("Enhanced"));
 }
 
+TEST_F(OverlayAbove, aMarkedPlaceIsMarkedInEachPictureThatHasItInView) {
+  EXPECT_TRUE(overlayOf(source()).marks.empty());
+  const Camera& camera = comparison.scene.camera;
+  comparison.markMm = camera.target;
+  EXPECT_EQ(overlayOf(source()).marks, std::vector{QPointF(350.0, 200.0)}) << "the target is in the middle";
+  comparison.layout = CompareLayout::sideBySide;
+  const std::vector<QPointF> marks = overlayOf(source()).marks;
+  ASSERT_EQ(marks.size(), 2u);
+  EXPECT_LT(marks[0].x(), 350.0);
+  EXPECT_GT(marks[1].x(), 350.0);
+  comparison.markMm = camera.position - (camera.target - camera.position); // behind the eye
+  EXPECT_TRUE(overlayOf(source()).marks.empty());
+  comparison.markMm = camera.target + 1e5 * basisOf(camera).right;
+  EXPECT_TRUE(overlayOf(source()).marks.empty());
+}
+
 TEST_F(OverlayAbove, aLabelIsFoundUnderThePointerWhereThereIsAModelToChoose) {
   const QPointF point = labelsOf(source())[0].plate.center();
   EXPECT_EQ(labelAt(source(), point), 0);

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planes/PlaneGrid.h"
+
+#include "scene/volume/Orientation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int mostPixels = 8192;
+
+// Of LPS: the axis that runs across the plane.
+int axisAcross(PatientPlane plane) {
+  return plane == PatientPlane::axial ? 2 : plane == PatientPlane::coronal ? 1 : 0;
+}
+
+// The pixels that fill a length; rounding must not add one.
+int pixelsFor(double lengthMm, double spacingMm) {
+  return std::max(1, static_cast<int>(std::ceil(lengthMm / spacingMm - 1e-6)));
+}
+
+} // namespace
+
+PlaneAxes axesOf(PatientPlane plane) {
+  switch (plane) {
+  case PatientPlane::axial:
+    return {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+  case PatientPlane::coronal:
+    return {{1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, -1.0, 0.0}};
+  case PatientPlane::sagittal:
+    return {{0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}};
+  }
+  return {};
+}
+
+glm::dvec3 pixelToWorld(const PlaneGrid& plane, const glm::dvec2& pixel) {
+  return plane.originMm + plane.spacingMm * (pixel.x * plane.axes.right + pixel.y * plane.axes.down);
+}
+
+glm::dvec2 worldToPixel(const PlaneGrid& plane, const glm::dvec3& worldMm) {
+  const glm::dvec3 offset = worldMm - plane.originMm;
+  return glm::dvec2(glm::dot(offset, plane.axes.right), glm::dot(offset, plane.axes.down)) / plane.spacingMm;
+}
+
+PlaneGrid coveringPlane(const Grid& volume, PatientPlane plane, const glm::dvec3& throughMm) {
+  const PlaneAxes axes = axesOf(plane);
+  const ReachMm across = reachAlong(volume, axes.right);
+  const ReachMm down = reachAlong(volume, axes.down);
+  const glm::dvec2 lengthMm(across.last - across.first, down.last - down.first);
+  const double spacing = std::max(smallestSpacingMm(volume), std::max(lengthMm.x, lengthMm.y) / mostPixels);
+  PlaneGrid grid;
+  grid.axes = axes;
+  grid.spacingMm = spacing;
+  grid.size = {pixelsFor(lengthMm.x, spacing), pixelsFor(lengthMm.y, spacing)};
+  grid.originMm = (across.first + spacing / 2.0) * axes.right + (down.first + spacing / 2.0) * axes.down +
+                  glm::dot(throughMm, axes.forward) * axes.forward;
+  return grid;
+}
+
+PlaneGrid coarser(const PlaneGrid& plane, int factor) {
+  PlaneGrid result = plane;
+  result.originMm = pixelToWorld(plane, glm::dvec2((factor - 1) / 2.0));
+  result.spacingMm = plane.spacingMm * factor;
+  result.size = (plane.size + factor - 1) / factor;
+  return result;
+}
+
+ReachMm reachAlong(const Grid& volume, const glm::dvec3& direction) {
+  const double centre = glm::dot(boxCentreMm(volume), direction);
+  double half = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+    half += std::abs(glm::dot(volume.direction[axis], direction)) * boxSizeMm(volume)[axis] / 2.0;
+  return {centre - half, centre + half};
+}
+
+double sliceStepMm(const Grid& volume, PatientPlane plane) {
+  const std::array<int, 3> axes = patientAxes(volume.direction);
+  const auto across = std::find(axes.begin(), axes.end(), axisAcross(plane)) - axes.begin();
+  return volume.spacingMm[static_cast<int>(across)];
+}
+
+glm::dvec3 middleVoxelMm(const Grid& volume) {
+  return indexToWorld(volume, glm::dvec3((volume.dims - 1) / 2));
+}
+
+bool isInside(const Grid& volume, const glm::dvec3& worldMm) {
+  const glm::dvec3 index = worldToIndex(volume, worldMm);
+  return glm::all(glm::greaterThanEqual(index, glm::dvec3(-0.5))) &&
+         glm::all(glm::lessThan(index, glm::dvec3(volume.dims) - 0.5));
+}
+
+} // namespace limn

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PlaneHost.h"
+
+#include "widgets/controls/NumberField.h"
+#include "widgets/planes/PlaneBar.h"
+#include "widgets/planes/PlaneDeck.h"
+#include "widgets/planes/PlaneView.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+template <class Widget>
+Widget* named(const QWidget& parent, const QString& accessibleName) {
+  for (Widget* widget : parent.findChildren<Widget*>())
+    if (widget->accessibleName() == accessibleName)
+      return widget;
+  return nullptr;
+}
+
+QToolButton* buttonSaying(const QWidget& parent, const QString& text) {
+  for (QToolButton* button : parent.findChildren<QToolButton*>())
+    if (button->text() == text)
+      return button;
+  return nullptr;
+}
+
+class PlaneBarTest : public testing::Test {
+protected:
+  PlaneBarTest() : host(test::contentOf(phantomVolume({.spacingMm = 16.0}))) {
+    host.widget.resize(800, 40);
+    host.widget.show();
+  }
+
+  void type(const QString& name, const QString& text) {
+    auto* field = named<NumberField>(host.widget, name);
+    ASSERT_NE(field, nullptr) << name.toStdString();
+    auto* line = field->findChild<QLineEdit*>();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+
+  // Chooses from the menu of a button, by the start of the text.
+  bool choose(const QString& button, const QString& text) {
+    QMenu* menu = buttonSaying(host.widget, button)->menu();
+    emit menu->aboutToShow();
+    for (QAction* action : menu->actions())
+      if (action->text().startsWith(text)) {
+        action->trigger();
+        return true;
+      }
+    return false;
+  }
+
+  test::PlaneHost<PlaneBar> host;
+};
+
+TEST_F(PlaneBarTest, windowsAreTyped) {
+  type(QStringLiteral("Window width"), QStringLiteral("80"));
+  type(QStringLiteral("Window level"), QStringLiteral("40"));
+  EXPECT_EQ(host.settings().window, (GreyWindow{40.0, 80.0}));
+  type(QStringLiteral("Window width"), QStringLiteral("0"));
+  EXPECT_GT(host.settings().window->width, 0.0) << "never none";
+}
+
+TEST_F(PlaneBarTest, windowsOfTissuesAreChosenWhereValuesAreHounsfieldUnits) {
+  const std::pair<const char*, GreyWindow> windows[] = {{"Soft tissue", {40.0, 400.0}},
+                                                        {"Lung", {-600.0, 1500.0}},
+                                                        {"Bone", {400.0, 1800.0}},
+                                                        {"Brain", {40.0, 80.0}}};
+  for (const auto& [name, window] : windows) {
+    ASSERT_TRUE(choose(QStringLiteral("Window"), QLatin1String(name))) << name;
+    EXPECT_EQ(host.settings().window, window) << name;
+  }
+  ASSERT_TRUE(choose(QStringLiteral("Window"), QStringLiteral("Full range")));
+  EXPECT_EQ(host.settings().window, fullWindow(host.content.volume->range()));
+
+  host.content = test::contentOf(test::countingVolume({6, 5, 4}, glm::dvec3(1.0)));
+  host.widget.setContent(host.content);
+  EXPECT_FALSE(choose(QStringLiteral("Window"), QStringLiteral("Lung"))) << "these are no Hounsfield units";
+  EXPECT_TRUE(choose(QStringLiteral("Window"), QStringLiteral("As at first")));
+}
+
+TEST_F(PlaneBarTest, slabTintAndInterpolationAreChosen) {
+  auto* mode = named<QComboBox>(host.widget, QStringLiteral("Slab shows"));
+  ASSERT_NE(mode, nullptr);
+  EXPECT_FALSE(mode->isEnabled()) << "of a plane there is no mean";
+  type(QStringLiteral("Slab thickness in mm"), QStringLiteral("12.5"));
+  EXPECT_EQ(host.settings().slab.thicknessMm, 12.5);
+  EXPECT_TRUE(mode->isEnabled());
+  mode->setFocus();
+  QTest::keyClick(mode, Qt::Key_Down);
+  EXPECT_EQ(host.settings().slab.mode, Slab::Mode::maximum);
+  QTest::mouseClick(buttonSaying(host.widget, QStringLiteral("Tint")), Qt::LeftButton);
+  EXPECT_TRUE(host.settings().isTinted);
+  ASSERT_TRUE(choose(QStringLiteral("More"), QStringLiteral("Interpolate")));
+  EXPECT_EQ(host.settings().interpolation, PlaneInterpolation::nearest);
+  ASSERT_TRUE(choose(QStringLiteral("More"), QStringLiteral("Outline")));
+  EXPECT_FALSE(host.settings().outlinesRegion);
+}
+
+TEST_F(PlaneBarTest, allOfItIsSeenInNarrowWindows) {
+  for (const int width : {800, 380}) {
+    host.widget.resize(width, host.widget.heightAt(width));
+    QApplication::processEvents();
+    for (const QToolButton* button : host.widget.findChildren<QToolButton*>()) {
+      const QRect place(button->mapTo(&host.widget, QPoint(0, 0)), button->size());
+      EXPECT_TRUE(host.widget.rect().contains(place)) << button->text().toStdString() << ' ' << width;
+    }
+  }
+}
+
+TEST(PlaneDeckWidget, givesItsToolsToAllSlices) {
+  auto* picture = new QWidget;
+  PlaneContent content = test::contentOf(test::countingVolume({20, 20, 20}, glm::dvec3(1.0)));
+  content.settings.layout = PlaneLayout::pictureAndThree;
+  test::PlaneHost<PlaneDeck> host(content, *picture);
+  host.widget.resize(700, 500);
+  host.widget.show();
+  QTest::mouseClick(named<QToolButton>(host.widget, QStringLiteral("Distance (D)")), Qt::LeftButton);
+  for (const PatientPlane plane : patientPlanes) {
+    PlaneView& view = *host.widget.view(plane);
+    test::drag(view, {60, 60}, {100, 60});
+    ASSERT_TRUE(host.settings().distance);
+    EXPECT_EQ(host.settings().distance->plane, plane);
+  }
+  QTest::keyClick(host.widget.view(PatientPlane::axial), Qt::Key_Escape);
+  test::drag(*host.widget.view(PatientPlane::coronal), {60, 40}, {70, 40});
+  EXPECT_TRUE(host.settings().crosshairMm) << "Esc returned to the crosshair everywhere";
+}
+
+TEST(PlaneDeckWidget, aClickInOneSliceMovesTheOthers) {
+  auto* picture = new QWidget;
+  PlaneContent content = test::contentOf(test::countingVolume({40, 40, 40}, glm::dvec3(1.0)));
+  content.settings.layout = PlaneLayout::pictureAndThree;
+  test::PlaneHost<PlaneDeck> host(content, *picture);
+  host.widget.resize(700, 500);
+  host.widget.show();
+  PlaneView& axial = *host.widget.view(PatientPlane::axial);
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, pointOf(axial.frame(), {8.0, 30.0, 19.0}).toPoint());
+  const glm::dvec3 crosshair = crosshairOf(host.content);
+  EXPECT_NEAR(crosshair.x, 8.0, 0.2);
+  const PlaneView& sagittal = *host.widget.view(PatientPlane::sagittal);
+  EXPECT_EQ(sagittal.frame().grid.originMm.x, crosshair.x) << "the slice through it";
+  EXPECT_EQ(host.widget.view(PatientPlane::coronal)->frame().grid.originMm.y, crosshair.y);
+  EXPECT_FALSE(sagittal.visibleRegion().isEmpty());
+}
+
+} // namespace
+} // namespace limn

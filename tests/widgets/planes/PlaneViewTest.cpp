@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PlaneHost.h"
+
+#include "widgets/planes/PlaneView.h"
+
+#include <QAccessible>
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+using test::drag;
+using test::turnWheel;
+
+class PlaneViewTest : public testing::Test {
+protected:
+  PlaneViewTest() : host(test::contentOf(volume), PatientPlane::axial) {
+    view.resize(300, 260);
+    view.show();
+  }
+
+  glm::dvec3 crosshair() const { return crosshairOf(host.content); }
+  QPoint pointAt(const glm::dvec3& worldMm) { return pointOf(view.frame(), worldMm).toPoint(); }
+
+  // 60 × 50 × 20 voxels: 60 × 50 × 40 mm.
+  std::shared_ptr<const Volume> volume = test::countingVolume({60, 50, 20}, {1.0, 1.0, 2.0});
+  test::PlaneHost<PlaneView> host;
+  PlaneView& view = host.widget;
+};
+
+TEST_F(PlaneViewTest, aClickSetsTheCrosshairUnderThePointerAndKeepsTheSlice) {
+  EXPECT_EQ(crosshair(), glm::dvec3(29.0, 24.0, 18.0)) << "the voxel in the middle";
+  const QPoint at = pointAt({10.0, 40.0, 18.0});
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  const double pixelMm = mmPerLogicalPixel(view.frame());
+  EXPECT_NEAR(crosshair().x, 10.0, pixelMm);
+  EXPECT_NEAR(crosshair().y, 40.0, pixelMm);
+  EXPECT_EQ(crosshair().z, 18.0);
+  EXPECT_EQ(host.edits, 1);
+}
+
+TEST_F(PlaneViewTest, aDragLeadsTheCrosshairAndStopsAtTheOutermostVoxels) {
+  drag(view, {150, 130}, {295, 130});
+  EXPECT_EQ(crosshair().x, 59.0);
+  drag(view, {150, 130}, {-500, -500});
+  EXPECT_EQ(crosshair(), glm::dvec3(0.0, 0.0, 18.0));
+}
+
+TEST_F(PlaneViewTest, thePatientsRightIsAtTheLeft) {
+  EXPECT_LT(pointAt({0.0, 25.0, 18.0}).x(), pointAt({59.0, 25.0, 18.0}).x()) << "+x is the patient's left";
+  EXPECT_LT(pointAt({30.0, 0.0, 18.0}).y(), pointAt({30.0, 49.0, 18.0}).y()) << "+y is the back";
+}
+
+TEST_F(PlaneViewTest, theWheelLeadsThroughTheSlicesToTheEndAndNoFurther) {
+  turnWheel(view, {150, 130}, 120);
+  EXPECT_EQ(crosshair().z, 20.0) << "towards the head";
+  turnWheel(view, {150, 130}, -240);
+  EXPECT_EQ(crosshair().z, 16.0);
+  for (int notch = 0; notch < 40; ++notch)
+    turnWheel(view, {150, 130}, 120);
+  EXPECT_EQ(crosshair().z, 38.0) << "the last slice's centre";
+}
+
+TEST_F(PlaneViewTest, aTouchPadTurnsLessThanANotchAtATime) {
+  for (int turn = 0; turn < 7; ++turn)
+    turnWheel(view, {150, 130}, 40);
+  EXPECT_EQ(crosshair().z, 22.0) << "280 of 120 each";
+}
+
+TEST_F(PlaneViewTest, theWheelWithCtrlZoomsAboutThePointer) {
+  const glm::dvec3 under = worldAt(view.frame(), {100, 90});
+  const double before = mmPerLogicalPixel(view.frame());
+  turnWheel(view, {100, 90}, 240, Qt::ControlModifier);
+  EXPECT_NEAR(mmPerLogicalPixel(view.frame()), before / (1.15 * 1.15), 1e-9);
+  const glm::dvec3 after = worldAt(view.frame(), {100, 90});
+  EXPECT_LT(glm::length(after - under), 1e-9);
+  EXPECT_EQ(crosshair().z, 18.0);
+  QTest::keyClick(&view, Qt::Key_F);
+  EXPECT_DOUBLE_EQ(mmPerLogicalPixel(view.frame()), before);
+}
+
+TEST_F(PlaneViewTest, theMiddleButtonAndShiftPan) {
+  const glm::dvec3 under = worldAt(view.frame(), {100, 90});
+  drag(view, {100, 90}, {140, 60}, Qt::MiddleButton);
+  EXPECT_LT(glm::length(worldAt(view.frame(), {140, 60}) - under), 1e-9);
+  drag(view, {140, 60}, {100, 90}, Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_LT(glm::length(worldAt(view.frame(), {100, 90}) - under), 1e-9);
+  EXPECT_EQ(host.edits, 0) << "panning is the view's own";
+}
+
+TEST_F(PlaneViewTest, theRightButtonDragsTheWindowAndReadsNoVoxelAgain) {
+  view.grab();
+  const int readings = view.readings();
+  const GreyWindow before = windowOf(host.content);
+  drag(view, {150, 130}, {150 + 64, 130 - 32}, Qt::RightButton);
+  view.grab();
+  ASSERT_TRUE(host.settings().window);
+  EXPECT_NEAR(host.settings().window->width, before.width * std::exp(64.0 / 256.0), 1e-6 * before.width);
+  EXPECT_NEAR(host.settings().window->centre, before.centre + 32.0 / 256.0 * before.width,
+              1e-6 * before.width);
+  EXPECT_EQ(view.readings(), readings);
+}
+
+TEST_F(PlaneViewTest, altAndTheToolDragTheWindowToo) {
+  drag(view, {150, 130}, {182, 130}, Qt::LeftButton, Qt::AltModifier);
+  EXPECT_TRUE(host.settings().window);
+  host.show({});
+  QSignalSpy tools(&view, &PlaneView::toolRequested);
+  QTest::keyClick(&view, Qt::Key_W);
+  ASSERT_EQ(tools.size(), 1);
+  view.setTool(tools.front().front().value<PlaneTool>());
+  drag(view, {150, 130}, {182, 130});
+  EXPECT_TRUE(host.settings().window);
+  EXPECT_FALSE(host.settings().crosshairMm);
+}
+
+TEST_F(PlaneViewTest, escDuringADragPutsBackWhatWas) {
+  const PlaneSettings before = host.settings();
+  drag(view, {150, 130}, {200, 100}, Qt::RightButton, {}, false);
+  ASSERT_NE(host.settings(), before);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_EQ(host.settings(), before);
+  QTest::mouseRelease(&view, Qt::RightButton, {}, {200, 100});
+  EXPECT_EQ(host.settings(), before);
+  drag(view, {150, 130}, {20, 20}, Qt::LeftButton, {}, false);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_EQ(host.settings(), before);
+}
+
+TEST_F(PlaneViewTest, measuresADistanceInMillimetresWhereverItIsZoomed) {
+  view.setTool(PlaneTool::distance);
+  turnWheel(view, {150, 130}, 240, Qt::ControlModifier);
+  const double pixelMm = mmPerLogicalPixel(view.frame());
+  drag(view, {100, 100}, {160, 180});
+  ASSERT_TRUE(host.settings().distance);
+  const MeasuredDistance distance = *host.settings().distance;
+  EXPECT_EQ(distance.plane, PatientPlane::axial);
+  EXPECT_NEAR(glm::length(distance.to - distance.from), 100.0 * pixelMm, 1e-9) << "60² + 80² = 100²";
+  EXPECT_EQ(distance.from.z, 18.0) << "it lies in the slice";
+  EXPECT_FALSE(host.settings().crosshairMm) << "the crosshair stays";
+}
+
+TEST_F(PlaneViewTest, endsOfADistanceAreDraggedWithAnyTool) {
+  view.setTool(PlaneTool::distance);
+  drag(view, {100, 100}, {160, 100});
+  view.setTool(PlaneTool::crosshair);
+  const glm::dvec3 from = host.settings().distance->from;
+  drag(view, {163, 101}, {120, 150});
+  EXPECT_EQ(host.settings().distance->from, from);
+  EXPECT_LT(glm::length(host.settings().distance->to - worldAt(view.frame(), {120, 150})), 1e-9);
+  EXPECT_FALSE(host.settings().crosshairMm);
+  turnWheel(view, {150, 130}, 120);
+  drag(view, {120, 150}, {150, 150});
+  EXPECT_LT(glm::length(host.settings().distance->from - from), 1e-9)
+      << "in another slice it is not there to drag";
+  EXPECT_TRUE(host.settings().crosshairMm);
+}
+
+TEST_F(PlaneViewTest, aClickMeasuresNothingAndDeleteTakesADistanceAway) {
+  view.setTool(PlaneTool::distance);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {100, 100});
+  EXPECT_FALSE(host.settings().distance);
+  drag(view, {100, 100}, {160, 100});
+  const auto measured = host.settings().distance;
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {40, 200});
+  EXPECT_EQ(host.settings().distance, measured) << "a click leaves the one that is there";
+  QTest::keyClick(&view, Qt::Key_Delete);
+  EXPECT_FALSE(host.settings().distance);
+}
+
+TEST_F(PlaneViewTest, keysWalkVoxelByVoxelAndSliceBySlice) {
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Down);
+  EXPECT_EQ(crosshair(), glm::dvec3(30.0, 25.0, 18.0));
+  QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_EQ(crosshair().x, 20.0) << "ten at a time";
+  QTest::keyClick(&view, Qt::Key_Up);
+  QTest::keyClick(&view, Qt::Key_PageUp);
+  EXPECT_EQ(crosshair(), glm::dvec3(20.0, 24.0, 20.0));
+  QTest::keyClick(&view, Qt::Key_PageDown, Qt::ShiftModifier);
+  EXPECT_EQ(crosshair().z, 0.0);
+  QTest::keyClick(&view, Qt::Key_Home);
+  EXPECT_EQ(crosshair(), glm::dvec3(29.0, 24.0, 18.0));
+}
+
+TEST_F(PlaneViewTest, numbersChooseWindows) {
+  QTest::keyClick(&view, Qt::Key_0);
+  EXPECT_EQ(host.settings().window, fullWindow(volume->range()));
+  QTest::keyClick(&view, Qt::Key_2);
+  EXPECT_EQ(host.settings().window, fullWindow(volume->range())) << "no Hounsfield units, no lung";
+  test::PlaneHost<PlaneView> ct(test::contentOf(phantomVolume({.spacingMm = 16.0})), PatientPlane::axial);
+  QTest::keyClick(&ct.widget, Qt::Key_2);
+  EXPECT_EQ(ct.settings().window, windowOf(TissueWindow::lung));
+  QTest::keyClick(&ct.widget, Qt::Key_4);
+  EXPECT_EQ(ct.settings().window, windowOf(TissueWindow::brain));
+}
+
+TEST_F(PlaneViewTest, aDoubleClickMakesItLargeAndBack) {
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {150, 130});
+  EXPECT_EQ(host.settings().layout, PlaneLayout::oneLarge);
+  EXPECT_EQ(host.settings().large, PatientPlane::axial);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {150, 130});
+  EXPECT_EQ(host.settings().layout, PlaneLayout::pictureAndThree);
+}
+
+TEST_F(PlaneViewTest, itsPixelsAreTheGreysOfTheVolume) {
+  PlaneSettings settings;
+  settings.interpolation = PlaneInterpolation::nearest;
+  settings.window = GreyWindow{180000.0 + 2500.0, 6000.0};
+  host.show(settings);
+  const QImage picture = view.grab().toImage();
+  // Away from crosshair, texts and letters, at centres of voxels.
+  for (const glm::dvec3& place : {glm::dvec3(15, 35, 18), glm::dvec3(45, 15, 18), glm::dvec3(40, 38, 18)}) {
+    const double value = place.x + 100 * place.y + 10000 * 9;
+    const int grey = static_cast<int>(255.0 * greyOf(*settings.window, value) + 0.5);
+    EXPECT_EQ(picture.pixelColor(pointAt(place)), QColor(grey, grey, grey)) << place.x;
+  }
+}
+
+TEST_F(PlaneViewTest, aCrosshairOutsideTheVolumeIsToldAndLedBack) {
+  PlaneSettings settings;
+  settings.crosshairMm = glm::dvec3(1000.0, -1000.0, 1000.0);
+  host.show(settings);
+  EXPECT_FALSE(valueUnderCrosshair(host.content));
+  EXPECT_FALSE(view.grab().isNull());
+  EXPECT_FALSE(view.accessibleDescription().contains(QStringLiteral("crosshair")));
+  turnWheel(view, {150, 130}, 120);
+  EXPECT_EQ(crosshair(), glm::dvec3(59.0, 0.0, 38.0)) << "the nearest voxel";
+}
+
+TEST_F(PlaneViewTest, volumesOfOneAndTwoSlicesAndObliqueOnesCanBeWalked) {
+  for (const int slices : {1, 2}) {
+    test::PlaneHost<PlaneView> thin(test::contentOf(test::countingVolume({8, 8, slices}, {0.5, 2.0, 4.0})),
+                                    PatientPlane::coronal);
+    thin.widget.resize(120, 90);
+    turnWheel(thin.widget, {60, 45}, 1200);
+    QTest::mouseClick(&thin.widget, Qt::LeftButton, {}, {60, 2});
+    EXPECT_TRUE(valueUnderCrosshair(thin.content)) << slices;
+    EXPECT_EQ(crosshairOf(thin.content).z, 4.0 * (slices - 1)) << "above is the last slice";
+  }
+  Grid grid = volume->grid();
+  const double root = std::sqrt(0.5);
+  grid.direction = glm::dmat3(root, root, 0.0, -root, root, 0.0, 0.0, 0.0, 1.0); // 45° about z
+  PlaneContent content =
+      test::contentOf(std::make_shared<const Volume>(volume->placed(grid, volume->info())));
+  test::PlaneHost<PlaneView> oblique(content, PatientPlane::sagittal);
+  oblique.widget.resize(200, 200);
+  EXPECT_FALSE(oblique.widget.grab().isNull());
+  turnWheel(oblique.widget, {100, 100}, 12000);
+  turnWheel(oblique.widget, {100, 100}, -120000);
+  EXPECT_FALSE(oblique.widget.grab().isNull());
+}
+
+TEST_F(PlaneViewTest, assistiveTechnologyReadsAndMovesTheSlice) {
+  EXPECT_EQ(view.accessibleName(), QStringLiteral("Axial slice"));
+  EXPECT_EQ(view.accessibleDescription().replace(QChar(0xa0), ' '),
+            QStringLiteral("18 mm S · 10/20, 92429 under the crosshair"));
+  QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&view);
+  ASSERT_NE(interface, nullptr);
+  ASSERT_NE(interface->valueInterface(), nullptr);
+  EXPECT_EQ(interface->role(), QAccessible::Slider);
+  EXPECT_EQ(interface->valueInterface()->currentValue().toDouble(), 18.0);
+  EXPECT_EQ(interface->valueInterface()->minimumValue().toDouble(), -1.0);
+  EXPECT_EQ(interface->valueInterface()->maximumValue().toDouble(), 39.0);
+  EXPECT_EQ(interface->valueInterface()->minimumStepSize().toDouble(), 2.0);
+  interface->valueInterface()->setCurrentValue(24.5);
+  EXPECT_EQ(crosshair().z, 24.0);
+}
+
+TEST(PlaneViewEmpty, withoutAVolumeNothingHappens) {
+  test::PlaneHost<PlaneView> host({}, PatientPlane::axial);
+  host.widget.resize(100, 80);
+  drag(host.widget, {10, 10}, {50, 50});
+  turnWheel(host.widget, {50, 40}, 120);
+  QTest::keyClick(&host.widget, Qt::Key_PageUp);
+  EXPECT_EQ(host.edits, 0);
+  EXPECT_EQ(host.widget.grab().toImage().pixelColor(50, 40), QColor(Qt::black));
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/Scene.h"
+#include "scene/view/PlaneSettings.h"
+
+namespace limn {
+
+/// Everything that slices show.
+struct PlaneContent {
+  std::shared_ptr<const Volume> volume; ///< null: nothing is open
+  TransferFunction function;
+  Region keep;
+  PlaneSettings settings;
+  GreyWindow firstWindow; ///< where the settings have none
+  bool operator==(const PlaneContent&) const = default;
+};
+
+/// The place of the crosshair, world millimetres; there is a volume.
+glm::dvec3 crosshairOf(const PlaneContent& content);
+
+/// The grey window that is shown.
+GreyWindow windowOf(const PlaneContent& content);
+
+/// The value under the crosshair, trilinear as probe and picture have it; nothing outside the volume or where
+/// there is none.
+std::optional<double> valueUnderCrosshair(const PlaneContent& content);
+
+/// The settings with the crosshair at a place; where that lies beyond the centres of the volume's outermost
+/// slices it goes to those.
+PlaneSettings withCrosshair(const PlaneContent& content, const glm::dvec3& worldMm);
+
+/// The crosshair moved by so many slices along one of the patient's directions (axesOf).
+PlaneSettings withCrosshairMoved(const PlaneContent& content, const glm::dvec3& direction, int slices);
+
+/// The settings with one plane large, or where that is so already with all three.
+PlaneSettings withLargeToggled(PlaneSettings settings, PatientPlane plane);
+
+} // namespace limn

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/planes/PlaneOverlay.h"
+
+#include "widgets/planes/PlaneText.h"
+#include "widgets/view/overlay/OverlayRows.h"
+
+#include <QObject>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+const QColor shadowColor(0, 0, 0, 160);
+const QColor lineColor(77, 163, 255);
+const QColor distanceColor(255, 255, 255);
+
+// In a lower view title and sides alone have room above the slice, logical pixels.
+constexpr double leastHeightForNotes = 130.0;
+
+// Free of lines around the crosshair, so that the tissue there is seen, logical pixels.
+constexpr double openPixels = 8.0;
+
+Note noteBelow(const QFont& font, const QString& text, double left, double top, double room) {
+  Note note = noteAt(font, text, {left, 0.0}, Qt::AlignLeft, room);
+  note.plate.moveTop(top);
+  return note;
+}
+
+// Title, place and value at the upper left, the window at the lower right.
+std::vector<Note> notesOf(const PlaneContent& content, PatientPlane plane, const QRectF& view,
+                          const QFont& font) {
+  const double room = view.width() - 2.0 * overlayMargin;
+  const QString title =
+      QStringLiteral("%1 · %2").arg(planeTitle(*content.volume, plane), slicePlaceText(content, plane));
+  std::vector<Note> notes{noteBelow(font, title, overlayMargin, overlayMargin, room)};
+  if (view.height() < leastHeightForNotes)
+    return notes;
+  const QString value = crosshairText(content);
+  notes.push_back(noteBelow(font, value.isEmpty() ? QObject::tr("Crosshair outside the volume") : value,
+                            overlayMargin, notes.front().plate.bottom() + overlayMargin / 3, room));
+  notes.push_back(noteAt(font, windowText(content),
+                         view.bottomRight() - QPointF(overlayMargin, overlayMargin), Qt::AlignRight, room));
+  return notes;
+}
+
+std::optional<ScaleMark> scaleOf(const PlaneContent& content, const PlaneFrame& frame, const QRectF& view,
+                                 const QFont& font) {
+  if (!content.volume->info().spacingKnown || view.height() < leastHeightForNotes)
+    return std::nullopt;
+  const ScaleBar bar = scaleBar(mmPerLogicalPixel(frame), std::min(120.0, view.width() / 4));
+  if (bar.pixels < 8.0)
+    return std::nullopt;
+  const QString text = QObject::tr("%1 mm").arg(bar.lengthMm);
+  return ScaleMark{bar, text, scaleBarPlate(font, bar, text, view)};
+}
+
+// In the middle of an edge, but beside a line of the crosshair and not under it.
+double besideLine(double middle, double line) {
+  return std::abs(line - middle) < 1.5 * overlayMargin ? line + 2.0 * overlayMargin : middle;
+}
+
+void addLetters(PlaneOverlay& overlay, const PlaneContent& content, const PlaneAxes& axes) {
+  std::vector<QRectF> plates;
+  for (const Note& note : overlay.notes)
+    plates.push_back(note.plate);
+  if (overlay.scale)
+    plates.push_back(overlay.scale->plate);
+  const QRectF& view = overlay.view;
+  const std::vector<double> column{besideLine(view.center().x(), overlay.crosshair.x())};
+  const double lowest = view.bottom() - overlayMargin;
+  if (!content.volume->info().orientationKnown) {
+    Note note = noteAt(overlay.font, QObject::tr("Orientation unknown"), {column.front(), lowest},
+                       Qt::AlignHCenter, view.width());
+    note.plate.moveBottom(clearRowAbove(lowest, note.plate.size(), column, plates));
+    overlay.notes.push_back(note);
+    return;
+  }
+  const QSizeF letter = letterSize(overlay.font);
+  const double inset = letterInset(overlay.font);
+  LetterMarks marks;
+  marks.letters = {lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down),
+                   lettersOf(axes.down)};
+  marks.picture = view;
+  marks.column = column.front();
+  marks.top = clearRowBelow(overlayMargin, letter, column, plates);
+  marks.middle = clearRowBelow(besideLine(view.center().y(), overlay.crosshair.y()) - letter.height() / 2,
+                               letter, {view.left() + inset, view.right() - inset}, plates);
+  marks.bottom = clearRowAbove(lowest, letter, column, plates);
+  overlay.letters = marks;
+}
+
+std::optional<PlaneOverlay::Distance> distanceOf(const PlaneContent& content, PatientPlane plane,
+                                                 const PlaneFrame& frame, const QFont& font,
+                                                 const QRectF& view) {
+  const std::optional<MeasuredDistance>& measured = content.settings.distance;
+  if (!measured || !isInSlice(content, plane, *measured))
+    return std::nullopt;
+  PlaneOverlay::Distance distance{pointOf(frame, measured->from), pointOf(frame, measured->to), {}};
+  const QPointF middle = (distance.from + distance.to) / 2.0;
+  distance.note = noteAt(font, distanceText(*measured), middle - QPointF(0.0, openPixels), Qt::AlignHCenter,
+                         view.width());
+  QRectF& plate = distance.note.plate;
+  plate.moveLeft(std::clamp(plate.left(), view.left(), std::max(view.left(), view.right() - plate.width())));
+  plate.moveTop(std::clamp(plate.top(), view.top(), std::max(view.top(), view.bottom() - plate.height())));
+  return distance;
+}
+
+// A line that shows on any picture.
+void paintLine(QPainter& painter, const QPointF& from, const QPointF& to, const QColor& color) {
+  for (const auto& [ink, width] : {std::pair(shadowColor, 3.0), std::pair(color, 1.0)}) {
+    painter.setPen(QPen(ink, width));
+    painter.drawLine(from, to);
+  }
+}
+
+void paintCrosshair(QPainter& painter, const QPointF& at, const QRectF& view) {
+  const auto line = [&](const QPointF& from, const QPointF& to) { paintLine(painter, from, to, lineColor); };
+  line({view.left(), at.y()}, {at.x() - openPixels, at.y()});
+  line({at.x() + openPixels, at.y()}, {view.right(), at.y()});
+  line({at.x(), view.top()}, {at.x(), at.y() - openPixels});
+  line({at.x(), at.y() + openPixels}, {at.x(), view.bottom()});
+}
+
+void paintDistance(QPainter& painter, const PlaneOverlay::Distance& distance) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintLine(painter, distance.from, distance.to, distanceColor);
+  for (const QPointF& end : {distance.from, distance.to}) {
+    painter.setPen(QPen(shadowColor, 1.0));
+    painter.setBrush(distanceColor);
+    painter.drawEllipse(end, 4.5, 4.5);
+  }
+  painter.restore();
+  paintNote(painter, distance.note);
+}
+
+} // namespace
+
+PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const PlaneFrame& frame,
+                          const QSizeF& size, const QFont& font) {
+  PlaneOverlay overlay;
+  overlay.view = QRectF({0.0, 0.0}, size);
+  overlay.font = font;
+  overlay.crosshair = pointOf(frame, crosshairOf(content));
+  overlay.notes = notesOf(content, plane, overlay.view, font);
+  overlay.scale = scaleOf(content, frame, overlay.view, font);
+  if (overlay.scale && overlay.scale->plate.intersects(overlay.notes.back().plate))
+    overlay.scale.reset();
+  addLetters(overlay, content, frame.grid.axes);
+  overlay.distance = distanceOf(content, plane, frame, font, overlay.view);
+  return overlay;
+}
+
+bool isInSlice(const PlaneContent& content, PatientPlane plane, const MeasuredDistance& distance) {
+  if (distance.plane != plane)
+    return false;
+  const glm::dvec3 across = axesOf(plane).forward;
+  const double half = sliceStepMm(content.volume->grid(), plane) / 2.0;
+  const glm::dvec3 crosshair = crosshairOf(content);
+  return std::abs(glm::dot(distance.from - crosshair, across)) <= half &&
+         std::abs(glm::dot(distance.to - crosshair, across)) <= half;
+}
+
+void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {
+  painter.setFont(overlay.font);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  paintCrosshair(painter, overlay.crosshair, overlay.view);
+  if (overlay.distance)
+    paintDistance(painter, *overlay.distance);
+  for (const Note& note : overlay.notes)
+    paintNote(painter, note);
+  if (overlay.scale)
+    paintScaleBar(painter, *overlay.scale);
+  if (overlay.letters)
+    paintLetters(painter, *overlay.letters);
+}
+
+} // namespace limn

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/planes/PlanePictures.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+namespace limn {
+namespace {
+
+// Told apart from any grey and from the crosshair, by eyes of every kind.
+constexpr std::uint32_t outlineColor = 0xffffc83c;
+
+// What of the content changes the picture of a slice that was read.
+PlaneContent withoutPlaces(PlaneContent content) {
+  const PlaneSettings& settings = content.settings;
+  PlaneSettings kept;
+  kept.window = windowOf(content);
+  kept.isTinted = settings.isTinted;
+  kept.outlinesRegion = settings.outlinesRegion;
+  content.settings = kept;
+  content.firstWindow = {};
+  if (!kept.isTinted)
+    content.function = {};
+  return content;
+}
+
+QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size) {
+  QImage image(size.x, size.y, QImage::Format_ARGB32_Premultiplied);
+  for (int y = 0; y < size.y; ++y)
+    std::memcpy(image.scanLine(y), pixels.data() + static_cast<std::size_t>(y) * size.x,
+                static_cast<std::size_t>(size.x) * sizeof(std::uint32_t));
+  return image;
+}
+
+} // namespace
+
+const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGrid& plane) {
+  const Read wanted{content.volume, plane, {content.settings.interpolation, content.settings.slab}};
+  const PlaneContent painted = withoutPlaces(content);
+  const bool isRead = wanted == m_read;
+  if (isRead && painted == m_painted)
+    return m_picture;
+  if (!isRead)
+    read(content, wanted);
+  const bool weighs =
+      isRestricting(content.keep) && (content.settings.isTinted || content.settings.outlinesRegion);
+  if (weighs)
+    weigh(content, plane);
+  const std::optional<PlaneTint> tint =
+      content.settings.isTinted ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr})
+                                : std::nullopt;
+  std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
+  if (weighs && content.settings.outlinesRegion) {
+    const std::vector<std::uint8_t> edge = outlineOf(m_weights);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      if (edge[i])
+        pixels[i] = outlineColor;
+  }
+  m_picture = imageOf(pixels, plane.size);
+  m_painted = painted;
+  return m_picture;
+}
+
+int PlanePictures::coarseness(const PlaneContent& content, const PlaneGrid& plane, double mostMs) const {
+  Read wanted{content.volume, plane, {content.settings.interpolation, content.settings.slab}};
+  if (wanted == m_read)
+    return 1;
+  wanted.plane = m_read.plane;
+  const double ms = wanted == m_read ? m_msPerPixel * plane.size.x * plane.size.y : 0.0;
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(ms / mostMs) - 1e-9)));
+}
+
+void PlanePictures::read(const PlaneContent& content, const Read& wanted) {
+  const auto start = std::chrono::steady_clock::now();
+  m_values = reformatted(*content.volume, wanted.plane, wanted.sampling);
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  m_msPerPixel = taken.count() / std::max(1, wanted.plane.size.x * wanted.plane.size.y);
+  m_read = wanted;
+  m_weights = {};
+  ++m_readings;
+}
+
+void PlanePictures::weigh(const PlaneContent& content, const PlaneGrid& plane) {
+  if (m_weights.size == plane.size && m_region == content.keep)
+    return;
+  m_weights = weightsOn(content.keep, content.volume->grid(), plane, content.settings.interpolation);
+  m_region = content.keep;
+}
+
+} // namespace limn

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planes/PlanePixels.h"
+#include "widgets/planes/PlaneContent.h"
+
+#include <QImage>
+
+namespace limn {
+
+/// Makes the picture of one slice, and keeps what it read: another window or tint reads no voxel again, and
+/// the same slice nothing at all.
+class PlanePictures {
+public:
+  /// The slice on a plane: grey, tinted and outlined as the content's settings ask, transparent outside of
+  /// the volume. There is a volume.
+  const QImage& picture(const PlaneContent& content, const PlaneGrid& plane);
+
+  /// How many pixels each way had better be read as one (`coarser`) so that it takes at most `mostMs`, judged
+  /// by how long the last reading took: 1 where all can be, where nothing of the kind was read yet, and where
+  /// this is the slice that was read.
+  int coarseness(const PlaneContent& content, const PlaneGrid& plane, double mostMs) const;
+
+  /// How often voxels were read.
+  int readings() const { return m_readings; }
+
+private:
+  struct Read {
+    std::shared_ptr<const Volume> volume;
+    PlaneGrid plane;
+    PlaneSampling sampling;
+    bool operator==(const Read&) const = default;
+  };
+
+  void read(const PlaneContent& content, const Read& wanted);
+  void weigh(const PlaneContent& content, const PlaneGrid& plane);
+
+  Read m_read;
+  PlaneImage m_values;
+  Region m_region; ///< whose weights were read
+  PlaneImage m_weights;
+  PlaneContent m_painted;
+  QImage m_picture;
+  int m_readings = 0;
+  double m_msPerPixel = 0.0; ///< of the last reading
+};
+
+} // namespace limn

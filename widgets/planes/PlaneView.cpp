@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/planes/PlaneView.h"
+
+#include "planes/GreyWindows.h"
+#include "scene/presets/PresetFit.h"
+#include "widgets/planes/AccessiblePlane.h"
+#include "widgets/planes/PlaneOverlay.h"
+#include "widgets/planes/PlaneText.h"
+#include "widgets/view/panels/FocusRing.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int notch = 120; // of a wheel, in Qt's eighths of a degree
+constexpr double zoomStep = 1.15;
+constexpr int fastSlices = 10;
+
+// A slice follows the pointer; what takes longer (thick slabs of oblique volumes) is coarse until nothing
+// moves.
+constexpr double mostMovingMs = 16.0;
+constexpr int restMs = 150;
+
+// Shorter ones are clicks, logical pixels.
+constexpr double shortestDistance = 3.0;
+
+} // namespace
+
+PlaneView::PlaneView(PatientPlane plane, QWidget* parent) : QWidget(parent), m_plane(plane) {
+  setObjectName(QStringLiteral("plane-") + QLatin1String(nameOf(plane)));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  makePlanesAccessible();
+  new FocusRing(this);
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(restMs);
+  connect(&m_rest, &QTimer::timeout, this, [this] {
+    m_showsAllPixels = true;
+    update();
+  });
+}
+
+void PlaneView::setContent(const PlaneContent& content) {
+  if (content == m_content)
+    return;
+  if (content.volume != m_content.volume) {
+    m_zoom.reset();
+    m_drag.reset();
+  }
+  m_content = content;
+  describe();
+  look();
+}
+
+// At something else, or from elsewhere.
+void PlaneView::look() {
+  m_showsAllPixels = false;
+  update();
+}
+
+void PlaneView::setTool(PlaneTool tool) {
+  m_tool = tool;
+  showCursor(mapFromGlobal(QCursor::pos()));
+}
+
+PlaneFrame PlaneView::frame() const {
+  return planeFrame(m_content.volume->grid(), m_plane, crosshairOf(m_content), size(), devicePixelRatioF(),
+                    m_zoom);
+}
+
+void PlaneView::goOn(int slices) {
+  if (m_content.volume)
+    emit settingsEdited(withCrosshairMoved(m_content, axesOf(m_plane).forward, slices));
+}
+
+// What assistive technology reads beside the name.
+void PlaneView::describe() {
+  if (!m_content.volume) {
+    setAccessibleName({});
+    return;
+  }
+  setAccessibleName(tr("%1 slice").arg(planeTitle(*m_content.volume, m_plane)));
+  const QString place = slicePlaceText(m_content, m_plane);
+  const QString value = crosshairText(m_content);
+  const QString description = value.isEmpty() ? place : tr("%1, %2 under the crosshair").arg(place, value);
+  if (description == accessibleDescription())
+    return;
+  setAccessibleDescription(description);
+  tellPlaneMoved(*this);
+}
+
+void PlaneView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::black);
+  if (!m_content.volume)
+    return;
+  const PlaneFrame shown = frame();
+  const int coarseness = m_showsAllPixels ? 1 : m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
+  if (coarseness > 1)
+    m_rest.start();
+  const QImage& picture = m_pictures.picture(m_content, coarser(shown.grid, coarseness));
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, coarseness > 1);
+  painter.drawImage(QRectF({0.0, 0.0}, QSizeF(picture.size()) * coarseness / shown.pixelRatio), picture);
+  paintPlaneOverlay(painter, planeOverlay(m_content, m_plane, shown, size(), font()));
+}
+
+void PlaneView::mousePressEvent(QMouseEvent* event) {
+  if (!m_content.volume || m_drag)
+    return;
+  m_drag =
+      dragFrom({m_plane, m_tool, event->button(), event->modifiers(), event->position()}, m_content, frame());
+  if (m_drag && m_drag->kind == PlaneDrag::Kind::crosshair)
+    emit settingsEdited(*settingsAfter(*m_drag, event->position()));
+}
+
+void PlaneView::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_drag)
+    return showCursor(event->position());
+  if (const auto settings = settingsAfter(*m_drag, event->position())) {
+    emit settingsEdited(*settings);
+    return;
+  }
+  m_zoom = pannedBy(m_drag->frame, event->position() - m_drag->press);
+  look();
+}
+
+void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!m_drag || event->button() != m_drag->button)
+    return;
+  const PlaneDrag drag = *m_drag;
+  m_drag.reset();
+  const std::optional<PlaneSettings> settings = settingsAfter(drag, event->position());
+  const bool measures =
+      drag.kind == PlaneDrag::Kind::distanceFrom || drag.kind == PlaneDrag::Kind::distanceTo;
+  if (!measures || !settings)
+    return;
+  const MeasuredDistance& distance = *settings->distance;
+  if (glm::length(distance.to - distance.from) < shortestDistance * mmPerLogicalPixel(drag.frame))
+    emit settingsEdited(drag.before);
+}
+
+void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (m_content.volume && event->button() == Qt::LeftButton)
+    emit settingsEdited(withLargeToggled(m_content.settings, m_plane));
+}
+
+void PlaneView::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  if (!m_content.volume)
+    return;
+  if (event->modifiers() & Qt::ControlModifier)
+    return zoom(event->position(), std::pow(zoomStep, event->angleDelta().y() / static_cast<double>(notch)));
+  // Touch pads turn by less than a notch at a time.
+  m_turned += event->angleDelta().y();
+  const int slices = m_turned / notch;
+  m_turned -= slices * notch;
+  if (slices != 0)
+    goOn(slices);
+}
+
+void PlaneView::keyPressEvent(QKeyEvent* event) {
+  const bool isPlain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+  if (!m_content.volume || !isPlain || !obey(event->key(), event->modifiers() & Qt::ShiftModifier))
+    QWidget::keyPressEvent(event);
+}
+
+// Keys go to what the pointer is over, but not out of a field in which someone types.
+void PlaneView::enterEvent(QEnterEvent* event) {
+  QWidget::enterEvent(event);
+  const QWidget* focused = QApplication::focusWidget();
+  const bool isTyping =
+      qobject_cast<const QLineEdit*>(focused) || qobject_cast<const QAbstractSpinBox*>(focused);
+  if (isActiveWindow() && !isTyping)
+    setFocus(Qt::MouseFocusReason);
+}
+
+bool PlaneView::obey(int key, bool isFast) {
+  if (moveByKey(key, isFast ? fastSlices : 1))
+    return true;
+  switch (key) {
+  case Qt::Key_Plus:
+  case Qt::Key_Equal:
+    zoom(QRectF(rect()).center(), zoomStep);
+    return true;
+  case Qt::Key_Minus:
+    zoom(QRectF(rect()).center(), 1.0 / zoomStep);
+    return true;
+  case Qt::Key_F:
+    m_zoom.reset();
+    look();
+    return true;
+  case Qt::Key_C:
+    emit toolRequested(PlaneTool::crosshair);
+    return true;
+  case Qt::Key_W:
+    emit toolRequested(PlaneTool::windowLevel);
+    return true;
+  case Qt::Key_D:
+    emit toolRequested(PlaneTool::distance);
+    return true;
+  case Qt::Key_Escape:
+    cancel();
+    return true;
+  case Qt::Key_0:
+  case Qt::Key_1:
+  case Qt::Key_2:
+  case Qt::Key_3:
+  case Qt::Key_4:
+    return chooseWindow(key - Qt::Key_0);
+  case Qt::Key_Delete: {
+    PlaneSettings settings = m_content.settings;
+    settings.distance.reset();
+    emit settingsEdited(settings);
+    return true;
+  }
+  default:
+    return false;
+  }
+}
+
+// 0 is the full range, the others are those of tissues where values are Hounsfield units.
+bool PlaneView::chooseWindow(int number) {
+  PlaneSettings settings = m_content.settings;
+  if (number == 0)
+    settings.window = fullWindow(m_content.volume->range());
+  else if (looksLikeHounsfield(*m_content.volume))
+    settings.window = windowOf(tissueWindows[static_cast<std::size_t>(number) - 1]);
+  else
+    return false;
+  emit settingsEdited(settings);
+  return true;
+}
+
+bool PlaneView::moveByKey(int key, int slices) {
+  const PlaneAxes axes = axesOf(m_plane);
+  const auto move = [&](const glm::dvec3& direction) {
+    emit settingsEdited(withCrosshairMoved(m_content, direction, slices));
+    return true;
+  };
+  switch (key) {
+  case Qt::Key_Left:
+    return move(-axes.right);
+  case Qt::Key_Right:
+    return move(axes.right);
+  case Qt::Key_Up:
+    return move(-axes.down);
+  case Qt::Key_Down:
+    return move(axes.down);
+  case Qt::Key_PageUp:
+    return move(axes.forward);
+  case Qt::Key_PageDown:
+    return move(-axes.forward);
+  case Qt::Key_Home: {
+    PlaneSettings settings = m_content.settings;
+    settings.crosshairMm.reset();
+    emit settingsEdited(settings);
+    return true;
+  }
+  default:
+    return false;
+  }
+}
+
+// Esc puts back what the drag has changed, or returns to the crosshair.
+void PlaneView::cancel() {
+  if (!m_drag) {
+    emit toolRequested(PlaneTool::crosshair);
+    return;
+  }
+  const PlaneDrag drag = *m_drag;
+  m_drag.reset();
+  if (drag.kind == PlaneDrag::Kind::pan) {
+    m_zoom = pannedBy(drag.frame, {});
+    look();
+  } else {
+    emit settingsEdited(drag.before);
+  }
+}
+
+void PlaneView::zoom(const QPointF& about, double factor) {
+  m_zoom = zoomedAbout(frame(), about, factor);
+  look();
+}
+
+void PlaneView::showCursor(const QPointF& point) {
+  if (m_content.volume && distanceEndAt(m_content, m_plane, frame(), point))
+    setCursor(Qt::SizeAllCursor);
+  else
+    setCursor(m_tool == PlaneTool::windowLevel ? Qt::SizeAllCursor : Qt::CrossCursor);
+}
+
+} // namespace limn

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/planes/PlaneDrag.h"
+#include "widgets/planes/PlanePictures.h"
+
+#include <QTimer>
+#include <QWidget>
+
+namespace limn {
+
+/// One slice of the volume in a plane of the patient, with crosshair, sides, scale and window. It changes
+/// nothing: it asks for other settings, through its signal, and is given what became of them by setContent().
+///
+/// The left button does what the tool says: crosshair, window/level or a distance; the right one always drags
+/// the window, the middle one pans, the wheel leads through the slices, with Ctrl it zooms. Keys: arrows,
+/// Page up and down, Home (middle), + − and F (all of the slice), 0 (full window) and 1 … 4 (those of
+/// tissues), C W D and Esc (tools), Delete (the distance).
+class PlaneView : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PlaneView(PatientPlane plane, QWidget* parent = nullptr);
+
+  PatientPlane plane() const { return m_plane; }
+
+  /// Shows a content; without a volume the view is black.
+  void setContent(const PlaneContent& content);
+  const PlaneContent& content() const { return m_content; }
+
+  void setTool(PlaneTool tool);
+
+  /// How the slice lies in the view; there is a volume.
+  PlaneFrame frame() const;
+
+  /// Goes so many slices on, to the head, the front or the left.
+  void goOn(int slices);
+
+  /// How often voxels were read for it.
+  int readings() const { return m_pictures.readings(); }
+
+  QSize sizeHint() const override { return {320, 240}; }
+  QSize minimumSizeHint() const override { return {80, 60}; }
+
+signals:
+  void settingsEdited(const limn::PlaneSettings& settings);
+  void toolRequested(limn::PlaneTool tool);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+
+private:
+  bool obey(int key, bool isFast);
+  bool moveByKey(int key, int slices);
+  bool chooseWindow(int number);
+  void cancel();
+  void zoom(const QPointF& about, double factor);
+  void showCursor(const QPointF& point);
+  void look();
+  void describe();
+
+  PatientPlane m_plane;
+  PlaneContent m_content;
+  PlaneTool m_tool = PlaneTool::crosshair;
+  std::optional<PlaneZoom> m_zoom; ///< absent: all of the slice
+  std::optional<PlaneDrag> m_drag;
+  int m_turned = 0; ///< of the wheel, less than a notch
+  PlanePictures m_pictures;
+  QTimer m_rest;                 ///< runs while what is shown is coarse
+  bool m_showsAllPixels = false; ///< however long that takes: nothing moves
+};
+
+} // namespace limn
