@@ -226,9 +226,10 @@ void Actions::makeEngines() {
 void Actions::makeOtherActions() {
   findPreset = made("findPreset", {.text = tr("&Find preset"), .shortcut = QKeySequence::Find});
   savePreset = made("savePreset", {.text = tr("&Save as preset…")});
-  suggest = made("suggest", {.text = tr("S&uggest from boundaries…"),
-                             .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
-                                           "the curve for each")});
+  suggest =
+      made("suggest", {.text = tr("S&uggest from boundaries…"),
+                       .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
+                                     "the curve for each")});
   settings = made("settings", {.text = tr("&Settings…"), .shortcut = tr("Ctrl+,")});
   settings->setMenuRole(QAction::PreferencesRole);
   stability =
