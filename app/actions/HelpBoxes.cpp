@@ -30,7 +30,7 @@ QList<HelpRow> helpRows() {
       {QObject::tr("Ctrl+left drag"), QObject::tr("roll")},
       {QObject::tr("Alt+left drag"), QObject::tr("window and level; with Ctrl: opacity")},
       {QObject::tr("Arrows"), QObject::tr("rotate")},
-      {QObject::tr("Shift+move, Shift+click"), QObject::tr("value under the pointer, pin it in the curve")},
+      {QObject::tr("Shift+move, Shift+click"), QObject::tr("value under the pointer, pin it in the curve: less or more of it")},
       {QObject::tr("A P L S I, End PgDn Home"), QObject::tr("standard views; with Shift the opposite ones")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
       {QObject::tr("Space"), QObject::tr("swap the two sides while held")},

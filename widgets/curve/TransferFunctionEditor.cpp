@@ -8,6 +8,7 @@
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/curve/points/PointFields.h"
 #include "widgets/curve/points/PointPopup.h"
+#include "widgets/curve/points/TissueButtons.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -29,6 +30,7 @@ QString factorText(double factor) {
 
 TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* parent)
     : QWidget(parent), m_canvas(new TransferFunctionCanvas(subject)), m_fields(new PointFields(subject)),
+      m_tissue(new TissueButtons(this)),
       m_opacity(new SpringSlider(
           tr("Overall opacity"),
           tr("<p>Makes everything visible more solid or more transparent; what is invisible stays "
@@ -53,6 +55,7 @@ TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* pa
   setFocusProxy(m_canvas);
   connectCanvas();
   connectSliders();
+  showPinOrPoints();
   showIcons();
 }
 
@@ -71,6 +74,7 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   layout->setSpacing(16);
   m_row = layout;
   layout->addWidget(m_fields);
+  layout->addWidget(m_tissue);
   layout->addStretch(1);
   layout->addWidget(m_opacity);
   layout->addWidget(m_shift);
@@ -91,7 +95,8 @@ void TransferFunctionEditor::setEditable(bool editable) {
   m_canvas->setEnabled(editable);
   for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll})
     control->setEnabled(editable);
-  m_fields->setVisible(editable);
+  m_isEditable = editable;
+  showPinOrPoints();
 }
 
 void TransferFunctionEditor::connectCanvas() {
@@ -101,11 +106,19 @@ void TransferFunctionEditor::connectCanvas() {
             emit transferFunctionEdited(function, gesture);
           });
   connect(m_canvas, &TransferFunctionCanvas::valueHovered, this, &TransferFunctionEditor::valueHovered);
-  connect(m_canvas, &TransferFunctionCanvas::selectionChanged, this, &TransferFunctionEditor::showSelection);
+  connect(m_canvas, &TransferFunctionCanvas::selectionChanged, this, [this] {
+    m_pinIsLatest = m_pinIsLatest && m_canvas->selected().empty();
+    showSelection();
+  });
+  connect(m_canvas, &TransferFunctionCanvas::pinChanged, this, [this] {
+    m_pinIsLatest = m_canvas->hasPin();
+    showSelection();
+  });
   connect(m_canvas, &TransferFunctionCanvas::numbersRequested, m_fields, &PointFields::focusValue);
   connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this,
           &TransferFunctionEditor::openDetails);
   connect(m_fields, &PointFields::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
+  connect(m_tissue, &TissueButtons::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
 }
 
 void TransferFunctionEditor::connectSliders() {
@@ -166,6 +179,16 @@ void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {
 
 void TransferFunctionEditor::showSelection() {
   m_fields->setPoints(m_canvas->transferFunction(), m_canvas->selected(), m_canvas->unit(), typedDecimals());
+  m_tissue->setTransferFunction(m_canvas->transferFunction());
+  if (const auto pinned = m_canvas->pinnedValue())
+    m_tissue->setValue(*pinned, m_canvas->unit(), m_range, m_canvas->shownDecimals());
+  showPinOrPoints();
+}
+
+// There is room for one of them: what the user turned to last.
+void TransferFunctionEditor::showPinOrPoints() {
+  m_fields->setVisible(m_isEditable && !m_pinIsLatest);
+  m_tissue->setVisible(m_isEditable && m_pinIsLatest);
 }
 
 void TransferFunctionEditor::openDetails(std::size_t index) {

@@ -17,6 +17,7 @@ namespace limn {
 
 class PointFields;
 class SpringSlider;
+class TissueButtons;
 class TransferFunctionCanvas;
 
 /// Shows a transfer function over the volume's histogram and asks for edits: the plot with its mouse and key
@@ -47,7 +48,8 @@ public:
   /// Marks the value under the pointer in the picture.
   void setMarkedValue(std::optional<double> value);
 
-  /// Marks a value until another is pinned or its mark is removed from the plot's menu.
+  /// Marks a value until another is pinned or its mark is removed from the plot's menu, and offers less or
+  /// more of its tissue until a point is selected.
   void setPinnedValue(std::optional<double> value);
 
   TransferFunctionCanvas* canvas() const { return m_canvas; }
@@ -66,6 +68,7 @@ private:
   void connectCanvas();
   void connectSliders();
   void showSelection();
+  void showPinOrPoints();
   void openDetails(std::size_t index);
   const TransferFunction& pullBase(std::uint64_t gestureId);
   double shiftOf(double position) const;
@@ -76,6 +79,9 @@ private:
   ValueRange m_range{0.0, 1.0}; // before the sliders, whose first read-out needs it
   TransferFunctionCanvas* m_canvas;
   PointFields* m_fields;
+  TissueButtons* m_tissue; ///< in the place of the fields when a value was pinned last
+  bool m_pinIsLatest = false;
+  bool m_isEditable = true;
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
   QBoxLayout* m_row = nullptr;

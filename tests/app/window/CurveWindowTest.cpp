@@ -4,6 +4,8 @@
 #include "widgets/curve/points/PointFields.h"
 #include "widgets/curve/points/PointPopup.h"
 
+#include <QToolButton>
+
 // The curve's plot in the program's window.
 
 namespace limn {
@@ -40,6 +42,24 @@ TEST_F(CurveWindow, thePopUpOfAPointLeavesItInSightAndItsPartsStandInLine) {
     }
     EXPECT_GT(seen, 1);
   }
+}
+
+TEST_F(CurveWindow, aTissueClickedInThePictureIsMadeTransparentByOneMoreClick) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(rest());
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, Qt::ShiftModifier,
+                    view().mapTo(window.get(), QPoint(view().width() / 4, view().height() / 2)));
+  ASSERT_TRUE(test::waitUntil([&] { return plot().pinnedValue().has_value(); }));
+  const double value = *plot().pinnedValue();
+  const double before = classify(scene().transferFunction, value).opacity;
+  ASSERT_GT(before, 0.0) << "what was clicked is what shows";
+  const int steps = undo().count();
+  QTest::mouseClick(widgetNamed<QToolButton>(*curves().valueEditor(), "Less of the pinned tissue"),
+                    Qt::LeftButton);
+  EXPECT_NEAR(classify(scene().transferFunction, value).opacity, before / 2.0, 1e-9);
+  EXPECT_EQ(undo().count(), steps + 1);
+  undo().undo();
+  EXPECT_EQ(classify(scene().transferFunction, value).opacity, before);
 }
 
 } // namespace

@@ -13,6 +13,8 @@
 #include <QMouseEvent>
 #include <QTest>
 
+#include <QToolButton>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -105,6 +107,35 @@ TEST_F(TransferFunctionEditorTest, overallOpacityMultipliesFromWhereItStoodAndZe
   const double before = edited.points[4].opacity;
   pull(widgetNamed<TrackSlider>(m_editor, "Overall opacity"), -20);
   EXPECT_NEAR(m_edits.back().first.points[4].opacity, before * factor, 1e-9);
+}
+
+TEST_F(TransferFunctionEditorTest, lessAndMoreOfAPinnedTissueAreOneEditEach) {
+  auto* less = widgetNamed<QToolButton>(m_editor, "Less of the pinned tissue");
+  auto* more = widgetNamed<QToolButton>(m_editor, "More of the pinned tissue");
+  EXPECT_FALSE(less->isVisible());
+  m_editor.setPinnedValue(50.0);
+  EXPECT_TRUE(less->isVisible());
+  EXPECT_FALSE(valueField()->isVisible()) << "no room for both";
+  const double before = classify(m_editor.canvas()->transferFunction(), 50.0).opacity;
+  ASSERT_GT(before, 0.0);
+  QTest::mouseClick(less, Qt::LeftButton);
+  ASSERT_EQ(m_edits.size(), 1u);
+  EXPECT_DOUBLE_EQ(classify(m_edits[0].first, 50.0).opacity, before / 2.0);
+  EXPECT_EQ(m_edits[0].second.text, QStringLiteral("less of 50\u00a0HU"));
+  more->setFocus();
+  QTest::keyClick(more, Qt::Key_Space);
+  ASSERT_EQ(m_edits.size(), 2u);
+  EXPECT_DOUBLE_EQ(classify(m_edits[1].first, 50.0).opacity, before);
+  EXPECT_NE(m_edits[0].second.id, m_edits[1].second.id);
+  // What is turned to last is shown.
+  m_editor.canvas()->selectPoints({0});
+  EXPECT_FALSE(less->isVisible());
+  EXPECT_TRUE(valueField()->isVisible());
+  m_editor.setPinnedValue(60.0);
+  EXPECT_TRUE(less->isVisible());
+  m_editor.setPinnedValue(std::nullopt);
+  EXPECT_FALSE(less->isVisible());
+  EXPECT_TRUE(valueField()->isVisible());
 }
 
 TEST_F(TransferFunctionEditorTest, shiftMovesTheWholeCurve) {

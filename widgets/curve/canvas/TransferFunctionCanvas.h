@@ -30,7 +30,10 @@ public:
   void setHistogram(const Histogram& histogram);
   void setUnit(const QString& unit) { setShown(m_plot.unit, unit); }
   void setMarkedValue(std::optional<double> value) { setShown(m_markedValue, value); }
-  void setPinnedValue(std::optional<double> value) { setShown(m_pinnedValue, value); }
+  void setPinnedValue(std::optional<double> value) {
+    setShown(m_pinnedValue, value);
+    emit pinChanged();
+  }
   void setFineLowOpacities(bool fine) { setShown(m_fineLowOpacities, fine); }
   /// A sentence in the middle of the plot; empty for none. Without a histogram the plot has its own.
   void setHint(const QString& hint) { setShown(m_hint, hint); }
@@ -81,6 +84,7 @@ signals:
   void transferFunctionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void valueHovered(std::optional<double> value);
   void selectionChanged();
+  void pinChanged();
   /// The user wants to type numbers (Enter).
   void numbersRequested();
   /// The user wants colour and numbers of a point in a pop-up (double click).
