@@ -191,7 +191,7 @@ TEST_F(ViewInput, theTitleOfTheDifferenceExplainsItAndTheLabelsStillChoose) {
   EXPECT_TRUE(host.view.toolTip().contains(QStringLiteral("differ")));
   host.move({200, 150});
   EXPECT_TRUE(host.view.toolTip().isEmpty());
-  QTest::mouseClick(host.view.windowHandle(), Qt::LeftButton, {}, {225, 20}); // the right half's label
+  QTest::mouseClick(host.view.windowHandle(), Qt::LeftButton, {}, {370, 20}); // the right half's label
   auto* menu = host.view.findChild<QMenu*>();
   ASSERT_NE(menu, nullptr);
   EXPECT_TRUE(menu->actions()[2]->isChecked()); // enhanced
