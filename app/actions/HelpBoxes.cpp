@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/HelpBoxes.h"
 
+#include <QDialog>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QList>
 #include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
 
 namespace limn {
 namespace {
@@ -19,7 +24,7 @@ struct HelpRow {
   QString effect;
 };
 
-QList<HelpRow> helpRows() {
+QList<HelpRow> pictureRows() {
   return {
       {{}, QObject::tr("Picture")},
       {QObject::tr("Left drag"), QObject::tr("rotate, or what the chosen tool does")},
@@ -38,6 +43,11 @@ QList<HelpRow> helpRows() {
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
       {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
       {QObject::tr("F11, double click"), QObject::tr("picture and curve only")},
+  };
+}
+
+QList<HelpRow> otherRows() {
+  return {
       {{}, QObject::tr("Slices")},
       {QObject::tr("Left drag"), QObject::tr("crosshair, or what the chosen tool does")},
       {QObject::tr("Wheel, PgUp PgDn"), QObject::tr("through the slices; Shift+keys: ten at a time")},
@@ -66,7 +76,7 @@ QList<HelpRow> helpRows() {
 }
 
 // One table, so that its columns stand under each other.
-QString htmlOf(const QList<HelpRow>& rows) {
+QString tableOf(const QList<HelpRow>& rows) {
   QString html = QStringLiteral("<table cellspacing=6>");
   for (const HelpRow& row : rows)
     html += row.gesture.isEmpty()
@@ -77,8 +87,21 @@ QString htmlOf(const QList<HelpRow>& rows) {
 
 } // namespace
 
+// Side by side, because one below the other they are higher than a small screen.
 void showShortcuts(QWidget* parent) {
-  showBox(parent, QObject::tr("Mouse and keys"), htmlOf(helpRows()));
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(QObject::tr("Mouse and keys"));
+  auto* tables = new QHBoxLayout;
+  tables->setSpacing(24);
+  for (const QList<HelpRow>& rows : {pictureRows(), otherRows()})
+    tables->addWidget(new QLabel(tableOf(rows), dialog), 1, Qt::AlignTop);
+  auto* close = new QPushButton(QObject::tr("Close"), dialog);
+  QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::close);
+  auto* column = new QVBoxLayout(dialog);
+  column->addLayout(tables);
+  column->addWidget(close, 0, Qt::AlignRight);
+  dialog->show();
 }
 
 void showAbout(QWidget* parent) {
