@@ -63,8 +63,11 @@ int mostNoteLines(const QStyleOptionViewItem& option) {
 }
 
 // The whole note where it has room, otherwise what stands before its semicolon; the tool tip has the rest.
+// That the preset was changed comes first.
 QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
-  const QString note = index.data(presetRole::note).toString();
+  QString note = index.data(presetRole::note).toString();
+  if (static_cast<PresetUse>(index.data(presetRole::use).toInt()) == PresetUse::modified)
+    note = QObject::tr("Modified. %1", "a preset; its note follows").arg(note);
   const QFont font = noteFont(option.font);
   const int most = mostNoteLines(option);
   const bool hasRoom = wrapped(note, font, width, most + 1).size() <= most;
@@ -116,30 +119,23 @@ void paintPicture(QPainter& painter, const QRectF& place, const QImage& picture)
   painter.restore();
 }
 
-void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line, const QString& name,
-               PresetUse use) {
-  const ThemeColors colors = themeColors(option.palette);
-  const QFont small = noteFont(option.font);
-  const QString modified = use == PresetUse::modified ? QObject::tr("modified") : QString();
-  const int beside = modified.isEmpty() ? 0 : QFontMetrics(small).horizontalAdvance(modified) + 6;
+void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line,
+               const QString& name) {
   painter.setFont(option.font);
-  painter.setPen(colors.text);
+  painter.setPen(themeColors(option.palette).text);
   painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width() - beside));
-  painter.setFont(small);
-  painter.setPen(colors.secondaryText);
-  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, modified);
+                   QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width()));
 }
 
 void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRect& room,
-                const QModelIndex& index, PresetUse use) {
+                const QModelIndex& index) {
   const QFont small = noteFont(option.font);
   const QStringList note = noteLines(option, index, room.width());
   const int height =
       QFontMetrics(option.font).height() + static_cast<int>(note.size()) * QFontMetrics(small).height();
   WholeLines lines(option, {room.left(), room.center().y() - height / 2, room.width(), height});
   if (const std::optional<QRect> line = lines.next(option.font))
-    paintName(painter, option, *line, index.data(Qt::DisplayRole).toString(), use);
+    paintName(painter, option, *line, index.data(Qt::DisplayRole).toString());
   painter.setFont(small);
   painter.setPen(themeColors(option.palette).secondaryText);
   for (const QString& text : note)
@@ -175,7 +171,7 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   paintPicture(*painter, picture, index.data(presetRole::thumbnail).value<QImage>());
   const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
-  paintTexts(*painter, option, texts, index, use);
+  paintTexts(*painter, option, texts, index);
   painter->restore();
 }
 

@@ -68,6 +68,16 @@ TEST_F(PanelPictures, ofEveryLayout) {
       }
 }
 
+TEST_F(PanelPictures, ofSlicesBesideThePicture) {
+  ASSERT_TRUE(openVolume());
+  for (QActionGroup* group : window->findChildren<QActionGroup*>())
+    for (QAction* choice : group->actions())
+      if (choice->objectName().startsWith(QLatin1String("planes-"))) {
+        choice->trigger();
+        take(choice->objectName());
+      }
+}
+
 TEST_F(PanelPictures, ofEveryTool) {
   ASSERT_TRUE(openVolume());
   for (QActionGroup* group : window->findChildren<QActionGroup*>())
