@@ -185,8 +185,7 @@ void MainWindow::connectScene() {
   connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
-  connect(&m_session, &Session::sceneChanged, &m_suggestions,
-          [this](const Scene& scene) { m_suggestions.showVolume(scene.volume); });
+  connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
   connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
     m_centre.view->setScene(scene);
     m_curves.showScene(scene);

@@ -28,6 +28,7 @@ const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
+const std::string saveFolderKey = "saveFolder";
 const std::string recentPrefix = "recent/";
 const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
@@ -216,6 +217,7 @@ void Settings::clearRecentSources() {
       for (const DatedEntry& entry : datedEntries(values, prefix))
         forget(values, prefix, entry.name);
     values.erase(folderKey);
+    values.erase(saveFolderKey);
   });
 }
 
@@ -232,9 +234,21 @@ void Settings::addKnownVolume(const std::string& path) {
   change([&](SettingsDocument& values) { putFirst(values, knownPrefix, path, fresh, mostKnown); });
 }
 
-QString Settings::dialogFolder() const {
-  const QString folder = text(folderKey);
+QString Settings::folderAt(const std::string& key) const {
+  const QString folder = text(key);
   return QFileInfo(folder).isDir() ? folder : QString();
+}
+
+QString Settings::dialogFolder() const {
+  return folderAt(folderKey);
+}
+
+QString Settings::saveFolder() const {
+  return folderAt(saveFolderKey);
+}
+
+void Settings::setSaveFolder(const QString& folder) {
+  set(saveFolderKey, folder);
 }
 
 void Settings::setDialogFolder(const QString& folder) {

@@ -50,9 +50,13 @@ public:
   std::vector<std::filesystem::path> knownVolumes();
   void addKnownVolume(const std::string& path);
 
-  /// In which the last dialog for a file ended; empty where it is none any more.
+  /// In which something was opened last; empty where it is none any more.
   QString dialogFolder() const;
   void setDialogFolder(const QString& folder);
+
+  /// In which something was saved last, likewise: what is saved does not belong beside patients' files.
+  QString saveFolder() const;
+  void setSaveFolder(const QString& folder);
 
   /// A name that stands for a path which must not be written elsewhere, the same each time. A new one begins
   /// with `kind`.
@@ -84,6 +88,7 @@ public:
   void setPatientIsShown(bool shown);
 
 private:
+  QString folderAt(const std::string& key) const;
   QString text(const std::string& key, const QString& otherwise = {}) const;
   void set(const std::string& key, const QString& value);
   void change(const std::function<void(SettingsDocument&)>& edit);

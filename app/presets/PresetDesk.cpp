@@ -67,6 +67,8 @@ void PresetDesk::use(const QString& name) {
   const std::optional<Preset> preset = fitted(name);
   if (!preset || !m_with.session.scene().volume)
     return;
+  if (!m_said.isEmpty() && m_with.messages.sentence() == m_said)
+    m_with.messages.hide(); // it was about another preset
   show(*preset, tr("use preset %1").arg(name));
   if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
     offerToFit(*preset);
@@ -85,19 +87,22 @@ void PresetDesk::offerToFit(const Preset& preset) {
     const Landmarks to = landmarksOf(m_with.document.histogram());
     show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
     const auto number = [](double value) { return QLocale().toString(value, 'g', 4); };
-    m_with.messages.show(MessageBar::Kind::warning,
-                         tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
-                            "HU), tissue begins at "
-                            "%4 (%5 HU), the brightest is %6 (%7 HU).")
-                             .arg(name, number(to.background), number(hounsfieldLandmarks.background),
-                                  number(to.object), number(hounsfieldLandmarks.object), number(to.brightest),
-                                  number(hounsfieldLandmarks.brightest)));
+    say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
+           "HU), tissue begins at "
+           "%4 (%5 HU), the brightest is %6 (%7 HU).")
+            .arg(name, number(to.background), number(hounsfieldLandmarks.background), number(to.object),
+                 number(hounsfieldLandmarks.object), number(to.brightest),
+                 number(hounsfieldLandmarks.brightest)));
   };
-  m_with.messages.show(MessageBar::Kind::warning,
-                       tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
-                          "nothing, or the wrong tissue.")
-                           .arg(name),
-                       {}, {tr("Fit to this volume"), fit});
+  say(tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
+         "nothing, or the wrong tissue.")
+          .arg(name),
+      {tr("Fit to this volume"), fit});
+}
+
+void PresetDesk::say(const QString& sentence, const MessageBar::Action& action) {
+  m_said = sentence;
+  m_with.messages.show(MessageBar::Kind::warning, sentence, {}, action);
 }
 
 void PresetDesk::useNumber(int number) {

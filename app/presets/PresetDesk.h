@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/presets/PresetStore.h"
+#include "app/window/MessageBar.h"
 
 #include <QObject>
 
@@ -12,7 +13,6 @@ class QWidget;
 
 namespace limn {
 
-class MessageBar;
 class OpenDocument;
 class PresetBrowser;
 class SaveNotes;
@@ -55,6 +55,7 @@ public:
 private:
   void show(const Preset& preset, const QString& edit);
   void offerToFit(const Preset& preset);
+  void say(const QString& sentence, const MessageBar::Action& action = {});
   void ask(const QString& title, const QString& label, const QString& name,
            const std::function<void(const QString&)>& answer);
   bool mayBeCalled(const QString& name) const;
@@ -63,6 +64,7 @@ private:
 
   PresetStore m_store;
   Partners m_with;
+  QString m_said; ///< in the message bar, of the preset used last
 };
 
 } // namespace limn

@@ -67,7 +67,7 @@ QString withEnding(const QString& path, const QStringList& filters, const QStrin
 
 QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings) {
   QString suggested = question.suggested;
-  const QString folder = settings.dialogFolder().isEmpty() ? question.usualFolder : settings.dialogFolder();
+  const QString folder = settings.saveFolder().isEmpty() ? question.usualFolder : settings.saveFolder();
   if (QFileInfo(suggested).isRelative() && !folder.isEmpty())
     suggested = QDir(folder).filePath(suggested);
   QString filter = question.filters.value(0);
@@ -89,7 +89,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     filter = dialog.selectedNameFilter();
     const QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
     if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
-      settings.setDialogFolder(QFileInfo(path).absolutePath());
+      settings.setSaveFolder(QFileInfo(path).absolutePath());
       return path;
     }
     suggested = path;

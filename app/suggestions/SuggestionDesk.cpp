@@ -19,14 +19,14 @@ SuggestionDesk::SuggestionDesk(Session& session, QAction& suggest, QWidget& wind
   connect(&suggest, &QAction::triggered, this, &SuggestionDesk::show);
 }
 
-void SuggestionDesk::showVolume(const std::shared_ptr<const Volume>& volume) {
-  if (volume == m_volume)
-    return;
+void SuggestionDesk::showScene(const Scene& scene) {
+  if (scene.volume == m_volume)
+    return markShown();
   m_thread.request_stop();
-  m_volume = volume;
+  m_volume = scene.volume;
   m_suggestions.clear();
   m_isKnown = false;
-  if (m_dialog && m_dialog->isVisible() && volume)
+  if (m_dialog && m_dialog->isVisible() && m_volume)
     look();
   else if (m_dialog)
     m_dialog->close();
@@ -42,8 +42,27 @@ void SuggestionDesk::show() {
   }
   if (!m_isKnown)
     look();
+  markShown();
+  if (!m_dialog->isVisible())
+    place();
   m_dialog->show();
   m_dialog->raise();
+}
+
+void SuggestionDesk::markShown() {
+  if (!m_dialog || !m_isKnown)
+    return;
+  const TransferFunction& function = m_session.scene().transferFunction;
+  std::vector<bool> shown;
+  for (const Suggestion& suggestion : m_suggestions)
+    shown.push_back(classify(function, suggestion.top.value).opacity >= suggestion.top.opacity);
+  m_dialog->setShown(shown);
+}
+
+// Beside the pictures that it is about, over the properties.
+void SuggestionDesk::place() {
+  const QPoint corner = m_window.mapToGlobal(QPoint(m_window.width(), 0));
+  m_dialog->move(corner + QPoint(-m_dialog->width() - 8, 64));
 }
 
 void SuggestionDesk::look() {
@@ -83,10 +102,10 @@ void SuggestionDesk::receive(const std::shared_ptr<const Volume>& volume,
     return;
   m_isKnown = problem.isEmpty();
   m_suggestions = suggestions;
-  if (m_isKnown)
-    m_dialog->setSuggestions(m_suggestions, names());
-  else
-    m_dialog->showSentence(problem);
+  if (!m_isKnown)
+    return m_dialog->showSentence(problem);
+  m_dialog->setSuggestions(m_suggestions, names());
+  markShown();
 }
 
 void SuggestionDesk::preview(const std::optional<std::size_t>& index) {

@@ -28,8 +28,8 @@ public:
   /// `suggest` asks for proposals.
   SuggestionDesk(Session& session, QAction& suggest, QWidget& window);
 
-  /// Another volume, or none: what is proposed holds no more.
-  void showVolume(const std::shared_ptr<const Volume>& volume);
+  /// What is proposed belongs to the scene's volume; what its curve shows already is marked.
+  void showScene(const Scene& scene);
 
 signals:
   /// What the picture and the curve are to show for a while; it enters no history. The session's own scene
@@ -38,6 +38,8 @@ signals:
 
 private:
   void show();
+  void markShown();
+  void place();
   void look();
   void search(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop);
   void receive(const std::shared_ptr<const Volume>& volume, const std::vector<Suggestion>& suggestions,

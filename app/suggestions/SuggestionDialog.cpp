@@ -12,6 +12,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -84,8 +86,16 @@ void SuggestionDialog::setSuggestions(const std::vector<Suggestion>& suggestions
   m_rows->addStretch();
 }
 
+void SuggestionDialog::setShown(const std::vector<bool>& shown) {
+  for (std::size_t i = 0; i < std::min(shown.size(), m_buttons.size()); ++i) {
+    m_buttons[i]->setEnabled(!shown[i]);
+    m_buttons[i]->setText(shown[i] ? tr("In the curve") : tr("Use"));
+  }
+}
+
 void SuggestionDialog::clearRows() {
   preview(std::nullopt);
+  m_buttons.clear();
   while (QLayoutItem* item = m_rows->takeAt(0)) {
     if (item->widget())
       item->widget()->deleteLater();
@@ -108,6 +118,7 @@ QWidget* SuggestionDialog::rowFor(const Suggestion& suggestion, std::size_t inde
   use->setAccessibleName(tr("Use the band %1").arg(name));
   use->setAccessibleDescription(why);
   connect(use, &QPushButton::clicked, this, [this, index] { emit chosen(index); });
+  m_buttons.push_back(use);
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(4, 4, 4, 4);
   line->setSpacing(12);

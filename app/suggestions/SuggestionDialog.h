@@ -10,6 +10,7 @@
 
 class QLabel;
 class QProgressBar;
+class QPushButton;
 class QVBoxLayout;
 
 namespace limn {
@@ -29,6 +30,9 @@ public:
   void showSentence(const QString& sentence);
 
   void setSuggestions(const std::vector<Suggestion>& suggestions, const ValueNames& names);
+
+  /// Which of them the curve shows already.
+  void setShown(const std::vector<bool>& shown);
 
   /// Which one is previewed.
   const std::optional<std::size_t>& previewedOne() const { return m_previewed; }
@@ -50,6 +54,7 @@ private:
   QLabel* m_text;
   QProgressBar* m_bar;
   QVBoxLayout* m_rows;
+  std::vector<QPushButton*> m_buttons; ///< of the rows
   std::optional<std::size_t> m_previewed;
 };
 

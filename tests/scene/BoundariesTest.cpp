@@ -154,20 +154,30 @@ TEST(Suggestion, bandsLieAroundTheirBoundariesAndGrowMoreOpaque) {
   EXPECT_EQ(bands[0].to.opacity, bands[0].top.opacity);
 }
 
-TEST(Suggestion, aBandReplacesWhatWasThereAndNothingElse) {
-  const TransferFunction before{
-      1.0, {{-2000.0, {0, 0, 1}, 0.5}, {-500.0, {0, 1, 0}, 0.2}, {2000.0, {1, 0, 0}, 0.5}}};
+TEST(Suggestion, aBandShowsWhereItIsTheMoreOpaqueAndLowersNothing) {
   const Suggestion band = suggestionsFor({{-1000.0, 0.0, 1.0}, {0.0, 1000.0, 0.5}}, {-2000.0, 2000.0})[0];
-  const TransferFunction after = withBand(before, band);
-  EXPECT_EQ(normalised(after), after) << "ascending";
-  for (const double outside : {-2000.0, -1000.0, -751.0, -249.0, 0.0, 2000.0}) {
-    EXPECT_NEAR(classify(after, outside).opacity, classify(before, outside).opacity, 1e-12) << outside;
-    EXPECT_NEAR(classify(after, outside).color.g, classify(before, outside).color.g, 1e-12) << outside;
+  ASSERT_EQ(band.top.value, -500.0);
+  const TransferFunction shown{1.0, {band.from, band.top, band.to}};
+  const TransferFunction bone{1.0,
+                              {{-600.0, {0, 0, 1}, 0.0}, {0.0, {0, 1, 0}, 0.6}, {2000.0, {1, 0, 0}, 0.9}}};
+  const TransferFunction flat{1.0, {{-2000.0, {0, 0, 1}, 0.05}, {2000.0, {0, 0, 1}, 0.05}}};
+  const TransferFunction step{1.0, {{-450.0, {0, 0, 1}, 0.0}, {-450.0, {0, 1, 0}, 0.1}}};
+  for (const TransferFunction& before : {bone, flat, step}) {
+    const TransferFunction after = withBand(before, band);
+    EXPECT_EQ(normalised(after), after) << "ascending";
+    for (double value = -1999.0; value < 2000.0; value += 7.0) {
+      const bool isWithin = value > band.from.value && value < band.to.value;
+      const double expected =
+          std::max(classify(before, value).opacity, isWithin ? classify(shown, value).opacity : 0.0);
+      EXPECT_NEAR(classify(after, value).opacity, expected, 1e-9) << value;
+      EXPECT_NEAR(classify(withBand(after, band), value).opacity, expected, 1e-9) << "twice is once";
+    }
+    EXPECT_EQ(classify(after, -500.0).color, band.top.color);
+    EXPECT_EQ(classify(after, 1500.0).color, classify(before, 1500.0).color);
   }
-  EXPECT_EQ(classify(after, -500.0).opacity, band.top.opacity);
-  EXPECT_EQ(classify(after, -500.0).color, band.top.color);
-  const TransferFunction empty = withBand({1.0, {}}, band);
-  EXPECT_EQ(empty.points, (std::vector{band.from, band.top, band.to}));
+  EXPECT_EQ(withBand({1.0, {}}, band).points, (std::vector{band.from, band.top, band.to}));
+  const TransferFunction opaque{1.0, {{-2000.0, {1, 1, 1}, 1.0}, {2000.0, {1, 1, 1}, 1.0}}};
+  EXPECT_EQ(withBand(opaque, band), opaque) << "nothing to add";
 }
 
 } // namespace

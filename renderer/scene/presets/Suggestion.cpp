@@ -66,27 +66,53 @@ std::vector<Suggestion> suggestionsFor(const std::vector<Boundary>& boundaries, 
 }
 
 TransferFunction withBand(const TransferFunction& function, const Suggestion& suggestion) {
-  const auto isOutside = [&](const ControlPoint& point) {
-    return point.value < suggestion.from.value || point.value > suggestion.to.value;
+  const TransferFunction band{function.unitDistanceMm, {suggestion.from, suggestion.top, suggestion.to}};
+  const auto isWithin = [&](double value) {
+    return value >= suggestion.from.value && value <= suggestion.to.value;
   };
-  // Where the band begins and ends the function keeps what it had, in a step.
-  const auto keptAt = [&](double value) {
-    const Classified kept = classify(function, value);
-    return ControlPoint{value, kept.color, kept.opacity};
+  // Positive where the band is the more opaque.
+  const auto lead = [&](double value) {
+    return isWithin(value) ? classify(band, value).opacity - classify(function, value).opacity : -1.0;
   };
+  const auto pointOf = [](const TransferFunction& of, double value) {
+    const Classified at = classify(of, value);
+    return ControlPoint{value, at.color, at.opacity};
+  };
+
+  // What of the function is not below the band, and what of the band is above the function.
+  std::vector<ControlPoint> points;
+  std::ranges::copy_if(function.points, std::back_inserter(points), [&](const ControlPoint& point) {
+    return !isWithin(point.value) || point.opacity >= classify(band, point.value).opacity;
+  });
+  const auto isPoint = [&](double value) {
+    return std::ranges::find(function.points, value, &ControlPoint::value) != function.points.end();
+  };
+  for (const ControlPoint& point : band.points)
+    if (lead(point.value) > 0.0 ||
+        (point.opacity == 0.0 && lead(point.value) == 0.0 && !isPoint(point.value)))
+      points.push_back(point);
+
+  // Where one line crosses the other the colours change, too.
+  std::vector<double> values;
+  for (const ControlPoint& point : function.points)
+    if (isWithin(point.value))
+      values.push_back(point.value);
+  for (const ControlPoint& point : band.points)
+    values.push_back(point.value);
+  std::ranges::sort(values);
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    const double before = lead(values[i]);
+    const double behind = lead(values[i + 1]);
+    if (before * behind >= 0.0)
+      continue;
+    const double crossing = glm::mix(values[i], values[i + 1], before / (before - behind));
+    const bool bandEnds = before > 0.0;
+    points.push_back(pointOf(bandEnds ? band : function, crossing));
+    points.push_back(pointOf(bandEnds ? function : band, crossing));
+  }
   TransferFunction result = function;
-  std::erase_if(result.points, [&](const ControlPoint& point) { return !isOutside(point); });
-  const auto behind =
-      std::find_if(result.points.begin(), result.points.end(),
-                   [&](const ControlPoint& point) { return point.value > suggestion.to.value; });
-  std::vector<ControlPoint> band;
-  if (const ControlPoint kept = keptAt(suggestion.from.value); kept.opacity > 0.0)
-    band.push_back(kept);
-  band.insert(band.end(), {suggestion.from, suggestion.top, suggestion.to});
-  if (const ControlPoint kept = keptAt(suggestion.to.value);
-      kept.opacity > 0.0 && behind != result.points.end())
-    band.push_back(kept);
-  result.points.insert(behind, band.begin(), band.end());
+  std::ranges::stable_sort(points, {}, &ControlPoint::value);
+  result.points = std::move(points);
   return result;
 }
 

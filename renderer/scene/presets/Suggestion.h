@@ -22,7 +22,7 @@ struct Suggestion {
 /// through what is around it. `range` is the volume's, in the boundaries' unit.
 std::vector<Suggestion> suggestionsFor(const std::vector<Boundary>& boundaries, const ValueRange& range);
 
-/// The function with a band in the place of what it had there; outside it stays as it is.
+/// The function, or the band where that is more opaque: nothing that shows becomes more transparent.
 TransferFunction withBand(const TransferFunction& function, const Suggestion& suggestion);
 
 } // namespace limn

@@ -90,9 +90,10 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   typeName(pathTo("b/mine"));
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.json"));
-  EXPECT_EQ(folderOfNextDialog(), pathTo("b"));
-  EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).dialogFolder(), pathTo("b"))
-      << "in the next run";
+  EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "what is opened lies elsewhere than what is saved";
+  const Settings inTheNextRun(UserFolders::below(folder.path()).settings);
+  EXPECT_EQ(inTheNextRun.dialogFolder(), pathTo("a"));
+  EXPECT_EQ(inTheNextRun.saveFolder(), pathTo("b"));
 }
 
 TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {

@@ -8,6 +8,8 @@
 
 #include <QPushButton>
 
+#include <algorithm>
+
 // Bands proposed for the boundaries of what is open, in the program's window.
 
 namespace limn {
@@ -27,9 +29,22 @@ protected:
     QList<QPushButton*> found;
     if (const auto* shown = window->findChild<SuggestionDialog*>())
       for (QPushButton* button : shown->findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("Use"))
+        if (button->accessibleName().startsWith(QStringLiteral("Use the band")))
           found << button;
     return found;
+  }
+
+  // Of bands that the curve does not show yet.
+  QPushButton* usable() const {
+    const QList<QPushButton*> all = buttons();
+    const auto found = std::ranges::find_if(all, [](const QPushButton* one) { return one->isEnabled(); });
+    return found == all.end() ? nullptr : *found;
+  }
+
+  // A curve that shows nothing.
+  void clearCurve() {
+    session().setTransferFunction({1.0, {{0.0, {1, 1, 1}, 0.0}}},
+                                  {nextGestureId(), QStringLiteral("nothing")});
   }
 
   QPushButton* buttonNamed(const QString& name) const {
@@ -60,6 +75,7 @@ TEST_F(SuggestionWindow, proposesSkinAndBoneForAHead) {
 
 TEST_F(SuggestionWindow, aRowUnderThePointerIsSeenAndLeavesNothingBehind) {
   ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  clearCurve();
   ASSERT_TRUE(suggest());
   const Scene before = scene();
   const int steps = session().undoStack().count();
@@ -77,24 +93,31 @@ TEST_F(SuggestionWindow, aRowUnderThePointerIsSeenAndLeavesNothingBehind) {
 
 TEST_F(SuggestionWindow, oneIsTakenOverByMouseOrKeyInOneStep) {
   ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  clearCurve();
   ASSERT_TRUE(suggest());
   const TransferFunction before = scene().transferFunction;
-  QTest::mouseClick(buttons().front(), Qt::LeftButton);
+  QPushButton* const used = usable();
+  QTest::mouseClick(used, Qt::LeftButton);
+  EXPECT_FALSE(used->isEnabled()) << "the curve shows it";
+  EXPECT_EQ(used->text(), QStringLiteral("In the curve"));
   const TransferFunction first = scene().transferFunction;
   EXPECT_NE(first, before);
   EXPECT_TRUE(session().undoStack().undoText().startsWith(QStringLiteral("use the band")))
       << session().undoStack().undoText().toStdString();
-  buttons().back()->setFocus();
-  QTest::keyClick(buttons().back(), Qt::Key_Space);
+  ASSERT_TRUE(usable());
+  usable()->setFocus();
+  QTest::keyClick(usable(), Qt::Key_Space);
   EXPECT_NE(scene().transferFunction, first);
   session().undoStack().undo();
   EXPECT_EQ(scene().transferFunction, first);
   session().undoStack().undo();
   EXPECT_EQ(scene().transferFunction, before);
+  EXPECT_TRUE(used->isEnabled()) << "it does not show it any more";
 }
 
 TEST_F(SuggestionWindow, closingEndsThePreviewAndAnotherVolumeIsLookedAtAnew) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  clearCurve();
   ASSERT_TRUE(suggest());
   const Scene before = scene();
   pointAt(*buttons().front()->parentWidget(), true);
