@@ -5,7 +5,7 @@
 #include "app/Settings.h"
 #include "app/document/DocumentText.h"
 #include "app/document/OpenDocument.h"
-#include "app/engines/PictureMaker.h"
+#include "app/saving/ComparedPicture.h"
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "io/AtomicFile.h"
@@ -70,16 +70,18 @@ void SavingDesk::writePicture(const QString& path) {
     m_notes.sayFailure(tr("The picture is not complete yet; save it again once it is."));
     return;
   }
-  const std::optional<Image> right =
-      m_view.compareLayout() == CompareLayout::sideBySide ? m_view.restingImage(1) : std::nullopt;
+  const CompareLayout layout = m_view.compareLayout();
+  const std::optional<Image> right = pictureCount(layout) == 2 ? m_view.restingImage(1) : std::nullopt;
   // It may travel: it names the volume without folders.
   const std::filesystem::path source(m_document.volumePath());
   const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
   Scene scene = m_view.sceneOfRestingImage(0);
   scene.keep.source = labelsSeenFrom(source.parent_path() / "picture");
   const auto write = [&] {
-    writeImage(path.toStdString(), right ? sideBySide(*left, *right) : *left,
-               m_document.scene().image.background, sceneToJson(scene, volume));
+    const glm::dvec3& background = m_document.scene().image.background;
+    writeImage(path.toStdString(),
+               right ? comparedPicture(*left, *right, layout, m_view.wipePosition(), background) : *left,
+               background, sceneToJson(scene, volume));
   };
   m_notes.attempt(write, path);
 }
