@@ -61,12 +61,6 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   panels.accuracy = new AccuracyPanel(&window);
   m_right[2] = add(tr("Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[1], m_right[2]);
-  // They take turns behind their tabs, which must not move under the pointer.
-  const int widest =
-      std::max({panels.properties->minimumSizeHint().width(), panels.effects->minimumSizeHint().width(),
-                panels.accuracy->minimumSizeHint().width()});
-  for (QWidget* panel : std::initializer_list<QWidget*>{panels.properties, panels.effects, panels.accuracy})
-    panel->setMinimumWidth(widest);
   m_right[0]->raise();
   m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
