@@ -25,7 +25,7 @@
 namespace limn {
 namespace {
 
-constexpr int mostPixels = 256; ///< each way, of a picture that is measured
+constexpr int mostPixels = 224; ///< each way, of a picture that is measured
 constexpr QSize chartSize(1200, 750);
 
 QByteArray pngOf(const QImage& picture) {

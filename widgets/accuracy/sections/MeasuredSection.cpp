@@ -38,7 +38,7 @@ void MeasuredSection::addButtons() {
   buttons->setSpacing(8);
   m_measure->setAccessibleName(tr("Measure error and time"));
   m_measure->setToolTip(
-      tr("<p>Draws this picture from fast to nearly exact and times each, in at most 256 pixels each way: "
+      tr("<p>Draws this picture from fast to nearly exact and times each, in at most 224 pixels each way: "
          "from seconds to some minutes. You can go on working; work beside it makes its times longer.</p>"));
   m_save->setAccessibleName(tr("Save what was measured"));
   m_save->setToolTip(
