@@ -77,8 +77,9 @@ using Profile = std::array<double, 2 * mostSteps + 1>;
 template <class T>
 Profile profileAt(const Field<T>& field, const glm::dvec3& place, const glm::dvec3& step) {
   Profile profile;
-  for (int n = -mostSteps; n <= mostSteps; ++n)
-    profile[static_cast<std::size_t>(n + mostSteps)] = field.at(place + static_cast<double>(n) * step);
+  double n = -mostSteps;
+  for (double& value : profile)
+    value = field.at(place + n++ * step);
   return profile;
 }
 
@@ -94,8 +95,9 @@ double endOf(const Profile& profile, int direction) {
       std::max(profile[mostSteps + 1] - profile[mostSteps], profile[mostSteps] - profile[mostSteps - 1]);
   int n = mostSteps;
   for (; n + direction >= 0 && n + direction <= 2 * mostSteps; n += direction) {
+    const int next = n + direction;
     const double gain =
-        direction * (profile[static_cast<std::size_t>(n + direction)] - profile[static_cast<std::size_t>(n)]);
+        direction * (profile[static_cast<std::size_t>(next)] - profile[static_cast<std::size_t>(n)]);
     largest = std::max(largest, gain);
     if (gain <= standstill * largest)
       break;
