@@ -43,7 +43,7 @@ std::uint64_t scattered(std::uint64_t number) {
   return number ^ (number >> 29);
 }
 
-// A volume's voxels between their centres, scalar units.
+// A volume's voxels between their centres, scalar units: `valueAt` without a look at the type for each.
 template <class T>
 class Field {
 public:
