@@ -20,6 +20,7 @@ namespace limn {
 namespace {
 
 constexpr int fieldWidth = 64; // pixels
+constexpr int betweenGroups = 12;
 constexpr double anyNumber = 1e9;
 
 // Of PlaneTool.
@@ -67,7 +68,7 @@ QString nameOfWindow(TissueWindow tissue) {
 PlaneBar::PlaneBar(QWidget* parent) : QWidget(parent), m_row(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
   setObjectName(QStringLiteral("planeBar"));
   m_row->setContentsMargins(6, 2, 6, 2);
-  m_row->setSpacing(2);
+  m_row->setSpacing(betweenGroups);
   m_row->addWidget(m_groups[0] = makeToolGroup());
   m_row->addWidget(m_groups[1] = makeSlabGroup());
   m_row->addStretch(1);
@@ -121,7 +122,8 @@ QWidget* PlaneBar::makeSlabGroup() {
   m_thickness = makeField(0.0, thickestSlabMm, tr("Slab thickness in mm"),
                           tr("<p>How thick a slice is, mm: its pixels show the mean or the maximum over that "
                              "thickness. 0 is the plane itself.</p>"));
-  addLabelled(*row, tr("Slab mm"), m_thickness);
+  m_thickness->setSuffix(tr(" mm"));
+  addLabelled(*row, tr("Slab"), m_thickness);
   connect(m_thickness, &NumberField::numberEdited, this,
           [this](double mm) { edit([&](PlaneSettings& s) { s.slab.thicknessMm = mm; }); });
   m_mode = new QComboBox;

@@ -16,9 +16,6 @@ const QColor shadowColor(0, 0, 0, 160);
 const QColor lineColor(77, 163, 255);
 const QColor distanceColor(255, 255, 255);
 
-// In a lower view title and sides alone have room above the slice, logical pixels.
-constexpr double leastHeightForNotes = 130.0;
-
 // Free of lines around the crosshair, so that the tissue there is seen, logical pixels.
 constexpr double openPixels = 8.0;
 
@@ -77,17 +74,10 @@ void addLetters(PlaneOverlay& overlay, const PlaneContent& content, const PlaneA
     overlay.notes.push_back(note);
     return;
   }
-  const QSizeF letter = letterSize(overlay.font);
-  const double inset = letterInset(overlay.font);
-  LetterMarks marks;
-  marks.letters = {lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down),
-                   lettersOf(axes.down)};
-  marks.picture = view;
-  marks.column = column.front();
-  marks.top = clearRowBelow(overlayMargin, letter, column, plates);
-  marks.middle = clearRowBelow(besideLine(view.center().y(), overlay.crosshair.y()) - letter.height() / 2,
-                               letter, {view.left() + inset, view.right() - inset}, plates);
-  marks.bottom = clearRowAbove(lowest, letter, column, plates);
+  LetterMarks marks = letterMarks(
+      {lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down), lettersOf(axes.down)},
+      {view, column.front(), besideLine(view.center().y(), overlay.crosshair.y())}, overlay.font, plates);
+  marks.onPlates = true; // bone is as bright as they are
   overlay.letters = marks;
 }
 

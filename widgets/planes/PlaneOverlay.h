@@ -3,6 +3,7 @@
 
 #include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneFrame.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/OverlayParts.h"
 
 #include <optional>

@@ -45,10 +45,10 @@ QString slicePlaceText(const PlaneContent& content, PatientPlane plane) {
   const PlaneAxes axes = axesOf(plane);
   const glm::dvec3 crosshair = crosshairOf(content);
   const double mm = glm::dot(crosshair, axes.forward);
-  QString place =
-      valueText(content.volume->info().orientationKnown ? std::abs(mm) : mm, QObject::tr("mm"), 1);
-  if (content.volume->info().orientationKnown)
-    place += QChar(0x00a0) + QString::fromStdString(lettersOf(mm < 0.0 ? -axes.forward : axes.forward));
+  const bool isKnown = content.volume->info().orientationKnown;
+  QString place = valueText(isKnown ? std::abs(mm) : mm, QObject::tr("mm"), 1);
+  if (isKnown) // the side first: a length first reads like a thickness
+    place.prepend(QString::fromStdString(lettersOf(mm < 0.0 ? -axes.forward : axes.forward)) + QChar(0x00a0));
   const QString count = sliceCount(content.volume->grid(), axes, crosshair);
   return count.isEmpty() ? place : QStringLiteral("%1 · %2").arg(place, count);
 }

@@ -196,10 +196,7 @@ void CompareView::showPreparing(double fraction) {
   if (hasEnded && !m_isPreparing)
     return;
   m_isPreparing = !hasEnded;
-  if (hasEnded)
-    clearLoading();
-  else
-    setLoading(fraction, tr("Getting the volume ready for drawing…"));
+  hasEnded ? clearLoading() : setLoading(fraction, tr("Getting the volume ready for drawing…"));
 }
 
 void CompareView::setTool(ViewTool tool) {
@@ -274,9 +271,11 @@ ViewGeometry CompareView::geometry() const {
 }
 
 OverlaySource CompareView::overlaySource() const {
+  const double covered = m_panels->coveredBelow();
   return {m_shown,          geometry(),          pictureState(),
           font(),           m_labels->opacity(), m_input->hovered(),
-          m_cropBoxVisible, m_input->heldFace(), m_input->reading()};
+          m_cropBoxVisible, m_input->heldFace(), m_input->reading(),
+          covered};
 }
 
 void CompareView::redraw() {
@@ -305,6 +304,7 @@ void CompareView::showOtherParts() {
 
 void CompareView::updatePanels() {
   m_panels->arrange(m_shown.scene.volume != nullptr, m_engines->problem());
+  repaintOverlay();
 }
 
 void CompareView::arrangeParts() {

@@ -81,10 +81,10 @@ TEST(PlanePictures, areCoarseOnlyWhereTheyWouldTakeTooLong) {
 
 TEST(PlaneText, tellsPlaceValueAndWindow) {
   PlaneContent content = test::contentOf(test::countingVolume({60, 50, 20}, {1.0, 1.0, 2.0}));
-  EXPECT_EQ(slicePlaceText(content, PatientPlane::axial).replace(QChar(0xa0), ' '), "18 mm S · 10/20");
-  EXPECT_EQ(slicePlaceText(content, PatientPlane::coronal).replace(QChar(0xa0), ' '), "24 mm P · 25/50");
+  EXPECT_EQ(slicePlaceText(content, PatientPlane::axial).replace(QChar(0xa0), ' '), "S 18 mm · 10/20");
+  EXPECT_EQ(slicePlaceText(content, PatientPlane::coronal).replace(QChar(0xa0), ' '), "P 24 mm · 25/50");
   content.settings.crosshairMm = glm::dvec3(-0.25, 0.0, 0.0);
-  EXPECT_EQ(slicePlaceText(content, PatientPlane::sagittal).replace(QChar(0xa0), ' '), "0.3 mm R · 1/60");
+  EXPECT_EQ(slicePlaceText(content, PatientPlane::sagittal).replace(QChar(0xa0), ' '), "R 0.3 mm · 1/60");
   content.settings.window = GreyWindow{-600.0, 1500.0};
   EXPECT_EQ(windowText(content), QStringLiteral("W 1500 · L −600"));
   content.settings.slab = {Slab::Mode::maximum, 20.0};

@@ -256,7 +256,7 @@ TEST_F(PlaneViewTest, volumesOfOneAndTwoSlicesAndObliqueOnesCanBeWalked) {
 TEST_F(PlaneViewTest, assistiveTechnologyReadsAndMovesTheSlice) {
   EXPECT_EQ(view.accessibleName(), QStringLiteral("Axial slice"));
   EXPECT_EQ(view.accessibleDescription().replace(QChar(0xa0), ' '),
-            QStringLiteral("18 mm S · 10/20, 92429 under the crosshair"));
+            QStringLiteral("S 18 mm · 10/20, 92429 under the crosshair"));
   QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&view);
   ASSERT_NE(interface, nullptr);
   ASSERT_NE(interface->valueInterface(), nullptr);

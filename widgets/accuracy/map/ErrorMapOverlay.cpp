@@ -68,8 +68,9 @@ void ErrorMapOverlay::showMap(const ErrorMap& map, const QRectF& picture) {
 
 QRectF ErrorMapOverlay::legendRect() const {
   const QSizeF size = legendSize(QFontMetricsF(font()), m_picture.height());
-  // Over the picture's upper right corner, but never out of the view.
-  const double left = std::max(m_picture.right() - size.width() - 3 * unit, 3 * unit);
+  // Over the picture's upper right corner beside the letter of that side, but never out of the view.
+  const double besideLetter = 3 * unit + 1.5 * QFontMetricsF(font()).height();
+  const double left = std::max(m_picture.right() - size.width() - besideLetter - unit, 3 * unit);
   return {QPointF(left, m_picture.top() + 3 * unit), size};
 }
 

@@ -29,15 +29,27 @@ void paintBox(QPainter& painter, const CanvasPicture& picture, const QString& te
 }
 
 // A small label with a background, kept inside the plot.
-void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
+QRectF bubbleBox(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
   const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
   const QRectF& plot = picture.transform.plot;
   QRectF box(QPointF(centreBottom.x() - size.width() / 2.0, centreBottom.y() - size.height()), size);
   box.moveLeft(std::clamp(box.left(), plot.left() + 2.0,
                           std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
-  if (box.top() < plot.top() + 2.0)
+  return box;
+}
+
+void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
+  QRectF box = bubbleBox(painter, picture, text, centreBottom);
+  if (box.top() < picture.transform.plot.top() + 2.0)
     box.moveTop(centreBottom.y() + 28.0);
   paintBox(painter, picture, text, box);
+}
+
+bool coversPoints(const CanvasPicture& picture, const QRectF& box) {
+  const double reach = pointDiameter / 2.0 + 2.0;
+  return std::ranges::any_of(picture.function.points, [&](const ControlPoint& point) {
+    return box.adjusted(-reach, -reach, reach, reach).contains(positionOf(picture.transform, point));
+  });
 }
 
 void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
@@ -122,7 +134,10 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
     return;
   painter.setPen(QPen(picture.colors.accent, 1.25, style));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-  paintBubble(painter, picture, label, {x, plot.bottom() - 6.0});
+  QRectF box = bubbleBox(painter, picture, label, {x, plot.bottom() - 6.0});
+  if (coversPoints(picture, box))
+    box.moveTop(plot.top() + 6.0);
+  paintBox(painter, picture, label, box);
 }
 
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
@@ -132,7 +147,7 @@ void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
         QObject::tr("pinned: %1").arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
     paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
-                   QObject::tr("in the picture: %1")
+                   QObject::tr("at the crosshair: %1")
                        .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
 }
 

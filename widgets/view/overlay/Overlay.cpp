@@ -34,7 +34,7 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   // In perspective a length holds at one distance only.
   const bool perspective = camera.projection == Camera::Projection::perspective;
   const QString text = perspective ? QObject::tr("%1 at the centre").arg(length) : length;
-  return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, side)};
+  return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, source.written(0))};
 }
 
 // What the pictures are, at the upper edge; tells the plates.
@@ -70,7 +70,7 @@ DifferenceBar differenceBarOf(const OverlaySource& source, const QPointF& corner
 // Scale and notes at the lower edge; tells the plates. The notes never give way, the scale does.
 std::vector<QRectF> addNotes(Overlay& overlay, const OverlaySource& source) {
   const double width = source.geometry.size.width();
-  const double height = source.geometry.size.height();
+  const double height = source.lowest();
   const double room = width - 2 * overlayMargin;
   const Note warning = noteAt(source.font, QObject::tr("Not for diagnosis"),
                               {width - overlayMargin, height - overlayMargin}, Qt::AlignRight, room);
@@ -122,7 +122,7 @@ std::vector<QRectF> handlePlates(const std::vector<CropBoxOverlay>& boxes) {
 }
 
 void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<QRectF> plates) {
-  const double lowest = source.geometry.size.height() - overlayMargin;
+  const double lowest = source.lowest() - overlayMargin;
   const std::vector<double> columns = letterColumns(source.geometry);
   if (!source.volume().info().orientationKnown) {
     Note note = noteAt(source.font, QObject::tr("Orientation unknown"), {0.0, 0.0}, Qt::AlignHCenter,
@@ -136,22 +136,11 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<Q
   }
   const std::vector<QRectF> handles = handlePlates(overlay.cropBoxes);
   plates.insert(plates.end(), handles.begin(), handles.end());
-  const QSizeF letter = letterSize(source.font);
-  std::vector<double> edges; // the columns of the letters at the left and right
   for (std::size_t position = 0; position < columns.size(); ++position) {
-    const QRectF picture = pictureRect(source.geometry, static_cast<int>(position));
-    const double inset = letterInset(source.font);
-    edges.insert(edges.end(), {picture.left() + inset, picture.right() - inset});
-  }
-  LetterMarks marks;
-  marks.letters = orientationLetters(source.comparison.scene.camera);
-  marks.onPlates = source.hasCropBox;
-  marks.top = clearRowBelow(overlayMargin, letter, columns, plates);
-  marks.middle = clearRowBelow((source.geometry.size.height() - letter.height()) / 2, letter, edges, plates);
-  marks.bottom = clearRowAbove(lowest, letter, columns, plates);
-  for (std::size_t position = 0; position < columns.size(); ++position) {
-    marks.picture = pictureRect(source.geometry, static_cast<int>(position));
-    marks.column = columns[position];
+    const QRectF picture = source.written(static_cast<int>(position));
+    LetterMarks marks = letterMarks(orientationLetters(source.comparison.scene.camera),
+                                    {picture, columns[position], picture.center().y()}, source.font, plates);
+    marks.onPlates = source.hasCropBox;
     overlay.letters.push_back(marks);
   }
 }

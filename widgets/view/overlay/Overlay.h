@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <optional>

@@ -5,14 +5,27 @@
 
 #include <QOpenGLPaintDevice>
 #include <QPainter>
+#include <QRegion>
 
 namespace limn {
 namespace {
 
-void paintCropBoxes(QPainter& painter, const std::vector<CropBoxOverlay>& boxes) {
-  for (const CropBoxOverlay& box : boxes) {
+// Lines of the box would strike through what is written there.
+QRegion besideTexts(const Overlay& overlay, const QRectF& picture) {
+  QRegion region(picture.toAlignedRect());
+  for (const PlacedLabel& label : overlay.labels)
+    region -= label.plate.toAlignedRect();
+  for (const Note& note : overlay.notes)
+    region -= note.plate.toAlignedRect();
+  if (overlay.scale)
+    region -= overlay.scale->plate.toAlignedRect();
+  return region;
+}
+
+void paintCropBoxes(QPainter& painter, const Overlay& overlay) {
+  for (const CropBoxOverlay& box : overlay.cropBoxes) {
     painter.save();
-    painter.setClipRect(box.picture);
+    painter.setClipRegion(besideTexts(overlay, box.picture));
     paintCropBox(painter, box.shape, box.lively);
     if (box.note)
       paintNote(painter, *box.note);
@@ -38,7 +51,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   painter.setRenderHint(QPainter::TextAntialiasing);
   if (overlay.gap)
     painter.fillRect(*overlay.gap, QColor(70, 76, 88));
-  paintCropBoxes(painter, overlay.cropBoxes);
+  paintCropBoxes(painter, overlay);
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
   if (overlay.border)

@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -20,12 +21,6 @@ const QColor textColor(255, 255, 255);
 const QColor quietColor(214, 218, 224);
 const QColor markColor(77, 163, 255);
 
-QFont titleFont(const QFont& font) {
-  QFont bold(font);
-  bold.setWeight(QFont::DemiBold);
-  return bold;
-}
-
 QFont smallFont(const QFont& font) {
   QFont small(font);
   if (font.pointSizeF() > 0.0)
@@ -33,13 +28,26 @@ QFont smallFont(const QFont& font) {
   return small;
 }
 
-void paintPlate(QPainter& painter, const QRectF& plate, const QColor& color = plateColor) {
+void fillPlate(QPainter& painter, const QRectF& plate, const QColor& color) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
   painter.drawRoundedRect(plate, unit, unit);
 }
 
-// A dark outline under light text, for text that stands without a plate.
+constexpr double arrowWidth = 4 * unit;
+
+} // namespace
+
+QFont titleFont(const QFont& font) {
+  QFont bold(font);
+  bold.setWeight(QFont::DemiBold);
+  return bold;
+}
+
+void paintPlate(QPainter& painter, const QRectF& plate) {
+  fillPlate(painter, plate, plateColor);
+}
+
 void paintOutlined(QPainter& painter, const QRectF& place, const QString& text) {
   painter.setPen(QColor(0, 0, 0, 200));
   for (const QPointF& shift : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)})
@@ -47,10 +55,6 @@ void paintOutlined(QPainter& painter, const QRectF& place, const QString& text) 
   painter.setPen(textColor);
   painter.drawText(place, Qt::AlignCenter, text);
 }
-
-constexpr double arrowWidth = 4 * unit;
-
-} // namespace
 
 QString fittingDetails(const QFont& font, const QStringList& details, double room) {
   const QFontMetricsF metrics(font);
@@ -103,23 +107,19 @@ QRectF scaleBarPlate(const QFont& font, const ScaleBar& bar, const QString& text
   return {side.left() + overlayMargin, side.bottom() - overlayMargin - height, width, height};
 }
 
-QSizeF letterSize(const QFont& font) {
-  const QFontMetricsF metrics(titleFont(font));
-  return {metrics.horizontalAdvance(QStringLiteral("WWW")), metrics.height()};
-}
-
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QFont font = painter.font();
-  paintPlate(painter, plate, label.hovered ? QColor(48, 56, 66, 220) : plateColor);
+  fillPlate(painter, plate, label.hovered ? QColor(48, 56, 66, 220) : plateColor);
   QRectF text = plate.adjusted(2 * unit, 0, -2 * unit, 0);
   painter.setFont(titleFont(font));
   painter.setPen(textColor);
   painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, label.title);
   text.setLeft(text.left() + QFontMetricsF(titleFont(font)).horizontalAdvance(label.title));
   if (label.leadsToMenu) {
-    const QPointF tip(text.left() + 2 * unit + 0.5, plate.center().y() + 2.0);
+    // On whole pixels, or every label's arrow would look another.
+    const QPointF tip(std::round(text.left() + 2 * unit) + 0.5, std::round(plate.center().y() + 2.0) + 0.5);
     painter.setPen(QPen(quietColor, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(QPolygonF({tip + QPointF(-unit, -unit), tip, tip + QPointF(unit, -unit)}));
     text.setLeft(text.left() + arrowWidth);
@@ -132,33 +132,6 @@ void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate) 
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                      fittingDetails(font, label.details, text.width() + 1.0));
   }
-  painter.restore();
-}
-
-double letterInset(const QFont& font) {
-  return overlayMargin + letterSize(font).height() / 2;
-}
-
-void paintLetters(QPainter& painter, const LetterMarks& marks) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QSizeF size = letterSize(painter.font());
-  const double inset = letterInset(painter.font());
-  painter.setFont(titleFont(painter.font()));
-  const auto paint = [&](double x, double top, const std::string& letter) {
-    const QRectF place(QPointF(x - size.width() / 2, top), size);
-    const QString text = QString::fromStdString(letter);
-    if (marks.onPlates) {
-      QRectF plate(0, 0, painter.fontMetrics().horizontalAdvance(text) + 2 * unit, size.height());
-      plate.moveCenter(place.center());
-      paintPlate(painter, plate);
-    }
-    paintOutlined(painter, place, text);
-  };
-  paint(marks.picture.left() + inset, marks.middle, marks.letters.left);
-  paint(marks.picture.right() - inset, marks.middle, marks.letters.right);
-  paint(marks.column, marks.top, marks.letters.top);
-  paint(marks.column, marks.bottom - size.height(), marks.letters.bottom);
   painter.restore();
 }
 

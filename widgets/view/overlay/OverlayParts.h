@@ -15,6 +15,9 @@ namespace limn {
 /// Between what stands above the pictures and the edge of the view, logical pixels.
 inline constexpr double overlayMargin = 12.0;
 
+/// In a lower picture titles and sides alone have room beside what is shown, logical pixels.
+inline constexpr double leastHeightForNotes = 130.0;
+
 /// The name of a side and the numbers that matter, in the side's upper left corner. The numbers fade.
 struct SideLabel {
   QString title;
@@ -61,27 +64,12 @@ struct DifferenceBar {
 /// The plate of such a bar with its lower right corner at `corner`.
 QRectF differenceBarPlate(const QFont& font, const DifferenceBar& bar, const QPointF& corner);
 
-/// The room an orientation letter takes.
-QSizeF letterSize(const QFont& font);
-
-/// The centre of a letter at the left or right edge lies so far from it.
-double letterInset(const QFont& font);
-
-/// The letters at the edges of one picture; the upper and the lower one stand at `column`.
-struct LetterMarks {
-  OrientationLetters letters;
-  QRectF picture;
-  double column = 0.0;
-  double top = 0.0;      ///< where the upper letter begins
-  double middle = 0.0;   ///< where those at the left and right begin
-  double bottom = 0.0;   ///< where the lower letter ends
-  bool onPlates = false; ///< so that they stand out from lines, too
-};
+/// The fonts of titles and letters, made of the overlay's.
+QFont titleFont(const QFont& font);
 
 /// Paints the parts of the overlay, all in logical pixels; text stands on dark plates and stays legible on
 /// any picture.
 void paintLabel(QPainter& painter, const SideLabel& label, const QRectF& plate);
-void paintLetters(QPainter& painter, const LetterMarks& marks);
 void paintScaleBar(QPainter& painter, const ScaleMark& mark);
 void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
@@ -91,5 +79,8 @@ void paintMark(QPainter& painter, const QPointF& point);
 void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
 void paintNote(QPainter& painter, const Note& note);
 void paintDifferenceBar(QPainter& painter, const DifferenceBar& bar);
+/// The dark ground of texts; and text that stands without one.
+void paintPlate(QPainter& painter, const QRectF& plate);
+void paintOutlined(QPainter& painter, const QRectF& place, const QString& text);
 
 } // namespace limn

@@ -39,9 +39,16 @@ struct OverlaySource {
   bool hasCropBox = false;
   std::optional<CropFace> heldFace;
   std::optional<ReadValue> read;
+  double coveredBelow = 0.0; ///< by a panel over the pictures' lower edge, logical pixels
 
   const Volume& volume() const { return *comparison.scene.volume; }
   QRectF view() const { return {{0.0, 0.0}, QSizeF(geometry.size)}; }
+  /// Below which nothing is written.
+  double lowest() const { return geometry.size.height() - coveredBelow; }
+  /// The part of a picture in which something is written.
+  QRectF written(int position) const {
+    return pictureRect(geometry, position).adjusted(0, 0, 0, -coveredBelow);
+  }
 };
 
 } // namespace limn

@@ -22,7 +22,7 @@ QString regionText(const Region& region) {
 
 std::optional<Note> regionNoteOf(const OverlaySource& source) {
   const QString text = regionText(source.comparison.scene.keep);
-  if (text.isEmpty())
+  if (text.isEmpty() || source.geometry.size.height() < leastHeightForNotes)
     return std::nullopt;
   const QRectF above = labelsOf(source).front().steadyPlate;
   Note note =

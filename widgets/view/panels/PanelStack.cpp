@@ -4,6 +4,8 @@
 #include "widgets/view/panels/FailureBar.h"
 #include "widgets/view/panels/ViewPanels.h"
 
+#include <algorithm>
+
 namespace limn {
 
 PanelStack::PanelStack(QWidget* view)
@@ -22,6 +24,10 @@ PanelStack::PanelStack(QWidget* view)
 
 int PanelStack::takenBelow() const {
   return m_failure->hasReason() ? m_failure->heightForWidth(m_view->width()) : 0;
+}
+
+int PanelStack::coveredBelow() const {
+  return !m_loading->isHidden() ? std::max(0, m_loading->height() - takenBelow()) : 0;
 }
 
 void PanelStack::arrange(bool hasVolume, const QString& sentence) {

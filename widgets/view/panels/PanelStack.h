@@ -39,6 +39,9 @@ public:
   /// What the panels below the pictures take of the view's height, logical pixels.
   int takenBelow() const;
 
+  /// What the loading panel covers of the pictures' lower edge, logical pixels.
+  int coveredBelow() const;
+
 signals:
   void openFolderRequested();
   void openFileRequested();

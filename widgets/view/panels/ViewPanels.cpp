@@ -16,7 +16,7 @@ namespace {
 // The panels lie where pictures lie, so they are dark in both themes. Text contrast is at least 7:1.
 const QString panelStyle = QStringLiteral(R"(
 limn--EmptyPanel, limn--MessagePanel { background: #0d0d14; }
-limn--LoadingPanel { background: rgba(13, 13, 20, 225); }
+limn--LoadingPanel { background: rgb(13, 13, 20); }
 QLabel { color: #c9ced6; background: transparent; }
 QLabel#heading { color: #f2f4f7; }
 QPushButton { color: #f2f4f7; background: #262a33; border: 1px solid #434a57; border-radius: 4px;

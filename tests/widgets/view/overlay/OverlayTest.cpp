@@ -109,18 +109,13 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
     ASSERT_EQ(overlay.letters.size(), 1u);
     const LetterMarks& marks = overlay.letters[0];
     EXPECT_TRUE(marks.onPlates) << "they stand out from the box's lines, too";
-    const QSizeF size = letterSize(with.font);
-    const double inset = letterInset(with.font);
     for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
       if (!handle.canMove)
         continue;
       QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
       disc.moveCenter(handle.centre);
-      for (const QPointF& corner : {QPointF(marks.column - size.width() / 2, marks.top),
-                                    QPointF(marks.column - size.width() / 2, marks.bottom - size.height()),
-                                    QPointF(marks.picture.left() + inset - size.width() / 2, marks.middle),
-                                    QPointF(marks.picture.right() - inset - size.width() / 2, marks.middle)})
-        EXPECT_FALSE(QRectF(corner, size).intersects(disc)) << turn;
+      for (const std::optional<QRectF>& place : marks.places)
+        EXPECT_FALSE(place && place->intersects(disc)) << turn;
     }
   }
 }

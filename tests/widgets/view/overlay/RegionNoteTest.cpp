@@ -58,7 +58,8 @@ TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
     for (const PlacedLabel& label : overlay.labels)
       EXPECT_FALSE(label.steadyPlate.intersects(note->plate)) << nameOf(layout);
     for (const LetterMarks& letters : overlay.letters)
-      EXPECT_GE(letters.column, note->plate.right()) << nameOf(layout);
+      for (const std::optional<QRectF>& place : letters.places)
+        EXPECT_FALSE(place && place->intersects(note->plate)) << nameOf(layout);
     if (overlay.difference) {
       EXPECT_FALSE(overlay.difference->label.plate.intersects(note->plate));
       EXPECT_FALSE(overlay.difference->note.plate.intersects(note->plate));
@@ -66,6 +67,13 @@ TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
     EXPECT_TRUE(isOnRegionNote(source(), note->plate.center()));
     EXPECT_FALSE(isOnRegionNote(source(), {350.0, 200.0}));
   }
+}
+
+TEST_F(RegionNote, leavesALowPictureToWhatItShows) {
+  keepBody();
+  OverlaySource low = source();
+  low.geometry.size = {110, 125};
+  EXPECT_FALSE(regionNoteOf(low));
 }
 
 TEST_F(RegionNote, saysWhatAClickDoesUnderThePointer) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/OrientationMarks.h"
+
+#include "widgets/view/overlay/OverlayParts.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr double letterGap = 4.0;     // between a letter and a plate, logical pixels
+constexpr double depthOfLane = 0.2;   // of the picture, from its edge inwards
+constexpr double reachOfLane = 0.375; // of the picture, from the wished place along the edge
+
+// Places that touch a plate's edge, and the wished one: a nearest free place is one of them.
+std::vector<double> candidates(double wished, double size,
+                               const std::vector<std::pair<double, double>>& taken) {
+  std::vector<double> places{wished};
+  for (const auto& [first, last] : taken)
+    places.insert(places.end(), {first - letterGap - size, last + letterGap});
+  return places;
+}
+
+bool isFree(const QRectF& place, const std::vector<QRectF>& plates) {
+  return std::ranges::none_of(plates, [&](const QRectF& plate) {
+    return plate.adjusted(-letterGap, -letterGap, letterGap, letterGap).intersects(place);
+  });
+}
+
+// How far a place lies from the wished one: across the lane first, then along it.
+std::pair<double, double> detour(const QRectF& wished, const QRectF& place, Qt::Orientation along) {
+  const QPointF moved = place.topLeft() - wished.topLeft();
+  const double x = std::abs(moved.x());
+  const double y = std::abs(moved.y());
+  return along == Qt::Horizontal ? std::pair(y, x) : std::pair(x, y);
+}
+
+// The strip at one edge of the picture in which a letter may stand.
+QRectF laneOf(const QRectF& wished, const QRectF& picture, Qt::Orientation along) {
+  const QRectF inner =
+      picture.adjusted(overlayMargin / 3, overlayMargin / 3, -overlayMargin / 3, -overlayMargin / 3);
+  QRectF lane = inner;
+  if (along == Qt::Horizontal) {
+    const double reach = reachOfLane * picture.width();
+    lane.setLeft(std::max(inner.left(), wished.center().x() - reach));
+    lane.setRight(std::min(inner.right(), wished.center().x() + reach));
+    const double depth = std::max(depthOfLane * picture.height(), wished.height() + overlayMargin);
+    wished.center().y() < picture.center().y() ? lane.setBottom(picture.top() + depth)
+                                               : lane.setTop(picture.bottom() - depth);
+  } else {
+    const double reach = reachOfLane * picture.height();
+    lane.setTop(std::max(inner.top(), wished.center().y() - reach));
+    lane.setBottom(std::min(inner.bottom(), wished.center().y() + reach));
+    const double depth = std::max(depthOfLane * picture.width(), wished.width() + overlayMargin);
+    wished.center().x() < picture.center().x() ? lane.setRight(picture.left() + depth)
+                                               : lane.setLeft(picture.right() - depth);
+  }
+  return lane;
+}
+
+} // namespace
+
+QSizeF letterSize(const QFont& font) {
+  const QFontMetricsF metrics(titleFont(font));
+  return {metrics.horizontalAdvance(QStringLiteral("WWW")), metrics.height()};
+}
+
+double letterInset(const QFont& font) {
+  return overlayMargin + letterSize(font).height() / 2;
+}
+
+std::optional<QRectF> clearPlace(const QRectF& wished, const QRectF& lane, Qt::Orientation along,
+                                 const std::vector<QRectF>& plates) {
+  std::vector<std::pair<double, double>> columns;
+  std::vector<std::pair<double, double>> rows;
+  for (const QRectF& plate : plates) {
+    columns.emplace_back(plate.left(), plate.right());
+    rows.emplace_back(plate.top(), plate.bottom());
+  }
+  std::optional<QRectF> best;
+  for (const double x : candidates(wished.left(), wished.width(), columns))
+    for (const double y : candidates(wished.top(), wished.height(), rows)) {
+      const QRectF place(QPointF(x, y), wished.size());
+      const bool isWished = place == wished;
+      if ((isWished || lane.contains(place)) && isFree(place, plates) &&
+          (!best || detour(wished, place, along) < detour(wished, *best, along)))
+        best = place;
+    }
+  return best;
+}
+
+LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wish, const QFont& font,
+                        const std::vector<QRectF>& plates) {
+  const QSizeF size = letterSize(font);
+  const double inset = letterInset(font);
+  const QRectF& picture = wish.picture;
+  const double edge = overlayMargin + size.height() / 2;
+  const auto placeAt = [&](double x, double y, Qt::Orientation along) {
+    const QRectF wished(QPointF(x - size.width() / 2, y - size.height() / 2), size);
+    return clearPlace(wished, laneOf(wished, picture, along), along, plates);
+  };
+  return {letters,
+          {placeAt(picture.left() + inset, wish.down, Qt::Vertical),
+           placeAt(picture.right() - inset, wish.down, Qt::Vertical),
+           placeAt(wish.across, picture.top() + edge, Qt::Horizontal),
+           placeAt(wish.across, picture.bottom() - edge, Qt::Horizontal)}};
+}
+
+void paintLetters(QPainter& painter, const LetterMarks& marks) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(titleFont(painter.font()));
+  const auto& [left, right, top, bottom] = marks.letters;
+  const std::array<const std::string*, 4> letters{&left, &right, &top, &bottom};
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (!marks.places[i])
+      continue;
+    const QString text = QString::fromStdString(*letters[i]);
+    if (marks.onPlates) {
+      QRectF plate(0, 0, painter.fontMetrics().horizontalAdvance(text) + 2 * letterGap,
+                   marks.places[i]->height());
+      plate.moveCenter(marks.places[i]->center());
+      paintPlate(painter, plate);
+    }
+    paintOutlined(painter, *marks.places[i], text);
+  }
+  painter.restore();
+}
+
+} // namespace limn

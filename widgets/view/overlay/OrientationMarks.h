@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/view/overlay/CameraMarks.h"
+
+#include <QFont>
+#include <QRectF>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace limn {
+
+/// The letters of the patient's sides at the edges of one picture, logical pixels.
+struct LetterMarks {
+  OrientationLetters letters;
+  /// Left, right, top, bottom; none where a letter would lie on what is shown.
+  std::array<std::optional<QRectF>, 4> places;
+  bool onPlates = false; ///< so that they stand out from lines and bright tissue, too
+};
+
+/// Where in `picture` letters are wished: `across` the place of the upper and the lower one, `down` that of
+/// the left and the right one.
+struct LetterWish {
+  QRectF picture;
+  double across = 0.0;
+  double down = 0.0;
+};
+
+/// The room an orientation letter takes.
+QSizeF letterSize(const QFont& font);
+
+/// The centre of a letter at the left or right edge lies so far from it.
+double letterInset(const QFont& font);
+
+/// The place nearest to `wished` that lies within `lane` and keeps clear of the plates: first as near as
+/// possible to the edge along which the lane runs, then as little along it. None where nothing is free.
+std::optional<QRectF> clearPlace(const QRectF& wished, const QRectF& lane, Qt::Orientation along,
+                                 const std::vector<QRectF>& plates);
+
+/// Letters at the edges of a picture, clear of the plates: along the edge where a plate is in the way,
+/// inwards by at most a fifth of the picture, and left out rather than put upon the patient.
+LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wish, const QFont& font,
+                        const std::vector<QRectF>& plates);
+
+void paintLetters(QPainter& painter, const LetterMarks& marks);
+
+} // namespace limn
