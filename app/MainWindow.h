@@ -24,6 +24,7 @@
 #include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
 #include "app/window/PlaneDesk.h"
+#include "app/window/RayDesk.h"
 #include "app/window/RegionDesk.h"
 #include "app/window/RemarksDesk.h"
 #include "app/window/StatusTexts.h"
@@ -118,6 +119,7 @@ private:
   CurveDesk m_curves;
   SuggestionDesk m_suggestions;
   PlaneDesk m_planes;
+  RayDesk m_ray;
   PresetDesk m_presets;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

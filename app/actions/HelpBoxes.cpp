@@ -37,6 +37,7 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("Arrows"), QObject::tr("rotate")},
       {QObject::tr("Shift+move, Shift+click"),
        QObject::tr("value under the pointer, pin it in the curve: less or more of it")},
+      {QObject::tr("Shift+move, View ▸ Ray"), QObject::tr("value, opacity and light along the ray below it")},
       {QObject::tr("A P L S I, End PgDn Home"), QObject::tr("standard views; with Shift the opposite ones")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
       {QObject::tr("Space"), QObject::tr("swap the two sides while held")},

@@ -6,9 +6,11 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleRegions.h"
 #include "stability/scenes/SimpleScenes.h"
+#include "support/JudgedTime.h"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -218,6 +220,33 @@ TEST(RayProfile, liesWithinEarlyTerminationAndStepOfThePictureAsItIsDrawn) {
     EXPECT_NEAR(alphaAlong(drawn, scale, i % pictureSize.x, i / pictureSize.x), picture.pixels[pixel].a,
                 step + 1.0 - drawn.quality.earlyTermination);
   }
+}
+
+// The chart follows the pointer: the longest ray of a chest, every piece of which reads its gradient.
+TEST(RayProfile, ofAChestTakesLessThanAFrame) {
+  Grid grid;
+  grid.dims = {512, 512, 300};
+  grid.spacingMm = {0.7, 0.7, 1.0};
+  std::vector<std::int16_t> stored(static_cast<std::size_t>(512) * 512 * 300);
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    stored[i] = static_cast<std::int16_t>(i % 1713);
+  Scene scene;
+  scene.volume =
+      std::make_shared<const Volume>(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{});
+  scene.transferFunction = constantFunction(0.001, white);
+  scene.shading.model = ShadingModel::enhanced;
+  const Ray diagonal{indexToWorld(grid, {-10, -10, -6}),
+                     glm::normalize(glm::dvec3(512 * 0.7, 512 * 0.7, 300))};
+  double shortest = 1e9;
+  std::size_t pieces = 0;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const auto start = std::chrono::steady_clock::now();
+    pieces = profileAlong(scene, {1000.0, 1000.0}, diagonal)->samples.size();
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    shortest = std::min(shortest, taken.count());
+  }
+  EXPECT_GT(pieces, 3000u);
+  test::judgeMs("the profile of the longest ray of a chest", shortest, 16.0);
 }
 
 } // namespace
