@@ -13,6 +13,7 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/labels/LabelSection.h"
 #include "widgets/planes/PlaneDeck.h"
@@ -76,6 +77,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                 m_status, m_actions},
                this),
       m_ray({m_session, *m_centre.view, *m_panels.ray}, this),
+      m_emphasis(m_session, *m_panels.curves->valueEditor()->canvas(), m_planes, this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -191,6 +193,7 @@ void MainWindow::connectScene() {
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
   connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
+  connect(&m_emphasis, &EmphasisDesk::previewed, m_centre.view, &CompareView::setScene);
   connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
     m_centre.view->setScene(scene);
     m_curves.showScene(scene);

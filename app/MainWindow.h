@@ -20,6 +20,7 @@
 #include "app/window/CurveDesk.h"
 #include "app/window/DialogDesk.h"
 #include "app/window/Docks.h"
+#include "app/window/EmphasisDesk.h"
 #include "app/window/EngineDesk.h"
 #include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
@@ -120,6 +121,7 @@ private:
   SuggestionDesk m_suggestions;
   PlaneDesk m_planes;
   RayDesk m_ray;
+  EmphasisDesk m_emphasis;
   PresetDesk m_presets;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

@@ -66,6 +66,7 @@ QList<HelpRow> otherRows() {
       {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
       {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt is fine")},
       {QObject::tr("Middle click, Del"), QObject::tr("delete")},
+      {QObject::tr("Rest on a point, H"), QObject::tr("what it governs lights up in slices and picture")},
       {QObject::tr("Double click a point"), QObject::tr("colour and numbers")},
       {QObject::tr("Drag the handle"), QObject::tr("shift the curve; Alt: width")},
       {QObject::tr("Wheel, Shift+wheel"), QObject::tr("zoom, pan the value axis")},

@@ -44,6 +44,11 @@ void PlaneDesk::goTo(const glm::dvec3& worldMm) {
   showInSlices(worldMm);
 }
 
+void PlaneDesk::setEmphasised(std::optional<std::size_t> point) {
+  m_content.emphasisedPoint = point;
+  m_parts.deck.setContent(m_content);
+}
+
 void PlaneDesk::showInSlices(const glm::dvec3& worldMm) {
   if (m_content.settings.layout != PlaneLayout::pictureOnly)
     m_parts.session.setPlanes(withCrosshair(m_content, worldMm));
@@ -59,6 +64,7 @@ void PlaneDesk::showScene(const Scene& scene) {
   const std::shared_ptr<const Volume> before = m_content.volume;
   m_content.volume = scene.volume;
   m_content.function = scene.transferFunction;
+  m_content.emphasisedPoint.reset();
   m_content.keep = scene.keep;
   if (scene.volume != before) {
     const bool hasSameVoxels = scene.volume && before && &scene.volume->stored() == &before->stored();

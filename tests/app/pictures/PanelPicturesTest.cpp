@@ -79,6 +79,16 @@ TEST_F(PanelPictures, ofARayAndWhatItMeets) {
   take(QStringLiteral("ray"));
 }
 
+TEST_F(PanelPictures, ofWhatAPointGoverns) {
+  ASSERT_TRUE(openVolume());
+  action("planes-picture_and_three").trigger();
+  action("layout-single").trigger();
+  curves().valueEditor()->canvas()->setFocus();
+  curves().valueEditor()->canvas()->selectPoints({4});
+  QTest::keyClick(window->windowHandle(), Qt::Key_H);
+  take(QStringLiteral("point-governs"));
+}
+
 TEST_F(PanelPictures, ofSlicesBesideThePicture) {
   ASSERT_TRUE(openVolume());
   for (QActionGroup* group : window->findChildren<QActionGroup*>())
