@@ -13,11 +13,13 @@
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/labels/LabelSection.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
+#include "widgets/ray/RayPanel.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/CameraGesture.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -74,6 +76,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_planes({m_session, m_document, *m_centre.planes, *m_centre.view, *m_panels.curves->valueEditor(),
                 m_status, m_actions},
                this),
+      m_ray({m_session, *m_centre.view, *m_panels.ray}, this),
+      m_emphasis(m_session, *m_panels.curves->valueEditor()->canvas(), m_planes, this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
@@ -169,12 +173,14 @@ void MainWindow::connectPanels() {
   connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
   connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);
   connect(m_panels.effects, &EffectsPanel::measureRequested, m_centre.view, &CompareView::measureEffects);
+  connect(m_panels.ray, &RayPanel::placeChosen, &m_planes, &PlaneDesk::goTo);
   connect(&m_docks, &Docks::panelChanged, &m_safety, &SessionSafety::noteChange);
 }
 
 void MainWindow::connectScene() {
   connect(&m_session, &Session::sceneChanged, this, &MainWindow::showScene);
   connect(&m_session, &Session::sceneChanged, &m_regions, &RegionDesk::showScene);
+  connect(&m_session, &Session::sceneChanged, &m_ray, &RayDesk::showScene);
   connect(&m_session, &Session::planesChanged, &m_safety, &SessionSafety::noteChange);
   connect(&m_regions, &RegionDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_regions, &RegionDesk::ended, m_centre.view, &CompareView::clearLoading);
@@ -183,9 +189,11 @@ void MainWindow::connectScene() {
   connect(&m_comparison, &ComparisonDesk::modelsShown, m_panels.properties, &PropertiesPanel::setModelsShown);
   connect(&m_comparison, &ComparisonDesk::modelsShown, m_menus.models, &ModelMenus::show);
   connect(&m_comparison, &ComparisonDesk::shown, &m_accuracy, &AccuracyDesk::showScene);
+  connect(&m_comparison, &ComparisonDesk::shown, &m_ray, &RayDesk::show);
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
   connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
+  connect(&m_emphasis, &EmphasisDesk::previewed, m_centre.view, &CompareView::setScene);
   connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
     m_centre.view->setScene(scene);
     m_curves.showScene(scene);

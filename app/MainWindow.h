@@ -20,10 +20,12 @@
 #include "app/window/CurveDesk.h"
 #include "app/window/DialogDesk.h"
 #include "app/window/Docks.h"
+#include "app/window/EmphasisDesk.h"
 #include "app/window/EngineDesk.h"
 #include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
 #include "app/window/PlaneDesk.h"
+#include "app/window/RayDesk.h"
 #include "app/window/RegionDesk.h"
 #include "app/window/RemarksDesk.h"
 #include "app/window/StatusTexts.h"
@@ -118,6 +120,8 @@ private:
   CurveDesk m_curves;
   SuggestionDesk m_suggestions;
   PlaneDesk m_planes;
+  RayDesk m_ray;
+  EmphasisDesk m_emphasis;
   PresetDesk m_presets;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

@@ -6,6 +6,7 @@
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
+#include "widgets/ray/RayPanel.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -17,6 +18,8 @@
 
 namespace limn {
 namespace {
+
+constexpr int widthOfFourTabs = 330;
 
 // Takes no room. A plain widget has no size to go by, which docks warn of.
 class NoTitle : public QWidget {
@@ -61,6 +64,17 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   panels.accuracy = new AccuracyPanel(&window);
   m_right[2] = add(tr("Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[1], m_right[2]);
+  panels.ray = new RayPanel(&window);
+  m_ray = add(tr("Ray"), "rayDock", panels.ray, Qt::RightDockWidgetArea);
+  window.tabifyDockWidget(m_right[2], m_ray);
+  m_ray->hide();
+  connect(m_ray->toggleViewAction(), &QAction::triggered, m_ray, [this](bool isShown) {
+    if (!isShown)
+      return;
+    if (!m_ray->isFloating()) // four tabs need more room than three
+      m_window.resizeDocks({m_ray}, {std::max(m_ray->width(), widthOfFourTabs)}, Qt::Horizontal);
+    m_ray->raise();
+  });
   m_right[0]->raise();
   m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
@@ -81,9 +95,10 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
 
 void Docks::showTitles() {
   const auto isDocked = [](const QDockWidget* dock) { return !dock->isHidden() && !dock->isFloating(); };
-  const auto tabs = std::ranges::count_if(m_right, isDocked);
+  const QList<QDockWidget*> right = atRight();
+  const auto tabs = std::ranges::count_if(right, isDocked);
   for (QDockWidget* dock : all()) {
-    const bool isLone = tabs < 2 && std::ranges::find(m_right, dock) != m_right.end();
+    const bool isLone = tabs < 2 && right.contains(dock);
     showTitle(*dock, isLone || dock->isFloating());
   }
 }
@@ -100,7 +115,11 @@ QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content
 }
 
 QList<QDockWidget*> Docks::all() const {
-  return {m_presets, m_history, m_right[0], m_right[1], m_right[2], m_curve};
+  return QList<QDockWidget*>{m_presets, m_history} + atRight() + QList<QDockWidget*>{m_curve};
+}
+
+QList<QDockWidget*> Docks::atRight() const {
+  return {m_right[0], m_right[1], m_right[2], m_ray};
 }
 
 QList<QAction*> Docks::toggleActions() const {

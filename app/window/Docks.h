@@ -21,6 +21,7 @@ class CurvePanel;
 class EffectsPanel;
 class PresetBrowser;
 class PropertiesPanel;
+class RayPanel;
 
 /// The panels of the window.
 struct Panels {
@@ -29,11 +30,12 @@ struct Panels {
   PresetBrowser* presets = nullptr;
   EffectsPanel* effects = nullptr;
   AccuracyPanel* accuracy = nullptr;
+  RayPanel* ray = nullptr;
   QUndoView* history = nullptr; ///< what can be undone and redone, by name
 };
 
 /// The docks around the picture, one for each panel: presets and history left, properties, effects and
-/// accuracy in one place at the right, curves below.
+/// accuracy in one place at the right, where the ray joins them once it is asked for, curves below.
 class Docks : public QObject {
   Q_OBJECT
 
@@ -62,6 +64,7 @@ private:
   /// without tabs has one, and so has a dock in a window of its own.
   void showTitles();
   QList<QDockWidget*> all() const;
+  QList<QDockWidget*> atRight() const;
   void makeFloatingMenu();
   QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
 
@@ -70,6 +73,7 @@ private:
   QDockWidget* m_presets = nullptr;
   QDockWidget* m_history = nullptr;
   std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none
+  QDockWidget* m_ray = nullptr;          ///< at the right, too, but no part of sessions
   QDockWidget* m_curve = nullptr;
   QDockWidget* m_seenLast = nullptr; ///< of those at the right
   QList<QDockWidget*> m_hidden;      ///< by hideAllButCurve

@@ -30,13 +30,28 @@ PlaneDesk::PlaneDesk(const Parts& parts, QObject* parent) : QObject(parent), m_p
   connect(&parts.session, &Session::sceneChanged, this, &PlaneDesk::showScene);
   connect(&parts.view, &CompareView::probed, this, &PlaneDesk::showProbe);
   connect(&parts.view, &CompareView::pinRequested, &parts.curve, &TransferFunctionEditor::setPinnedValue);
-  connect(&parts.view, &CompareView::placePinned, this, [this](const glm::dvec3& worldMm) {
-    if (m_content.settings.layout != PlaneLayout::pictureOnly)
-      m_parts.session.setPlanes(withCrosshair(m_content, worldMm));
-  });
+  connect(&parts.view, &CompareView::placePinned, this, &PlaneDesk::showInSlices);
   connect(parts.actions.planeLayouts, &QActionGroup::triggered, this,
           [this](const QAction* chosen) { setLayout(static_cast<PlaneLayout>(chosen->data().toInt())); });
   show();
+}
+
+void PlaneDesk::goTo(const glm::dvec3& worldMm) {
+  if (!m_content.volume)
+    return;
+  const Volume& volume = *m_content.volume;
+  m_parts.curve.setPinnedValue(valueAt(volume, worldToIndex(volume.grid(), worldMm)));
+  showInSlices(worldMm);
+}
+
+void PlaneDesk::setEmphasised(std::optional<std::size_t> point) {
+  m_content.emphasisedPoint = point;
+  m_parts.deck.setContent(m_content);
+}
+
+void PlaneDesk::showInSlices(const glm::dvec3& worldMm) {
+  if (m_content.settings.layout != PlaneLayout::pictureOnly)
+    m_parts.session.setPlanes(withCrosshair(m_content, worldMm));
 }
 
 void PlaneDesk::setLayout(PlaneLayout layout) {
@@ -49,6 +64,7 @@ void PlaneDesk::showScene(const Scene& scene) {
   const std::shared_ptr<const Volume> before = m_content.volume;
   m_content.volume = scene.volume;
   m_content.function = scene.transferFunction;
+  m_content.emphasisedPoint.reset();
   m_content.keep = scene.keep;
   if (scene.volume != before) {
     const bool hasSameVoxels = scene.volume && before && &scene.volume->stored() == &before->stored();

@@ -36,6 +36,12 @@ public:
 
   PlaneDesk(const Parts& parts, QObject* parent);
 
+  /// Pins the value of a place on the curve, and where there are slices puts the crosshair there.
+  void goTo(const glm::dvec3& worldMm);
+
+  /// Lights up in the slices what a point of the scene's curve governs, or nothing; the next scene ends it.
+  void setEmphasised(std::optional<std::size_t> point);
+
   /// The slices in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
@@ -44,6 +50,7 @@ private:
   void showScene(const Scene& scene);
   void show();
   void showProbe(const std::optional<Probe>& probe);
+  void showInSlices(const glm::dvec3& worldMm);
   void setLayout(PlaneLayout layout);
 
   Parts m_parts;

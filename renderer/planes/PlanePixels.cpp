@@ -2,6 +2,7 @@
 #include "planes/PlanePixels.h"
 
 #include "scene/basics/StableMath.h"
+#include "scene/function/PointShare.h"
 
 #include <algorithm>
 #include <cassert>
@@ -20,15 +21,10 @@ std::uint32_t opaque(const glm::dvec3& color) {
 // The transfer function at steps so fine that classifying a pixel is one look-up.
 class TintTable {
 public:
-  TintTable(const TransferFunction& function, double lowest, double highest)
+  TintTable(const PlaneTint& tint, double lowest, double highest)
       : m_lowest(lowest), m_perValue(highest > lowest ? (steps - 1) / (highest - lowest) : 0.0) {
-    const double path = tintPathMm / function.unitDistanceMm;
-    for (int i = 0; i < steps; ++i) {
-      const double value = m_perValue > 0.0 ? lowest + i / m_perValue : lowest;
-      const Classified tissue = classify(function, value);
-      m_colors.push_back(tissue.color);
-      m_opacities.push_back(oneMinusExpNeg(extinctionPerMm(tissue.opacity, 1.0) * path));
-    }
+    for (int i = 0; i < steps; ++i)
+      add(tint, m_perValue > 0.0 ? lowest + i / m_perValue : lowest);
   }
 
   std::size_t stepOf(double value) const {
@@ -38,6 +34,18 @@ public:
   double opacity(std::size_t step) const { return m_opacities[step]; }
 
 private:
+  void add(const PlaneTint& tint, double value) {
+    if (tint.emphasisedPoint) {
+      m_colors.push_back(emphasisColor);
+      m_opacities.push_back(strongestTint * shareOfPoint(tint.function, *tint.emphasisedPoint, value));
+      return;
+    }
+    const Classified tissue = classify(tint.function, value);
+    const double path = tintPathMm / tint.function.unitDistanceMm;
+    m_colors.push_back(tissue.color);
+    m_opacities.push_back(oneMinusExpNeg(extinctionPerMm(tissue.opacity, 1.0) * path));
+  }
+
   static constexpr int steps = 8192;
   double m_lowest;
   double m_perValue;
@@ -55,8 +63,7 @@ std::optional<TintTable> tableOf(const PlaneImage& image, const std::optional<Pl
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-  return highest < lowest ? std::nullopt
-                          : std::optional<TintTable>(std::in_place, tint->function, lowest, highest);
+  return highest < lowest ? std::nullopt : std::optional<TintTable>(std::in_place, *tint, lowest, highest);
 }
 
 } // namespace

@@ -24,6 +24,8 @@ inline constexpr double strongestTint = 0.7;
 struct PlaneTint {
   const TransferFunction& function;
   const PlaneImage* weights = nullptr; ///< of the kept region: a factor of the opacity; null: all is kept
+  /// Of the function: the tint is its share of the values (shareOfPoint) in the colour of emphasis instead.
+  std::optional<std::size_t> emphasisedPoint = std::nullopt;
 };
 
 /// The pixels of a slice as 0xAARRGGBB: grey by the window, with the colours of the tint above it, as opaque

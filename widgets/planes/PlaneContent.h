@@ -12,7 +12,8 @@ struct PlaneContent {
   TransferFunction function;
   Region keep;
   PlaneSettings settings;
-  GreyWindow firstWindow; ///< where the settings have none
+  GreyWindow firstWindow;                                    ///< where the settings have none
+  std::optional<std::size_t> emphasisedPoint = std::nullopt; ///< of the function: what it governs lights up
   bool operator==(const PlaneContent&) const = default;
 };
 

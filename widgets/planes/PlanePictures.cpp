@@ -20,7 +20,7 @@ PlaneContent withoutPlaces(PlaneContent content) {
   kept.outlinesRegion = settings.outlinesRegion;
   content.settings = kept;
   content.firstWindow = {};
-  if (!kept.isTinted)
+  if (!kept.isTinted && !content.emphasisedPoint)
     content.function = {};
   return content;
 }
@@ -43,13 +43,16 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
     return m_picture;
   if (!isRead)
     read(content, wanted);
-  const bool weighs =
-      isRestricting(content.keep) && (content.settings.isTinted || content.settings.outlinesRegion);
+  const bool weighs = isRestricting(content.keep) && (content.settings.isTinted || content.emphasisedPoint ||
+                                                      content.settings.outlinesRegion);
   if (weighs)
     weigh(content, plane);
+  // While a point lights up, its colour is the only one.
+  const bool isTinted = content.settings.isTinted || content.emphasisedPoint;
   const std::optional<PlaneTint> tint =
-      content.settings.isTinted ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr})
-                                : std::nullopt;
+      isTinted
+          ? std::optional(PlaneTint{content.function, weighs ? &m_weights : nullptr, content.emphasisedPoint})
+          : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
   if (weighs && content.settings.outlinesRegion) {
     const std::vector<std::uint8_t> edge = outlineOf(m_weights);

@@ -93,6 +93,15 @@ public:
       repaintOverlay();
   }
 
+  /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
+  void setHalfMark(const std::optional<glm::dvec3>& worldMm) {
+    if (worldMm != std::exchange(m_shown.halfMm, worldMm))
+      repaintOverlay();
+  }
+
+  /// What reads pointer and keys.
+  const ViewInput& input() const { return *m_input; }
+
   /// What the left button does; at first it rotates. Esc in the view returns to that.
   void setTool(ViewTool tool);
   ViewTool tool() const;

@@ -20,6 +20,7 @@ struct Comparison {
   double wipe = 0.5; ///< where the border of the wipe lies, as a fraction of the width, 0..1
   bool isSwapped = false;
   std::optional<glm::dvec3> markMm; ///< a place that is marked in the pictures, world
+  std::optional<glm::dvec3> halfMm; ///< where half of a ray's light is gathered, world; marked, too
 };
 
 /// The scene as one side shows it.

@@ -69,6 +69,16 @@ Ray rayThroughPixel(const Camera& camera, int x, int y, const glm::ivec2& size) 
   return {camera.position, glm::normalize(basis.forward + offset)};
 }
 
+std::optional<Ray> rayThroughPlace(const Camera& camera, const glm::dvec3& worldMm) {
+  const glm::dvec3 arm = worldMm - camera.position;
+  if (camera.projection == Camera::Projection::orthographic) {
+    const glm::dvec3 forward = basisOf(camera).forward;
+    return Ray{worldMm - glm::dot(arm, forward) * forward, forward};
+  }
+  const double length = glm::length(arm);
+  return length > 0.0 ? std::optional(Ray{camera.position, arm / length}) : std::nullopt;
+}
+
 Camera defaultCamera(const Grid& grid) {
   Camera camera;
   camera.heightMm = 1.1 * boxDiagonalMm(grid);

@@ -3,6 +3,8 @@
 
 #include "scene/volume/Grid.h"
 
+#include <optional>
+
 namespace limn {
 
 /// Where the picture is taken from, world millimetres (DEFINITION section 8).
@@ -37,6 +39,9 @@ CameraBasis basisOf(const Camera& camera);
 
 /// The ray through the centre of pixel (x, y), y down, of a picture of `size` pixels (DEFINITION section 8).
 Ray rayThroughPixel(const Camera& camera, int x, int y, const glm::ivec2& size);
+
+/// The ray on which a place in the world is seen, towards it; nothing where it lies in the eye.
+std::optional<Ray> rayThroughPlace(const Camera& camera, const glm::dvec3& worldMm);
 
 /// Half the picture's height in mm at unit distance (perspective: tan(fov/2)) or at any (orthographic:
 /// height/2).

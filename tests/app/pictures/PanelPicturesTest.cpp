@@ -68,6 +68,27 @@ TEST_F(PanelPictures, ofEveryLayout) {
       }
 }
 
+TEST_F(PanelPictures, ofARayAndWhatItMeets) {
+  ASSERT_TRUE(openVolume());
+  action("planes-picture_and_three").trigger();
+  action("layout-single").trigger();
+  window->findChild<QDockWidget*>(QStringLiteral("rayDock"))->toggleViewAction()->trigger();
+  ASSERT_TRUE(rest());
+  QTest::mouseEvent(QTest::MouseMove, window->windowHandle(), Qt::NoButton, Qt::ShiftModifier,
+                    view().mapTo(window.get(), view().rect().center() + QPoint(0, 20)));
+  take(QStringLiteral("ray"));
+}
+
+TEST_F(PanelPictures, ofWhatAPointGoverns) {
+  ASSERT_TRUE(openVolume());
+  action("planes-picture_and_three").trigger();
+  action("layout-single").trigger();
+  curves().valueEditor()->canvas()->setFocus();
+  curves().valueEditor()->canvas()->selectPoints({4});
+  QTest::keyClick(window->windowHandle(), Qt::Key_H);
+  take(QStringLiteral("point-governs"));
+}
+
 TEST_F(PanelPictures, ofSlicesBesideThePicture) {
   ASSERT_TRUE(openVolume());
   for (QActionGroup* group : window->findChildren<QActionGroup*>())

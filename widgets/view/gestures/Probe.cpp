@@ -46,14 +46,21 @@ Interval insideCrop(const IndexRay& ray, const glm::ivec3& dims, const CropBox& 
   return inside;
 }
 
-// The opacity of samples as the side's model shows them (DEFINITION sections 3 and 5).
+// The opacity of samples as the side's model and the kept region show them (DEFINITION sections 3, 5 and 10).
 class SampleOpacity {
 public:
   SampleOpacity(const Scene& scene, const GradientScale& scale)
-      : m_scene(scene), m_scale(scale), m_terms(lightingTerms(scene.shading)) {}
+      : m_scene(scene), m_scale(scale), m_terms(lightingTerms(scene.shading)),
+        m_isRestricted(isRestricting(scene.keep)) {}
+
+  // Whether projections of extremes and surfaces take a sample.
+  bool isKept(const glm::dvec3& index) const {
+    return !m_isRestricted || weightAt(m_scene.keep, index) >= 0.5;
+  }
 
   double at(const glm::dvec3& index, double value) const {
-    const double opacity = classify(m_scene.transferFunction, value).opacity;
+    const double opacity = classify(m_scene.transferFunction, value).opacity *
+                           (m_isRestricted ? weightAt(m_scene.keep, index) : 1.0);
     const bool readsGradient = m_terms.mapsOpacity() || m_scene.gradientOpacity;
     if (opacity <= 0.0 || !readsGradient)
       return std::clamp(m_terms.opacity.atFlat * opacity, 0.0, 1.0);
@@ -68,6 +75,7 @@ private:
   const Scene& m_scene;
   GradientScale m_scale;
   LightingTerms m_terms;
+  bool m_isRestricted;
 };
 
 // How much each sample speaks for itself; the largest one is what the pixel shows.
@@ -78,13 +86,15 @@ public:
   double of(const glm::dvec3& index, double value, double stepMm) {
     switch (m_scene.projection) {
     case Projection::mip:
-      return value;
     case Projection::minip:
-      return -value;
+      if (!m_opacity.isKept(index))
+        return nothing;
+      m_hasSample = true;
+      return m_scene.projection == Projection::mip ? value : -value;
     case Projection::isosurface:
-      return crosses(value) ? 1.0 : 0.0;
+      return crosses(value, index) ? 1.0 : 0.0;
     case Projection::compositeIsosurface:
-      if (crosses(value))
+      if (crosses(value, index))
         return std::exchange(m_transmittance, 0.0);
       break;
     case Projection::composite:
@@ -106,11 +116,16 @@ public:
     return m_scene.projection == Projection::mip || m_scene.projection == Projection::minip;
   }
   // Half an 8-bit level of alpha.
-  bool sawSomething() const { return isExtreme() || m_crossed || m_transmittance < 1.0 - 1.0 / 510.0; }
+  bool sawSomething() const {
+    return isExtreme() ? m_hasSample : m_crossed || m_transmittance < 1.0 - 1.0 / 510.0;
+  }
 
 private:
-  bool crosses(double value) {
-    const bool above = value >= m_scene.isovalue;
+  // Less than any value.
+  static constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+  bool crosses(double value, const glm::dvec3& index) {
+    const bool above = value >= m_scene.isovalue && m_opacity.isKept(index);
     const bool crossed = m_started ? above != m_above : above;
     m_started = true;
     m_above = above;
@@ -120,6 +135,7 @@ private:
   const Scene& m_scene;
   SampleOpacity m_opacity;
   double m_transmittance = 1.0;
+  bool m_hasSample = false; ///< of an extreme
   bool m_started = false;
   bool m_above = false;
   bool m_crossed = false;

@@ -166,6 +166,13 @@ void ViewInput::hover(const QMouseEvent& event) {
   m_view->setToolTip(toolTipAt(source, point));
   const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
   showProbe(isProbing ? probeAt(source, point) : std::nullopt, point);
+  if (isProbing)
+    readRayAt(source, point);
+}
+
+void ViewInput::readRayAt(const OverlaySource& source, const QPointF& point) {
+  if (const std::optional<Ray> ray = rayUnder(source.geometry, source.comparison.scene.camera, point))
+    emit rayRead(*ray, sideShownAt(source.comparison, positionAt(source.geometry, point)));
 }
 
 std::optional<Probe> ViewInput::probeAt(const OverlaySource& source, const QPointF& point) const {

@@ -55,12 +55,17 @@ public:
   std::optional<CropFace> heldFace() const;
   const std::optional<ReadValue>& reading() const { return m_read; }
 
+  /// The gradient moduli with which a side was lit.
+  GradientScale scaleOfSide(int side) const { return m_facts.scaleOfSide(side); }
+
 signals:
   void cameraEdited(const limn::Camera& camera);
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
   void cropEdited(const limn::CropBox& crop, const limn::Gesture& gesture);
   void wipeEdited(double fraction);
   void probed(const std::optional<limn::Probe>& probe);
+  /// The ray that is probed, whatever it meets, of the picture of a side.
+  void rayRead(const limn::Ray& ray, int side);
   void pinRequested(double value);
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
@@ -78,6 +83,7 @@ private:
   void hover(const QMouseEvent& event);
   void uncut(const Scene& shown, CropFace face);
   std::optional<Probe> probeAt(const OverlaySource& source, const QPointF& point) const;
+  void readRayAt(const OverlaySource& source, const QPointF& point);
   void showProbe(const std::optional<Probe>& probe, const QPointF& point);
 
   QWidget* m_view;

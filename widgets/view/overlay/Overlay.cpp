@@ -159,14 +159,13 @@ std::vector<double> progressOf(const PictureState& state) {
 }
 
 // A marked place in every picture that has it in view, in front of or behind what is drawn.
-std::vector<QPointF> marksOf(const OverlaySource& source) {
+std::vector<QPointF> marksOf(const OverlaySource& source, const std::optional<glm::dvec3>& worldMm) {
   std::vector<QPointF> marks;
-  if (!source.comparison.markMm)
+  if (!worldMm)
     return marks;
   for (int position = 0; position < standingCount(source.geometry); ++position) {
     const QRectF picture = pictureRect(source.geometry, position);
-    const auto at =
-        pixelOf(viewProjection(source.comparison.scene.camera, picture), *source.comparison.markMm);
+    const auto at = pixelOf(viewProjection(source.comparison.scene.camera, picture), *worldMm);
     if (at && picture.contains(*at))
       marks.push_back(*at);
   }
@@ -189,7 +188,8 @@ Overlay overlayOf(const OverlaySource& source) {
   const std::vector<QRectF> notes = addNotes(overlay, source);
   plates.insert(plates.end(), notes.begin(), notes.end());
   addOrientation(overlay, source, plates);
-  overlay.marks = marksOf(source);
+  overlay.marks = marksOf(source, source.comparison.markMm);
+  overlay.halves = marksOf(source, source.comparison.halfMm);
   if (source.read)
     overlay.reading = Overlay::Reading{readingText(source.read->value, source.volume()), source.read->at};
   overlay.progress = progressOf(source.state);

@@ -39,6 +39,7 @@ struct Overlay {
   std::vector<LetterMarks> letters;
   std::optional<Reading> reading;
   std::vector<QPointF> marks;   ///< where a marked place is seen in each picture that shows it
+  std::vector<QPointF> halves;  ///< the same of where half of a ray's light is gathered
   std::vector<double> progress; ///< each 0..1
 };
 

@@ -54,6 +54,8 @@ void paintOverlay(QPainter& painter, const Overlay& overlay) {
   paintCropBoxes(painter, overlay);
   for (const QPointF& mark : overlay.marks)
     paintMark(painter, mark);
+  for (const QPointF& half : overlay.halves)
+    paintHalfMark(painter, half);
   if (overlay.border)
     paintWipeBorder(painter, overlay.border->x, overlay.view, overlay.border->isHovered);
   paintTitles(painter, overlay);

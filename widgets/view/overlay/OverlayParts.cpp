@@ -242,6 +242,24 @@ void paintMark(QPainter& painter, const QPointF& point) {
   painter.restore();
 }
 
+void paintHalfMark(QPainter& painter, const QPointF& point) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double reach = 1.25 * unit;
+  const QPolygonF diamond{{point - QPointF(0, reach), point + QPointF(reach, 0), point + QPointF(0, reach),
+                           point - QPointF(reach, 0)}};
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [color, width] : {std::pair(QColor(0, 0, 0, 180), 3.5), std::pair(markColor, 1.5)}) {
+    painter.setPen(QPen(color, width));
+    painter.drawPolygon(diamond);
+  }
+  const QRectF plate(point + QPointF(2 * unit, unit), QSizeF(4 * unit, 4 * unit));
+  paintPlate(painter, plate);
+  painter.setPen(textColor);
+  painter.drawText(plate, Qt::AlignCenter, QStringLiteral("½"));
+  painter.restore();
+}
+
 void paintNote(QPainter& painter, const Note& note) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -75,6 +75,8 @@ void paintProgress(QPainter& painter, double fraction, const QRectF& view);
 void paintWipeBorder(QPainter& painter, double x, const QRectF& view, bool hovered);
 /// Marks a place that slices show, too.
 void paintMark(QPainter& painter, const QPointF& point);
+/// Marks where half of a ray's light is gathered: a diamond with "½" beside it.
+void paintHalfMark(QPainter& painter, const QPointF& point);
 /// Marks the probed point and tells its value.
 void paintProbe(QPainter& painter, const QPointF& point, const QString& text, const QRectF& view);
 void paintNote(QPainter& painter, const Note& note);

@@ -79,6 +79,25 @@ TEST(Probe, takesTheExtremeOfAProjectionOfExtremes) {
   EXPECT_EQ(probeAlong(scene, {}, throughTheMiddle)->value, 0.0);
 }
 
+// Of the layers the dense one is hidden: 20 to 29.
+TEST(Probe, seesThroughWhatTheKeptRegionHides) {
+  Scene scene = layers();
+  const glm::ivec3 dims = scene.volume->grid().dims;
+  std::vector<std::uint8_t> places;
+  for (int k = 0; k < dims.z; ++k)
+    for (int j = 0; j < dims.y; ++j)
+      places.insert(places.end(), static_cast<std::size_t>(dims.x), j < 20 ? 1 : 0);
+  scene.keep = bodyRegion(dims, places);
+  const auto probe = probeAlong(scene, {}, throughTheMiddle);
+  ASSERT_TRUE(probe);
+  EXPECT_LT(probe->index.y, 20.0);
+  scene.projection = Projection::mip;
+  EXPECT_LT(probeAlong(scene, {}, throughTheMiddle)->index.y, 19.5);
+  scene.projection = Projection::isosurface;
+  scene.isovalue = 400.0; // reached at 19.75, where less than half is kept
+  EXPECT_FALSE(probeAlong(scene, {}, throughTheMiddle));
+}
+
 TEST(Probe, takesTheFirstCrossingOfAnIsosurface) {
   Scene scene = layers();
   scene.projection = Projection::isosurface;

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/steps/RayProfile.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// Half an 8-bit level of the pixel.
+constexpr double leastAlpha = 1.0 / 510.0;
+
+} // namespace
+
+glm::dvec3 placeAt(const RayProfile& profile, double depthMm) {
+  return profile.entryMm + depthMm * profile.direction;
+}
+
+const RayProfile::Sample& sampleAt(const RayProfile& profile, double depthMm) {
+  assert(!profile.samples.empty());
+  const auto distance = [depthMm](const RayProfile::Sample& sample) {
+    return std::abs(sample.depthMm - depthMm);
+  };
+  const auto behind = std::ranges::lower_bound(profile.samples, depthMm, {}, &RayProfile::Sample::depthMm);
+  if (behind == profile.samples.begin())
+    return *behind;
+  const auto before = std::prev(behind);
+  return behind == profile.samples.end() || distance(*before) <= distance(*behind) ? *before : *behind;
+}
+
+std::vector<double> gatheredLight(const RayProfile& profile) {
+  std::vector<double> gathered;
+  gathered.reserve(profile.samples.size());
+  double sum = 0.0;
+  for (const RayProfile::Sample& sample : profile.samples)
+    gathered.push_back(sum += sample.contribution);
+  return gathered;
+}
+
+std::optional<double> halfLightDepth(const RayProfile& profile) {
+  if (profile.projection == Projection::average || profile.alpha < leastAlpha)
+    return std::nullopt;
+  double before = 0.0;
+  for (const RayProfile::Sample& sample : profile.samples) {
+    const double missing = 0.5 * profile.alpha - before;
+    if (sample.contribution > 0.0 && sample.contribution >= missing)
+      return sample.depthMm + (missing / sample.contribution - 0.5) * sample.lengthMm;
+    before += sample.contribution;
+  }
+  return std::nullopt;
+}
+
+bool gathersLight(Projection projection) {
+  return projection == Projection::composite || projection == Projection::xray ||
+         projection == Projection::compositeIsosurface;
+}
+
+} // namespace limn
