@@ -162,6 +162,7 @@ void MainWindow::connectPanels() {
                            gesture);
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
+  connect(m_panels.presets, &PresetBrowser::previewRequested, &m_presets, &PresetDesk::preview);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
   connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
@@ -186,10 +187,9 @@ void MainWindow::connectScene() {
   connect(&m_comparison, &ComparisonDesk::shown, &m_safety, &SessionSafety::noteChange);
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
   connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
-  connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
-    m_centre.view->setScene(scene);
-    m_curves.showScene(scene);
-  });
+  connect(&m_suggestions, &SuggestionDesk::previewed, this,
+          [this](const Scene& scene) { showPreview(scene, {}); });
+  connect(&m_presets, &PresetDesk::previewed, this, &MainWindow::showPreview);
 }
 
 void MainWindow::connectOpening() {
@@ -283,13 +283,19 @@ void MainWindow::restoreSession(const SessionDocument& session) {
 
 void MainWindow::showScene(const Scene& scene) {
   m_projections.note(scene);
-  m_centre.view->setScene(scene);
-  m_curves.showScene(scene);
+  showPreview(scene, {});
   m_panels.properties->setScene(scene);
   m_presets.markShown();
   m_comparison.show();
   m_actions.orthographic->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   m_actions.setVolumeOpen(scene.volume != nullptr);
+}
+
+// The session's own scene ends it.
+void MainWindow::showPreview(const Scene& scene, const std::string& preset) {
+  m_centre.view->setScene(scene);
+  m_centre.view->setPreview(preset);
+  m_curves.showScene(scene);
 }
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request) {

@@ -88,6 +88,7 @@ private:
   void connectActions();
   void connectSettings();
   void showScene(const Scene& scene);
+  void showPreview(const Scene& scene, const std::string& preset);
   void showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request);
   void restoreSession(const SessionDocument& session);
   void closeVolume();

@@ -5,6 +5,7 @@
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetDelegate.h"
 #include "widgets/presets/PresetModel.h"
+#include "widgets/presets/PresetPointer.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -75,6 +76,7 @@ void PresetBrowser::makeList() {
   m_list->setAccessibleName(tr("Presets"));
   m_list->installEventFilter(this);
   m_list->viewport()->installEventFilter(this);
+  connect(new PresetPointer(*m_list), &PresetPointer::pointedAt, this, &PresetBrowser::previewRequested);
   // Lines that the edge cut are painted once they are whole: to move the pixels is not enough.
   connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, m_list->viewport(),
           qOverload<>(&QWidget::update));

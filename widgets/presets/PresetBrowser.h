@@ -42,6 +42,8 @@ public:
 
 signals:
   void presetChosen(const QString& name);
+  /// The pointer rests on a preset, or the keyboard went to it: it is to be seen for a while. Empty: no more.
+  void previewRequested(const QString& name);
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);

@@ -93,6 +93,12 @@ public:
       repaintOverlay();
   }
 
+  /// The preset that the scene is shown as a preview of, which the pictures then say; empty: it is none.
+  void setPreview(const std::string& preset) {
+    if (preset != std::exchange(m_shown.preview, preset))
+      repaintOverlay();
+  }
+
   /// What the left button does; at first it rotates. Esc in the view returns to that.
   void setTool(ViewTool tool);
   ViewTool tool() const;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace limn {
@@ -20,6 +21,7 @@ struct Comparison {
   double wipe = 0.5; ///< where the border of the wipe lies, as a fraction of the width, 0..1
   bool isSwapped = false;
   std::optional<glm::dvec3> markMm; ///< a place that is marked in the pictures, world
+  std::string preview;              ///< the preset that the scene is a preview of; empty: none
 };
 
 /// The scene as one side shows it.
