@@ -76,6 +76,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
+      m_thumbnails({m_session, *m_panels.presets, [this] { return m_presets.fittedPresets(); },
+                    [this] { return m_centre.view->pictureAspect(); }},
+                   this),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
                   m_notes},
                  this),
@@ -125,6 +128,7 @@ void MainWindow::connectView() {
       m_centre.messages->show(MessageBar::Kind::warning, state.limitation);
     m_pictures.lookSoon();
   });
+  connect(view, &CompareView::pictureStateChanged, &m_thumbnails, &ThumbnailDesk::noteState);
   connect(view, &CompareView::errorOccurred, this, &MainWindow::showError);
   connect(view, &CompareView::graphicsRestored, this,
           [this](const QString& sentence) { m_centre.messages->show(MessageBar::Kind::warning, sentence); });
@@ -189,6 +193,8 @@ void MainWindow::connectScene() {
   connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
   connect(&m_suggestions, &SuggestionDesk::previewed, this,
           [this](const Scene& scene) { showPreview(scene, {}); });
+  connect(&m_session, &Session::sceneChanged, &m_thumbnails, &ThumbnailDesk::showScene);
+  connect(&m_presets, &PresetDesk::listed, &m_thumbnails, &ThumbnailDesk::notePresets);
   connect(&m_presets, &PresetDesk::previewed, this, &MainWindow::showPreview);
 }
 

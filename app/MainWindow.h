@@ -9,6 +9,7 @@
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
+#include "app/presets/ThumbnailDesk.h"
 #include "app/recovery/SessionSafety.h"
 #include "app/saving/PictureSaving.h"
 #include "app/saving/SaveNotes.h"
@@ -70,6 +71,7 @@ public:
   /// What a session file of this moment says, but for where its volume is and its own place.
   SessionDocument sessionDocument() const;
 
+  ThumbnailDesk& thumbnails() { return m_thumbnails; }
   CompareView& view() { return *m_centre.view; }
   const VolumeLoader& loader() const { return m_opening.loader(); }
 
@@ -120,6 +122,7 @@ private:
   SuggestionDesk m_suggestions;
   PlaneDesk m_planes;
   PresetDesk m_presets;
+  ThumbnailDesk m_thumbnails;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
   SavingDesk m_saving;

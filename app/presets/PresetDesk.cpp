@@ -47,6 +47,14 @@ void PresetDesk::refresh() {
   m_with.browser.setPresets(m_builtIn, m_own);
   if (!own.problems.empty())
     m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(own.problems.front()));
+  emit listed();
+}
+
+std::vector<Preset> PresetDesk::fittedPresets() const {
+  std::vector<Preset> presets = m_own;
+  for (const Preset& preset : m_builtIn)
+    presets.push_back(fittedTo(preset, m_with.document.histogram()));
+  return presets;
 }
 
 void PresetDesk::markShown() {

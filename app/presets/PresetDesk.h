@@ -40,6 +40,9 @@ public:
   /// Marks the preset that the scene was made from, and whether it was changed since.
   void markShown();
 
+  /// All presets as they are shown of the volume that is open, in the order of the list.
+  std::vector<Preset> fittedPresets() const;
+
   void use(const QString& name);
   /// Shows a preset for a while; an empty name ends that.
   void preview(const QString& name);
@@ -55,6 +58,7 @@ public:
   void duplicate(const QString& name);
 
 signals:
+  void listed(); ///< the list was made anew
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);

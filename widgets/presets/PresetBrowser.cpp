@@ -105,8 +105,22 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
   refill();
 }
 
+PresetBrowser::~PresetBrowser() = default;
+
+void PresetBrowser::setPicture(const QString& name, const QImage& picture, bool showsNothing) {
+  m_pictures[name] = {picture, showsNothing};
+  showPresetPicture(*m_model, name, m_pictures[name]);
+}
+
+void PresetBrowser::clearPictures() {
+  m_pictures.clear();
+  refill();
+}
+
 void PresetBrowser::refill() {
   fillPresetModel(*m_model, m_builtIn, m_own, lookOf(palette()));
+  for (const auto& [name, picture] : m_pictures)
+    showPresetPicture(*m_model, name, picture);
   search(m_search->text());
   mark();
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
@@ -178,7 +192,6 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
     add(tr("Reset to this preset"), [this, name] { emit presetChosen(name); });
   else
     add(tr("Use"), [this, name] { emit presetChosen(name); });
-  menu->addSeparator();
   add(tr("Duplicate…"), [this, name] { emit duplicateRequested(name); });
   if (index.data(presetRole::isOwn).toBool()) {
     add(tr("Rename…"), [this, name] { emit renameRequested(name); });
