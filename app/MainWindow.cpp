@@ -64,7 +64,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_focus(*this, m_docks, *m_actions.pictureAndCurveOnly),
       m_title({m_document, m_settings, *m_actions.patientInTitle, *m_centre.patient, *this}),
-      m_comparison(m_session, *m_centre.view, m_actions, this),
+      m_comparison(m_session, m_document, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
       m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, m_settings, *this}),
@@ -167,6 +167,7 @@ void MainWindow::connectPanels() {
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::previewRequested, &m_presets, &PresetDesk::preview);
+  connect(m_panels.presets, &PresetBrowser::compareRequested, &m_presets, &PresetDesk::compare);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
   connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
@@ -194,6 +195,7 @@ void MainWindow::connectScene() {
   connect(&m_suggestions, &SuggestionDesk::previewed, this,
           [this](const Scene& scene) { showPreview(scene, {}); });
   connect(&m_session, &Session::sceneChanged, &m_thumbnails, &ThumbnailDesk::showScene);
+  connect(&m_presets, &PresetDesk::compareRequested, &m_comparison, &ComparisonDesk::compareWith);
   connect(&m_presets, &PresetDesk::listed, &m_thumbnails, &ThumbnailDesk::notePresets);
   connect(&m_presets, &PresetDesk::previewed, this, &MainWindow::showPreview);
 }

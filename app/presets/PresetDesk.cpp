@@ -8,7 +8,6 @@
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/properties/ProjectionSection.h"
 
 #include <QInputDialog>
 #include <QLocale>
@@ -21,19 +20,6 @@ namespace {
 auto named(const std::vector<Preset>& presets, const QString& name) {
   return std::find_if(presets.begin(), presets.end(),
                       [&](const Preset& preset) { return preset.name == name.toStdString(); });
-}
-
-Preset presetOf(const Scene& scene, const QString& name) {
-  Preset preset;
-  preset.name = name.toStdString();
-  preset.modality = scene.volume->info().modality;
-  preset.transferFunction = scene.transferFunction;
-  preset.gradientOpacity = scene.gradientOpacity;
-  preset.shading = scene.shading;
-  preset.projection = scene.projection;
-  if (usesIsovalue(scene.projection))
-    preset.isovalue = scene.isovalue;
-  return preset;
 }
 
 } // namespace
@@ -95,6 +81,11 @@ void PresetDesk::preview(const QString& name) {
     return;
   const std::optional<Preset> preset = fitted(name);
   emit previewed(preset ? withPreset(scene, *preset, true) : scene, preset ? preset->name : std::string());
+}
+
+void PresetDesk::compare(const QString& name) {
+  if (const std::optional<Preset> preset = fitted(name); preset && m_with.session.scene().volume)
+    emit compareRequested(*preset);
 }
 
 void PresetDesk::show(const Preset& preset, const QString& edit) {
@@ -176,7 +167,7 @@ bool PresetDesk::mayBeCalled(const QString& name) const {
 void PresetDesk::save(const QString& name) {
   if (!mayBeCalled(name))
     return;
-  const Preset preset = presetOf(m_with.session.scene(), name);
+  const Preset preset = presetOf(m_with.session.scene(), name.toStdString());
   const auto write = [&] {
     m_store.save(preset);
     refresh();

@@ -46,6 +46,8 @@ public:
   void use(const QString& name);
   /// Shows a preset for a while; an empty name ends that.
   void preview(const QString& name);
+  /// Has a preset compared with what is shown.
+  void compare(const QString& name);
   /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
   void useNumber(int number);
 
@@ -62,6 +64,7 @@ signals:
   /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
   /// is the session's own scene again. It enters no history.
   void previewed(const limn::Scene& scene, const std::string& preset);
+  void compareRequested(const limn::Preset& look);
 
 private:
   void show(const Preset& preset, const QString& edit);

@@ -166,7 +166,8 @@ TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT bone"));
   EXPECT_EQ(marked(), QStringLiteral("CT bone"));
   EXPECT_EQ(m_chosen.size(), 1);
-  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Duplicate…", "Copy name"})) << "built-in ones stay as they are";
+  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Compare with the picture", "Duplicate…", "Copy name"}))
+      << "built-in ones stay as they are";
   trigger("Use");
   EXPECT_EQ(marked(), QStringLiteral("CT lung"));
 }
@@ -176,8 +177,8 @@ TEST_F(PresetBrowserTest, theMenuOfTheKeyboardIsAboutTheRowInHand) {
   m_browser.setCurrent(QStringLiteral("My temporal bone"), true);
   QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
   QCoreApplication::sendEvent(list(), &asked);
-  EXPECT_EQ(menuTexts(),
-            (QStringList{"Reset to this preset", "Duplicate…", "Rename…", "Delete", "Copy name"}));
+  EXPECT_EQ(menuTexts(), (QStringList{"Reset to this preset", "Compare with the picture", "Duplicate…",
+                                      "Rename…", "Delete", "Copy name"}));
   trigger("Reset to this preset");
   EXPECT_EQ(marked(), QStringLiteral("My temporal bone"));
 }

@@ -192,6 +192,8 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
     add(tr("Reset to this preset"), [this, name] { emit presetChosen(name); });
   else
     add(tr("Use"), [this, name] { emit presetChosen(name); });
+  add(tr("Compare with the picture"), [this, name] { emit compareRequested(name); });
+  menu->addSeparator();
   add(tr("Duplicate…"), [this, name] { emit duplicateRequested(name); });
   if (index.data(presetRole::isOwn).toBool()) {
     add(tr("Rename…"), [this, name] { emit renameRequested(name); });

@@ -56,6 +56,8 @@ signals:
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);
+  /// A preset is to be seen beside what is shown.
+  void compareRequested(const QString& name);
   /// Only for the user's own presets.
   void renameRequested(const QString& name);
   void deleteRequested(const QString& name);

@@ -3,6 +3,9 @@
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
 
+#include <QContextMenuEvent>
+#include <QMenu>
+
 // Presets in the program's window, by mouse and keys.
 
 namespace limn {
@@ -17,6 +20,14 @@ protected:
     const QPoint place = rowOf(browser(), QLatin1String(preset)).center();
     QTest::mouseMove(window->windowHandle(), list().viewport()->mapTo(window.get(), place));
   }
+  // The X server tells where its own pointer is, too, and may do so after us.
+  [[nodiscard]] bool pointUntilSeen(const char* preset, const Scene& before) {
+    return test::waitUntil([&] {
+      if (view().scene() == before)
+        pointTo(preset);
+      return view().scene() != before;
+    });
+  }
   void click(const char* preset) {
     const QPoint place = rowOf(browser(), QLatin1String(preset)).center();
     QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
@@ -28,8 +39,7 @@ TEST_F(PresetWindow, thePresetUnderThePointerIsSeenAndLeavesNothingBehind) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   const Scene before = scene();
   const int steps = undo().count();
-  pointTo("CT lung");
-  ASSERT_TRUE(test::waitUntil([&] { return view().scene() != before; }));
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
   const Scene seen = view().scene();
   EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), seen.transferFunction) << "the curve";
   EXPECT_EQ(scene(), before) << "what is edited";
@@ -61,11 +71,85 @@ TEST_F(PresetWindow, theKeyboardSeesPresetsBeforeEnterUsesOne) {
 TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   const Scene before = scene();
-  pointTo("CT lung");
-  ASSERT_TRUE(test::waitUntil([&] { return view().scene() != before; }));
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
   ASSERT_TRUE(open(QStringLiteral("phantom:3")));
   EXPECT_EQ(view().scene(), scene());
   EXPECT_NE(scene().volume, before.volume);
+}
+
+TEST_F(PresetWindow, whatWasRememberedIsComparedWithWhatBecameOfIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::single);
+  click("CT bone");
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  EXPECT_FALSE(compare.isEnabled()) << "nothing is remembered";
+  const Scene before = scene();
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier);
+  click("CT lung");
+  ASSERT_TRUE(compare.isEnabled());
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_EQ(view().sceneOfSide(0), before);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  EXPECT_NE(scene(), before);
+  undo().undo();
+  EXPECT_EQ(view().sceneOfSide(1), before) << "the right side is what is edited";
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(compare.isChecked());
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic) << "models again";
+  EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::enhanced);
+}
+
+TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::wipe);
+  click("CT bone");
+  const QPoint place = rowOf(browser(), QStringLiteral("CT lung")).center();
+  QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list().viewport()->mapToGlobal(place));
+  QCoreApplication::sendEvent(list().viewport(), &asked);
+  const int steps = undo().count();
+  QAction* const entry = action(QStringLiteral("Compare with the picture"));
+  ASSERT_TRUE(entry);
+  entry->trigger();
+  browser().findChild<QMenu*>()->close();
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  const TransferFunction lung = view().sceneOfSide(0).transferFunction;
+  EXPECT_NE(lung, scene().transferFunction);
+  EXPECT_EQ(undo().count(), steps) << "it is no edit";
+  click("CT lung");
+  EXPECT_EQ(scene().transferFunction, lung);
+  window->findChild<QAction*>(QStringLiteral("model-left-none"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::none);
+  EXPECT_NE(scene().shading.model, ShadingModel::none);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).transferFunction, view().sceneOfSide(1).transferFunction);
+}
+
+TEST_F(PresetWindow, anotherVolumeHasNothingToCompareWith) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  compare.trigger();
+  EXPECT_TRUE(compare.isChecked());
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));
+  EXPECT_FALSE(compare.isEnabled());
+  EXPECT_FALSE(compare.isChecked());
+}
+
+TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  click("CT bone");
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  click("CT lung");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  const Scene left = view().sceneOfSide(0);
+  SessionDocument kept = parseSession(sessionToJson(window->sessionDocument()), "session");
+  EXPECT_EQ(kept.snapshot, window->sessionDocument().snapshot);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  window->findChild<ComparisonDesk*>()->restore(kept);
+  EXPECT_EQ(view().sceneOfSide(0), left);
+  EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
 }
 
 } // namespace

@@ -75,8 +75,8 @@ DifferenceBar differenceBarOf(const OverlaySource& source, const QPointF& corner
   bar.lowest = QStringLiteral("−%1").arg(most);
   bar.middle = QStringLiteral("0");
   bar.highest = QObject::tr("+%1 of 255").arg(most);
-  bar.leftBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 0)));
-  bar.rightBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 1)));
+  bar.leftBrighter = QObject::tr("%1 brighter").arg(sideTitle(source.comparison, 0));
+  bar.rightBrighter = QObject::tr("%1 brighter").arg(sideTitle(source.comparison, 1));
   bar.plate = differenceBarPlate(source.font, bar, corner);
   return bar;
 }
