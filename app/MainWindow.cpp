@@ -66,7 +66,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_focus(*this, m_docks, *m_actions.pictureAndCurveOnly),
       m_title({m_document, m_settings, *m_actions.patientInTitle, *m_centre.patient, *this}),
-      m_comparison(m_session, *m_centre.view, m_actions, this),
+      m_comparison(m_session, m_document, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
       m_cropBox(*m_centre.view, *m_panels.properties->cropSection(), *m_actions.cropBox),
       m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, m_settings, *this}),
@@ -80,6 +80,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_emphasis(m_session, *m_panels.curves->valueEditor()->canvas(), m_planes, this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
+      m_thumbnails({m_session, *m_panels.presets, [this] { return m_presets.fittedPresets(); },
+                    [this] { return m_centre.view->pictureAspect(); }},
+                   this),
       m_accuracy({m_session, m_document, *m_centre.view, *m_panels.accuracy, m_settings, *m_centre.messages,
                   m_notes},
                  this),
@@ -129,6 +132,7 @@ void MainWindow::connectView() {
       m_centre.messages->show(MessageBar::Kind::warning, state.limitation);
     m_pictures.lookSoon();
   });
+  connect(view, &CompareView::pictureStateChanged, &m_thumbnails, &ThumbnailDesk::noteState);
   connect(view, &CompareView::errorOccurred, this, &MainWindow::showError);
   connect(view, &CompareView::graphicsRestored, this,
           [this](const QString& sentence) { m_centre.messages->show(MessageBar::Kind::warning, sentence); });
@@ -166,6 +170,8 @@ void MainWindow::connectPanels() {
                            gesture);
           });
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
+  connect(m_panels.presets, &PresetBrowser::previewRequested, &m_presets, &PresetDesk::preview);
+  connect(m_panels.presets, &PresetBrowser::compareRequested, &m_presets, &PresetDesk::compare);
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
   connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
@@ -194,10 +200,12 @@ void MainWindow::connectScene() {
   connect(&m_curves, &CurveDesk::failed, this, &MainWindow::showError);
   connect(&m_session, &Session::sceneChanged, &m_suggestions, &SuggestionDesk::showScene);
   connect(&m_emphasis, &EmphasisDesk::previewed, m_centre.view, &CompareView::setScene);
-  connect(&m_suggestions, &SuggestionDesk::previewed, this, [this](const Scene& scene) {
-    m_centre.view->setScene(scene);
-    m_curves.showScene(scene);
-  });
+  connect(&m_suggestions, &SuggestionDesk::previewed, this,
+          [this](const Scene& scene) { showPreview(scene, {}); });
+  connect(&m_session, &Session::sceneChanged, &m_thumbnails, &ThumbnailDesk::showScene);
+  connect(&m_presets, &PresetDesk::compareRequested, &m_comparison, &ComparisonDesk::compareWith);
+  connect(&m_presets, &PresetDesk::listed, &m_thumbnails, &ThumbnailDesk::notePresets);
+  connect(&m_presets, &PresetDesk::previewed, this, &MainWindow::showPreview);
 }
 
 void MainWindow::connectOpening() {
@@ -291,13 +299,19 @@ void MainWindow::restoreSession(const SessionDocument& session) {
 
 void MainWindow::showScene(const Scene& scene) {
   m_projections.note(scene);
-  m_centre.view->setScene(scene);
-  m_curves.showScene(scene);
+  showPreview(scene, {});
   m_panels.properties->setScene(scene);
   m_presets.markShown();
   m_comparison.show();
   m_actions.orthographic->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   m_actions.setVolumeOpen(scene.volume != nullptr);
+}
+
+// The session's own scene ends it.
+void MainWindow::showPreview(const Scene& scene, const std::string& preset) {
+  m_centre.view->setScene(scene);
+  m_centre.view->setPreview(preset);
+  m_curves.showScene(scene);
 }
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request) {

@@ -9,6 +9,7 @@
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
+#include "app/presets/ThumbnailDesk.h"
 #include "app/recovery/SessionSafety.h"
 #include "app/saving/PictureSaving.h"
 #include "app/saving/SaveNotes.h"
@@ -72,6 +73,7 @@ public:
   /// What a session file of this moment says, but for where its volume is and its own place.
   SessionDocument sessionDocument() const;
 
+  ThumbnailDesk& thumbnails() { return m_thumbnails; }
   CompareView& view() { return *m_centre.view; }
   const VolumeLoader& loader() const { return m_opening.loader(); }
 
@@ -90,6 +92,7 @@ private:
   void connectActions();
   void connectSettings();
   void showScene(const Scene& scene);
+  void showPreview(const Scene& scene, const std::string& preset);
   void showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request);
   void restoreSession(const SessionDocument& session);
   void closeVolume();
@@ -123,6 +126,7 @@ private:
   RayDesk m_ray;
   EmphasisDesk m_emphasis;
   PresetDesk m_presets;
+  ThumbnailDesk m_thumbnails;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
   SavingDesk m_saving;

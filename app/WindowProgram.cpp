@@ -36,8 +36,8 @@ void grabAndQuit(MainWindow& window, const QString& path) {
   QApplication::exit(saved ? 0 : 1);
 }
 
-// Saves a picture of the whole window once its volume is loaded and drawn at full quality, then quits the
-// program: with status 0, 3 where loading failed, or 1 where saving did.
+// Saves a picture of the whole window once its volume is loaded, drawn at full quality and seen in the
+// list of presets, then quits the program: with status 0, 3 where loading failed, or 1 where saving did.
 void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   QObject::connect(&window.loader(), &VolumeLoader::failed, &window,
                    [](const QString&, const QString& sentence) {
@@ -59,11 +59,15 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
                      // The labels and panels catch up before the picture is taken; where that changes its
                      // size, it is drawn anew.
                      if (state.resting && window.view().scene().volume)
-                       QTimer::singleShot(0, &window, [&window, path] {
+                       QTimer::singleShot(0, &window, [&window] {
                          if (window.view().pictureState().resting)
-                           grabAndQuit(window, path);
+                           window.thumbnails().drawNow();
                        });
                    });
+  QObject::connect(&window.thumbnails(), &ThumbnailDesk::completed, &window, [&window, path] {
+    if (window.view().pictureState().resting)
+      grabAndQuit(window, path);
+  });
 }
 
 } // namespace

@@ -230,6 +230,18 @@ void Actions::makeOtherActions() {
       made("suggest", {.text = tr("S&uggest from boundaries…"),
                        .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
                                      "the curve for each")});
+  takeSnapshot = made("takeSnapshot", {.text = tr("&Remember this look as \"before\""),
+                                       .shortcut = tr("Ctrl+B"),
+                                       .toolTip = tr("Keeps curve and light of this moment to compare with "
+                                                     "what becomes of them.")});
+  compareSnapshot =
+      made("compareSnapshot", {.text = tr("Compare &before and now"),
+                               .shortcut = tr("Ctrl+Shift+B"),
+                               .toolTip = tr("Shows the remembered look at the left, the present one at the "
+                                             "right."),
+                               .isCheckable = true});
+  compareModels = made("compareModels", {.text = tr("Compare &models again"),
+                                         .toolTip = tr("Ends the comparison of two looks.")});
   settings = made("settings", {.text = tr("&Settings…"), .shortcut = tr("Ctrl+,")});
   settings->setMenuRole(QAction::PreferencesRole);
   stability =
@@ -241,8 +253,9 @@ void Actions::makeOtherActions() {
 }
 
 void Actions::setVolumeOpen(bool isOpen) const {
-  for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
-                          closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest})
+  for (QAction* action :
+       {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture, closeVolume, copyPicture,
+        resetCamera, orthographic, cropBox, savePreset, suggest, takeSnapshot})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools, planeLayouts})
     for (QAction* action : group->actions())

@@ -62,6 +62,9 @@ public:
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
   QAction* suggest = nullptr;
+  QAction* takeSnapshot = nullptr;
+  QAction* compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
+  QAction* compareModels = nullptr;   ///< enabled while looks are compared
   QAction* settings = nullptr;
   QAction* shortcuts = nullptr;
   QAction* stability = nullptr;

@@ -113,7 +113,10 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   SharedMenus shared{menus.recentSources, nullptr, nullptr};
   makeViewMenu(bar, actions, panels, shared);
   menus.models = shared.models;
-  bar.addMenu(QObject::tr("&Preset"))->addActions({actions.findPreset, actions.savePreset, actions.suggest});
+  QMenu* presets = bar.addMenu(QObject::tr("&Preset"));
+  presets->addActions({actions.findPreset, actions.savePreset, actions.suggest});
+  presets->addSeparator();
+  presets->addActions({actions.takeSnapshot, actions.compareSnapshot, actions.compareModels});
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});
   makeToolBar(window, actions, shared);
   return menus;

@@ -2,7 +2,6 @@
 #include "app/document/OpenDocument.h"
 
 #include "app/document/DocumentText.h"
-#include "widgets/properties/ProjectionSection.h"
 
 #include <QFileInfo>
 
@@ -11,15 +10,7 @@ namespace {
 
 // What was loaded shows the preset that it names, whatever that is called by now.
 Preset presetShownBy(const LoadedScene& loaded) {
-  Preset preset;
-  preset.name = loaded.session ? loaded.session->preset : loaded.preset;
-  preset.transferFunction = loaded.scene.transferFunction;
-  preset.gradientOpacity = loaded.scene.gradientOpacity;
-  preset.shading = loaded.scene.shading;
-  preset.projection = loaded.scene.projection;
-  if (usesIsovalue(loaded.scene.projection))
-    preset.isovalue = loaded.scene.isovalue;
-  return preset;
+  return presetOf(loaded.scene, loaded.session ? loaded.session->preset : loaded.preset);
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/properties/ProjectionSection.h"
 
 #include <QInputDialog>
 #include <QLocale>
@@ -23,19 +22,6 @@ auto named(const std::vector<Preset>& presets, const QString& name) {
                       [&](const Preset& preset) { return preset.name == name.toStdString(); });
 }
 
-Preset presetOf(const Scene& scene, const QString& name) {
-  Preset preset;
-  preset.name = name.toStdString();
-  preset.modality = scene.volume->info().modality;
-  preset.transferFunction = scene.transferFunction;
-  preset.gradientOpacity = scene.gradientOpacity;
-  preset.shading = scene.shading;
-  preset.projection = scene.projection;
-  if (usesIsovalue(scene.projection))
-    preset.isovalue = scene.isovalue;
-  return preset;
-}
-
 } // namespace
 
 PresetDesk::PresetDesk(PresetStore store, const Partners& partners)
@@ -43,9 +29,18 @@ PresetDesk::PresetDesk(PresetStore store, const Partners& partners)
 
 void PresetDesk::refresh() {
   const PresetStore::Contents own = m_store.read();
-  m_with.browser.setPresets(builtInPresets(), own.presets);
+  m_own = own.presets;
+  m_with.browser.setPresets(m_builtIn, m_own);
   if (!own.problems.empty())
     m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(own.problems.front()));
+  emit listed();
+}
+
+std::vector<Preset> PresetDesk::fittedPresets() const {
+  std::vector<Preset> presets = m_own;
+  for (const Preset& preset : m_builtIn)
+    presets.push_back(fittedTo(preset, m_with.document.histogram()));
+  return presets;
 }
 
 void PresetDesk::markShown() {
@@ -53,13 +48,19 @@ void PresetDesk::markShown() {
   m_with.browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
 }
 
+const Preset* PresetDesk::find(const QString& name) const {
+  for (const std::vector<Preset>* presets : {&m_builtIn, &m_own})
+    if (const auto found = named(*presets, name); found != presets->end())
+      return &*found;
+  return nullptr;
+}
+
 // Own presets were shaped on data like this; built-in ones fit themselves to it.
 std::optional<Preset> PresetDesk::fitted(const QString& name) const {
-  const std::vector<Preset> presets = allPresets(m_store);
-  const auto found = named(presets, name);
-  if (found == presets.end())
+  const Preset* found = find(name);
+  if (!found)
     return std::nullopt;
-  const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
+  const bool isBuiltIn = named(m_builtIn, name) != m_builtIn.end();
   return isBuiltIn && m_with.session.scene().volume ? fittedTo(*found, m_with.document.histogram()) : *found;
 }
 
@@ -72,6 +73,19 @@ void PresetDesk::use(const QString& name) {
   show(*preset, tr("use preset %1").arg(name));
   if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
     offerToFit(*preset);
+}
+
+void PresetDesk::preview(const QString& name) {
+  const Scene& scene = m_with.session.scene();
+  if (!scene.volume)
+    return;
+  const std::optional<Preset> preset = fitted(name);
+  emit previewed(preset ? withPreset(scene, *preset, true) : scene, preset ? preset->name : std::string());
+}
+
+void PresetDesk::compare(const QString& name) {
+  if (const std::optional<Preset> preset = fitted(name); preset && m_with.session.scene().volume)
+    emit compareRequested(*preset);
 }
 
 void PresetDesk::show(const Preset& preset, const QString& edit) {
@@ -113,9 +127,11 @@ void PresetDesk::useNumber(int number) {
                                        {nextGestureId(), tr("use the full range")});
     return;
   }
-  const std::vector<Preset> presets = allPresets(m_store);
-  if (static_cast<std::size_t>(number) <= presets.size())
-    use(QString::fromStdString(presets[static_cast<std::size_t>(number - 1)].name));
+  const auto index = static_cast<std::size_t>(number - 1);
+  if (index < m_builtIn.size())
+    use(QString::fromStdString(m_builtIn[index].name));
+  else if (index - m_builtIn.size() < m_own.size())
+    use(QString::fromStdString(m_own[index - m_builtIn.size()].name));
 }
 
 void PresetDesk::askForName() {
@@ -140,8 +156,7 @@ void PresetDesk::ask(const QString& title, const QString& label, const QString& 
 
 // A name of a preset of the user's own; says why not.
 bool PresetDesk::mayBeCalled(const QString& name) const {
-  const std::vector<Preset> builtIn = builtInPresets();
-  const bool isTaken = named(builtIn, name) != builtIn.end();
+  const bool isTaken = named(m_builtIn, name) != m_builtIn.end();
   if (name.isEmpty() || isTaken)
     m_with.messages.show(MessageBar::Kind::error,
                          isTaken ? tr("\"%1\" is a built-in preset; choose another name.").arg(name)
@@ -152,7 +167,7 @@ bool PresetDesk::mayBeCalled(const QString& name) const {
 void PresetDesk::save(const QString& name) {
   if (!mayBeCalled(name))
     return;
-  const Preset preset = presetOf(m_with.session.scene(), name);
+  const Preset preset = presetOf(m_with.session.scene(), name.toStdString());
   const auto write = [&] {
     m_store.save(preset);
     refresh();

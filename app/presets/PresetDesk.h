@@ -40,7 +40,14 @@ public:
   /// Marks the preset that the scene was made from, and whether it was changed since.
   void markShown();
 
+  /// All presets as they are shown of the volume that is open, in the order of the list.
+  std::vector<Preset> fittedPresets() const;
+
   void use(const QString& name);
+  /// Shows a preset for a while; an empty name ends that.
+  void preview(const QString& name);
+  /// Has a preset compared with what is shown.
+  void compare(const QString& name);
   /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
   void useNumber(int number);
 
@@ -52,6 +59,13 @@ public:
   /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
   void duplicate(const QString& name);
 
+signals:
+  void listed(); ///< the list was made anew
+  /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
+  /// is the session's own scene again. It enters no history.
+  void previewed(const limn::Scene& scene, const std::string& preset);
+  void compareRequested(const limn::Preset& look);
+
 private:
   void show(const Preset& preset, const QString& edit);
   void offerToFit(const Preset& preset);
@@ -59,12 +73,15 @@ private:
   void ask(const QString& title, const QString& label, const QString& name,
            const std::function<void(const QString&)>& answer);
   bool mayBeCalled(const QString& name) const;
+  const Preset* find(const QString& name) const;
   std::optional<Preset> fitted(const QString& name) const;
   void save(const QString& name);
 
   PresetStore m_store;
   Partners m_with;
-  QString m_said; ///< in the message bar, of the preset used last
+  std::vector<Preset> m_builtIn = builtInPresets();
+  std::vector<Preset> m_own; ///< as read last
+  QString m_said;            ///< in the message bar, of the preset used last
 };
 
 } // namespace limn

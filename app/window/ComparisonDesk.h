@@ -9,24 +9,32 @@ namespace limn {
 
 class Actions;
 class CompareView;
+class OpenDocument;
 class Session;
+struct ComparedLook;
 
-/// Which models are compared, and in which layout: chosen by buttons and in the pictures, shown by both.
+/// What is compared, and in which layout: two models, chosen by buttons and in the pictures and shown by
+/// both, or the scene's own look with another: a preset, or the one remembered as "before" (the snapshot).
 class ComparisonDesk : public QObject {
   Q_OBJECT
 
 public:
-  ComparisonDesk(Session& session, CompareView& view, const Actions& actions, QObject* parent);
+  ComparisonDesk(Session& session, const OpenDocument& document, CompareView& view, const Actions& actions,
+                 QObject* parent);
 
   void setLayout(CompareLayout layout);
 
-  /// The model of a side (0 left, 1 right) of a comparison; of a single picture the scene's own.
+  /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look,
+  /// the scene's.
   void setSideModel(int side, ShadingModel model);
 
-  /// Shows models and layout of the moment.
+  /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
+  void compareWith(const Preset& look);
+
+  /// Shows models or looks and layout of the moment. Nothing of another volume is compared.
   void show();
 
-  /// Layout, models and border in a session file.
+  /// Layout, models, looks and border in a session file.
   void describe(SessionDocument& session) const;
   void restore(const SessionDocument& session);
 
@@ -36,11 +44,19 @@ signals:
   void shown();
 
 private:
+  void takeSnapshot();
+  void compareModels();
+  std::optional<ComparedLook> comparedLook() const;
+
   Session& m_session;
+  const OpenDocument& m_document;
   CompareView& m_view;
   const Actions& m_actions;
   ShadingModel m_left = ShadingModel::classic;
   ShadingModel m_right = ShadingModel::enhanced;
+  std::optional<Preset> m_snapshot;
+  std::optional<Preset> m_look;           ///< at the left
+  std::shared_ptr<const Volume> m_volume; ///< that they belong to
 };
 
 } // namespace limn

@@ -36,6 +36,11 @@ SessionDocument unusual() {
   session.leftModel = ShadingModel::none;
   session.rightModel = ShadingModel::robust;
   session.wipe = 0.3;
+  session.snapshot = presetOf(scene, "before");
+  session.comparedLook = session.snapshot;
+  session.comparedLook->isovalue.reset();
+  session.comparedLook->shading.reset();
+  session.comparedLook->note = "a note";
   session.planes = {.layout = PlaneLayout::oneLarge,
                     .large = PatientPlane::sagittal,
                     .crosshairMm = glm::dvec3(1.0 / 3.0, -1e5, 0.1),

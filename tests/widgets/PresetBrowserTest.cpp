@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetBrowser.h"
+#include "support/Waiting.h"
 #include "widgets/FindWidget.h"
 #include "widgets/PresetNames.h"
 #include "widgets/WidgetSamples.h"
@@ -34,6 +35,8 @@ protected:
     });
     QObject::connect(&m_browser, &PresetBrowser::deleteRequested, &m_browser,
                      [this](const QString& name) { m_deleted << name; });
+    QObject::connect(&m_browser, &PresetBrowser::previewRequested, &m_browser,
+                     [this](const QString& name) { m_previewed << name; });
   }
 
   QTreeView* list() const { return m_browser.findChild<QTreeView*>(); }
@@ -74,6 +77,7 @@ protected:
   bool m_takesEffect = true; ///< whether a choice changes the picture, as it does while one is shown
   QStringList m_chosen;
   QStringList m_deleted;
+  QStringList m_previewed; ///< empty: no more
 };
 
 TEST_F(PresetBrowserTest, listsOwnPresetsFirstThenModalities) {
@@ -85,6 +89,40 @@ TEST_F(PresetBrowserTest, listsOwnPresetsFirstThenModalities) {
 TEST_F(PresetBrowserTest, aClickChooses) {
   click(QStringLiteral("CT lung"));
   EXPECT_EQ(m_chosen, QStringList{"CT lung"});
+}
+
+TEST_F(PresetBrowserTest, thePointerAtRestAsksForAPreviewUntilItLeaves) {
+  const auto pointTo = [this](const char* name) {
+    QTest::mouseMove(list()->viewport(), rowOf(m_browser, QLatin1String(name)).center());
+  };
+  pointTo("CT bone");
+  pointTo("CT lung"); // before the pointer has rested
+  ASSERT_TRUE(test::waitUntil([this] { return !m_previewed.empty(); }));
+  EXPECT_EQ(m_previewed, QStringList{"CT lung"});
+  pointTo("MR"); // a group
+  ASSERT_TRUE(test::waitUntil([this] { return m_previewed.size() == 2; }));
+  EXPECT_EQ(m_previewed.back(), QString());
+  pointTo("CT bone");
+  ASSERT_TRUE(test::waitUntil([this] { return m_previewed.size() == 3; }));
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(list()->viewport(), &leave);
+  EXPECT_EQ(m_previewed, (QStringList{"CT lung", "", "CT bone", ""}));
+  EXPECT_TRUE(m_chosen.empty());
+}
+
+TEST_F(PresetBrowserTest, theKeyboardAsksForPreviewsUntilEscOrItLeaves) {
+  click(QStringLiteral("CT bone"));
+  list()->setFocus();
+  QTest::keyClick(list(), Qt::Key_Down);
+  ASSERT_TRUE(test::waitUntil([this] { return !m_previewed.empty(); }));
+  EXPECT_EQ(m_previewed, QStringList{"CT lung"});
+  QTest::keyClick(list(), Qt::Key_Escape);
+  EXPECT_EQ(m_previewed, (QStringList{"CT lung", ""}));
+  QTest::keyClick(list(), Qt::Key_Up);
+  ASSERT_TRUE(test::waitUntil([this] { return m_previewed.size() == 3; }));
+  QFocusEvent out(QEvent::FocusOut, Qt::TabFocusReason);
+  QCoreApplication::sendEvent(list(), &out);
+  EXPECT_EQ(m_previewed, (QStringList{"CT lung", "", "CT bone", ""}));
 }
 
 TEST_F(PresetBrowserTest, marksOnlyWhatTookEffect) {
@@ -128,7 +166,8 @@ TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT bone"));
   EXPECT_EQ(marked(), QStringLiteral("CT bone"));
   EXPECT_EQ(m_chosen.size(), 1);
-  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Duplicate…", "Copy name"})) << "built-in ones stay as they are";
+  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Compare with the picture", "Duplicate…", "Copy name"}))
+      << "built-in ones stay as they are";
   trigger("Use");
   EXPECT_EQ(marked(), QStringLiteral("CT lung"));
 }
@@ -138,8 +177,8 @@ TEST_F(PresetBrowserTest, theMenuOfTheKeyboardIsAboutTheRowInHand) {
   m_browser.setCurrent(QStringLiteral("My temporal bone"), true);
   QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
   QCoreApplication::sendEvent(list(), &asked);
-  EXPECT_EQ(menuTexts(),
-            (QStringList{"Reset to this preset", "Duplicate…", "Rename…", "Delete", "Copy name"}));
+  EXPECT_EQ(menuTexts(), (QStringList{"Reset to this preset", "Compare with the picture", "Duplicate…",
+                                      "Rename…", "Delete", "Copy name"}));
   trigger("Reset to this preset");
   EXPECT_EQ(marked(), QStringLiteral("My temporal bone"));
 }

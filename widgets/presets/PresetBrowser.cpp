@@ -5,6 +5,7 @@
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetDelegate.h"
 #include "widgets/presets/PresetModel.h"
+#include "widgets/presets/PresetPointer.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -75,6 +76,7 @@ void PresetBrowser::makeList() {
   m_list->setAccessibleName(tr("Presets"));
   m_list->installEventFilter(this);
   m_list->viewport()->installEventFilter(this);
+  connect(new PresetPointer(*m_list), &PresetPointer::pointedAt, this, &PresetBrowser::previewRequested);
   // Lines that the edge cut are painted once they are whole: to move the pixels is not enough.
   connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, m_list->viewport(),
           qOverload<>(&QWidget::update));
@@ -103,8 +105,22 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
   refill();
 }
 
+PresetBrowser::~PresetBrowser() = default;
+
+void PresetBrowser::setPicture(const QString& name, const QImage& picture, bool showsNothing) {
+  m_pictures[name] = {picture, showsNothing};
+  showPresetPicture(*m_model, name, m_pictures[name]);
+}
+
+void PresetBrowser::clearPictures() {
+  m_pictures.clear();
+  refill();
+}
+
 void PresetBrowser::refill() {
   fillPresetModel(*m_model, m_builtIn, m_own, lookOf(palette()));
+  for (const auto& [name, picture] : m_pictures)
+    showPresetPicture(*m_model, name, picture);
   search(m_search->text());
   mark();
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
@@ -176,6 +192,7 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
     add(tr("Reset to this preset"), [this, name] { emit presetChosen(name); });
   else
     add(tr("Use"), [this, name] { emit presetChosen(name); });
+  add(tr("Compare with the picture"), [this, name] { emit compareRequested(name); });
   menu->addSeparator();
   add(tr("Duplicate…"), [this, name] { emit duplicateRequested(name); });
   if (index.data(presetRole::isOwn).toBool()) {

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <map>
 #include <vector>
 
 class QLabel;
@@ -18,6 +19,7 @@ class QTreeView;
 namespace limn {
 
 class PresetDelegate;
+struct PresetPicture;
 
 /// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
 /// Enter chooses, a right click opens a menu and selects nothing; names are unique over both lists. The frame
@@ -27,6 +29,7 @@ class PresetBrowser : public QWidget {
 
 public:
   explicit PresetBrowser(QWidget* parent = nullptr);
+  ~PresetBrowser() override;
 
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
 
@@ -35,6 +38,12 @@ public:
   /// answers with this where the preset took effect.
   void setCurrent(const QString& name, bool isModified = false);
 
+  /// Shows a preset by what it makes of the volume that is open; `showsNothing` where there is nothing to
+  /// see.
+  void setPicture(const QString& name, const QImage& picture, bool showsNothing);
+  /// Shows all presets by their curves again.
+  void clearPictures();
+
   /// Puts the keyboard into the search field.
   void focusSearch();
 
@@ -42,9 +51,13 @@ public:
 
 signals:
   void presetChosen(const QString& name);
+  /// The pointer rests on a preset, or the keyboard went to it: it is to be seen for a while. Empty: no more.
+  void previewRequested(const QString& name);
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);
+  /// A preset is to be seen beside what is shown.
+  void compareRequested(const QString& name);
   /// Only for the user's own presets.
   void renameRequested(const QString& name);
   void deleteRequested(const QString& name);
@@ -68,7 +81,8 @@ private:
 
   std::vector<Preset> m_builtIn;
   std::vector<Preset> m_own;
-  QString m_current; ///< the preset in use
+  std::map<QString, PresetPicture> m_pictures; ///< by preset
+  QString m_current;                           ///< the preset in use
   bool m_isModified = false;
   QLineEdit* m_search;
   QTreeView* m_list;

@@ -63,11 +63,13 @@ int mostNoteLines(const QStyleOptionViewItem& option) {
 }
 
 // The whole note where it has room, otherwise what stands before its semicolon; the tool tip has the rest.
-// That the preset was changed comes first.
+// That the preset was changed, or shows nothing, comes first.
 QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
   QString note = index.data(presetRole::note).toString();
   if (static_cast<PresetUse>(index.data(presetRole::use).toInt()) == PresetUse::modified)
     note = QObject::tr("Modified. %1", "a preset; its note follows").arg(note);
+  if (index.data(presetRole::showsNothing).toBool())
+    note = QObject::tr("Shows nothing of this volume. %1", "a preset; its note follows").arg(note);
   const QFont font = noteFont(option.font);
   const int most = mostNoteLines(option);
   const bool hasRoom = wrapped(note, font, width, most + 1).size() <= most;
@@ -119,6 +121,13 @@ void paintPicture(QPainter& painter, const QRectF& place, const QImage& picture)
   painter.restore();
 }
 
+// What it makes of the volume, where that is known and there is something to see; otherwise its curve.
+QImage pictureOf(const QModelIndex& index) {
+  const auto picture = index.data(presetRole::picture).value<QImage>();
+  const bool hasOnlyCurve = picture.isNull() || index.data(presetRole::showsNothing).toBool();
+  return hasOnlyCurve ? index.data(presetRole::curve).value<QImage>() : picture;
+}
+
 void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line,
                const QString& name) {
   painter.setFont(option.font);
@@ -168,7 +177,7 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   }
   const QRect picture(option.rect.left() + margin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
                       thumbnailWidth, thumbnailHeight);
-  paintPicture(*painter, picture, index.data(presetRole::thumbnail).value<QImage>());
+  paintPicture(*painter, picture, pictureOf(index));
   const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
   paintTexts(*painter, option, texts, index);

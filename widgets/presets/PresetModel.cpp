@@ -41,7 +41,7 @@ QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture)
   item->setData(false, presetRole::isGroup);
   item->setData(own, presetRole::isOwn);
   item->setData(own && note.isEmpty() ? modality : note, presetRole::note);
-  item->setData(picture, presetRole::thumbnail);
+  item->setData(picture, presetRole::curve);
   item->setData(QStringList{name, modality, note}.join(QLatin1Char(' ')), presetRole::searchText);
   item->setToolTip(
       note.isEmpty()
@@ -50,6 +50,26 @@ QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture)
   item->setStatusTip(note); // whole, however narrow the list is
   item->setEditable(false);
   return item;
+}
+
+template <class Work>
+void forEachPreset(QStandardItemModel& model, Work work) {
+  for (int group = 0; group < model.rowCount(); ++group)
+    for (int row = 0; row < model.item(group)->rowCount(); ++row)
+      work(*model.item(group)->child(row));
+}
+
+// What is seen of a row is heard, too.
+void nameForScreenReaders(QStandardItem& item) {
+  QStringList parts{item.text()};
+  const auto use = static_cast<PresetUse>(item.data(presetRole::use).toInt());
+  if (use != PresetUse::none)
+    parts << QObject::tr("shown", "a preset");
+  if (use == PresetUse::modified)
+    parts << QObject::tr("modified", "a preset");
+  if (item.data(presetRole::showsNothing).toBool())
+    parts << QObject::tr("shows nothing of this volume");
+  item.setData(parts.join(QStringLiteral(", ")), Qt::AccessibleTextRole);
 }
 
 } // namespace
@@ -89,16 +109,20 @@ QImage curveThumbnail(const TransferFunction& function, const QSize& size, doubl
 }
 
 void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use) {
-  for (int group = 0; group < model.rowCount(); ++group)
-    for (int row = 0; row < model.item(group)->rowCount(); ++row) {
-      QStandardItem* item = model.item(group)->child(row);
-      const PresetUse its = item->text() == name ? use : PresetUse::none;
-      item->setData(static_cast<int>(its), presetRole::use);
-      item->setData(its == PresetUse::shown      ? QObject::tr("%1, shown").arg(item->text())
-                    : its == PresetUse::modified ? QObject::tr("%1, shown, modified").arg(item->text())
-                                                 : item->text(),
-                    Qt::AccessibleTextRole);
-    }
+  forEachPreset(model, [&](QStandardItem& item) {
+    item.setData(static_cast<int>(item.text() == name ? use : PresetUse::none), presetRole::use);
+    nameForScreenReaders(item);
+  });
+}
+
+void showPresetPicture(QStandardItemModel& model, const QString& name, const PresetPicture& picture) {
+  forEachPreset(model, [&](QStandardItem& item) {
+    if (item.text() != name)
+      return;
+    item.setData(picture.image, presetRole::picture);
+    item.setData(picture.showsNothing, presetRole::showsNothing);
+    nameForScreenReaders(item);
+  });
 }
 
 void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,

@@ -4,11 +4,11 @@
 #include "scene/presets/Preset.h"
 #include "widgets/Theme.h"
 
-#include <Qt>
+#include <QImage>
+#include <QString>
 
 #include <vector>
 
-class QImage;
 class QSize;
 class QStandardItemModel;
 
@@ -17,9 +17,15 @@ namespace limn {
 /// How a preset of the list is used at present.
 enum class PresetUse { none, shown, modified };
 
+/// What a preset makes of the volume that is open.
+struct PresetPicture {
+  QImage image;
+  bool showsNothing = false; ///< then there is nothing to see in it
+};
+
 /// Roles of the preset list beside Qt::DisplayRole, the preset's name or the group's title.
 namespace presetRole {
-enum { isGroup = Qt::UserRole + 1, isOwn, note, thumbnail, searchText, use };
+enum { isGroup = Qt::UserRole + 1, isOwn, note, curve, picture, searchText, use, showsNothing };
 }
 
 /// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
@@ -30,11 +36,18 @@ void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& built
 /// Marks the preset of this name, and no other, as used this way; an unknown or empty name marks none.
 void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use);
 
+/// Shows a preset by what it makes of the volume that is open, instead of by its curve; by that still where
+/// it shows nothing.
+void showPresetPicture(QStandardItemModel& model, const QString& name, const PresetPicture& picture);
+
 /// A small picture of a transfer function: its coloured curve over a strip of its colours.
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
                       Look look);
 
 inline constexpr int thumbnailWidth = 56;
-inline constexpr int thumbnailHeight = 40;
+inline constexpr int thumbnailHeight = 42;
+/// Of the same shape, where the list has room; pictures are made in this size.
+inline constexpr int largeThumbnailWidth = 96;
+inline constexpr int largeThumbnailHeight = 72;
 
 } // namespace limn

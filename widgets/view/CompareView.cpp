@@ -144,11 +144,11 @@ void CompareView::setCompareLayout(CompareLayout layout) {
   redraw();
 }
 
-void CompareView::setModels(ShadingModel left, ShadingModel right) {
-  const std::array models{left, right};
-  if (models == m_shown.models)
+void CompareView::setSides(const SideModels& models, const std::optional<ComparedLook>& look) {
+  if (models == m_shown.models && look == m_shown.look)
     return;
   m_shown.models = models;
+  m_shown.look = look;
   m_labels->wake();
   redraw();
 }

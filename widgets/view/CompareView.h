@@ -33,8 +33,8 @@ struct ViewOrders;
 /// The error that was measured of the picture of a scene, levels (99.9th percentile); absent where none was.
 using MeasuredErrors = std::function<std::optional<double>(const Scene& scene)>;
 
-/// Shows a volume in one picture or compares two ways of lighting it: one camera, one transfer function, one
-/// engine, one copy of the volume. Draws coarsely while something moves and strip by strip to full quality at
+/// Shows a volume in one picture or compares two ways of lighting or showing it: one camera, one engine, one
+/// copy of the volume. Draws coarsely while something moves and strip by strip to full quality at
 /// rest (pictures/); at rest the picture is bit for bit what the command line writes for the same scene and
 /// size. It changes no scene: it asks, through its signals, and is given the answer through setScene().
 /// The graphics driver draws, or the processor (drawing/). When the driver fails, everything in it is made
@@ -60,8 +60,10 @@ public:
   void setCompareLayout(CompareLayout layout);
   CompareLayout compareLayout() const { return m_shown.layout; }
 
-  /// The models of the two sides of a comparison; the single layout shows the scene's own.
-  void setModels(ShadingModel left, ShadingModel right);
+  /// The models of the two sides of a comparison, or the look that is compared instead; the single layout
+  /// shows the scene as it is.
+  void setSides(const SideModels& models, const std::optional<ComparedLook>& look);
+  void setModels(ShadingModel left, ShadingModel right) { setSides({left, right}, std::nullopt); }
 
   /// Whether resting pictures go on to smaller steps until they lie within half a level of the exact ones;
   /// they do by default.
@@ -101,6 +103,12 @@ public:
 
   /// What reads pointer and keys.
   const ViewInput& input() const { return *m_input; }
+
+  /// The preset that the scene is shown as a preview of, which the pictures then say; empty: it is none.
+  void setPreview(const std::string& preset) {
+    if (preset != std::exchange(m_shown.preview, preset))
+      repaintOverlay();
+  }
 
   /// What the left button does; at first it rotates. Esc in the view returns to that.
   void setTool(ViewTool tool);

@@ -5,8 +5,11 @@ namespace limn {
 
 Scene sceneOfSide(const Comparison& comparison, int side) {
   Scene scene = comparison.scene;
-  if (comparison.layout != CompareLayout::single)
-    scene.shading.model = comparison.models[static_cast<std::size_t>(side)];
+  if (comparison.layout == CompareLayout::single)
+    return scene;
+  if (comparison.look)
+    return side == 0 ? withPreset(scene, comparison.look->shown) : scene;
+  scene.shading.model = comparison.models[static_cast<std::size_t>(side)];
   return scene;
 }
 

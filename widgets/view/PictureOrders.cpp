@@ -18,7 +18,7 @@ PictureRequest requestOf(const Comparison& comparison, const ViewGeometry& geome
     request.seen[static_cast<std::size_t>(sideShownAt(comparison, 1))].from = comparison.wipe;
     request.seenShare = 0.5;
   }
-  const QString title = sideTitle(request.scenes.back());
+  const QString title = sideTitle(comparison, pictureCount(comparison.layout) - 1);
   request.lastName = request.scenes.size() == 1 ? title : QObject::tr("%1 (right)").arg(title);
   return request;
 }

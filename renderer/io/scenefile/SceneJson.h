@@ -21,6 +21,12 @@ SceneDocument readScene(JsonFields fields);
 /// The field `keep` of a scene, which is there.
 KeptPart readKeptPart(JsonFields& scene);
 
+/// Reads every field of a preset beside its version, and refuses others.
+Preset readPreset(JsonFields& fields);
+
+/// The fields of a preset beside its version.
+nlohmann::ordered_json presetJson(const Preset& preset);
+
 nlohmann::ordered_json keptPartJson(const KeptPart& part);
 
 /// The fields of a scene file; the volume is stored as given, and `keep` in place of the scene's own.

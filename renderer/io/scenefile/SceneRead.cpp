@@ -316,6 +316,10 @@ Preset parsePreset(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
   requireVersion(fields, "limn_preset", "preset");
+  return readPreset(fields);
+}
+
+Preset readPreset(JsonFields& fields) {
   Preset preset;
   if (!fields.text("name", preset.name) || preset.name.empty())
     fields.fail("name", "is missing");

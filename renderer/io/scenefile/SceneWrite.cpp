@@ -141,8 +141,13 @@ std::string sceneToJson(const Scene& scene, const std::string& volume) {
 }
 
 std::string presetToJson(const Preset& preset) {
-  Json json = {{"limn_preset", 1},
-               {"name", preset.name},
+  Json json = {{"limn_preset", 1}};
+  json.update(presetJson(preset));
+  return textOf(json);
+}
+
+nlohmann::ordered_json presetJson(const Preset& preset) {
+  Json json = {{"name", preset.name},
                {"modality", preset.modality},
                {"note", preset.note},
                {"transfer_function", toJson(preset.transferFunction)}};
@@ -158,7 +163,7 @@ std::string presetToJson(const Preset& preset) {
     json["landmarks"] = {{"background", preset.landmarks->background},
                          {"object", preset.landmarks->object},
                          {"brightest", preset.landmarks->brightest}};
-  return textOf(json);
+  return json;
 }
 
 } // namespace limn

@@ -21,6 +21,14 @@ void readComparison(JsonFields fields, SessionDocument& session) {
   fields.choice("left", session.leftModel, shadingModels);
   fields.choice("right", session.rightModel, shadingModels);
   fields.number("wipe", session.wipe, fraction);
+  const auto look = [&](const char* key, std::optional<Preset>& preset) {
+    if (!fields.has(key))
+      return;
+    JsonFields its = fields.object(key);
+    preset = readPreset(its);
+  };
+  look("snapshot", session.snapshot);
+  look("look", session.comparedLook);
   fields.finish();
 }
 
@@ -84,6 +92,10 @@ std::string sessionToJson(const SessionDocument& session) {
                      {"left", nameOf(session.leftModel)},
                      {"right", nameOf(session.rightModel)},
                      {"wipe", session.wipe}};
+  if (session.snapshot)
+    json["compare"]["snapshot"] = presetJson(*session.snapshot);
+  if (session.comparedLook)
+    json["compare"]["look"] = presetJson(*session.comparedLook);
   if (session.planes != PlaneSettings{})
     json["slices"] = planesJson(session.planes);
   json["window"] = {{"panel", panelWords.of(session.panel)},

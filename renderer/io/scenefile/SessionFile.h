@@ -20,6 +20,9 @@ struct SessionDocument {
   CompareLayout layout = CompareLayout::sideBySide;
   ShadingModel leftModel = ShadingModel::classic;
   ShadingModel rightModel = ShadingModel::enhanced;
+  std::optional<Preset> snapshot; ///< a look that was put by, to compare with
+  std::optional<Preset>
+      comparedLook;  ///< at the left, compared with the scene's own; absent: models are compared
   double wipe = 0.5; ///< where the border lies, as a fraction of the picture's width, 0..1
 
   PlaneSettings planes; ///< the slices beside the picture

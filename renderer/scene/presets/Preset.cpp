@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/presets/Preset.h"
 
+#include "scene/ProjectionFacts.h"
+#include "scene/volume/Volume.h"
+
 namespace limn {
+
+Preset presetOf(const Scene& scene, const std::string& name) {
+  Preset preset;
+  preset.name = name;
+  if (scene.volume)
+    preset.modality = scene.volume->info().modality;
+  preset.transferFunction = scene.transferFunction;
+  preset.gradientOpacity = scene.gradientOpacity;
+  preset.shading = scene.shading;
+  preset.projection = scene.projection;
+  if (showsSurface(scene.projection))
+    preset.isovalue = scene.isovalue;
+  return preset;
+}
 
 Scene withPreset(const Scene& scene, const Preset& preset, bool keepModel) {
   Scene shown = scene;

@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr glm::ivec2 size{48, 48};
+constexpr glm::ivec2 measuredSize{48, 48};
 
 using MeasuredDecisions = test::GlTest;
 
@@ -33,7 +33,7 @@ PrecisePixels exactOf(Scene scene) {
   scene.quality.stepVoxels = 1.0 / 64.0;
   scene.quality.earlyTermination = 1.0;
   scene.quality.preintegrated = Preintegration::never;
-  return renderReference(scene, size).pixels;
+  return renderReference(scene, measuredSize).pixels;
 }
 
 const DecisionCost& costOf(const std::vector<DecisionCost>& costs, const std::string& group,
@@ -45,7 +45,7 @@ const DecisionCost& costOf(const std::vector<DecisionCost>& costs, const std::st
 
 TEST_F(MeasuredDecisions, areEachComparedWithTheProgramsOwn) {
   const Scene scene = phantomScene();
-  const std::vector<DecisionCost> costs = measureDecisions(scene, size, exactOf(scene));
+  const std::vector<DecisionCost> costs = measureDecisions(scene, measuredSize, exactOf(scene));
   ASSERT_EQ(costs.size(), decisionVariants().size());
   const DecisionCost& own = costs.front();
   for (const DecisionCost& cost : costs) {
@@ -83,7 +83,7 @@ TEST_F(MeasuredDecisions, endWhenAskedTo) {
     if (++calls == 3)
       throw Cancelled();
   };
-  EXPECT_THROW(measureDecisions(scene, size, PrecisePixels(48 * 48), stopAtThird), Cancelled);
+  EXPECT_THROW(measureDecisions(scene, measuredSize, PrecisePixels(48 * 48), stopAtThird), Cancelled);
   EXPECT_EQ(calls, 3);
 }
 

@@ -37,6 +37,16 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, source.written(0))};
 }
 
+// What is seen is not what is edited; in the middle, clear of other plates.
+Note previewNoteOf(const OverlaySource& source, const std::vector<QRectF>& plates) {
+  const double middle = source.view().center().x();
+  Note note =
+      noteAt(source.font, QObject::tr("Preview: %1").arg(QString::fromStdString(source.comparison.preview)),
+             {middle, 0.0}, Qt::AlignHCenter, source.view().width() - 2 * overlayMargin);
+  note.plate.moveTop(clearRowBelow(overlayMargin, note.plate.size(), {middle}, plates));
+  return note;
+}
+
 // What the pictures are, at the upper edge; tells the plates.
 std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   std::vector<QRectF> plates;
@@ -51,6 +61,10 @@ std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   overlay.explanationOpacity = source.labelOpacity;
   if (overlay.difference)
     plates.insert(plates.end(), {overlay.difference->label.plate, overlay.difference->note.plate});
+  if (!source.comparison.preview.empty()) {
+    overlay.notes.push_back(previewNoteOf(source, plates));
+    plates.push_back(overlay.notes.back().plate);
+  }
   return plates;
 }
 
@@ -61,8 +75,8 @@ DifferenceBar differenceBarOf(const OverlaySource& source, const QPointF& corner
   bar.lowest = QStringLiteral("−%1").arg(most);
   bar.middle = QStringLiteral("0");
   bar.highest = QObject::tr("+%1 of 255").arg(most);
-  bar.leftBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 0)));
-  bar.rightBrighter = QObject::tr("%1 brighter").arg(sideTitle(sceneOfSide(source.comparison, 1)));
+  bar.leftBrighter = QObject::tr("%1 brighter").arg(sideTitle(source.comparison, 0));
+  bar.rightBrighter = QObject::tr("%1 brighter").arg(sideTitle(source.comparison, 1));
   bar.plate = differenceBarPlate(source.font, bar, corner);
   return bar;
 }

@@ -38,6 +38,14 @@ QString sideTitle(const Scene& scene) {
   return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
 }
 
+QString sideTitle(const Comparison& comparison, int side) {
+  const QString title = sideTitle(sceneOfSide(comparison, side));
+  if (!comparison.look || comparison.layout == CompareLayout::single)
+    return title;
+  const std::string& name = comparison.look->names[static_cast<std::size_t>(side)];
+  return QStringLiteral("%1 · %2").arg(QString::fromStdString(name), title);
+}
+
 QStringList sideDetails(const Scene& scene, const SideState& state) {
   QStringList parts;
   if (state.measuredLevels)

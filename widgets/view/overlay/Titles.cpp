@@ -17,7 +17,7 @@ SideLabel labelOf(const OverlaySource& source, int position) {
   const Scene scene = sceneOfSide(source.comparison, side);
   const bool isDrawn = side < static_cast<int>(source.state.sides.size());
   SideLabel label;
-  label.title = sideTitle(scene);
+  label.title = sideTitle(source.comparison, side);
   label.leadsToMenu = usesLight(scene.projection);
   label.details =
       sideDetails(scene, isDrawn ? source.state.sides[static_cast<std::size_t>(side)] : SideState{});
@@ -65,10 +65,9 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
   const std::vector<PlacedLabel> labels = labelsOf(source);
   const std::vector<QRectF> plates{labels[0].steadyPlate, labels[1].steadyPlate};
   DifferenceTitle title;
-  title.label.label.title =
-      QObject::tr("%2 minus %1, ×%3")
-          .arg(sideTitle(sceneOfSide(source.comparison, 0)), sideTitle(sceneOfSide(source.comparison, 1)))
-          .arg(differenceGain);
+  title.label.label.title = QObject::tr("%2 minus %1, ×%3")
+                                .arg(sideTitle(source.comparison, 0), sideTitle(source.comparison, 1))
+                                .arg(differenceGain);
   title.label.label.leadsToMenu = false;
   QRectF plate = labelPlate(source.font, title.label.label, source.view(), Qt::AlignHCenter);
   plate.moveTop(clearRowBelow(plate.top(), plate.size(), {plate.center().x()}, plates));
@@ -82,11 +81,9 @@ std::optional<DifferenceTitle> differenceTitleOf(const OverlaySource& source) {
 }
 
 int labelAt(const OverlaySource& source, const QPointF& point) {
-  if (!usesLight(source.comparison.scene.projection))
-    return -1; // there is no model to choose
   const std::vector<PlacedLabel> labels = labelsOf(source);
   for (std::size_t position = 0; position < labels.size(); ++position)
-    if (labels[position].plate.contains(point))
+    if (labels[position].label.leadsToMenu && labels[position].plate.contains(point))
       return static_cast<int>(position);
   return -1;
 }

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "widgets/PresetNames.h"
+#include "widgets/presets/PresetBrowser.h"
+
+#include <QContextMenuEvent>
+#include <QMenu>
+
+// Presets in the program's window, by mouse and keys.
+
+namespace limn {
+namespace {
+
+class PresetWindow : public test::WindowHarness {
+protected:
+  PresetBrowser& browser() const { return *window->findChild<PresetBrowser*>(); }
+  QTreeView& list() const { return *browser().findChild<QTreeView*>(); }
+
+  void pointTo(const char* preset) {
+    const QPoint place = rowOf(browser(), QLatin1String(preset)).center();
+    QTest::mouseMove(window->windowHandle(), list().viewport()->mapTo(window.get(), place));
+  }
+  // The X server tells where its own pointer is, too, and may do so after us.
+  [[nodiscard]] bool pointUntilSeen(const char* preset, const Scene& before) {
+    return test::waitUntil([&] {
+      if (view().scene() == before)
+        pointTo(preset);
+      return view().scene() != before;
+    });
+  }
+  void click(const char* preset) {
+    const QPoint place = rowOf(browser(), QLatin1String(preset)).center();
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                      list().viewport()->mapTo(window.get(), place));
+  }
+};
+
+TEST_F(PresetWindow, thePresetUnderThePointerIsSeenAndLeavesNothingBehind) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const Scene before = scene();
+  const int steps = undo().count();
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
+  const Scene seen = view().scene();
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), seen.transferFunction) << "the curve";
+  EXPECT_EQ(scene(), before) << "what is edited";
+  QTest::mouseMove(window->windowHandle(), view().mapTo(window.get(), view().rect().center()));
+  ASSERT_TRUE(test::waitUntil([&] { return view().scene() == before; }));
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), before.transferFunction);
+  EXPECT_EQ(undo().count(), steps);
+  click("CT lung");
+  EXPECT_EQ(scene(), seen) << "what was seen is what a click gives";
+  EXPECT_EQ(undo().count(), steps + 1);
+}
+
+TEST_F(PresetWindow, theKeyboardSeesPresetsBeforeEnterUsesOne) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  click("CT bone");
+  const Scene before = scene();
+  const int steps = undo().count();
+  QTest::keyClick(window->windowHandle(), Qt::Key_Down);
+  ASSERT_TRUE(test::waitUntil([&] { return view().scene() != before; }));
+  const Scene seen = view().scene();
+  EXPECT_EQ(undo().count(), steps);
+  QTest::keyClick(window->windowHandle(), Qt::Key_Escape);
+  EXPECT_EQ(view().scene(), before);
+  QTest::keyClick(window->windowHandle(), Qt::Key_Return);
+  EXPECT_EQ(scene(), seen);
+  EXPECT_EQ(undo().count(), steps + 1);
+}
+
+TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const Scene before = scene();
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  EXPECT_EQ(view().scene(), scene());
+  EXPECT_NE(scene().volume, before.volume);
+}
+
+TEST_F(PresetWindow, whatWasRememberedIsComparedWithWhatBecameOfIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::single);
+  click("CT bone");
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  EXPECT_FALSE(compare.isEnabled()) << "nothing is remembered";
+  const Scene before = scene();
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier);
+  click("CT lung");
+  ASSERT_TRUE(compare.isEnabled());
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_EQ(view().sceneOfSide(0), before);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  EXPECT_NE(scene(), before);
+  undo().undo();
+  EXPECT_EQ(view().sceneOfSide(1), before) << "the right side is what is edited";
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(compare.isChecked());
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic) << "models again";
+  EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::enhanced);
+}
+
+TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::wipe);
+  click("CT bone");
+  const QPoint place = rowOf(browser(), QStringLiteral("CT lung")).center();
+  QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list().viewport()->mapToGlobal(place));
+  QCoreApplication::sendEvent(list().viewport(), &asked);
+  const int steps = undo().count();
+  QAction* const entry = action(QStringLiteral("Compare with the picture"));
+  ASSERT_TRUE(entry);
+  entry->trigger();
+  browser().findChild<QMenu*>()->close();
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  const TransferFunction lung = view().sceneOfSide(0).transferFunction;
+  EXPECT_NE(lung, scene().transferFunction);
+  EXPECT_EQ(undo().count(), steps) << "it is no edit";
+  click("CT lung");
+  EXPECT_EQ(scene().transferFunction, lung);
+  window->findChild<QAction*>(QStringLiteral("model-left-none"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::none);
+  EXPECT_NE(scene().shading.model, ShadingModel::none);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).transferFunction, view().sceneOfSide(1).transferFunction);
+}
+
+TEST_F(PresetWindow, anotherVolumeHasNothingToCompareWith) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  compare.trigger();
+  EXPECT_TRUE(compare.isChecked());
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));
+  EXPECT_FALSE(compare.isEnabled());
+  EXPECT_FALSE(compare.isChecked());
+}
+
+TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  click("CT bone");
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  click("CT lung");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  const Scene left = view().sceneOfSide(0);
+  SessionDocument kept = parseSession(sessionToJson(window->sessionDocument()), "session");
+  EXPECT_EQ(kept.snapshot, window->sessionDocument().snapshot);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  window->findChild<ComparisonDesk*>()->restore(kept);
+  EXPECT_EQ(view().sceneOfSide(0), left);
+  EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
+}
+
+} // namespace
+} // namespace limn
