@@ -71,6 +71,7 @@ int runCommandLine(int argc, char** argv) {
                 "save a PNG of the window once its picture rests, then quit");
   syntax.option("--theme", window.theme, "light, dark or contrast (high), for this run")
       .oneOf({"light", "dark", "contrast"});
+  syntax.option("--language", window.language, "of the window for this run: en or de").oneOf({"en", "de"});
   addSourceOptions(syntax, arguments.source);
   syntax.footer("Example: limn head.nii.gz");
   addInfoCommand(syntax);
