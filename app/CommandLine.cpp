@@ -8,6 +8,7 @@
 #include "scene/basics/Error.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <exception>
 
@@ -58,6 +59,8 @@ int runCommandLine(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("limn"));
   QCoreApplication::setOrganizationName(QStringLiteral("limn"));
   QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
+  // What commands print and write is the same everywhere; the window asks for the user's locale.
+  QLocale::setDefault(QLocale::c());
   ProgramSyntax program("limn",
                         "Limn shows CT and MR volumes: shape a transfer function, compare classic and "
                         "gradient-enhanced Blinn-Phong. Not for diagnosis.",

@@ -23,7 +23,7 @@ namespace limn {
 namespace {
 
 QString factorText(double factor) {
-  return QChar(0x00d7) + QString::number(factor, 'f', 2);
+  return QChar(0x00d7) + fixedNumber(factor, 2);
 }
 
 } // namespace

@@ -63,9 +63,9 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
   m_cost->setText(cost ? translated(costText(*cost)) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
-                 .arg(plainNumber(std::abs(cost->ms), 1))
+                 .arg(fixedNumber(std::abs(cost->ms), 1))
                  .arg(cost->ms < 0.0 ? tr("less") : tr("more"))
-                 .arg(plainNumber(cost->spreadMs, 1))
+                 .arg(fixedNumber(cost->spreadMs, 1))
            : QString());
   describe();
 }
