@@ -8,6 +8,7 @@
 #include "scene/basics/Error.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <exception>
 
@@ -58,6 +59,8 @@ int runCommandLine(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("limn"));
   QCoreApplication::setOrganizationName(QStringLiteral("limn"));
   QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
+  // What commands print and write is the same everywhere; the window asks for the user's locale.
+  QLocale::setDefault(QLocale::c());
   ProgramSyntax program("limn",
                         "Limn shows CT and MR volumes: shape a transfer function, compare classic and "
                         "gradient-enhanced Blinn-Phong. Not for diagnosis.",
@@ -71,6 +74,7 @@ int runCommandLine(int argc, char** argv) {
                 "save a PNG of the window once its picture rests, then quit");
   syntax.option("--theme", window.theme, "light, dark or contrast (high), for this run")
       .oneOf({"light", "dark", "contrast"});
+  syntax.option("--language", window.language, "of the window for this run: en or de").oneOf({"en", "de"});
   addSourceOptions(syntax, arguments.source);
   syntax.footer("Example: limn head.nii.gz");
   addInfoCommand(syntax);

@@ -276,6 +276,11 @@ void MainWindow::connectSettings() {
     m_settings.setTheme(theme);
     applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
   });
+  checkOnly(*m_actions.languages, m_settings.language());
+  connect(m_actions.languages, &QActionGroup::triggered, this, [this](const QAction* chosen) {
+    m_settings.setLanguage(chosen->data().toString());
+    statusBar()->showMessage(tr("The window speaks this language when it is opened the next time."), 8000);
+  });
 }
 
 SessionDocument MainWindow::sessionDocument() const {

@@ -52,7 +52,7 @@ std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Prog
                   "\"" + source + "\" is not a phantom; write phantom:SPACING, such as phantom:1.5.");
   }
   if (progress.report)
-    progress.report(0.0, "Making the phantom");
+    progress.report(0.0, Message::tr("Making the phantom"));
   return phantomVolume(spec, progress.isCancelled);
 }
 
@@ -242,7 +242,7 @@ LoadedScene loadScene(const std::string& source, const SourceOptions& options, c
   const ImageSettings& image = loaded.scene.image;
   if (!loaded.hasOwnCamera)
     loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
-                                       effortOf(progress, "Finding what is visible"));
+                                       effortOf(progress, Message::tr("Finding what is visible")));
   return loaded;
 }
 

@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 const std::string geometryKey = "window/geometry";
 const std::string stateKey = "window/state";
 const std::string themeKey = "theme";
+const std::string languageKey = "language";
 const std::string refineKey = "refineAtRest";
 const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
@@ -282,6 +283,14 @@ QString Settings::theme() const {
 
 void Settings::setTheme(const QString& theme) {
   set(themeKey, theme);
+}
+
+QString Settings::language() const {
+  return text(languageKey, QStringLiteral("system"));
+}
+
+void Settings::setLanguage(const QString& language) {
+  set(languageKey, language);
 }
 
 double Settings::movingMs() const {

@@ -68,6 +68,10 @@ public:
   QString theme() const;
   void setTheme(const QString& theme);
 
+  /// What `useLanguage` is asked for: "system" or the code of a language.
+  QString language() const;
+  void setLanguage(const QString& language);
+
   /// The drawing time of a picture aimed at while something moves, ms; 40 at first.
   double movingMs() const;
   void setMovingMs(double ms);

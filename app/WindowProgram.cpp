@@ -2,6 +2,7 @@
 #include "app/WindowProgram.h"
 
 #include "app/MainWindow.h"
+#include "app/language/Language.h"
 #include "scene/basics/Error.h"
 #include "widgets/Theme.h"
 #include "widgets/view/CompareView.h"
@@ -80,6 +81,8 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   QApplication application(argc, argv);
   const QString theme =
       arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
+  useLanguage(application, arguments.language.empty() ? Settings().language()
+                                                      : QString::fromStdString(arguments.language));
   applyTheme(application, themeNamed(theme));
   MainWindow window;
   window.show();

@@ -13,6 +13,7 @@ struct WindowArguments {
   SourceOptions options;  ///< how to open it
   std::string screenshot; ///< PNG to save once the picture rests, then quit; empty: stay open
   std::string theme;      ///< "light" or "dark"; empty: as set
+  std::string language;   ///< the code of one of `languagesSpoken`; empty: as set
 };
 
 /// Opens the window and runs until it closes. Returns the exit status. Throws Error (openGl) where there is

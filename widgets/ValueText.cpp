@@ -2,12 +2,19 @@
 #include "widgets/ValueText.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
 
 namespace limn {
 namespace {
+
+QLocale ungrouped() {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale;
+}
 
 QString readableNumber(double number, int decimals) {
   QString text = plainNumber(number, decimals);
@@ -17,8 +24,7 @@ QString readableNumber(double number, int decimals) {
 } // namespace
 
 QString plainNumber(double number, int decimals) {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const QLocale locale = ungrouped();
   QString text = locale.toString(number, 'f', decimals);
   const QString point = locale.decimalPoint();
   if (text.contains(point)) {
@@ -28,6 +34,42 @@ QString plainNumber(double number, int decimals) {
       text.chop(point.size());
   }
   return text == locale.negativeSign() + locale.zeroDigit() ? locale.zeroDigit() : text;
+}
+
+QString fixedNumber(double number, int decimals) {
+  return ungrouped().toString(number, 'f', decimals);
+}
+
+QString digitsNumber(double number, int digits) {
+  return ungrouped().toString(number, 'g', digits);
+}
+
+std::optional<std::vector<double>> numbersTyped(const QString& list) {
+  static const QRegularExpression space(QStringLiteral("\\s+"));
+  const QString typed = list.trimmed();
+  // A comma parts numbers only where nothing else does.
+  const QStringList parts = typed.contains(QLatin1Char(';')) ? typed.split(QLatin1Char(';'))
+                            : typed.contains(space)          ? typed.split(space)
+                                                             : typed.split(QLatin1Char(','));
+  std::vector<double> numbers;
+  for (QString part : parts) {
+    part = part.trimmed();
+    if (part.endsWith(QLatin1Char(',')))
+      part.chop(1);
+    bool isNumber = false;
+    numbers.push_back(part.replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&isNumber));
+    if (!isNumber)
+      return std::nullopt;
+  }
+  return numbers;
+}
+
+QString numberList(const std::vector<double>& numbers) {
+  const bool hasComma = QLocale().decimalPoint() == QLatin1String(",");
+  QStringList parts;
+  for (const double number : numbers)
+    parts << digitsNumber(number, 6);
+  return parts.join(hasComma ? QStringLiteral("; ") : QStringLiteral(", "));
 }
 
 QString opacityText(double opacity) {

@@ -3,10 +3,26 @@
 
 #include <QString>
 
+#include <optional>
+#include <vector>
+
 namespace limn {
 
 /// A number in the user's locale without grouping or trailing zeros, at most `decimals` of them.
 QString plainNumber(double number, int decimals);
+
+/// A number in the user's locale without grouping, with exactly `decimals`: "12.0".
+QString fixedNumber(double number, int decimals);
+
+/// A number in the user's locale without grouping, with at most `digits` that count: "0.957".
+QString digitsNumber(double number, int digits);
+
+/// The numbers of a list that somebody has typed, with a decimal point or comma: "0.5, 0.5, 1.2" or "0,5;
+/// 0,5; 1,2". Nothing where a part of it is no number.
+std::optional<std::vector<double>> numbersTyped(const QString& list);
+
+/// Numbers as such a list in the user's locale.
+QString numberList(const std::vector<double>& numbers);
 
 /// An opacity for reading: three significant digits, at most six decimals, no trailing zeros.
 QString opacityText(double opacity);

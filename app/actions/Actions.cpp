@@ -2,6 +2,7 @@
 #include "app/actions/Actions.h"
 
 #include "app/engines/EngineChoice.h"
+#include "app/language/Language.h"
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
 #include "scene/view/FirstView.h"
@@ -31,6 +32,7 @@ Actions::Actions(QWidget& window, QUndoStack& history) : icons(window), m_window
   makeViews();
   makeViewActions();
   makeThemes();
+  makeLanguages();
   makeEngines();
   makeOtherActions();
 }
@@ -209,6 +211,19 @@ void Actions::makeThemes() {
   add("light", tr("Light"));
   add("dark", tr("Dark"));
   add("contrast", tr("High contrast"));
+}
+
+void Actions::makeLanguages() {
+  languages = new QActionGroup(&m_window);
+  const auto add = [this](const QString& code, const QString& text) {
+    addChoice(*languages, QStringLiteral("language-") + code, code,
+              {.text = text,
+               .toolTip = tr("The window speaks it when it is opened the next time."),
+               .isCheckable = true});
+  };
+  add(QStringLiteral("system"), tr("Follow the system"));
+  for (const Language& language : languagesSpoken())
+    add(language.code, language.name);
 }
 
 void Actions::makeEngines() {

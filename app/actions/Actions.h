@@ -56,8 +56,9 @@ public:
   QAction* refineAtRest = nullptr;
   QAction* pictureAndCurveOnly = nullptr;
   QAction* patientInTitle = nullptr;
-  QActionGroup* themes = nullptr;  ///< data: the word in the settings
-  QActionGroup* engines = nullptr; ///< data: EngineSetting as int
+  QActionGroup* themes = nullptr;    ///< data: the word in the settings
+  QActionGroup* languages = nullptr; ///< data: the word in the settings
+  QActionGroup* engines = nullptr;   ///< data: EngineSetting as int
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
@@ -84,6 +85,7 @@ private:
   void makeViews();
   void makeViewActions();
   void makeThemes();
+  void makeLanguages();
   void makeEngines();
   void makeOtherActions();
 

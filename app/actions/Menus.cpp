@@ -68,6 +68,9 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   engines->setToolTipsVisible(true);
   menu->addAction(actions.patientInTitle);
   menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
+  QMenu* languages = menu->addMenu(QObject::tr("La&nguage"));
+  languages->addActions(actions.languages->actions());
+  languages->setToolTipsVisible(true);
 }
 
 void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& shared) {

@@ -49,7 +49,8 @@ Progress terminalProgress(bool quiet) {
   Progress progress;
   if (quiet || !isatty(STDERR_FILENO))
     return progress;
-  progress.report = [shown = std::string()](double fraction, const std::string& what) mutable {
+  progress.report = [shown = std::string()](double fraction, const Message& message) mutable {
+    const std::string what = message.english();
     char line[160];
     if (fraction < 0.0)
       std::snprintf(line, sizeof line, "\r\033[K%s", what.c_str());

@@ -76,10 +76,10 @@ void printTable(const Report& report, const Scene& scene, int frames) {
     const EffectRow& row = report.rows[i];
     std::printf("%-21s %-4s ", row.name.c_str(), row.isOn ? "on" : "off");
     if (const auto& cost = report.costs[i])
-      std::printf("%18s %8.1f", costText(*cost).c_str(), cost->spreadMs);
+      std::printf("%18s %8.1f", costText(*cost).english().c_str(), cost->spreadMs);
     else
       std::printf("%18s %8s", "", "");
-    std::printf("  %s\n", row.reason.c_str());
+    std::printf("  %s\n", row.reason.english().c_str());
   }
   std::printf("\n%s.\n", methodLine(report, scene, frames).c_str());
   std::printf("Before it is limited, light overflows in %.2f %% of the pixels, by %.3f on average.\n",

@@ -3,6 +3,7 @@
 
 #include "app/PrivateNames.h"
 #include "app/document/OpenDocument.h"
+#include "widgets/ValueText.h"
 
 #include <QFileInfo>
 
@@ -62,15 +63,15 @@ QString suggestedName(const OpenDocument& document) {
 QString volumeText(const Volume& volume) {
   const Grid& grid = volume.grid();
   const auto number = [](double value) {
-    return QString::number(value, 'g', 5).replace(QLatin1Char('-'), QChar(0x2212)); // a real minus sign
+    return digitsNumber(value, 5).replace(QLatin1Char('-'), QChar(0x2212)); // a real minus sign
   };
   return QObject::tr("%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9")
       .arg(grid.dims.x)
       .arg(grid.dims.y)
       .arg(grid.dims.z)
-      .arg(grid.spacingMm.x, 0, 'g', 3)
-      .arg(grid.spacingMm.y, 0, 'g', 3)
-      .arg(grid.spacingMm.z, 0, 'g', 3)
+      .arg(digitsNumber(grid.spacingMm.x, 3))
+      .arg(digitsNumber(grid.spacingMm.y, 3))
+      .arg(digitsNumber(grid.spacingMm.z, 3))
       .arg(number(volume.range().lowest), number(volume.range().highest))
       .arg(QString::fromStdString(volume.info().unit));
 }

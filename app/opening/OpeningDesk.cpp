@@ -5,6 +5,7 @@
 #include "app/opening/OpenDialog.h"
 #include "app/opening/SeriesDialog.h"
 #include "app/window/MessageBar.h"
+#include "widgets/ValueText.h"
 
 #include <QAction>
 #include <QDateTime>
@@ -117,27 +118,23 @@ void OpeningDesk::askForSpacing(const Request& shown, const glm::dvec3& spacingM
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Voxel spacing"));
   dialog->setLabelText(tr("Distance between voxel centres along x, y and z in millimetres:"));
-  dialog->setTextValue(QStringLiteral("%1, %2, %3").arg(spacingMm.x).arg(spacingMm.y).arg(spacingMm.z));
+  dialog->setTextValue(numberList({spacingMm.x, spacingMm.y, spacingMm.z}));
   connect(dialog, &QInputDialog::textValueSelected, this,
           [this, shown](const QString& entered) { readWithSpacing(shown, entered); });
   dialog->open();
 }
 
 void OpeningDesk::readWithSpacing(const Request& shown, const QString& entered) {
-  const QStringList numbers = entered.split(QLatin1Char(','));
-  glm::dvec3 spacingMm(0.0);
-  bool valid = numbers.size() == 3;
-  for (int axis = 0; valid && axis < 3; ++axis) {
-    spacingMm[axis] = numbers[axis].trimmed().toDouble(&valid);
-    valid = valid && spacingMm[axis] > 0.0;
-  }
+  const auto typed = numbersTyped(entered);
+  const bool valid =
+      typed && typed->size() == 3 && std::ranges::all_of(*typed, [](double mm) { return mm > 0.0; });
   if (!valid) {
     m_messages.show(MessageBar::Kind::error,
                     tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
     return;
   }
   SourceOptions options = shown.options;
-  options.read.spacingMm = spacingMm;
+  options.read.spacingMm = glm::dvec3((*typed)[0], (*typed)[1], (*typed)[2]);
   open(shown.source, options);
 }
 

@@ -2,6 +2,7 @@
 #include "app/opening/VolumeLoader.h"
 
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <QMetaObject>
 
@@ -60,8 +61,8 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
   };
   Progress progress;
   progress.isCancelled = [job] { return job->isCancelled.load(); };
-  progress.report = [this, job](double fraction, const std::string& what) {
-    deliver(job, [this, fraction, text = QString::fromStdString(what)] { emit progressed(fraction, text); });
+  progress.report = [this, job](double fraction, const Message& what) {
+    deliver(job, [this, fraction, what] { emit progressed(fraction, translated(what)); });
   };
   try {
     const std::string path = source.toStdString();

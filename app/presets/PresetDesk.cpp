@@ -7,10 +7,10 @@
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/ValueText.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QInputDialog>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -100,7 +100,7 @@ void PresetDesk::offerToFit(const Preset& preset) {
       return;
     const Landmarks to = landmarksOf(m_with.document.histogram());
     show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
-    const auto number = [](double value) { return QLocale().toString(value, 'g', 4); };
+    const auto number = [](double value) { return digitsNumber(value, 4); };
     say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
            "HU), tissue begins at "
            "%4 (%5 HU), the brightest is %6 (%7 HU).")

@@ -3,6 +3,7 @@
 
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"
+#include "widgets/Translated.h"
 
 #include <QMetaObject>
 
@@ -41,11 +42,12 @@ public:
 
   /// Tells progress from one part of the whole to another.
   ReportProgress progress(double from, double to) {
-    return [this, from, to](double fraction, const std::string& doing) {
+    return [this, from, to](double fraction, const Message& doing) {
       if (m_work->isCancelled)
         throw Cancelled();
-      tell([fraction = from + fraction * (to - from), text = QString::fromStdString(doing)](
-               AccuracyMeasurer& owner) { emit owner.progressed(fraction, text); });
+      tell([fraction = from + fraction * (to - from), doing](AccuracyMeasurer& owner) {
+        emit owner.progressed(fraction, translated(doing));
+      });
     };
   }
 
@@ -61,18 +63,18 @@ public:
   }
 
   /// Does something on the owner's thread unless the work has been ended.
-  template <class Message>
-  void tell(Message message) {
-    tell(m_owner, m_work, std::move(message));
+  template <class Word>
+  void tell(Word word) {
+    tell(m_owner, m_work, std::move(word));
   }
 
-  template <class Message>
-  static void tell(AccuracyMeasurer& owner, const std::shared_ptr<Work>& work, Message message) {
+  template <class Word>
+  static void tell(AccuracyMeasurer& owner, const std::shared_ptr<Work>& work, Word word) {
     QMetaObject::invokeMethod(
         &owner,
-        [&owner, work, message] {
+        [&owner, work, word] {
           if (owner.m_work == work)
-            message(owner);
+            word(owner);
         },
         Qt::QueuedConnection);
   }
@@ -141,7 +143,8 @@ void AccuracyMeasurer::findSteps(const std::vector<Scene>& scenes, const glm::iv
     int pictures = 0;
     // Some eight small pictures of each are commonly needed; how many is not known before.
     const DrawScene draw = [&](const Scene& tried, const glm::ivec2& pixels) {
-      progress(1.0 - usualPictures / (usualPictures + pictures++), "Looking for the steps that are needed");
+      progress(1.0 - usualPictures / (usualPictures + pictures++),
+               Message::tr("Looking for the steps that are needed"));
       return job.renderers().render(tried, pixels);
     };
     std::vector<WithinTolerance> found;
@@ -160,7 +163,8 @@ void AccuracyMeasurer::start(Task task) {
   cancel();
   m_work = std::make_shared<Work>();
   m_thread = std::jthread(
-      [this, work = m_work, exact = m_exact, rays = m_rays, task = std::move(task)](std::jthread before) {
+      [this, work = m_work, exact = m_exact, rays = m_rays, task = std::move(task),
+       sorry = tr("The accuracy cannot be measured. %1")](std::jthread before) {
         if (before.joinable())
           before.join();
         const auto fail = [&](const QString& sentence) {
@@ -174,7 +178,7 @@ void AccuracyMeasurer::start(Task task) {
           task(job);
         } catch (const Cancelled&) { // nobody waits for it
         } catch (const std::exception& error) {
-          fail(tr("The accuracy cannot be measured. %1").arg(QString::fromUtf8(error.what())));
+          fail(sorry.arg(QString::fromUtf8(error.what())));
         }
       },
       std::move(m_thread));

@@ -7,6 +7,7 @@
 #include "io/labels/LabelReader.h"
 #include "scene/basics/Error.h"
 #include "scene/volume/Orientation.h"
+#include "widgets/Translated.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -94,8 +95,8 @@ void RegionDesk::run(const std::shared_ptr<Job>& job, const std::shared_ptr<cons
   };
   Progress progress;
   progress.isCancelled = [job] { return job->isCancelled.load(); };
-  progress.report = [this, job](double fraction, const std::string& what) {
-    deliver(job, [this, fraction, what] { emit progressed(fraction, QString::fromStdString(what)); });
+  progress.report = [this, job](double fraction, const Message& what) {
+    deliver(job, [this, fraction, what] { emit progressed(fraction, translated(what)); });
   };
   try {
     deliver(job, [this, found = work(*volume, progress), gesture] {

@@ -38,6 +38,7 @@ SettingsDialog::SettingsDialog(const Actions& actions, QWidget* parent) : QDialo
   setWindowTitle(tr("Settings"));
   auto* rows = new QFormLayout(this);
   rows->addRow(tr("Theme"), choiceOf(*actions.themes, tr("Theme")));
+  rows->addRow(tr("Language"), choiceOf(*actions.languages, tr("Language")));
   rows->addRow(tr("Engine"), choiceOf(*actions.engines, tr("Engine")));
   for (QAction* action : {actions.refineAtRest, actions.patientInTitle})
     rows->addRow(switchOf(*action));

@@ -9,7 +9,7 @@ namespace limn {
 /// other volumes, and another engine this one.
 class VolumeTooLarge : public Error {
 public:
-  explicit VolumeTooLarge(const std::string& sentence) : Error(Kind::openGl, sentence) {}
+  explicit VolumeTooLarge(const Message& sentence) : Error(Kind::openGl, sentence) {}
 };
 
 } // namespace limn

@@ -9,7 +9,7 @@ namespace limn {
 /// log), for a report; they may be empty.
 class DriverError : public Error {
 public:
-  DriverError(const std::string& sentence, std::string details)
+  DriverError(const Message& sentence, std::string details)
       : Error(Kind::openGl, sentence), m_details(std::move(details)) {}
 
   const std::string& details() const { return m_details; }

@@ -4,22 +4,23 @@
 #include "scene/ProjectionName.h"
 #include "scene/basics/Error.h"
 
-#include <array>
+#include <vector>
 
 namespace limn {
 namespace {
 
 struct Dropped {
   Effect effect;
-  const char* reason;
+  Message reason;
 };
 
-constexpr std::array droppedBySlices{
-    Dropped{Effect::earlyTermination,
-            "slices are blended one after the other and none knows which pixels are done"},
-    Dropped{Effect::emptySpaceSkipping, "a slice is one sample: there is nothing to step over"},
-    Dropped{Effect::longRays, "slices do not march along rays, so no ray is too long"},
-};
+// What slices leave out, and why.
+std::vector<Dropped> droppedBySlices() {
+  return {{Effect::earlyTermination,
+           Message::tr("slices are blended one after the other and none knows which pixels are done")},
+          {Effect::emptySpaceSkipping, Message::tr("a slice is one sample: there is nothing to step over")},
+          {Effect::longRays, Message::tr("slices do not march along rays, so no ray is too long")}};
+}
 
 } // namespace
 
@@ -33,7 +34,7 @@ void requireSliceable(const Scene& scene) {
 
 EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {
   EffectPlan plan = requiredEffects(scene, facts);
-  for (const Dropped& dropped : droppedBySlices) {
+  for (const Dropped& dropped : droppedBySlices()) {
     plan.effects = plan.effects.without(dropped.effect);
     for (EffectReason& reason : plan.reasons)
       if (reason.effect == dropped.effect)

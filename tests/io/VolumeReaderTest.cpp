@@ -48,7 +48,7 @@ TEST(VolumeReader, progressRisesToOneAndCancellingStops) {
   double last = 0.0;
   int reports = 0;
   Progress progress;
-  progress.report = [&](double fraction, const std::string&) {
+  progress.report = [&](double fraction, const Message&) {
     EXPECT_GE(fraction, last);
     last = fraction;
     ++reports;

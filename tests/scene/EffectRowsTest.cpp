@@ -87,27 +87,28 @@ TEST(EffectRows, giveAReasonInPlainWordsWhateverTheSceneCallsFor) {
       }
   for (const Scene& scene : scenes)
     for (const EffectRow& one : rowsOf(scene)) {
-      SCOPED_TRACE(one.name + ": " + one.reason);
+      SCOPED_TRACE(one.name + ": " + one.reason.english());
       EXPECT_FALSE(one.reason.empty());
       EXPECT_FALSE(one.title.empty());
       // Words of the formulas, not of their readers.
       for (const char* word : {" term", "modulus", "coefficient", "min..", "EFFECT", "uniform"})
-        EXPECT_EQ(one.reason.find(word), std::string::npos) << word;
-      EXPECT_NE(one.reason.back(), '.') << "a phrase, not a sentence";
+        EXPECT_EQ(one.reason.english().find(word), std::string::npos) << word;
+      EXPECT_NE(one.reason.english().back(), '.') << "a phrase, not a sentence";
     }
 }
 
 TEST(EffectRows, areOnWhereAnyOfTheirEffectsIs) {
   Scene scene = test::roughPhantomScene();
   EXPECT_FALSE(row(scene, "fog").isOn);
-  EXPECT_EQ(row(scene, "fog").reason, "fog is off");
+  EXPECT_EQ(row(scene, "fog").reason.english(), "fog is off");
   for (const Fog::Mode mode : {Fog::Mode::linear, Fog::Mode::exp, Fog::Mode::exp2}) {
     scene.fog = {mode, glm::dvec3(0.0), 0.001, 0.0, 900.0};
     EXPECT_TRUE(row(scene, "fog").isOn);
-    EXPECT_NE(row(scene, "fog").reason.find("fog is on"), std::string::npos) << row(scene, "fog").reason;
+    EXPECT_NE(row(scene, "fog").reason.english().find("fog is on"), std::string::npos)
+        << row(scene, "fog").reason.english();
   }
   scene.fog.densityPerMm = 0.0;
-  EXPECT_EQ(row(scene, "fog").reason, "the density of the fog is 0");
+  EXPECT_EQ(row(scene, "fog").reason.english(), "the density of the fog is 0");
   scene.projection = Projection::compositeIsosurface;
   EXPECT_TRUE(row(scene, "isosurface").isOn);
 }
@@ -117,7 +118,7 @@ TEST(EffectRows, tellWhatTheProjectionHasNoUseFor) {
   scene.fog = {Fog::Mode::linear, glm::dvec3(0.0), 0.0, 0.0, 900.0};
   scene.projection = Projection::mip;
   EXPECT_FALSE(row(scene, "fog").isOn);
-  EXPECT_EQ(row(scene, "fog").reason, "this kind of picture has no use for it");
+  EXPECT_EQ(row(scene, "fog").reason.english(), "this kind of picture has no use for it");
 }
 
 TEST(EffectRows, countACropBoxWhereItCuts) {
@@ -132,11 +133,11 @@ TEST(EffectRows, countACropBoxWhereItCuts) {
 }
 
 TEST(EffectCosts, areToldInWords) {
-  EXPECT_EQ(costText({12.3, 1.0}), "12 ms");
-  EXPECT_EQ(costText({1.26, 0.1}), "1.3 ms");
-  EXPECT_EQ(costText({-210.4, 3.0}), "saves 210 ms");
-  EXPECT_EQ(costText({2.0, 2.5}), "no measurable cost");
-  EXPECT_EQ(costText({-0.01, 0.0}), "no measurable cost");
+  EXPECT_EQ(costText({12.3, 1.0}).english(), "12 ms");
+  EXPECT_EQ(costText({1.26, 0.1}).english(), "1.3 ms");
+  EXPECT_EQ(costText({-210.4, 3.0}).english(), "saves 210 ms");
+  EXPECT_EQ(costText({2.0, 2.5}).english(), "no measurable cost");
+  EXPECT_EQ(costText({-0.01, 0.0}).english(), "no measurable cost");
 }
 
 } // namespace

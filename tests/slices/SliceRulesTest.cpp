@@ -244,7 +244,7 @@ TEST(SlicePlan, whatBelongsToTheMarchIsDroppedWithAReason) {
     if (reason.effect == Effect::earlyTermination || reason.effect == Effect::emptySpaceSkipping ||
         reason.effect == Effect::longRays) {
       EXPECT_FALSE(reason.isNeeded);
-      EXPECT_NE(reason.reason.find("slice"), std::string::npos) << reason.reason;
+      EXPECT_NE(reason.reason.english().find("slice"), std::string::npos) << reason.reason.english();
     } else {
       EXPECT_EQ(reason.isNeeded, march.reasons[i].isNeeded);
       EXPECT_EQ(reason.reason, march.reasons[i].reason);

@@ -47,6 +47,12 @@ QString NumberField::textFromValue(double value) const {
   return m_write ? m_write(value) : plainNumber(value, decimals());
 }
 
+QValidator::State NumberField::validate(QString& text, int& position) const {
+  const QString point = locale().decimalPoint();
+  text.replace(QLatin1Char(point == QLatin1String(",") ? '.' : ','), point);
+  return QDoubleSpinBox::validate(text, position);
+}
+
 bool NumberField::event(QEvent* event) {
   // Undo belongs to the text while one types, and to the program before and after.
   if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {

@@ -25,6 +25,8 @@ public:
 
   void stepBy(int steps) override;
   QString textFromValue(double value) const override;
+  /// A decimal point or comma, whichever was typed, becomes that of the user's locale.
+  QValidator::State validate(QString& text, int& position) const override;
 
 signals:
   void numberEdited(double number);

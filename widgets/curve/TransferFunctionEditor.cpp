@@ -23,7 +23,7 @@ namespace limn {
 namespace {
 
 QString factorText(double factor) {
-  return QChar(0x00d7) + QString::number(factor, 'f', 2);
+  return QChar(0x00d7) + fixedNumber(factor, 2);
 }
 
 } // namespace
@@ -32,21 +32,23 @@ TransferFunctionEditor::TransferFunctionEditor(CurveSubject subject, QWidget* pa
     : QWidget(parent), m_canvas(new TransferFunctionCanvas(subject)), m_fields(new PointFields(subject)),
       m_tissue(new TissueButtons(this)),
       m_opacity(new SpringSlider(
-          tr("Overall opacity"),
-          tr("<p>Makes everything visible more solid or more transparent; what is invisible stays "
-             "so.</p><p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
+          TransferFunctionEditor::tr("Overall opacity"),
+          TransferFunctionEditor::tr(
+              "<p>Makes everything visible more solid or more transparent; what is invisible stays "
+              "so.</p><p>×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.</p>"),
           {0.1, 10.0, true}, 1.0, factorText)),
-      m_shift(new SpringSlider(tr("Shift"),
-                               tr("<p>Moves the whole curve to lower or higher values, so that other tissue "
-                                  "appears.</p><p>Up to a quarter of the volume's range either way, default "
-                                  "0. It springs back when let go; Shift drags finer.</p>"),
+      m_shift(new SpringSlider(TransferFunctionEditor::tr("Shift"),
+                               TransferFunctionEditor::tr(
+                                   "<p>Moves the whole curve to lower or higher values, so that other tissue "
+                                   "appears.</p><p>Up to a quarter of the volume's range either way, default "
+                                   "0. It springs back when let go; Shift drags finer.</p>"),
                                {-1.0, 1.0, false}, 0.0,
                                [this](double position) {
                                  const QString sign = position > 0.0 ? QStringLiteral("+") : QString();
                                  return sign + valueText(shiftOf(position), m_canvas->unit(),
                                                          m_canvas->shownDecimals());
                                })),
-      m_fine(new QCheckBox(tr("Fine low opacities"))), m_showAll(new QToolButton) {
+      m_fine(new QCheckBox(TransferFunctionEditor::tr("Fine low opacities"))), m_showAll(new QToolButton) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(12, 8, 12, 4);
   layout->setSpacing(0);

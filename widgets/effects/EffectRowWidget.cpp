@@ -2,8 +2,9 @@
 #include "widgets/effects/EffectRowWidget.h"
 
 #include "widgets/Theme.h"
+#include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -14,10 +15,6 @@ namespace {
 
 constexpr int markSize = 10;
 constexpr int textLeft = 32; // of the row, right of the mark
-
-QString translated(const std::string& text) {
-  return QCoreApplication::translate("limn::EffectRows", text.c_str());
-}
 
 QString sentence(QString phrase) {
   if (!phrase.isEmpty())
@@ -66,9 +63,9 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
   m_cost->setText(cost ? translated(costText(*cost)) : QString());
   m_cost->setToolTip(
       cost ? tr("The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.")
-                 .arg(std::abs(cost->ms), 0, 'f', 1)
+                 .arg(fixedNumber(std::abs(cost->ms), 1))
                  .arg(cost->ms < 0.0 ? tr("less") : tr("more"))
-                 .arg(cost->spreadMs, 0, 'f', 1)
+                 .arg(fixedNumber(cost->spreadMs, 1))
            : QString());
   describe();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/effects/EffectsPanel.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/effects/EffectRowWidget.h"
 
 #include <QLabel>
@@ -88,7 +89,7 @@ void EffectsPanel::showTimes() {
     m_method->setText(
         tr("The whole picture takes %1 ms at %2 × %3 pixels. Each cost is the median time with the "
            "effect less the median without it; costs overlap and do not add up. Method: %4.")
-            .arg(m_times.wholeMs, 0, 'f', m_times.wholeMs < 10.0 ? 1 : 0)
+            .arg(fixedNumber(m_times.wholeMs, m_times.wholeMs < 10.0 ? 1 : 0))
             .arg(m_times.size.width())
             .arg(m_times.size.height())
             .arg(m_times.method));

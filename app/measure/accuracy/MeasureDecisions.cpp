@@ -151,7 +151,7 @@ private:
 
 std::vector<DecisionCost> measureDecisions(const Scene& scene, const glm::ivec2& size,
                                            const PrecisePixels& converged, const ReportProgress& progress) {
-  const auto tell = [&progress](double fraction, const std::string& doing) {
+  const auto tell = [&progress](double fraction, const Message& doing) {
     if (progress)
       progress(fraction, doing);
   };

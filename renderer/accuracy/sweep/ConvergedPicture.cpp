@@ -78,7 +78,7 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
   std::vector<std::uint8_t> wanted(count, 1);
   const auto tell = [&](double fraction) {
     if (report)
-      report(fraction, "Drawing the exact picture");
+      report(fraction, Message::tr("Drawing the exact picture"));
   };
   tell(0.0);
   draw(finer, size, wanted, result.pixels);

@@ -3,6 +3,7 @@
 
 #include "accuracy/Tolerance.h"
 #include "accuracy/sweep/OperatingPoint.h"
+#include "scene/basics/Message.h"
 
 #include <cstdint>
 #include <functional>
@@ -15,7 +16,7 @@ using DrawPrecisely = std::function<void(const Scene& scene, const glm::ivec2& s
                                          const std::vector<std::uint8_t>& wanted, PrecisePixels& pixels)>;
 
 /// Told how far long work is, 0..1, and what it does; throws Cancelled to end it.
-using ReportProgress = std::function<void(double fraction, const std::string& doing)>;
+using ReportProgress = std::function<void(double fraction, const Message& doing)>;
 
 /// A picture that finer steps no longer change, and how far it is certain.
 struct ConvergedPicture {

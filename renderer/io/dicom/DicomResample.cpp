@@ -170,7 +170,7 @@ DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const Di
         const std::size_t perPlane = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
         std::vector<T> result(perPlane * static_cast<std::size_t>(dims.z));
         for (int plane = 0; plane < dims.z; ++plane) {
-          reportOrStop(progress, static_cast<double>(plane) / dims.z, "Straightening slices");
+          reportOrStop(progress, static_cast<double>(plane) / dims.z, Message::tr("Straightening slices"));
           resamplePlane(source, geometry, plane, *empty,
                         result.data() + perPlane * static_cast<std::size_t>(plane));
         }

@@ -155,7 +155,8 @@ std::vector<std::uint16_t> SegmentationFile::numbersOn(const Grid& grid, const S
   const auto stream = openDicomStream(m_path, m_file.deflatedFrom);
   std::string bytes;
   for (std::size_t n = 0; n < frames.size(); ++n) {
-    reportOrStop(progress, static_cast<double>(n) / static_cast<double>(frames.size()), "Reading segments");
+    reportOrStop(progress, static_cast<double>(n) / static_cast<double>(frames.size()),
+                 Message::tr("Reading segments"));
     // Frames of bits follow each other without gaps, so that one may begin within a byte, or a swapped pair.
     const std::uint64_t firstBit = n * pixels.bitsPerFrame(), from = firstBit / 16 * 2;
     const std::uint64_t length = m_file.pixels->length;

@@ -83,7 +83,8 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
   std::optional<DicomPixelReader> reader;
   const DicomHeader* open = nullptr;
   for (std::size_t done = 0; done < order.size(); ++done) {
-    reportOrStop(progress, static_cast<double>(done) / static_cast<double>(order.size()), "Reading slices");
+    reportOrStop(progress, static_cast<double>(done) / static_cast<double>(order.size()),
+                 Message::tr("Reading slices"));
     const DicomSlice& slice = series[order[done]];
     if (slice.header != open)
       reader.emplace(*slice.header);

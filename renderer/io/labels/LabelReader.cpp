@@ -55,7 +55,7 @@ Region readLabels(const fs::path& path, const Grid& grid, const Progress& progre
     failReading(path, "it lies elsewhere than the volume", "open the label map that belongs to this volume");
   return naming(path, [&] {
     const auto map = labelsOnGrid(*labels.volume, labels.described, grid,
-                                  effortOf(part(progress, 0.6, 1.0), "Placing labels"));
+                                  effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")));
     return Region{Region::Kind::labels, fs::absolute(path).lexically_normal().string(), map,
                   std::vector<double>(map->labels().size(), 1.0)};
   });

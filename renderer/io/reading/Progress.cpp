@@ -5,7 +5,7 @@
 
 namespace limn {
 
-void reportOrStop(const Progress& progress, double fraction, const std::string& what) {
+void reportOrStop(const Progress& progress, double fraction, const Message& what) {
   if (progress.isCancelled && progress.isCancelled())
     throw Cancelled();
   if (progress.report)
@@ -16,13 +16,13 @@ Progress part(const Progress& whole, double from, double to) {
   Progress result;
   result.isCancelled = whole.isCancelled;
   if (whole.report)
-    result.report = [report = whole.report, from, to](double fraction, const std::string& what) {
+    result.report = [report = whole.report, from, to](double fraction, const Message& what) {
       report(from + (to - from) * fraction, what);
     };
   return result;
 }
 
-Effort effortOf(const Progress& progress, const std::string& what) {
+Effort effortOf(const Progress& progress, const Message& what) {
   Effort effort;
   effort.isCancelled = progress.isCancelled;
   if (progress.report)

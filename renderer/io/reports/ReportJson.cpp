@@ -170,8 +170,10 @@ std::string effectsJson(const std::string& renderer, const std::vector<EffectRow
                         const std::vector<double>& costsMs) {
   Json effects = Json::array();
   for (std::size_t i = 0; i < rows.size(); ++i)
-    effects.push_back(
-        {{"name", rows[i].name}, {"on", rows[i].isOn}, {"reason", rows[i].reason}, {"cost_ms", costsMs[i]}});
+    effects.push_back({{"name", rows[i].name},
+                       {"on", rows[i].isOn},
+                       {"reason", rows[i].reason.english()},
+                       {"cost_ms", costsMs[i]}});
   return textOf({{"renderer", renderer}, {"effects", effects}});
 }
 

@@ -21,7 +21,7 @@ constexpr double leastEmptyShare = 0.05;
 struct Plan {
   EffectPlan plan;
 
-  void clause(Effect effect, bool isNeeded, const char* because, const char* becauseNot) {
+  void clause(Effect effect, bool isNeeded, const Message& because, const Message& becauseNot) {
     if (isNeeded)
       plan.effects = plan.effects.with(effect);
     plan.reasons.push_back({effect, isNeeded, isNeeded ? because : becauseNot});
@@ -46,64 +46,71 @@ LightingTerms termsFor(const Scene& scene) {
 
 void lightClauses(Plan& plan, const Scene& scene, const LightingTerms& terms, bool hasGradientOpacity) {
   const bool readsGradient = hasGradientOpacity || terms.usesNormal() || terms.usesRatio();
-  const char* flat =
-      isConstant(*scene.volume) ? "every voxel has the same value, so there are no boundaries" : nullptr;
-  plan.clause(Effect::lighting, terms.isLit, "the chosen model lights the volume",
-              "the chosen model shows plain colours without light");
-  plan.clause(Effect::gradient, readsGradient, "light or boundary settings need to know where boundaries lie",
-              flat ? flat : "nothing in this picture depends on boundaries");
-  plan.clause(Effect::diffuse, terms.diffuse != 0.0, "surfaces are brighter where they face the light",
-              flat ? flat : "the diffuse light is set to 0");
-  plan.clause(Effect::specular, terms.specular != 0.0, "surfaces shine where they mirror the light",
-              !terms.isLit ? "the chosen model shows plain colours without light"
-              : flat       ? flat
-                           : "the strength of the highlights is set to 0");
-  plan.clause(Effect::phong, terms.reflection == Reflection::phong, "their shape is Phong's",
-              "their shape is Blinn's, or there are none");
-  plan.clause(Effect::twoSided, terms.twoSided, "the inner sides of surfaces are lit as well",
-              terms.usesNormal() ? "surfaces are lit on their outer side only"
-                                 : "no light falls on surfaces");
+  const Message flat = isConstant(*scene.volume)
+                           ? Message::tr("every voxel has the same value, so there are no boundaries")
+                           : Message();
+  plan.clause(Effect::lighting, terms.isLit, Message::tr("the chosen model lights the volume"),
+              Message::tr("the chosen model shows plain colours without light"));
+  plan.clause(Effect::gradient, readsGradient,
+              Message::tr("light or boundary settings need to know where boundaries lie"),
+              !flat.empty() ? flat : Message::tr("nothing in this picture depends on boundaries"));
+  plan.clause(Effect::diffuse, terms.diffuse != 0.0,
+              Message::tr("surfaces are brighter where they face the light"),
+              !flat.empty() ? flat : Message::tr("the diffuse light is set to 0"));
+  plan.clause(Effect::specular, terms.specular != 0.0,
+              Message::tr("surfaces shine where they mirror the light"),
+              !terms.isLit    ? Message::tr("the chosen model shows plain colours without light")
+              : !flat.empty() ? flat
+                              : Message::tr("the strength of the highlights is set to 0"));
+  plan.clause(Effect::phong, terms.reflection == Reflection::phong, Message::tr("their shape is Phong's"),
+              Message::tr("their shape is Blinn's, or there are none"));
+  plan.clause(Effect::twoSided, terms.twoSided, Message::tr("the inner sides of surfaces are lit as well"),
+              terms.usesNormal() ? Message::tr("surfaces are lit on their outer side only")
+                                 : Message::tr("no light falls on surfaces"));
   plan.clause(Effect::fixedLight, terms.lightDirection.has_value(),
-              "the light comes from a direction of its own", "the light comes from the viewer");
+              Message::tr("the light comes from a direction of its own"),
+              Message::tr("the light comes from the viewer"));
   plan.clause(Effect::specularOfLight, terms.specularColor == SpecularColor::light,
-              "they take the light's colour", "they take the tissue's colour");
+              Message::tr("they take the light's colour"), Message::tr("they take the tissue's colour"));
 }
 
 void gradientClauses(Plan& plan, const LightingTerms& terms, bool hasGradientOpacity) {
   plan.clause(Effect::exponentMap, terms.mapsExponent(),
-              "strong boundaries shine more sharply than weak ones",
-              terms.specular == 0.0 ? "there are no highlights" : "highlights are equally sharp everywhere");
+              Message::tr("strong boundaries shine more sharply than weak ones"),
+              terms.specular == 0.0 ? Message::tr("there are no highlights")
+                                    : Message::tr("highlights are equally sharp everywhere"));
   plan.clause(Effect::opacityMap, terms.mapsOpacity(),
-              "strong boundaries are made more opaque than weak ones",
-              "boundaries are as opaque as the curve says");
+              Message::tr("strong boundaries are made more opaque than weak ones"),
+              Message::tr("boundaries are as opaque as the curve says"));
   plan.clause(Effect::opacityFactor, !terms.mapsOpacity() && terms.opacity.atFlat != 1.0,
-              "every opacity is multiplied by the same factor",
-              "opacities are not changed by a constant factor");
-  const char* noCurve = terms.usesRatio() ? "the strength of boundaries counts as measured (linear)"
-                                          : "nothing depends on the strength of boundaries";
+              Message::tr("every opacity is multiplied by the same factor"),
+              Message::tr("opacities are not changed by a constant factor"));
+  const Message noCurve = terms.usesRatio()
+                              ? Message::tr("the strength of boundaries counts as measured (linear)")
+                              : Message::tr("nothing depends on the strength of boundaries");
   plan.clause(Effect::gammaCurve, terms.curve.type == GradientCurve::Type::gamma,
-              "weak and strong boundaries are weighed by a power (gamma)", noCurve);
+              Message::tr("weak and strong boundaries are weighed by a power (gamma)"), noCurve);
   plan.clause(Effect::logCurve, terms.curve.type == GradientCurve::Type::log,
-              "weak and strong boundaries are weighed by a logarithm", noCurve);
+              Message::tr("weak and strong boundaries are weighed by a logarithm"), noCurve);
   plan.clause(Effect::gradientOpacity, hasGradientOpacity,
-              "a curve says how opaque boundaries are by their strength",
-              "no curve of opacity over the strength of boundaries is set");
+              Message::tr("a curve says how opaque boundaries are by their strength"),
+              Message::tr("no curve of opacity over the strength of boundaries is set"));
 }
 
 void robustClauses(Plan& plan, const Scene& scene, const LightingTerms& terms) {
   const bool isRobust = scene.shading.model == ShadingModel::robust;
   plan.clause(Effect::energyFactor, terms.energyFactor,
-              "broad highlights carry no more light than sharp ones",
-              isRobust ? "highlights are equally sharp, or their light is not evened out"
-                       : "the robust model is not chosen");
+              Message::tr("broad highlights carry no more light than sharp ones"),
+              isRobust ? Message::tr("highlights are equally sharp, or their light is not evened out")
+                       : Message::tr("the robust model is not chosen"));
   plan.clause(Effect::significance, terms.significance.has_value(),
-              "highlights are faded out where boundaries are insignificant",
-              isRobust ? "fading out insignificant highlights is off, or there are none"
-                       : "the robust model is not chosen");
+              Message::tr("highlights are faded out where boundaries are insignificant"),
+              isRobust ? Message::tr("fading out insignificant highlights is off, or there are none")
+                       : Message::tr("the robust model is not chosen"));
   plan.clause(Effect::knee, terms.knee.has_value(),
-              "light could add up to more than full brightness and would be cut off",
-              isRobust ? "the light never adds up to that much, or the limit is off"
-                       : "the robust model is not chosen");
+              Message::tr("light could add up to more than full brightness and would be cut off"),
+              isRobust ? Message::tr("the light never adds up to that much, or the limit is off")
+                       : Message::tr("the robust model is not chosen"));
 }
 
 // The eye's distance to the farthest corner of what the crop leaves, mm, or the camera plane's.
@@ -136,27 +143,30 @@ bool beginsBehindVolume(const Scene& scene) {
 void fogClauses(Plan& plan, const Scene& scene) {
   const Fog& fog = scene.fog;
   const bool shows = fogShows(scene);
-  const char* why = fog.mode == Fog::Mode::none ? "fog is off"
-                    : isThin(fog)               ? "the density of the fog is 0"
-                    : beginsBehindVolume(scene) ? "the fog begins behind the volume"
-                                                : "another fog is chosen";
-  plan.clause(Effect::fogLinear, shows && fog.mode == Fog::Mode::linear, "linear fog is on", why);
-  plan.clause(Effect::fogExp, shows && fog.mode == Fog::Mode::exp, "exponential fog is on", why);
-  plan.clause(Effect::fogExp2, shows && fog.mode == Fog::Mode::exp2, "squared exponential fog is on", why);
+  const Message why = fog.mode == Fog::Mode::none ? Message::tr("fog is off")
+                      : isThin(fog)               ? Message::tr("the density of the fog is 0")
+                      : beginsBehindVolume(scene) ? Message::tr("the fog begins behind the volume")
+                                                  : Message::tr("another fog is chosen");
+  plan.clause(Effect::fogLinear, shows && fog.mode == Fog::Mode::linear, Message::tr("linear fog is on"),
+              why);
+  plan.clause(Effect::fogExp, shows && fog.mode == Fog::Mode::exp, Message::tr("exponential fog is on"), why);
+  plan.clause(Effect::fogExp2, shows && fog.mode == Fog::Mode::exp2,
+              Message::tr("squared exponential fog is on"), why);
 }
 
 void projectionClauses(Plan& plan, const Scene& scene) {
-  const auto choice = [&](Effect effect, Projection projection, const char* because) {
-    plan.clause(effect, scene.projection == projection, because, "another kind of picture is chosen");
+  const auto choice = [&](Effect effect, Projection projection, const Message& because) {
+    plan.clause(effect, scene.projection == projection, because,
+                Message::tr("another kind of picture is chosen"));
   };
-  choice(Effect::mip, Projection::mip, "each ray shows its largest value");
-  choice(Effect::minip, Projection::minip, "each ray shows its smallest value");
-  choice(Effect::average, Projection::average, "each ray shows its mean value");
-  choice(Effect::xray, Projection::xray, "each ray shows how much it absorbs");
+  choice(Effect::mip, Projection::mip, Message::tr("each ray shows its largest value"));
+  choice(Effect::minip, Projection::minip, Message::tr("each ray shows its smallest value"));
+  choice(Effect::average, Projection::average, Message::tr("each ray shows its mean value"));
+  choice(Effect::xray, Projection::xray, Message::tr("each ray shows how much it absorbs"));
   choice(Effect::isosurface, Projection::isosurface,
-         "the picture shows the first surface of the chosen value");
+         Message::tr("the picture shows the first surface of the chosen value"));
   choice(Effect::hybrid, Projection::compositeIsosurface,
-         "the surface of the chosen value stands behind what lies before it");
+         Message::tr("the surface of the chosen value stands behind what lies before it"));
 }
 
 // The largest depth that a ray can gather in the volume.
@@ -173,29 +183,34 @@ void marchClauses(Plan& plan, const Scene& scene, const SceneFacts& facts, const
   const bool isResolved = chosen != Preintegration::automatic || isConstant(*scene.volume) ||
                           stepResolvesFunction(scene, facts.steepestPerMm);
   plan.clause(Effect::preintegration, chosen == Preintegration::always || !isResolved,
-              chosen == Preintegration::always ? "it is set to \"always\""
-                                               : "the curve changes faster than one step can follow",
-              chosen == Preintegration::never ? "it is set to \"never\""
-                                              : "the steps are fine enough for this curve");
+              chosen == Preintegration::always
+                  ? Message::tr("it is set to \"always\"")
+                  : Message::tr("the curve changes faster than one step can follow"),
+              chosen == Preintegration::never ? Message::tr("it is set to \"never\"")
+                                              : Message::tr("the steps are fine enough for this curve"));
   plan.clause(Effect::jitter, scene.quality.jitter,
-              "it is switched on: neighbouring pixels sample at other depths", "it is switched off");
+              Message::tr("it is switched on: neighbouring pixels sample at other depths"),
+              Message::tr("it is switched off"));
   const double e = scene.quality.earlyTermination;
   // A hundredth of margin for the rounding of the shaders' sums.
   const bool canEnd = e < 1.0 && oneMinusExpNeg(1.01 * largestDepth(scene, terms)) >= e;
   plan.clause(Effect::earlyTermination, canEnd,
-              "what lies behind opaque tissue cannot be seen and is not drawn",
-              e < 1.0 ? "nothing in this picture is opaque enough to hide what lies behind"
-                      : "rays are set to run to their end");
+              Message::tr("what lies behind opaque tissue cannot be seen and is not drawn"),
+              e < 1.0 ? Message::tr("nothing in this picture is opaque enough to hide what lies behind")
+                      : Message::tr("rays are set to run to their end"));
   const bool skips = facts.canSkipEmptySpace && facts.emptyShare >= leastEmptyShare;
-  plan.clause(Effect::emptySpaceSkipping, skips, "transparent parts of the volume are stepped over",
-              facts.canSkipEmptySpace ? "hardly any part of the volume is transparent"
-                                      : "it is switched off");
+  plan.clause(Effect::emptySpaceSkipping, skips,
+              Message::tr("transparent parts of the volume are stepped over"),
+              facts.canSkipEmptySpace ? Message::tr("hardly any part of the volume is transparent")
+                                      : Message::tr("it is switched off"));
   // Per sample at most three iterations of nested loops, and rays that run together wait for one another.
   const double loops = scene.projection == Projection::compositeIsosurface ? 6.0 : 5.0;
   plan.clause(Effect::longRays, loops * longestRaySamples(scene) > mostSamples,
-              "the longest ray has too many samples for nested loops", "every ray is short enough");
-  plan.clause(Effect::denseFunctions, facts.hasDenseFunctions, "control points lie very close together",
-              "control points lie far enough apart");
+              Message::tr("the longest ray has too many samples for nested loops"),
+              Message::tr("every ray is short enough"));
+  plan.clause(Effect::denseFunctions, facts.hasDenseFunctions,
+              Message::tr("control points lie very close together"),
+              Message::tr("control points lie far enough apart"));
 }
 
 // What is left out because of the projection says so.
@@ -203,17 +218,18 @@ void explainDropped(EffectPlan& plan, Projection projection) {
   for (EffectReason& reason : plan.reasons) {
     const bool isKept = plan.effects.has(reason.effect);
     if (reason.isNeeded && !isKept)
-      reason.reason = !plan.isVisible ? "nothing of the volume can be seen"
+      reason.reason = !plan.isVisible ? Message::tr("nothing of the volume can be seen")
                       : reason.effect == Effect::preintegration && plan.effects.has(Effect::localSteps)
-                          ? "error-controlled steps follow the curve themselves"
+                          ? Message::tr("error-controlled steps follow the curve themselves")
                       : reason.effect == Effect::jitter && plan.effects.has(Effect::localSteps)
-                          ? "error-controlled steps leave no sample to shift"
+                          ? Message::tr("error-controlled steps leave no sample to shift")
                       : reason.effect == Effect::jitter
-                          ? "exact steps (pre-integration) leave no sample to shift"
+                          ? Message::tr("exact steps (pre-integration) leave no sample to shift")
                       : reason.effect == Effect::emptySpaceSkipping && projection == Projection::composite
-                          ? "the steps are so small that rays take too many of them"
-                      : projection == Projection::composite ? "nothing that can be seen depends on it"
-                                                            : "this kind of picture has no use for it";
+                          ? Message::tr("the steps are so small that rays take too many of them")
+                      : projection == Projection::composite
+                          ? Message::tr("nothing that can be seen depends on it")
+                          : Message::tr("this kind of picture has no use for it");
     reason.isDropped = reason.isNeeded && !isKept;
     reason.isNeeded = isKept;
   }
@@ -269,19 +285,21 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
   robustClauses(plan, scene, terms);
   fogClauses(plan, scene);
   plan.clause(Effect::cutFaces, scene.crop != CropBox{} && terms.usesNormal(),
-              "the cuts of the crop box are lit as surfaces",
-              scene.crop == CropBox{} ? "the crop box keeps the whole volume" : "no light falls on the cuts");
+              Message::tr("the cuts of the crop box are lit as surfaces"),
+              scene.crop == CropBox{} ? Message::tr("the crop box keeps the whole volume")
+                                      : Message::tr("no light falls on the cuts"));
   plan.clause(Effect::region, isRestricting(scene.keep),
-              scene.keep.kind == Region::Kind::body ? "what is not body is hidden"
-                                                    : "some labels are hidden or faded",
-              scene.keep.kind == Region::Kind::labels ? "every label is shown" : "all of the volume is kept");
+              scene.keep.kind == Region::Kind::body ? Message::tr("what is not body is hidden")
+                                                    : Message::tr("some labels are hidden or faded"),
+              scene.keep.kind == Region::Kind::labels ? Message::tr("every label is shown")
+                                                      : Message::tr("all of the volume is kept"));
   projectionClauses(plan, scene);
   marchClauses(plan, scene, facts, terms);
   plan.clause(Effect::localSteps, finenessOf(scene.quality).has_value(),
-              "samples are spent where the picture needs them to keep to the tolerance",
-              "no tolerance is set, so every step is equally long");
-  plan.clause(Effect::unlimited, false, "", "only the measure of overflow draws it");
-  plan.clause(Effect::sampleCounts, false, "", "only tests draw it");
+              Message::tr("samples are spent where the picture needs them to keep to the tolerance"),
+              Message::tr("no tolerance is set, so every step is equally long"));
+  plan.clause(Effect::unlimited, false, "", Message::tr("only the measure of overflow draws it"));
+  plan.clause(Effect::sampleCounts, false, "", Message::tr("only tests draw it"));
   plan.plan.isVisible = isAnythingVisible(scene);
   plan.plan.effects = plan.plan.isVisible ? canonical(plan.plan.effects) : EffectSet();
   explainDropped(plan.plan, scene.projection);
@@ -290,7 +308,7 @@ EffectPlan requiredEffects(const Scene& scene, const SceneFacts& facts) {
 
 void requireDrawable(const Scene& scene) {
   if (!scene.volume)
-    throw Error(Error::Kind::usage, "There is no volume to draw; open one first.");
+    throw Error(Error::Kind::usage, Message::tr("There is no volume to draw; open one first."));
 }
 
 } // namespace limn

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/basics/Message.h"
 #include "scene/effects/EffectSet.h"
 
-#include <string>
 #include <vector>
 
 namespace limn {
@@ -21,7 +21,7 @@ struct SceneFacts {
 struct EffectReason {
   Effect effect;
   bool isNeeded = false;
-  std::string reason;
+  Message reason;
   bool isDropped = false; ///< asked for by the scene, but without use in this picture
   bool operator==(const EffectReason&) const = default;
 };

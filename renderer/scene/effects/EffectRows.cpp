@@ -2,14 +2,13 @@
 #include "scene/effects/EffectRows.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace limn {
 namespace {
 
 struct Group {
   const char* name;
-  const char* title;
+  Message title;
   EffectSet effects;
   Effect speaker; ///< whose reason tells why the row is off
 };
@@ -17,39 +16,57 @@ struct Group {
 // In the order of the scene format's documentation.
 const std::vector<Group>& groups() {
   static const std::vector<Group> all{
-      {"gradient", "Boundaries (gradient)", {Effect::gradient}, Effect::gradient},
-      {"lighting", "Light", {Effect::lighting, Effect::diffuse, Effect::fixedLight}, Effect::lighting},
+      {"gradient", Message::tr("Boundaries (gradient)"), {Effect::gradient}, Effect::gradient},
+      {"lighting",
+       Message::tr("Light"),
+       {Effect::lighting, Effect::diffuse, Effect::fixedLight},
+       Effect::lighting},
       {"specular",
-       "Highlights",
+       Message::tr("Highlights"),
        {Effect::specular, Effect::phong, Effect::specularOfLight},
        Effect::specular},
-      {"exponent_map", "Highlight sharpness by boundary (SP)", {Effect::exponentMap}, Effect::exponentMap},
+      {"exponent_map",
+       Message::tr("Highlight sharpness by boundary (SP)"),
+       {Effect::exponentMap},
+       Effect::exponentMap},
       {"opacity_map",
-       "Boundary emphasis (O)",
+       Message::tr("Boundary emphasis (O)"),
        {Effect::opacityMap, Effect::opacityFactor},
        Effect::opacityMap},
       {"gradient_curve",
-       "Curve over boundary strength",
+       Message::tr("Curve over boundary strength"),
        {Effect::gammaCurve, Effect::logCurve},
        Effect::gammaCurve},
-      {"robust", "Robust highlights", {Effect::energyFactor, Effect::significance}, Effect::significance},
-      {"fog", "Fog", {Effect::fogLinear, Effect::fogExp, Effect::fogExp2}, Effect::fogExp},
-      {"crop", "Crop box", {Effect::cutFaces}, Effect::cutFaces},
-      {"early_termination", "Rays end early", {Effect::earlyTermination}, Effect::earlyTermination},
+      {"robust",
+       Message::tr("Robust highlights"),
+       {Effect::energyFactor, Effect::significance},
+       Effect::significance},
+      {"fog", Message::tr("Fog"), {Effect::fogLinear, Effect::fogExp, Effect::fogExp2}, Effect::fogExp},
+      {"crop", Message::tr("Crop box"), {Effect::cutFaces}, Effect::cutFaces},
+      {"early_termination",
+       Message::tr("Rays end early"),
+       {Effect::earlyTermination},
+       Effect::earlyTermination},
       {"preintegration",
-       "Exact within each step (pre-integration)",
+       Message::tr("Exact within each step (pre-integration)"),
        {Effect::preintegration},
        Effect::preintegration},
-      {"empty_space_skipping", "Skip empty space", {Effect::emptySpaceSkipping}, Effect::emptySpaceSkipping},
+      {"empty_space_skipping",
+       Message::tr("Skip empty space"),
+       {Effect::emptySpaceSkipping},
+       Effect::emptySpaceSkipping},
       {"gradient_opacity",
-       "Opacity by boundary strength",
+       Message::tr("Opacity by boundary strength"),
        {Effect::gradientOpacity},
        Effect::gradientOpacity},
-      {"isosurface", "Surface of one value", {Effect::isosurface, Effect::hybrid}, Effect::isosurface},
-      {"jitter", "Shifted samples (jitter)", {Effect::jitter}, Effect::jitter},
-      {"knee", "Soft limit of brightness (knee)", {Effect::knee}, Effect::knee},
-      {"two_sided", "Light on both sides", {Effect::twoSided}, Effect::twoSided},
-      {"region", "Kept region", {Effect::region}, Effect::region},
+      {"isosurface",
+       Message::tr("Surface of one value"),
+       {Effect::isosurface, Effect::hybrid},
+       Effect::isosurface},
+      {"jitter", Message::tr("Shifted samples (jitter)"), {Effect::jitter}, Effect::jitter},
+      {"knee", Message::tr("Soft limit of brightness (knee)"), {Effect::knee}, Effect::knee},
+      {"two_sided", Message::tr("Light on both sides"), {Effect::twoSided}, Effect::twoSided},
+      {"region", Message::tr("Kept region"), {Effect::region}, Effect::region},
   };
   return all;
 }
@@ -59,13 +76,13 @@ EffectRow cropRow(EffectRow row, const Scene& scene, const EffectPlan& plan) {
   const bool cuts = scene.crop != CropBox{};
   row.isOn = plan.isVisible && cuts;
   if (!cuts)
-    row.reason = "the crop box keeps the whole volume";
+    row.reason = Message::tr("the crop box keeps the whole volume");
   else if (!plan.isVisible)
-    row.reason = "nothing of the volume can be seen";
+    row.reason = Message::tr("nothing of the volume can be seen");
   else if (plan.effects.has(Effect::cutFaces))
-    row.reason = "the crop box cuts the volume, and the cuts are lit as surfaces";
+    row.reason = Message::tr("the crop box cuts the volume, and the cuts are lit as surfaces");
   else
-    row.reason = "the crop box cuts the volume";
+    row.reason = Message::tr("the crop box cuts the volume");
   return row;
 }
 
@@ -73,7 +90,7 @@ EffectRow rowOfGroup(const Group& group, const EffectPlan& plan) {
   EffectRow row{group.name, group.title, plan.effects.hasAny(group.effects), {}, group.effects};
   for (const EffectReason& reason : plan.reasons) {
     if (row.isOn && reason.isNeeded && group.effects.has(reason.effect))
-      row.reason += (row.reason.empty() ? "" : "; ") + reason.reason;
+      row.reason = row.reason.followedBy("; ", reason.reason);
     if (!row.isOn && reason.effect == group.speaker)
       row.reason = reason.reason;
   }
@@ -101,13 +118,12 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
   return rows;
 }
 
-std::string costText(const EffectCost& cost) {
+Message costText(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
   if (size <= cost.spreadMs || size < 0.05)
-    return "no measurable cost";
-  char number[32];
-  std::snprintf(number, sizeof number, size < 10.0 ? "%.1f ms" : "%.0f ms", size);
-  return cost.ms < 0.0 ? std::string("saves ") + number : number;
+    return Message::tr("no measurable cost");
+  const Message time = Message::tr("%1 ms").arg(size, size < 10.0 ? 1 : 0);
+  return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
 }
 
 } // namespace limn

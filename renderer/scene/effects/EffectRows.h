@@ -11,11 +11,11 @@ namespace limn {
 /// One line of what a picture simulates, as people and scripts are told: a group of effects that belong
 /// together for a reader.
 struct EffectRow {
-  std::string name;   ///< for scripts, e.g. "exponent_map"; the names of the scene format
-  std::string title;  ///< for people
-  bool isOn = false;  ///< whether the picture simulates it
-  std::string reason; ///< why or why not, a phrase in plain words
-  EffectSet effects;  ///< what the row stands for: without these the picture does not simulate it
+  std::string name;  ///< for scripts, e.g. "exponent_map"; the names of the scene format
+  Message title;     ///< for people
+  bool isOn = false; ///< whether the picture simulates it
+  Message reason;    ///< why or why not, a phrase in plain words
+  EffectSet effects; ///< what the row stands for: without these the picture does not simulate it
   bool operator==(const EffectRow&) const = default;
 };
 
@@ -31,6 +31,6 @@ struct EffectCost {
 };
 
 /// A cost in words: "12 ms", "saves 210 ms", or "no measurable cost" where it is lost in its spread.
-std::string costText(const EffectCost& cost);
+Message costText(const EffectCost& cost);
 
 } // namespace limn

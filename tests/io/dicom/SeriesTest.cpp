@@ -305,7 +305,7 @@ TEST(DicomSeries, readingReportsItsProgressAndStopsWhenAsked) {
     slice(k + 1, k).write(folder.path() / name(k));
   double last = 0.0;
   Progress progress;
-  progress.report = [&](double fraction, const std::string&) {
+  progress.report = [&](double fraction, const Message&) {
     EXPECT_GE(fraction, last);
     EXPECT_LE(fraction, 1.0);
     last = fraction;

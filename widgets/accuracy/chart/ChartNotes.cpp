@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/chart/ChartNotes.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/accuracy/chart/AccuracyChart.h"
 
 #include <QPainter>
@@ -139,7 +140,7 @@ void ChartNotes::paintFloor(QPainter& painter, const ChartMark& mark, const QCol
   painter.drawPolyline(QPolygonF{tip + QPointF(-0.22, -0.25) * unit, tip, tip + QPointF(0.22, -0.25) * unit});
   painter.setPen(chartColors(m_chart.m_style).secondaryText);
   painter.drawText(tip + QPointF(0.6 * unit, 0.2 * unit),
-                   AccuracyChart::tr("< %1").arg(QString::number(mark.error, 'g', 2)));
+                   AccuracyChart::tr("< %1").arg(digitsNumber(mark.error, 2)));
 }
 
 void ChartNotes::paintChosen(QPainter& painter) const {

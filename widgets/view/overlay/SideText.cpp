@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 QString number(double value) {
-  return QString::number(value, 'g', 4);
+  return digitsNumber(value, 4);
 }
 
 QString rangeText(const CoefficientRange& range) {
@@ -53,11 +53,11 @@ QStringList sideDetails(const Scene& scene, const SideState& state) {
   else if (state.estimate && !state.isRough && state.isResolved)
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
-    parts << QObject::tr("%1 ms").arg(*state.completeMs, 0, 'f', *state.completeMs < 10.0 ? 1 : 0);
+    parts << QObject::tr("%1 ms").arg(fixedNumber(*state.completeMs, *state.completeMs < 10.0 ? 1 : 0));
   if (state.contrast)
-    parts << QObject::tr("contrast %1").arg(*state.contrast, 0, 'f', 3);
+    parts << QObject::tr("contrast %1").arg(fixedNumber(*state.contrast, 3));
   if (state.overflow)
-    parts << QObject::tr("overflow %1 %").arg(100.0 * state.overflow->share, 0, 'f', 1);
+    parts << QObject::tr("overflow %1 %").arg(fixedNumber(100.0 * state.overflow->share, 1));
   const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
                                                        : QObject::tr("unlit, the same with every model");
   if (!lighting.isEmpty())

@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-// As few digits as give the number back exactly: it can be typed after --step.
+// As few digits as give the number back exactly, as the command line reads it after --step.
 QString exactNumber(double value) {
   return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
@@ -24,13 +24,13 @@ QString fractionText(double value) {
     for (const double numerator : {1.0, 3.0, 5.0})
       if (value * denominator == numerator)
         return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
-  return exactNumber(value);
+  return QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
 }
 
 QString timeText(double ms) {
   if (ms < 1000.0)
-    return QObject::tr("%1 ms").arg(ms, 0, 'f', ms < 9.95 ? 1 : 0);
-  return QObject::tr("%1 s").arg(ms / 1000.0, 0, 'f', 1);
+    return QObject::tr("%1 ms").arg(fixedNumber(ms, ms < 9.95 ? 1 : 0));
+  return QObject::tr("%1 s").arg(fixedNumber(ms / 1000.0, 1));
 }
 
 // The side that lies farthest from its exact picture.
@@ -167,18 +167,18 @@ QString numbersText(const PictureState& state, const Scene& scene) {
     const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
     parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
                  .arg(fractionText(side.stepVoxels))
-                 .arg(mm, 0, 'g', 3)
+                 .arg(digitsNumber(mm, 3))
                  .arg(exactNumber(side.stepVoxels));
   }
   if (isResolved(state) && isKnown(state) && worstOf(state).estimate) {
     const ErrorEstimate& estimate = *worstOf(state).estimate;
     const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
-                               .arg(estimate.p99_9, 0, 'g', 3)
-                               .arg(estimate.mean, 0, 'g', 2);
+                               .arg(digitsNumber(estimate.p99_9, 3))
+                               .arg(digitsNumber(estimate.mean, 2));
     // Only halvings show an order.
     parts << (side.toleranceLevels
                   ? errors
-                  : QObject::tr("%1, observed order %2").arg(errors).arg(estimate.order, 0, 'f', 2));
+                  : QObject::tr("%1, observed order %2").arg(errors).arg(fixedNumber(estimate.order, 2)));
   }
   parts << state.renderer << state.engineReason;
   parts.removeAll(QString());
@@ -197,7 +197,7 @@ QString stepText(double stepVoxels) {
 }
 
 QString levelsText(double levels) {
-  return QString::number(std::clamp(levels, 0.1, 255.0), 'f', levels < 9.95 ? 1 : 0);
+  return fixedNumber(std::clamp(levels, 0.1, 255.0), levels < 9.95 ? 1 : 0);
 }
 
 QString PictureStatusText::line() const {

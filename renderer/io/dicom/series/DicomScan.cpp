@@ -104,7 +104,8 @@ DicomScan scanDicom(const std::filesystem::path& path, const Progress& progress)
   }
   const std::vector<std::filesystem::path> files = filesUnder(path);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    reportOrStop(progress, static_cast<double>(i) / static_cast<double>(files.size()), "Reading headers");
+    reportOrStop(progress, static_cast<double>(i) / static_cast<double>(files.size()),
+                 Message::tr("Reading headers"));
     if (startsAsDicom(files[i]))
       addFile(files[i], found);
     else

@@ -53,7 +53,7 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
   voxels.reserve(certain);
   while (voxels.size() < layout.count) {
     reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
-                 "Reading voxels");
+                 Message::tr("Reading voxels"));
     const std::size_t first = voxels.size();
     const std::size_t step = std::min<std::uint64_t>(perStep, layout.count - first);
     if constexpr (std::is_same_v<Stored, Kept<Stored>>)
@@ -68,7 +68,7 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
     for (std::size_t i = 0; i < step; ++i)
       voxels[first + i] = keptValue(samples.data() + i * components, layout.components);
   }
-  reportOrStop(progress, 1.0, "Reading voxels");
+  reportOrStop(progress, 1.0, Message::tr("Reading voxels"));
   return voxels;
 }
 

@@ -1,0 +1,4439 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Ziehen mit links</translation>
+    </message>
+    <message>
+        <source>rotate, or what the chosen tool does</source>
+        <translation>drehen oder was das gewählte Werkzeug tut</translation>
+    </message>
+    <message>
+        <source>[ M Z W</source>
+        <translation>[ M Z W</translation>
+    </message>
+    <message>
+        <source>tools: rotate, pan, zoom, window and level</source>
+        <translation>Werkzeuge: drehen, verschieben, zoomen, fenstern</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>cancel a drag; otherwise rotate again</source>
+        <translation>Ziehen abbrechen; sonst wieder drehen</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift+left drag</source>
+        <translation>Ziehen mit der mittleren Taste, Umschalt+Ziehen mit links</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel, + −</source>
+        <translation>Ziehen mit rechts, Mausrad, + −</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Strg+Ziehen mit links</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>rollen</translation>
+    </message>
+    <message>
+        <source>Alt+left drag</source>
+        <translation>Alt+Ziehen mit links</translation>
+    </message>
+    <message>
+        <source>window and level; with Ctrl: opacity</source>
+        <translation>fenstern; mit Strg: Deckkraft</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>Shift+move, Shift+click</source>
+        <translation>Umschalt+Bewegen, Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>value under the pointer, pin it in the curve: less or more of it</source>
+        <translation>Wert unter dem Zeiger; heftet ihn an die Kurve: weniger oder mehr davon</translation>
+    </message>
+    <message>
+        <source>A P L S I, End PgDn Home</source>
+        <translation>A P L S I, Ende Bild↓ Pos1</translation>
+    </message>
+    <message>
+        <source>standard views; with Shift the opposite ones</source>
+        <translation>Standardansichten; mit Umschalt die gegenüberliegenden</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>reset the camera</source>
+        <translation>Kamera zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>swap the two sides while held</source>
+        <translation>tauscht die beiden Seiten, solange sie gedrückt ist</translation>
+    </message>
+    <message>
+        <source>B, drag a handle</source>
+        <translation>B, Ziehen an einem Griff</translation>
+    </message>
+    <message>
+        <source>crop box; double click a handle: that face uncut</source>
+        <translation>Zuschnittbox; Doppelklick auf einen Griff: Seite wieder unbeschnitten</translation>
+    </message>
+    <message>
+        <source>0, 1 … 9</source>
+        <translation>0, 1 … 9</translation>
+    </message>
+    <message>
+        <source>full range, presets</source>
+        <translation>voller Wertebereich, Presets</translation>
+    </message>
+    <message>
+        <source>F11, double click</source>
+        <translation>F11, Doppelklick</translation>
+    </message>
+    <message>
+        <source>picture and curve only</source>
+        <translation>nur Bild und Kurve</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>crosshair, or what the chosen tool does</source>
+        <translation>Fadenkreuz oder was das gewählte Werkzeug tut</translation>
+    </message>
+    <message>
+        <source>Wheel, PgUp PgDn</source>
+        <translation>Mausrad, Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>through the slices; Shift+keys: ten at a time</source>
+        <translation>durch die Schnitte blättern; mit Umschalt zehn auf einmal</translation>
+    </message>
+    <message>
+        <source>Right drag, Alt+left drag</source>
+        <translation>Ziehen mit rechts, Alt+Ziehen mit links</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>fenstern</translation>
+    </message>
+    <message>
+        <source>0, 1 2 3 4</source>
+        <translation>0, 1 2 3 4</translation>
+    </message>
+    <message>
+        <source>full range; soft tissue, lung, bone, brain</source>
+        <translation>voller Wertebereich; Weichteile, Lunge, Knochen, Gehirn</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel, + −, F</source>
+        <translation>Strg+Mausrad, + −, F</translation>
+    </message>
+    <message>
+        <source>zoom, show all of the slice</source>
+        <translation>zoomen, ganzen Schnitt zeigen</translation>
+    </message>
+    <message>
+        <source>C W D, Esc</source>
+        <translation>C W D, Esc</translation>
+    </message>
+    <message>
+        <source>tools: crosshair, window and level, distance; the crosshair again</source>
+        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand; zurück zum Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Arrows, Home</source>
+        <translation>Pfeiltasten, Pos1</translation>
+    </message>
+    <message>
+        <source>move the crosshair; to the middle</source>
+        <translation>Fadenkreuz bewegen; in die Mitte</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove the distance</source>
+        <translation>Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>one slice large, and back</source>
+        <translation>ein Schnitt groß und zurück</translation>
+    </message>
+    <message>
+        <source>Shift+click the picture</source>
+        <translation>Umschalt+Klick ins Bild</translation>
+    </message>
+    <message>
+        <source>the crosshair goes to that place</source>
+        <translation>das Fadenkreuz springt dorthin</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Click the curve, double click</source>
+        <translation>Klick auf die Kurve, Doppelklick</translation>
+    </message>
+    <message>
+        <source>add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Drag a point</source>
+        <translation>Punkt ziehen</translation>
+    </message>
+    <message>
+        <source>move; Shift locks an axis, Alt is fine</source>
+        <translation>bewegen; Umschalt hält eine Achse fest, Alt ist fein</translation>
+    </message>
+    <message>
+        <source>Middle click, Del</source>
+        <translation>Mittelklick, Entf</translation>
+    </message>
+    <message>
+        <source>delete</source>
+        <translation>löschen</translation>
+    </message>
+    <message>
+        <source>Double click a point</source>
+        <translation>Doppelklick auf einen Punkt</translation>
+    </message>
+    <message>
+        <source>colour and numbers</source>
+        <translation>Farbe und Zahlen</translation>
+    </message>
+    <message>
+        <source>Drag the handle</source>
+        <translation>Griff ziehen</translation>
+    </message>
+    <message>
+        <source>shift the curve; Alt: width</source>
+        <translation>Kurve verschieben; Alt: Breite</translation>
+    </message>
+    <message>
+        <source>Wheel, Shift+wheel</source>
+        <translation>Mausrad, Umschalt+Mausrad</translation>
+    </message>
+    <message>
+        <source>zoom, pan the value axis</source>
+        <translation>Werteachse zoomen, verschieben</translation>
+    </message>
+    <message>
+        <source>Tab, arrows, Enter</source>
+        <translation>Tab, Pfeiltasten, Eingabe</translation>
+    </message>
+    <message>
+        <source>walk the points, move, type numbers</source>
+        <translation>Punkte durchgehen, bewegen, Zahlen eintippen</translation>
+    </message>
+    <message>
+        <source>N, Ins</source>
+        <translation>N, Einfg</translation>
+    </message>
+    <message>
+        <source>add a point beside the one in hand</source>
+        <translation>Punkt neben dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Menu key</source>
+        <translation>Menütaste</translation>
+    </message>
+    <message>
+        <source>colour and numbers, delete, show all values</source>
+        <translation>Farbe und Zahlen, löschen, alle Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl with + − 0 ← →</source>
+        <translation>Strg mit + − 0 ← →</translation>
+    </message>
+    <message>
+        <source>zoom the value axis, show all of it, pan</source>
+        <translation>Werteachse zoomen, ganz zeigen, verschieben</translation>
+    </message>
+    <message>
+        <source>Mouse and keys</source>
+        <translation>Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Transfer functions for CT and MR volumes, classic and gradient-enhanced Blinn-Phong side by side.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnosis.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Transferfunktionen für CT- und MR-Volumen, klassisches und gradientenverstärktes Blinn-Phong nebeneinander.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht zur Diagnose.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>About Limn</source>
+        <translation>Über Limn</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt &amp;geöffnet</translation>
+    </message>
+    <message>
+        <source>Open &amp;unsaved session</source>
+        <translation>&amp;Ungespeicherte Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions that were left with unsaved changes.</source>
+        <translation>Sitzungen, die mit ungespeicherten Änderungen verlassen wurden.</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Slices</source>
+        <translation>&amp;Schnitte</translation>
+    </message>
+    <message>
+        <source>Left &amp;drag</source>
+        <translation>Linke Maus&amp;taste</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Blick von</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>&amp;Engine</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>La&amp;nguage</source>
+        <translation>Spra&amp;che</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Preset</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Sample head</source>
+        <translation>Beispielkopf</translation>
+    </message>
+    <message>
+        <source>Limn · not for diagnosis</source>
+        <translation>Limn · nicht zur Diagnose</translation>
+    </message>
+    <message>
+        <source>%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9</source>
+        <translation>%1×%2×%3 · %4×%5×%6 mm · %7 bis %8 %9</translation>
+    </message>
+    <message>
+        <source>%L1 voxels hold no data and are shown as the smallest value.</source>
+        <translation>%L1 Voxel enthalten keine Daten und werden als kleinster Wert gezeigt.</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 ist schon vorhanden. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Surface at %1</source>
+        <translation>Oberfläche bei %1</translation>
+    </message>
+    <message>
+        <source>Skin and airways</source>
+        <translation>Haut und Atemwege</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <comment>two tissues</comment>
+        <translation>Von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Within %1</source>
+        <comment>a tissue</comment>
+        <translation>Bis %1</translation>
+    </message>
+    <message>
+        <source>%1, between %2 and %3; %4 % of all boundaries</source>
+        <translation>%1, zwischen %2 und %3; %4 % aller Grenzflächen</translation>
+    </message>
+    <message>
+        <source>%1 at cursor · %2 mm</source>
+        <translation>%1 am Zeiger · %2 mm</translation>
+    </message>
+    <message>
+        <source>step 1/%1 voxel</source>
+        <translation>Schrittweite 1/%1 Voxel</translation>
+    </message>
+    <message>
+        <source>step 1 voxel</source>
+        <translation>Schrittweite 1 Voxel</translation>
+    </message>
+    <message>
+        <source>step %1 voxels</source>
+        <translation>Schrittweite %1 Voxel</translation>
+    </message>
+    <message>
+        <source>exact to half a level</source>
+        <translation>auf eine halbe Stufe genau</translation>
+    </message>
+    <message>
+        <source>exact to %1 levels</source>
+        <translation>auf %1 Stufen genau</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>&lt; %1 levels</source>
+        <translation>&lt; %1 Stufen</translation>
+    </message>
+    <message>
+        <source>%1 levels</source>
+        <translation>%1 Stufen</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>less than %1 levels</source>
+        <translation>weniger als %1 Stufen</translation>
+    </message>
+    <message>
+        <source>1 level</source>
+        <translation>1 Stufe</translation>
+    </message>
+    <message>
+        <source>, curve averaged</source>
+        <translation>, Kurve gemittelt</translation>
+    </message>
+    <message>
+        <source>steps by error</source>
+        <translation>Schritte nach Fehler</translation>
+    </message>
+    <message>
+        <source>equal steps</source>
+        <translation>gleiche Schritte</translation>
+    </message>
+    <message>
+        <source>%1, curve averaged</source>
+        <translation>%1, Kurve gemittelt</translation>
+    </message>
+    <message>
+        <source>%1: not converged, so the error is unknown; %2.</source>
+        <translation>%1: nicht konvergiert, deshalb ist der Fehler unbekannt; %2.</translation>
+    </message>
+    <message>
+        <source>%1: within %2, %3.</source>
+        <translation>%1: höchstens %2 Fehler, %3.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>%1 voxels = %2 mm</source>
+        <translation>%1 Voxel = %2 mm</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>99.9th percentile</source>
+        <translation>99,9. Perzentil</translation>
+    </message>
+    <message>
+        <source>Mean error</source>
+        <translation>Mittlerer Fehler</translation>
+    </message>
+    <message>
+        <source>Off by over 1 level</source>
+        <translation>Um mehr als 1 Stufe falsch</translation>
+    </message>
+    <message>
+        <source>%1 % of pixels</source>
+        <translation>%1 % der Pixel</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>%1 (%2 – %3)</source>
+        <translation>%1 (%2 – %3)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Range %2%3, default %4%3. Double click on the name to reset.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Bereich %2%3, Standard %4%3. Doppelklick auf den Namen setzt zurück.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>In %1. %2</source>
+        <translation>In %1. %2</translation>
+    </message>
+    <message>
+        <source>change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>add point at %1</source>
+        <translation>Punkt bei %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>shift curve by %1</source>
+        <translation>Kurve um %1 verschieben</translation>
+    </message>
+    <message>
+        <source>change width of curve</source>
+        <translation>Breite der Kurve ändern</translation>
+    </message>
+    <message>
+        <source>delete %1 points</source>
+        <translation>%1 Punkte löschen</translation>
+    </message>
+    <message>
+        <source>delete point at %1</source>
+        <translation>Punkt bei %1 löschen</translation>
+    </message>
+    <message>
+        <source>move %1 points</source>
+        <translation>%1 Punkte bewegen</translation>
+    </message>
+    <message>
+        <source>move point to %1</source>
+        <translation>Punkt nach %1 bewegen</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>gradient, %1</source>
+        <translation>Gradient, %1</translation>
+    </message>
+    <message>
+        <source>pinned: %1</source>
+        <translation>angeheftet: %1</translation>
+    </message>
+    <message>
+        <source>in the picture: %1</source>
+        <translation>im Bild: %1</translation>
+    </message>
+    <message>
+        <source> · opacity %1</source>
+        <translation> · Deckkraft %1</translation>
+    </message>
+    <message>
+        <source>Crosshair outside the volume</source>
+        <translation>Fadenkreuz außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Orientation unknown</source>
+        <translation>Orientierung unbekannt</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Columns × rows</source>
+        <translation>Spalten × Zeilen</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Columns × slices</source>
+        <translation>Spalten × Schichten</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Rows × slices</source>
+        <translation>Zeilen × Schichten</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>W %1 · L %2</source>
+        <translation>W %1 · L %2</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>Mittel %1</translation>
+    </message>
+    <message>
+        <source>max %1</source>
+        <translation>Max. %1</translation>
+    </message>
+    <message>
+        <source>Modified. %1</source>
+        <comment>a preset; its note follows</comment>
+        <translation>Verändert. %1</translation>
+    </message>
+    <message>
+        <source>PET</source>
+        <translation>PET</translation>
+    </message>
+    <message>
+        <source>Ultrasound</source>
+        <translation>Ultraschall</translation>
+    </message>
+    <message>
+        <source>Any data</source>
+        <translation>Beliebige Daten</translation>
+    </message>
+    <message>
+        <source>%1, shown</source>
+        <translation>%1, gezeigt</translation>
+    </message>
+    <message>
+        <source>%1, shown, modified</source>
+        <translation>%1, gezeigt, verändert</translation>
+    </message>
+    <message>
+        <source>My presets</source>
+        <translation>Eigene Presets</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erste</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>letzte</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Unlit</source>
+        <translation>Unbeleuchtet</translation>
+    </message>
+    <message>
+        <source>Classic</source>
+        <translation>Klassisch</translation>
+    </message>
+    <message>
+        <source>Enhanced</source>
+        <translation>Verstärkt</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robust</translation>
+    </message>
+    <message>
+        <source>move crop face: %1</source>
+        <translation>Zuschnittfläche bewegen: %1</translation>
+    </message>
+    <message>
+        <source>change opacity</source>
+        <translation>Deckkraft ändern</translation>
+    </message>
+    <message>
+        <source>change window and level</source>
+        <translation>Fensterung ändern</translation>
+    </message>
+    <message>
+        <source>%1: %2 % cut</source>
+        <translation>%1: %2 % abgeschnitten</translation>
+    </message>
+    <message>
+        <source> · %1 mm</source>
+        <translation> · %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 at the centre</source>
+        <translation>%1 in der Mitte</translation>
+    </message>
+    <message>
+        <source>+%1 of 255</source>
+        <translation>+%1 von 255</translation>
+    </message>
+    <message>
+        <source>%1 brighter</source>
+        <translation>%1 heller</translation>
+    </message>
+    <message>
+        <source>Not for diagnosis</source>
+        <translation>Nicht zur Diagnose</translation>
+    </message>
+    <message>
+        <source>Table hidden</source>
+        <translation>Tisch ausgeblendet</translation>
+    </message>
+    <message>
+        <source>1 label hidden or faded</source>
+        <translation>1 Label ausgeblendet oder abgeschwächt</translation>
+    </message>
+    <message>
+        <source>%1 labels hidden or faded</source>
+        <translation>%1 Labels ausgeblendet oder abgeschwächt</translation>
+    </message>
+    <message>
+        <source>%1 – show everything</source>
+        <translation>%1 – alles zeigen</translation>
+    </message>
+    <message>
+        <source>SP %1</source>
+        <translation>SP %1</translation>
+    </message>
+    <message>
+        <source>SP %1 · O %2</source>
+        <translation>SP %1 · O %2</translation>
+    </message>
+    <message>
+        <source>within %1 levels</source>
+        <translation>bis %1 Stufen genau</translation>
+    </message>
+    <message>
+        <source>contrast %1</source>
+        <translation>Kontrast %1</translation>
+    </message>
+    <message>
+        <source>overflow %1 %</source>
+        <translation>Überstrahlung %1 %</translation>
+    </message>
+    <message>
+        <source>unlit, the same with every model</source>
+        <translation>unbeleuchtet, bei jedem Modell gleich</translation>
+    </message>
+    <message>
+        <source>%2 minus %1, ×%3</source>
+        <translation>%2 minus %1, ×%3</translation>
+    </message>
+    <message>
+        <source>Black where both are equal, brighter the more they differ</source>
+        <translation>Schwarz, wo beide gleich sind; heller, je mehr sie sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>A click shows everything again, as View ▸ Body only does where the table is hidden.</source>
+        <translation>Ein Klick zeigt wieder alles, ebenso wie „Ansicht ▸ Nur Körper“, wenn der Tisch ausgeblendet ist.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Black where both sides show the same; blue where the left side is brighter, orange where the right side is, by the part of the colour that differs most. Differences are shown %1 times as large as they are.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Schwarz, wo beide Seiten das Gleiche zeigen; blau, wo die linke Seite heller ist, orange, wo die rechte heller ist, gemessen am Farbanteil mit dem größten Unterschied. Unterschiede werden %1-fach vergrößert gezeigt.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (rechts)</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>within %1 of 255 levels, measured</source>
+        <translation>höchstens %1 von 255 Stufen Fehler, gemessen</translation>
+    </message>
+    <message>
+        <source>within about %1 of 255 levels</source>
+        <translation>höchstens etwa %1 von 255 Stufen Fehler</translation>
+    </message>
+    <message>
+        <source>within %1 of 255 levels</source>
+        <translation>höchstens %1 von 255 Stufen Fehler</translation>
+    </message>
+    <message>
+        <source>not resolved</source>
+        <translation>nicht aufgelöst</translation>
+    </message>
+    <message>
+        <source>estimating…</source>
+        <translation>wird geschätzt…</translation>
+    </message>
+    <message>
+        <source>left %1</source>
+        <translation>links %1</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>rechts %1</translation>
+    </message>
+    <message>
+        <source>○ preview</source>
+        <translation>○ Vorschau</translation>
+    </message>
+    <message>
+        <source>● exact to the screen</source>
+        <translation>● exakt für den Bildschirm</translation>
+    </message>
+    <message>
+        <source>◐ refining</source>
+        <translation>◐ wird verfeinert</translation>
+    </message>
+    <message>
+        <source>○ not exact</source>
+        <translation>○ nicht exakt</translation>
+    </message>
+    <message>
+        <source>○ not resolved</source>
+        <translation>○ nicht aufgelöst</translation>
+    </message>
+    <message>
+        <source>preview, step %1</source>
+        <translation>Vorschau, %1</translation>
+    </message>
+    <message>
+        <source>preview at %1 resolution</source>
+        <translation>Vorschau mit %1 Auflösung</translation>
+    </message>
+    <message>
+        <source>refined, step %1</source>
+        <translation>verfeinert, %1</translation>
+    </message>
+    <message>
+        <source>The steps cost no more than half a level: smaller ones would show no difference.</source>
+        <translation>Die Schritte kosten höchstens eine halbe Stufe: Kleinere zeigten keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>smallest step, %1</source>
+        <translation>kleinste Schrittweite, %1</translation>
+    </message>
+    <message>
+        <source>No smaller step is drawn: it would take long and show little.</source>
+        <translation>Kleinere Schritte werden nicht gezeichnet: Das dauerte lange und zeigte wenig.</translation>
+    </message>
+    <message>
+        <source>smallest possible step, %1</source>
+        <translation>kleinste mögliche Schrittweite, %1</translation>
+    </message>
+    <message>
+        <source>With a smaller step rays would need more samples than the driver allows.</source>
+        <translation>Bei kleineren Schritten brauchten Strahlen mehr Abtastpunkte, als der Treiber zulässt.</translation>
+    </message>
+    <message>
+        <source>smallest practical step, %1</source>
+        <translation>kleinste praktikable Schrittweite, %1</translation>
+    </message>
+    <message>
+        <source>The next smaller step would take too long on this machine.</source>
+        <translation>Die nächstkleinere Schrittweite dauerte auf diesem Rechner zu lange.</translation>
+    </message>
+    <message>
+        <source>step %1, not refined</source>
+        <translation>%1, nicht verfeinert</translation>
+    </message>
+    <message>
+        <source>Refining the picture failed.</source>
+        <translation>Das Bild konnte nicht verfeinert werden.</translation>
+    </message>
+    <message>
+        <source>step %1, refining</source>
+        <translation>%1, wird verfeinert</translation>
+    </message>
+    <message>
+        <source>The picture is being drawn again with smaller steps.</source>
+        <translation>Das Bild wird mit kleineren Schritten neu gezeichnet.</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>chosen by error</source>
+        <translation>nach dem Fehler gewählt</translation>
+    </message>
+    <message>
+        <source>Not resolved: a band of the curve is narrower than what the value changes by within one step, so the picture may miss it and no number would be right. Pre-integrated steps, or smaller ones, see it.</source>
+        <translation>Nicht aufgelöst: Ein Band der Kurve ist schmaler als die Änderung des Werts innerhalb eines Schritts; das Bild kann es verfehlen, und keine Zahl wäre richtig. Vorintegrierte oder kleinere Schritte erfassen es.</translation>
+    </message>
+    <message>
+        <source>How far the picture lies from the exact one is being estimated.</source>
+        <translation>Es wird geschätzt, wie weit das Bild vom exakten entfernt ist.</translation>
+    </message>
+    <message>
+        <source>999 of 1000 colour values of a smaller picture of the same scene were measured to lie within %1 levels of the exact one; black and white are 255 levels apart.</source>
+        <translation>999 von 1000 Farbwerten eines kleineren Bildes derselben Szene liegen nach Messung höchstens %1 Stufen neben dem exakten; Schwarz und Weiß liegen 255 Stufen auseinander.</translation>
+    </message>
+    <message>
+        <source>999 of 1000 colour values of the picture are estimated to lie within %1 levels of the exact picture; black and white are 255 levels apart.</source>
+        <translation>999 von 1000 Farbwerten des Bildes liegen nach Schätzung höchstens %1 Stufen neben dem exakten Bild; Schwarz und Weiß liegen 255 Stufen auseinander.</translation>
+    </message>
+    <message>
+        <source>Estimated from a smaller picture.</source>
+        <translation>Geschätzt an einem kleineren Bild.</translation>
+    </message>
+    <message>
+        <source>The preview also has fewer pixels than the window; that comes on top.</source>
+        <translation>Die Vorschau hat außerdem weniger Pixel als das Fenster; das kommt hinzu.</translation>
+    </message>
+    <message>
+        <source>error-controlled steps (--tolerance %1)</source>
+        <translation>fehlergesteuerte Schritte (--tolerance %1)</translation>
+    </message>
+    <message>
+        <source>step %1 of the smallest voxel spacing, %2 mm (--step %3)</source>
+        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2 mm (--step %3)</translation>
+    </message>
+    <message>
+        <source>99.9th percentile %1, mean %2 levels</source>
+        <translation>99,9. Perzentil %1, Mittel %2 Stufen</translation>
+    </message>
+    <message>
+        <source>%1, observed order %2</source>
+        <translation>%1, beobachtete Ordnung %2</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 voxel</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>This computer offers the program no OpenGL 3.0, so the processor draws; to have the graphics card draw, install or update its driver.</source>
+        <translation>Dieser Rechner bietet dem Programm kein OpenGL 3.0, deshalb zeichnet der Prozessor; damit die Grafikkarte zeichnet, installieren oder aktualisieren Sie deren Treiber.</translation>
+    </message>
+</context>
+<context>
+    <name>Tissue</name>
+    <message>
+        <source>air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>fat</source>
+        <translation>Fett</translation>
+    </message>
+    <message>
+        <source>water</source>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>soft tissue, blood</source>
+        <translation>Weichteile, Blut</translation>
+    </message>
+    <message>
+        <source>contrast agent, spongy bone</source>
+        <translation>Kontrastmittel, Spongiosa</translation>
+    </message>
+    <message>
+        <source>bone, dense contrast agent</source>
+        <translation>Knochen, dichtes Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>compact bone, dentine</source>
+        <translation>Kompakta, Dentin</translation>
+    </message>
+    <message>
+        <source>enamel, metal</source>
+        <translation>Zahnschmelz, Metall</translation>
+    </message>
+</context>
+<context>
+    <name>limn::AccuracyChart</name>
+    <message>
+        <source>best trade-offs</source>
+        <translation>beste Kompromisse</translation>
+    </message>
+    <message>
+        <source>Time per picture, ms</source>
+        <translation>Zeit je Bild, ms</translation>
+    </message>
+    <message>
+        <source>Error, mean, levels of 255</source>
+        <translation>Fehler, Mittel, Stufen von 255</translation>
+    </message>
+    <message>
+        <source>Error, 99.9th percentile, levels of 255</source>
+        <translation>Fehler, 99,9. Perzentil, Stufen von 255</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3 pixels · %4</source>
+        <translation>%1 · %2 × %3 Pixel · %4</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Not converged: the exact picture still changes with finer steps, so no error is known.</source>
+        <translation>Nicht konvergiert: Das exakte Bild ändert sich mit feineren Schritten noch, deshalb ist kein Fehler bekannt.</translation>
+    </message>
+    <message>
+        <source>1 level: accurate to the screen</source>
+        <translation>1 Stufe: genau für den Bildschirm</translation>
+    </message>
+    <message>
+        <source>1 level</source>
+        <translation>1 Stufe</translation>
+    </message>
+    <message>
+        <source>&lt; %1</source>
+        <translation>&lt; %1</translation>
+    </message>
+</context>
+<context>
+    <name>limn::AccuracyChartView</name>
+    <message>
+        <source>Chart of error against time</source>
+        <translation>Diagramm des Fehlers über der Zeit</translation>
+    </message>
+    <message>
+        <source>%1 measured points; left and right walk through them, Enter uses one.</source>
+        <translation>%1 gemessene Punkte; mit den Pfeiltasten links und rechts durchgehen, Eingabe wählt einen.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Measured for an earlier picture.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Für ein früheres Bild gemessen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Click to use it.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Klicken, um ihn zu verwenden.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::AccuracyDesk</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Choose one picture or side by side: here two pictures lie over each other.</source>
+        <translation>Wählen Sie ein einzelnes Bild oder „Nebeneinander“: Hier liegen zwei Bilder übereinander.</translation>
+    </message>
+    <message>
+        <source>Save what was measured</source>
+        <translation>Messung speichern</translation>
+    </message>
+    <message>
+        <source>Page with chart and table (*.html)</source>
+        <translation>Seite mit Diagramm und Tabelle (*.html)</translation>
+    </message>
+    <message>
+        <source>Chart (*.png)</source>
+        <translation>Diagramm (*.png)</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>limn::AccuracyPanel</name>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Open a volume first.</source>
+        <translation>Öffnen Sie zuerst ein Volumen.</translation>
+    </message>
+    <message>
+        <source>Wait until the measuring is done.</source>
+        <translation>Warten Sie, bis die Messung fertig ist.</translation>
+    </message>
+    <message>
+        <source>use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>limn::Actions</name>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a volume, a session, a scene or a picture that Limn saved.</source>
+        <translation>Öffnet ein Volumen, eine Sitzung, eine Szene oder ein von Limn gespeichertes Bild.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;DICOM folder…</source>
+        <translation>&amp;DICOM-Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Open the sample &amp;head</source>
+        <translation>Bei&amp;spielkopf öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;labels…</source>
+        <translation>&amp;Labels öffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a segmentation of the volume: each label can be shown, hidden or faded.</source>
+        <translation>Öffnet eine Segmentierung des Volumens: Jedes Label lässt sich zeigen, ausblenden oder abschwächen.</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>Si&amp;tzung speichern</translation>
+    </message>
+    <message>
+        <source>Saves everything but the volume itself: scene, comparison and panel.</source>
+        <translation>Speichert alles außer dem Volumen selbst: Szene, Vergleich und Tafel.</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Sitzung speichern &amp;als…</translation>
+    </message>
+    <message>
+        <source>Save s&amp;cene…</source>
+        <translation>S&amp;zene speichern…</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation>&amp;Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Saves the picture on screen at full quality, with its scene inside.</source>
+        <translation>Speichert das gezeigte Bild in voller Qualität, mit seiner Szene darin.</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Close volume</source>
+        <translation>&amp;Volumen schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Be&amp;enden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Ctrl+Y</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>One picture with the chosen model.</source>
+        <translation>Ein Bild mit dem gewählten Modell.</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Two models beside each other.</source>
+        <translation>Zwei Modelle nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Vorhang</translation>
+    </message>
+    <message>
+        <source>Two models over each other with a border to drag.</source>
+        <translation>Zwei Modelle übereinander mit einer Grenze zum Ziehen.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Where the two models differ, amplified.</source>
+        <translation>Wo sich die beiden Modelle unterscheiden, verstärkt.</translation>
+    </message>
+    <message>
+        <source>3D only</source>
+        <translation>Nur 3D</translation>
+    </message>
+    <message>
+        <source>The picture without slices.</source>
+        <translation>Das Bild ohne Schnitte.</translation>
+    </message>
+    <message>
+        <source>3D and slices</source>
+        <translation>3D und Schnitte</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slices beside the picture.</source>
+        <translation>Axiale, koronare und sagittale Schnitte neben dem Bild.</translation>
+    </message>
+    <message>
+        <source>One slice large</source>
+        <translation>Ein Schnitt groß</translation>
+    </message>
+    <message>
+        <source>One slice large, the picture and the other slices beside it; a double click on a slice chooses it.</source>
+        <translation>Ein Schnitt groß, daneben das Bild und die anderen Schnitte; ein Doppelklick auf einen Schnitt wählt ihn.</translation>
+    </message>
+    <message>
+        <source>Left drag: %1 (%2)</source>
+        <translation>Ziehen mit links: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>[ or Esc</source>
+        <translation>[ oder Esc</translation>
+    </message>
+    <message>
+        <source>rotate the picture</source>
+        <translation>Bild drehen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>move the picture</source>
+        <translation>Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>up is nearer</source>
+        <translation>nach oben ist näher</translation>
+    </message>
+    <message>
+        <source>Window/level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>right widens the window, up raises its level</source>
+        <translation>nach rechts wird das Fenster breiter, nach oben seine Lage höher</translation>
+    </message>
+    <message>
+        <source>Anterior (front)</source>
+        <translation>Anterior (vorn)</translation>
+    </message>
+    <message>
+        <source>Posterior (back)</source>
+        <translation>Posterior (hinten)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Superior (above)</source>
+        <translation>Superior (oben)</translation>
+    </message>
+    <message>
+        <source>Inferior (below)</source>
+        <translation>Inferior (unten)</translation>
+    </message>
+    <message>
+        <source>Reset camera</source>
+        <translation>Kamera zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Set &amp;orientation…</source>
+        <translation>&amp;Orientierung festlegen…</translation>
+    </message>
+    <message>
+        <source>Says which side is left where the volume&apos;s file does not.</source>
+        <translation>Legt fest, welche Seite links ist, wo die Datei des Volumens es nicht sagt.</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthografisch</translation>
+    </message>
+    <message>
+        <source>Parallel rays: sizes can be compared everywhere in the picture.</source>
+        <translation>Parallele Strahlen: Größen lassen sich überall im Bild vergleichen.</translation>
+    </message>
+    <message>
+        <source>&amp;Crop box</source>
+        <translation>&amp;Zuschnittbox</translation>
+    </message>
+    <message>
+        <source>Shows a box with handles in the picture; what is outside is cut away. (B)</source>
+        <translation>Zeigt eine Box mit Griffen im Bild; was außerhalb liegt, wird abgeschnitten. (B)</translation>
+    </message>
+    <message>
+        <source>&amp;Body only</source>
+        <translation>Nur &amp;Körper</translation>
+    </message>
+    <message>
+        <source>Finds the body and hides the table, the head holder and what else lies beside it.</source>
+        <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus.</translation>
+    </message>
+    <message>
+        <source>Refine at &amp;rest</source>
+        <translation>Im Stillstand &amp;verfeinern</translation>
+    </message>
+    <message>
+        <source>While nothing moves, draws the picture again with smaller and smaller steps until it lies within half a level of the exact one.</source>
+        <translation>Zeichnet das Bild, solange sich nichts bewegt, mit immer kleineren Schritten neu, bis es höchstens eine halbe Stufe neben dem exakten liegt.</translation>
+    </message>
+    <message>
+        <source>&amp;Picture and curve only</source>
+        <translation>Nur Bild und K&amp;urve</translation>
+    </message>
+    <message>
+        <source>Patient in the title &amp;bar</source>
+        <translation>&amp;Patient in der Titelleiste</translation>
+    </message>
+    <message>
+        <source>Follow the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>The window speaks it when it is opened the next time.</source>
+        <translation>Das Fenster spricht sie, sobald es das nächste Mal geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;Processor</source>
+        <translation>&amp;Prozessor</translation>
+    </message>
+    <message>
+        <source>Draws with the vector instructions of the processor; needs no graphics card.</source>
+        <translation>Zeichnet mit den Vektorbefehlen des Prozessors; braucht keine Grafikkarte.</translation>
+    </message>
+    <message>
+        <source>&amp;Find preset</source>
+        <translation>Preset &amp;suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>Als Preset s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>S&amp;uggest from boundaries…</source>
+        <translation>Aus &amp;Grenzflächen vorschlagen…</translation>
+    </message>
+    <message>
+        <source>Finds where materials touch in this volume and proposes a band of the curve for each</source>
+        <translation>Findet, wo in diesem Volumen Materialien aneinandergrenzen, und schlägt für jede Grenzfläche ein Band der Kurve vor</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Stability checks…</source>
+        <translation>&amp;Stabilitätsprüfungen…</translation>
+    </message>
+    <message>
+        <source>Checks what this computer&apos;s driver draws where renderers are known to fail.</source>
+        <translation>Prüft, was der Treiber dieses Rechners in Fällen zeichnet, an denen Renderer bekanntermaßen scheitern.</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Limn</source>
+        <translation>&amp;Über Limn</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ChartWindow</name>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler über der Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ChoiceRow</name>
+    <message>
+        <source>&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;%2; default %3. Double click on the name to reset.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;%2; Standard %3. Doppelklick auf den Namen setzt zurück.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ColorButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ColorPicker</name>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour as hex code</source>
+        <translation>Farbe als Hexcode</translation>
+    </message>
+    <message>
+        <source>The colour as a hex code, from #000000 (black) to #ffffff (white)</source>
+        <translation>Die Farbe als Hexcode, von #000000 (Schwarz) bis #ffffff (Weiß)</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CompareView</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Drag to rotate, middle drag to pan, right drag or wheel to zoom; arrows rotate, + and − zoom</source>
+        <translation>Ziehen dreht, Ziehen mit der mittleren Taste verschiebt, Ziehen mit rechts oder das Mausrad zoomt; Pfeiltasten drehen, + und − zoomen</translation>
+    </message>
+    <message>
+        <source>Getting the volume ready for drawing…</source>
+        <translation>Volumen wird zum Zeichnen vorbereitet…</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ComparisonDesk</name>
+    <message>
+        <source>change model</source>
+        <translation>Modell ändern</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CropSection</name>
+    <message>
+        <source>What lies outside these percents of the volume is cut away; the first number is the end named first.</source>
+        <translation>Was außerhalb dieser Prozentwerte des Volumens liegt, wird abgeschnitten; die erste Zahl gehört zum zuerst genannten Ende.</translation>
+    </message>
+    <message>
+        <source>Columns %1–%2 of %3</source>
+        <translation>Spalten %1–%2 von %3</translation>
+    </message>
+    <message>
+        <source>Rows %1–%2 of %3</source>
+        <translation>Zeilen %1–%2 von %3</translation>
+    </message>
+    <message>
+        <source>Slices %1–%2 of %3</source>
+        <translation>Schichten %1–%2 von %3</translation>
+    </message>
+    <message>
+        <source> · %1 mm</source>
+        <translation> · %1 mm</translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation>Zuschnitt</translation>
+    </message>
+    <message>
+        <source>Reset crop</source>
+        <translation>Zuschnitt zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Shows the whole volume again.</source>
+        <translation>Zeigt wieder das ganze Volumen.</translation>
+    </message>
+    <message>
+        <source>reset crop</source>
+        <translation>Zuschnitt zurücksetzen</translation>
+    </message>
+    <message>
+        <source>crop %1</source>
+        <translation>%1 zuschneiden</translation>
+    </message>
+    <message>
+        <source>%1 % kept</source>
+        <translation>%1 % behalten</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CurveDesk</name>
+    <message>
+        <source>The volume&apos;s gradients cannot be counted: %1.</source>
+        <translation>Die Gradienten des Volumens können nicht gezählt werden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::CurvePanel</name>
+    <message>
+        <source>Opacity over</source>
+        <translation>Deckkraft über</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Opacity over value</source>
+        <translation>Deckkraft über dem Wert</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How opaque tissue is by its value: the transfer function.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wie deckend Gewebe nach seinem Wert ist: die Transferfunktion.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Opacity over gradient</source>
+        <translation>Deckkraft über dem Gradienten</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How much of the opacity is left by how fast the value changes, so that boundaries stay.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wie viel von der Deckkraft bleibt, je nachdem wie schnell sich der Wert ändert, sodass Grenzflächen stehen bleiben.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;This projection does not add up opacities along its rays; tissue does.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Diese Projektion addiert keine Deckkraft entlang ihrer Strahlen; die Projektion „Gewebe“ tut es.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Gradient: off</source>
+        <translation>Gradient: aus</translation>
+    </message>
+    <message>
+        <source>Gradient: on</source>
+        <translation>Gradient: an</translation>
+    </message>
+    <message>
+        <source>Gradient: unused</source>
+        <translation>Gradient: ungenutzt</translation>
+    </message>
+</context>
+<context>
+    <name>limn::DialSection</name>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>Refined on screen to %1, within %2.</source>
+        <translation>Am Bildschirm verfeinert auf %1, höchstens %2 Fehler.</translation>
+    </message>
+    <message>
+        <source>Refined on screen to %1.</source>
+        <translation>Am Bildschirm verfeinert auf %1.</translation>
+    </message>
+    <message>
+        <source>Faster or closer to exact</source>
+        <translation>Schneller oder genauer</translation>
+    </message>
+    <message>
+        <source>Finding the steps</source>
+        <translation>Schrittweiten werden gesucht</translation>
+    </message>
+    <message>
+        <source>Picture at rest</source>
+        <translation>Bild im Stillstand</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How far apart the samples along a ray lie while nothing moves: to the left the picture is there sooner, to the right it is closer to the exact one; at the end samples are spent where the picture needs them to be within half a level of 255.&lt;/p&gt;&lt;p&gt;From 2 voxels to exact, default 1/2. The figures are the error of 999 in 1000 colour values, in levels of 255, and the time of a picture, both measured here.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wie weit die Abtastpunkte eines Strahls auseinanderliegen, solange sich nichts bewegt: nach links ist das Bild früher da, nach rechts ist es näher am exakten; am Ende wird dort abgetastet, wo das Bild es braucht, um höchstens eine halbe von 255 Stufen falsch zu sein.&lt;/p&gt;&lt;p&gt;Von 2 Voxel bis exakt, Standard 1/2. Die Zahlen sind der Fehler von 999 von 1000 Farbwerten in Stufen von 255 und die Zeit eines Bildes, beide hier gemessen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>From there it refines while nothing moves.</source>
+        <translation>Von dort wird verfeinert, solange sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>at most %1 ms</source>
+        <translation>höchstens %1 ms</translation>
+    </message>
+    <message>
+        <source>While moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>How long a picture may take while you turn or drag: with less time it gets coarser and follows the hand more closely.</source>
+        <translation>Wie lange ein Bild dauern darf, während Sie drehen oder ziehen: Mit weniger Zeit wird es gröber und folgt der Hand besser.</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Open a volume to choose.</source>
+        <translation>Öffnen Sie ein Volumen, um zu wählen.</translation>
+    </message>
+    <message>
+        <source>With blurred steps (jitter) no error is measured.</source>
+        <translation>Bei unscharfen Schritten (Jitter) wird kein Fehler gemessen.</translation>
+    </message>
+    <message>
+        <source>%1: not measured for this picture.</source>
+        <translation>%1: für dieses Bild nicht gemessen.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::Docks</name>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>In a &amp;window of its own</source>
+        <translation>In eigenem &amp;Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>limn::DriverRecovery</name>
+    <message>
+        <source>The graphics driver failed, and everything in it was made anew; nothing is lost.</source>
+        <translation>Der Grafiktreiber hat versagt, und alles darin wurde neu angelegt; nichts ist verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EffectRowWidget</name>
+    <message>
+        <source>The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.</source>
+        <translation>Das Bild dauert mit diesem Effekt %1 ms %2; wiederholte Messungen streuen um ±%3 ms.</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EffectsPanel</name>
+    <message>
+        <source>Draws the picture several times with and without each effect, while nothing else is to be drawn; any change of the scene stops it.</source>
+        <translation>Zeichnet das Bild mehrmals mit und ohne jeden Effekt, solange nichts anderes zu zeichnen ist; jede Änderung der Szene beendet es.</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Open a volume to see which effects its picture calls for.</source>
+        <translation>Öffnen Sie ein Volumen, um zu sehen, welche Effekte sein Bild verlangt.</translation>
+    </message>
+    <message>
+        <source>%1: the picture calls for %2 of %3 effects; nothing else is computed.</source>
+        <translation>%1: Das Bild verlangt %2 von %3 Effekten; anderes wird nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Measuring… %1 %</source>
+        <translation>Messung… %1 %</translation>
+    </message>
+    <message>
+        <source>Measure cost</source>
+        <translation>Kosten messen</translation>
+    </message>
+    <message>
+        <source>The whole picture takes %1 ms at %2 × %3 pixels. Each cost is the median time with the effect less the median without it; costs overlap and do not add up. Method: %4.</source>
+        <translation>Das ganze Bild dauert %1 ms bei %2 × %3 Pixeln. Jeder Kostenwert ist der Median der Zeit mit dem Effekt abzüglich des Medians ohne ihn; Kosten überschneiden sich und addieren sich nicht. Verfahren: %4.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EmptyPanel</name>
+    <message>
+        <source>Drop a DICOM folder or a volume file here</source>
+        <translation>DICOM-Ordner oder Volumendatei hierher ziehen</translation>
+    </message>
+    <message>
+        <source>DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks</source>
+        <translation>DICOM · NIfTI · NRRD · MetaImage · VTK · Stapel aus TIFF, PNG und JPEG</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder…</source>
+        <translation>DICOM-Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Try the sample head</source>
+        <translation>Beispielkopf ausprobieren</translation>
+    </message>
+    <message>
+        <source>Opened before</source>
+        <translation>Zuvor geöffnet</translation>
+    </message>
+    <message>
+        <source>Open again: %1</source>
+        <translation>Wieder öffnen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EngineDesk</name>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic: %1</source>
+        <translation>&amp;Automatisch: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>Draws with the engine that is faster on this computer.</source>
+        <translation>Zeichnet mit der Engine, die auf diesem Rechner schneller ist.</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL (not on this computer)</source>
+        <translation>&amp;OpenGL (nicht auf diesem Rechner)</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EngineSwitch</name>
+    <message>
+        <source>The graphics driver gives this window no OpenGL context; restart the program.</source>
+        <translation>Der Grafiktreiber gibt diesem Fenster keinen OpenGL-Kontext; starten Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>Getting the volume ready for drawing was cancelled.</source>
+        <translation>Die Vorbereitung des Volumens zum Zeichnen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 The processor draws it.</source>
+        <translation>%1 Der Prozessor zeichnet es.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ErrorMapOverlay</name>
+    <message>
+        <source>%1 and more</source>
+        <translation>%1 und mehr</translation>
+    </message>
+    <message>
+        <source>Error, levels of 255</source>
+        <translation>Fehler, Stufen von 255</translation>
+    </message>
+    <message>
+        <source>Map of errors over the picture</source>
+        <translation>Karte der Fehler über dem Bild</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FailureBar</name>
+    <message>
+        <source>Copy details</source>
+        <translation>Einzelheiten kopieren</translation>
+    </message>
+    <message>
+        <source>What the driver wrote, for a report; it names nobody and no file</source>
+        <translation>Was der Treiber geschrieben hat, für eine Meldung; nennt weder Personen noch Dateien</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>%1 Until it works again, the processor draws the picture.</source>
+        <translation>%1 Bis sie wieder arbeitet, zeichnet der Prozessor das Bild.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FogSection</name>
+    <message>
+        <source>Density (ρ)</source>
+        <translation>Dichte (ρ)</translation>
+    </message>
+    <message>
+        <source>How fast the picture fades with distance: more is thicker, 0 is no fog.</source>
+        <translation>Wie schnell das Bild mit der Entfernung verblasst: mehr ist dichter, 0 ist kein Nebel.</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Beginnt bei</translation>
+    </message>
+    <message>
+        <source>The distance from the viewer up to which the picture stays clear; zooming out moves the viewer away.</source>
+        <translation>Die Entfernung vom Betrachter, bis zu der das Bild klar bleibt; Herauszoomen entfernt den Betrachter.</translation>
+    </message>
+    <message>
+        <source>Full at</source>
+        <translation>Voll bei</translation>
+    </message>
+    <message>
+        <source>The distance from the viewer from which only the fog&apos;s colour is left.</source>
+        <translation>Die Entfernung vom Betrachter, ab der nur noch die Farbe des Nebels bleibt.</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Fades</source>
+        <translation>Verblasst</translation>
+    </message>
+    <message>
+        <source>How the picture fades to the fog&apos;s colour with the distance from the eye.</source>
+        <translation>Wie das Bild mit der Entfernung vom Auge in die Farbe des Nebels übergeht.</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>Gar nicht</translation>
+    </message>
+    <message>
+        <source>Evenly (linear)</source>
+        <translation>Gleichmäßig (linear)</translation>
+    </message>
+    <message>
+        <source>Gradually (exp)</source>
+        <translation>Allmählich (exp)</translation>
+    </message>
+    <message>
+        <source>Late, then fast (exp2)</source>
+        <translation>Spät, dann schnell (exp2)</translation>
+    </message>
+    <message>
+        <source>change colour of fog</source>
+        <translation>Farbe des Nebels ändern</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the fog</source>
+        <translation>Farbe des Nebels</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The colour to which the distance fades; the background&apos;s own looks deepest.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Die Farbe, in die die Ferne übergeht; die des Hintergrunds wirkt am tiefsten.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>unused: this projection has no depth</source>
+        <translation>ungenutzt: diese Projektion hat keine Tiefe</translation>
+    </message>
+    <message>
+        <source>off: its density is 0</source>
+        <translation>aus: die Dichte ist 0</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FoldingHeader</name>
+    <message>
+        <source>Fold or unfold &quot;%1&quot;</source>
+        <translation>„%1“ auf- oder zuklappen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::GradientOpacityEditor</name>
+    <message>
+        <source>Use this curve</source>
+        <translation>Diese Kurve verwenden</translation>
+    </message>
+    <message>
+        <source>Use the curve of opacity over the gradient</source>
+        <translation>Kurve der Deckkraft über dem Gradienten verwenden</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Multiplies the opacity by this curve, so that boundaries stay and even tissue fades.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Multipliziert die Deckkraft mit dieser Kurve, sodass Grenzflächen bleiben und gleichmäßiges Gewebe verblasst.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>%1/mm</source>
+        <translation>%1/mm</translation>
+    </message>
+    <message>
+        <source>use opacity over gradient</source>
+        <translation>Deckkraft über dem Gradienten verwenden</translation>
+    </message>
+    <message>
+        <source>drop opacity over gradient</source>
+        <translation>Deckkraft über dem Gradienten weglassen</translation>
+    </message>
+    <message>
+        <source>Off: opacity follows the value alone. Tick &quot;Use this curve&quot; to keep boundaries and fade even tissue.</source>
+        <translation>Aus: Die Deckkraft folgt allein dem Wert. Mit „Diese Kurve verwenden“ bleiben Grenzflächen, und gleichmäßiges Gewebe verblasst.</translation>
+    </message>
+    <message>
+        <source>Counting the volume&apos;s gradients…</source>
+        <translation>Gradienten des Volumens werden gezählt…</translation>
+    </message>
+</context>
+<context>
+    <name>limn::GradientSection</name>
+    <message>
+        <source>Percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>Boundaries stronger than this share of all voxels count as strongest; lower it when metal makes everything else look flat.</source>
+        <translation>Grenzflächen, die stärker sind als dieser Anteil aller Voxel, gelten als die stärksten; verkleinern Sie ihn, wenn Metall alles andere flach wirken lässt.</translation>
+    </message>
+    <message>
+        <source>Strongest boundary</source>
+        <translation>Stärkste Grenzfläche</translation>
+    </message>
+    <message>
+        <source>The change of value per millimetre that counts as the strongest boundary; smaller numbers emphasise weaker boundaries.</source>
+        <translation>Die Änderung des Werts je Millimeter, die als stärkste Grenzfläche gilt; kleinere Zahlen betonen schwächere Grenzflächen.</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>Curve strength</source>
+        <translation>Kurvenstärke</translation>
+    </message>
+    <message>
+        <source>How strongly the curve bends: the exponent of the gamma curve, the base of the logarithmic one.</source>
+        <translation>Wie stark die Kurve gebogen ist: der Exponent der Gammakurve, die Basis der logarithmischen.</translation>
+    </message>
+    <message>
+        <source>Highlights begin at</source>
+        <translation>Glanzlichter ab</translation>
+    </message>
+    <message>
+        <source>Highlights fade in between these shares of the strongest boundary, so that noise in flat tissue does not sparkle.</source>
+        <translation>Zwischen diesen Anteilen der stärksten Grenzfläche werden Glanzlichter eingeblendet, damit Rauschen in flachem Gewebe nicht funkelt.</translation>
+    </message>
+    <message>
+        <source>Soft limit from (k)</source>
+        <translation>Weiche Grenze ab (k)</translation>
+    </message>
+    <message>
+        <source>The brightness above which colours are held back smoothly; lower numbers keep more hue in highlights.</source>
+        <translation>Die Helligkeit, ab der Farben sanft begrenzt werden; kleinere Zahlen erhalten mehr Farbton in Glanzlichtern.</translation>
+    </message>
+    <message>
+        <source>Boundaries</source>
+        <translation>Grenzflächen</translation>
+    </message>
+    <message>
+        <source>unused: not in this model</source>
+        <translation>ungenutzt: nicht in diesem Modell</translation>
+    </message>
+    <message>
+        <source>Full strength at</source>
+        <translation>Volle Stärke bei</translation>
+    </message>
+    <message>
+        <source>Which boundary counts as the strongest; &quot;automatic&quot; is the largest for enhanced and the 99.5th percentile for robust.</source>
+        <translation>Welche Grenzfläche als die stärkste gilt; „Automatisch“ ist die größte bei „Verstärkt“ und das 99,5. Perzentil bei „Robust“.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größte</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>How boundary strength is weighed; gamma below 1 and logarithmic lift weak boundaries.</source>
+        <translation>Wie die Stärke einer Grenzfläche gewichtet wird; Gamma unter 1 und logarithmisch heben schwache Grenzflächen an.</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Robust only</source>
+        <translation>Nur „Robust“</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Dims broad highlights so that sharp and broad ones carry the same light.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Dämpft breite Glanzlichter, sodass scharfe und breite gleich viel Licht tragen.&lt;/p&gt;&lt;p&gt;An oder aus, Standard an.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Balance highlight energy</source>
+        <translation>Energie der Glanzlichter ausgleichen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Keeps highlights to clear boundaries, so that noise does not sparkle.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Beschränkt Glanzlichter auf deutliche Grenzflächen, damit Rauschen nicht funkelt.&lt;/p&gt;&lt;p&gt;An oder aus, Standard an.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Highlights only at boundaries</source>
+        <translation>Glanzlichter nur an Grenzflächen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Holds bright colours back smoothly instead of clipping them to white.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Begrenzt helle Farben sanft, statt sie zu Weiß abzuschneiden.&lt;/p&gt;&lt;p&gt;An oder aus, Standard an.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Soft limit for brightness</source>
+        <translation>Weiche Grenze der Helligkeit</translation>
+    </message>
+    <message>
+        <source>Only the robust model does this, and it is not shown.</source>
+        <translation>Das tut nur das Modell „Robust“, und es wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Switch the line above on first.</source>
+        <translation>Schalten Sie zuerst die Zeile darüber ein.</translation>
+    </message>
+    <message>
+        <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
+        <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LabelSection</name>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>table hidden</source>
+        <translation>Tisch ausgeblendet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 of %2 reduced</source>
+        <translation>%1 von %2 abgeschwächt</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Open labels…</source>
+        <translation>Labels öffnen…</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Marked labels are shown; a number says how much of its opacity one keeps.</source>
+        <translation>Markierte Labels werden gezeigt; eine Zahl sagt, wie viel von seiner Deckkraft eines behält.</translation>
+    </message>
+    <message>
+        <source>Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI.</source>
+        <translation>Öffnet eine Segmentierung des Volumens: DICOM SEG, NRRD, NIfTI.</translation>
+    </message>
+    <message>
+        <source>Shows every label wholly again.</source>
+        <translation>Zeigt jedes Label wieder ganz.</translation>
+    </message>
+    <message>
+        <source>show all labels</source>
+        <translation>alle Labels zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LabelTable</name>
+    <message>
+        <source>hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>fade %1 to %2 %</source>
+        <translation>%1 auf %2 % abschwächen</translation>
+    </message>
+    <message>
+        <source>%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.</source>
+        <translation>%1 (Label %2): gezeigt, ausgeblendet oder abgeschwächt, wenn nur ein Teil seiner Deckkraft bleibt.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 shown to %2 %</source>
+        <translation>%1 zu %2 % gezeigt</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LightSection</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>unused: this model is unlit</source>
+        <translation>ungenutzt: dieses Modell ist unbeleuchtet</translation>
+    </message>
+    <message>
+        <source>Ambient (ka)</source>
+        <translation>Umgebung (ka)</translation>
+    </message>
+    <message>
+        <source>How much of the light from everywhere tissue gives back: it lifts the shadows.</source>
+        <translation>Wie viel vom Licht aus allen Richtungen Gewebe zurückgibt: hellt die Schatten auf.</translation>
+    </message>
+    <message>
+        <source>Diffuse (kd)</source>
+        <translation>Diffus (kd)</translation>
+    </message>
+    <message>
+        <source>How strongly surfaces that face the light brighten: it shapes the form.</source>
+        <translation>Wie stark Flächen, die dem Licht zugewandt sind, heller werden: zeichnet die Form.</translation>
+    </message>
+    <message>
+        <source>Highlights (ks)</source>
+        <translation>Glanzlichter (ks)</translation>
+    </message>
+    <message>
+        <source>How bright the highlights are; 0 makes every surface dull.</source>
+        <translation>Wie hell die Glanzlichter sind; 0 macht jede Oberfläche matt.</translation>
+    </message>
+    <message>
+        <source>Ambient light (Ia)</source>
+        <translation>Umgebungslicht (Ia)</translation>
+    </message>
+    <message>
+        <source>The light that comes from everywhere and casts no form.</source>
+        <translation>Das Licht, das aus allen Richtungen kommt und keine Form zeichnet.</translation>
+    </message>
+    <message>
+        <source>Lamp light (Id)</source>
+        <translation>Lampenlicht (Id)</translation>
+    </message>
+    <message>
+        <source>The strength of the lamp that makes form and highlights.</source>
+        <translation>Die Stärke der Lampe, die Form und Glanzlichter zeichnet.</translation>
+    </message>
+    <message>
+        <source>Lamp position</source>
+        <translation>Lampe steht</translation>
+    </message>
+    <message>
+        <source>Whether the lamp moves with the viewer or stays with the patient.</source>
+        <translation>Ob sich die Lampe mit dem Betrachter bewegt oder beim Patienten bleibt.</translation>
+    </message>
+    <message>
+        <source>With the viewer</source>
+        <translation>Beim Betrachter</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Lamp around</source>
+        <translation>Lampe rundum</translation>
+    </message>
+    <message>
+        <source>Where a fixed lamp stands around the patient: 0° in front, 90° at the patient&apos;s left, −90° at the right.</source>
+        <translation>Wo eine feste Lampe um den Patienten steht: 0° vorn, 90° links vom Patienten, −90° rechts.</translation>
+    </message>
+    <message>
+        <source>Lamp height</source>
+        <translation>Lampenhöhe</translation>
+    </message>
+    <message>
+        <source>How high a fixed lamp stands: 90° above the head, −90° below the feet.</source>
+        <translation>Wie hoch eine feste Lampe steht: 90° über dem Kopf, −90° unter den Füßen.</translation>
+    </message>
+    <message>
+        <source>Highlight formula</source>
+        <translation>Glanzlichtformel</translation>
+    </message>
+    <message>
+        <source>How a highlight&apos;s shape follows from lamp and viewer.</source>
+        <translation>Wie die Form eines Glanzlichts aus Lampe und Betrachter folgt.</translation>
+    </message>
+    <message>
+        <source>Blinn-Phong</source>
+        <translation>Blinn-Phong</translation>
+    </message>
+    <message>
+        <source>Phong</source>
+        <translation>Phong</translation>
+    </message>
+    <message>
+        <source>Highlight colour</source>
+        <translation>Glanzlichtfarbe</translation>
+    </message>
+    <message>
+        <source>Whether highlights take the tissue&apos;s colour or are white.</source>
+        <translation>Ob Glanzlichter die Farbe des Gewebes annehmen oder weiß sind.</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Lights the far side of thin walls too, so that cut or hollow parts do not turn black.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Beleuchtet auch die Rückseite dünner Wände, sodass Angeschnittenes oder Hohles nicht schwarz wird.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Light both sides</source>
+        <translation>Beide Seiten beleuchten</translation>
+    </message>
+    <message>
+        <source>The unlit model uses no light.</source>
+        <translation>Das unbeleuchtete Modell verwendet kein Licht.</translation>
+    </message>
+    <message>
+        <source>The lamp moves with the viewer: choose &quot;Fixed&quot; first.</source>
+        <translation>Die Lampe bewegt sich mit dem Betrachter: Wählen Sie zuerst „Fest“.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LoadingPanel</name>
+    <message>
+        <source>Loading progress</source>
+        <translation>Fortschritt des Ladens</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MainWindow</name>
+    <message>
+        <source>The window speaks this language when it is opened the next time.</source>
+        <translation>Das Fenster spricht diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The picture is still being drawn; copy it in a moment.</source>
+        <translation>Das Bild wird noch gezeichnet; kopieren Sie es gleich.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MapSection</name>
+    <message>
+        <source>Not converged: the exact picture still changes with finer steps, so there is nothing to compare with.</source>
+        <translation>Nicht konvergiert: Das exakte Bild ändert sich mit feineren Schritten noch, deshalb fehlt der Vergleich.</translation>
+    </message>
+    <message>
+        <source>%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of 255; %5 % of the pixels are off by more than one.</source>
+        <translation>%1, verglichen bei %2 × %3 Pixeln: 999 von 1000 Farbwerten liegen höchstens %4 von 255 Stufen daneben; %5 % der Pixel sind um mehr als eine falsch.</translation>
+    </message>
+    <message>
+        <source>Where it differs</source>
+        <translation>Wo es abweicht</translation>
+    </message>
+    <message>
+        <source>Show where it is not exact</source>
+        <translation>Zeigen, wo es nicht exakt ist</translation>
+    </message>
+    <message>
+        <source>Comparing with the exact picture</source>
+        <translation>Vergleich mit dem exakten Bild</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Colours the picture by how far it lies from the exact one, in levels of 255. The next change of the picture takes it away.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Färbt das Bild danach, wie weit es vom exakten entfernt ist, in Stufen von 255. Die nächste Änderung des Bildes nimmt die Färbung weg.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MeasuredSection</name>
+    <message>
+        <source>Measured on this computer</source>
+        <translation>Auf diesem Rechner gemessen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Enlarge</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Measure error and time</source>
+        <translation>Fehler und Zeit messen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Draws this picture from fast to nearly exact and times each, in at most 224 pixels each way: from seconds to some minutes. You can go on working; work beside it makes its times longer.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Zeichnet dieses Bild von schnell bis fast exakt und misst jeweils die Zeit, mit höchstens 224 Pixeln je Seite: Sekunden bis einige Minuten. Sie können weiterarbeiten; die gemessenen Zeiten werden dadurch länger.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Save what was measured</source>
+        <translation>Messung speichern</translation>
+    </message>
+    <message>
+        <source>Writes the chart as a picture (PNG), the numbers as a table (CSV), or both as a page (HTML).</source>
+        <translation>Schreibt das Diagramm als Bild (PNG), die Zahlen als Tabelle (CSV) oder beides als Seite (HTML).</translation>
+    </message>
+    <message>
+        <source>Chart in a window of its own</source>
+        <translation>Diagramm in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>Shows the chart in a window of its own, where it is larger.</source>
+        <translation>Zeigt das Diagramm in einem eigenen Fenster, wo es größer ist.</translation>
+    </message>
+    <message>
+        <source>Error shown</source>
+        <translation>Gezeigter Fehler</translation>
+    </message>
+    <message>
+        <source>The 99.9th percentile is the error that 999 of 1000 colour values stay within; the mean is taken over all of them.</source>
+        <translation>Das 99,9. Perzentil ist der Fehler, den 999 von 1000 Farbwerten nicht überschreiten; das Mittel gilt für alle.</translation>
+    </message>
+    <message>
+        <source>99.9th percentile</source>
+        <translation>99,9. Perzentil</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Measure tells the error and the time of this picture, from fast to exact.</source>
+        <translation>Noch ist nichts gemessen. „Messen“ nennt Fehler und Zeit dieses Bildes, von schnell bis exakt.</translation>
+    </message>
+    <message>
+        <source>At %1 × %2 pixels on %3.</source>
+        <translation>Bei %1 × %2 Pixeln auf %3.</translation>
+    </message>
+    <message>
+        <source>Times are scaled from there to the %1 × %2 pixels on screen.</source>
+        <translation>Zeiten sind von dort auf die %1 × %2 Pixel am Bildschirm umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Measured from another direction. %1</source>
+        <translation>Aus einer anderen Richtung gemessen. %1</translation>
+    </message>
+    <message>
+        <source>Measured for an earlier picture; measure again to judge this one.</source>
+        <translation>Für ein früheres Bild gemessen; messen Sie neu, um dieses zu beurteilen.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::Message</name>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
+    </message>
+    <message>
+        <source>Finding what is visible</source>
+        <translation>Sichtbares wird gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for the steps that are needed</source>
+        <translation>Nötige Schrittweiten werden gesucht</translation>
+    </message>
+    <message>
+        <source>Drawing the exact picture</source>
+        <translation>Exaktes Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Straightening slices</source>
+        <translation>Schichten werden begradigt</translation>
+    </message>
+    <message>
+        <source>Reading segments</source>
+        <translation>Segmente werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading slices</source>
+        <translation>Schichten werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading headers</source>
+        <translation>Kopfdaten werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading voxels</source>
+        <translation>Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>Placing labels</source>
+        <translation>Labels werden eingepasst</translation>
+    </message>
+    <message>
+        <source>Counting values</source>
+        <translation>Werte werden gezählt</translation>
+    </message>
+    <message>
+        <source>every voxel has the same value, so there are no boundaries</source>
+        <translation>jedes Voxel hat denselben Wert, deshalb gibt es keine Grenzflächen</translation>
+    </message>
+    <message>
+        <source>the chosen model lights the volume</source>
+        <translation>das gewählte Modell beleuchtet das Volumen</translation>
+    </message>
+    <message>
+        <source>the chosen model shows plain colours without light</source>
+        <translation>das gewählte Modell zeigt reine Farben ohne Licht</translation>
+    </message>
+    <message>
+        <source>light or boundary settings need to know where boundaries lie</source>
+        <translation>Licht oder Grenzflächen-Einstellungen müssen wissen, wo Grenzflächen liegen</translation>
+    </message>
+    <message>
+        <source>nothing in this picture depends on boundaries</source>
+        <translation>nichts in diesem Bild hängt von Grenzflächen ab</translation>
+    </message>
+    <message>
+        <source>surfaces are brighter where they face the light</source>
+        <translation>Flächen sind heller, wo sie dem Licht zugewandt sind</translation>
+    </message>
+    <message>
+        <source>the diffuse light is set to 0</source>
+        <translation>das diffuse Licht ist auf 0 gesetzt</translation>
+    </message>
+    <message>
+        <source>surfaces shine where they mirror the light</source>
+        <translation>Flächen glänzen, wo sie das Licht spiegeln</translation>
+    </message>
+    <message>
+        <source>the strength of the highlights is set to 0</source>
+        <translation>die Stärke der Glanzlichter ist auf 0 gesetzt</translation>
+    </message>
+    <message>
+        <source>their shape is Phong&apos;s</source>
+        <translation>ihre Form ist die von Phong</translation>
+    </message>
+    <message>
+        <source>their shape is Blinn&apos;s, or there are none</source>
+        <translation>ihre Form ist die von Blinn, oder es gibt keine</translation>
+    </message>
+    <message>
+        <source>the inner sides of surfaces are lit as well</source>
+        <translation>auch die Innenseiten der Flächen sind beleuchtet</translation>
+    </message>
+    <message>
+        <source>surfaces are lit on their outer side only</source>
+        <translation>Flächen sind nur an der Außenseite beleuchtet</translation>
+    </message>
+    <message>
+        <source>no light falls on surfaces</source>
+        <translation>auf Flächen fällt kein Licht</translation>
+    </message>
+    <message>
+        <source>the light comes from a direction of its own</source>
+        <translation>das Licht kommt aus einer eigenen Richtung</translation>
+    </message>
+    <message>
+        <source>the light comes from the viewer</source>
+        <translation>das Licht kommt vom Betrachter</translation>
+    </message>
+    <message>
+        <source>they take the light&apos;s colour</source>
+        <translation>sie nehmen die Farbe des Lichts an</translation>
+    </message>
+    <message>
+        <source>they take the tissue&apos;s colour</source>
+        <translation>sie nehmen die Farbe des Gewebes an</translation>
+    </message>
+    <message>
+        <source>strong boundaries shine more sharply than weak ones</source>
+        <translation>starke Grenzflächen glänzen schärfer als schwache</translation>
+    </message>
+    <message>
+        <source>there are no highlights</source>
+        <translation>es gibt keine Glanzlichter</translation>
+    </message>
+    <message>
+        <source>highlights are equally sharp everywhere</source>
+        <translation>Glanzlichter sind überall gleich scharf</translation>
+    </message>
+    <message>
+        <source>strong boundaries are made more opaque than weak ones</source>
+        <translation>starke Grenzflächen werden deckender gemacht als schwache</translation>
+    </message>
+    <message>
+        <source>boundaries are as opaque as the curve says</source>
+        <translation>Grenzflächen sind so deckend, wie die Kurve sagt</translation>
+    </message>
+    <message>
+        <source>every opacity is multiplied by the same factor</source>
+        <translation>jede Deckkraft wird mit demselben Faktor multipliziert</translation>
+    </message>
+    <message>
+        <source>opacities are not changed by a constant factor</source>
+        <translation>die Deckkraft wird durch keinen festen Faktor geändert</translation>
+    </message>
+    <message>
+        <source>the strength of boundaries counts as measured (linear)</source>
+        <translation>die Stärke der Grenzflächen zählt wie gemessen (linear)</translation>
+    </message>
+    <message>
+        <source>nothing depends on the strength of boundaries</source>
+        <translation>nichts hängt von der Stärke der Grenzflächen ab</translation>
+    </message>
+    <message>
+        <source>weak and strong boundaries are weighed by a power (gamma)</source>
+        <translation>schwache und starke Grenzflächen werden nach einer Potenz gewichtet (Gamma)</translation>
+    </message>
+    <message>
+        <source>weak and strong boundaries are weighed by a logarithm</source>
+        <translation>schwache und starke Grenzflächen werden logarithmisch gewichtet</translation>
+    </message>
+    <message>
+        <source>a curve says how opaque boundaries are by their strength</source>
+        <translation>eine Kurve sagt, wie deckend Grenzflächen nach ihrer Stärke sind</translation>
+    </message>
+    <message>
+        <source>no curve of opacity over the strength of boundaries is set</source>
+        <translation>keine Kurve der Deckkraft über der Stärke der Grenzflächen ist gesetzt</translation>
+    </message>
+    <message>
+        <source>broad highlights carry no more light than sharp ones</source>
+        <translation>breite Glanzlichter tragen nicht mehr Licht als scharfe</translation>
+    </message>
+    <message>
+        <source>highlights are equally sharp, or their light is not evened out</source>
+        <translation>Glanzlichter sind gleich scharf, oder ihr Licht wird nicht ausgeglichen</translation>
+    </message>
+    <message>
+        <source>the robust model is not chosen</source>
+        <translation>das Modell „Robust“ ist nicht gewählt</translation>
+    </message>
+    <message>
+        <source>highlights are faded out where boundaries are insignificant</source>
+        <translation>Glanzlichter werden ausgeblendet, wo Grenzflächen unbedeutend sind</translation>
+    </message>
+    <message>
+        <source>fading out insignificant highlights is off, or there are none</source>
+        <translation>das Ausblenden unbedeutender Glanzlichter ist aus, oder es gibt keine</translation>
+    </message>
+    <message>
+        <source>light could add up to more than full brightness and would be cut off</source>
+        <translation>Licht könnte sich zu mehr als voller Helligkeit addieren und würde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the light never adds up to that much, or the limit is off</source>
+        <translation>so viel Licht kommt nie zusammen, oder die Grenze ist aus</translation>
+    </message>
+    <message>
+        <source>fog is off</source>
+        <translation>Nebel ist aus</translation>
+    </message>
+    <message>
+        <source>the density of the fog is 0</source>
+        <translation>die Dichte des Nebels ist 0</translation>
+    </message>
+    <message>
+        <source>the fog begins behind the volume</source>
+        <translation>der Nebel beginnt hinter dem Volumen</translation>
+    </message>
+    <message>
+        <source>another fog is chosen</source>
+        <translation>ein anderer Nebel ist gewählt</translation>
+    </message>
+    <message>
+        <source>linear fog is on</source>
+        <translation>linearer Nebel ist an</translation>
+    </message>
+    <message>
+        <source>exponential fog is on</source>
+        <translation>exponentieller Nebel ist an</translation>
+    </message>
+    <message>
+        <source>squared exponential fog is on</source>
+        <translation>quadratisch exponentieller Nebel ist an</translation>
+    </message>
+    <message>
+        <source>another kind of picture is chosen</source>
+        <translation>eine andere Art von Bild ist gewählt</translation>
+    </message>
+    <message>
+        <source>each ray shows its largest value</source>
+        <translation>jeder Strahl zeigt seinen größten Wert</translation>
+    </message>
+    <message>
+        <source>each ray shows its smallest value</source>
+        <translation>jeder Strahl zeigt seinen kleinsten Wert</translation>
+    </message>
+    <message>
+        <source>each ray shows its mean value</source>
+        <translation>jeder Strahl zeigt seinen mittleren Wert</translation>
+    </message>
+    <message>
+        <source>each ray shows how much it absorbs</source>
+        <translation>jeder Strahl zeigt, wie viel er absorbiert</translation>
+    </message>
+    <message>
+        <source>the picture shows the first surface of the chosen value</source>
+        <translation>das Bild zeigt die erste Oberfläche des gewählten Werts</translation>
+    </message>
+    <message>
+        <source>the surface of the chosen value stands behind what lies before it</source>
+        <translation>die Oberfläche des gewählten Werts steht hinter dem, was vor ihr liegt</translation>
+    </message>
+    <message>
+        <source>it is set to &quot;always&quot;</source>
+        <translation>auf „immer“ gesetzt</translation>
+    </message>
+    <message>
+        <source>the curve changes faster than one step can follow</source>
+        <translation>die Kurve ändert sich schneller, als ein Schritt folgen kann</translation>
+    </message>
+    <message>
+        <source>it is set to &quot;never&quot;</source>
+        <translation>auf „nie“ gesetzt</translation>
+    </message>
+    <message>
+        <source>the steps are fine enough for this curve</source>
+        <translation>die Schritte sind für diese Kurve fein genug</translation>
+    </message>
+    <message>
+        <source>it is switched on: neighbouring pixels sample at other depths</source>
+        <translation>eingeschaltet: benachbarte Pixel tasten in anderen Tiefen ab</translation>
+    </message>
+    <message>
+        <source>it is switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>what lies behind opaque tissue cannot be seen and is not drawn</source>
+        <translation>was hinter deckendem Gewebe liegt, ist nicht zu sehen und wird nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing in this picture is opaque enough to hide what lies behind</source>
+        <translation>nichts in diesem Bild ist deckend genug, um zu verbergen, was dahinter liegt</translation>
+    </message>
+    <message>
+        <source>rays are set to run to their end</source>
+        <translation>Strahlen sollen bis zu ihrem Ende laufen</translation>
+    </message>
+    <message>
+        <source>transparent parts of the volume are stepped over</source>
+        <translation>durchsichtige Teile des Volumens werden übersprungen</translation>
+    </message>
+    <message>
+        <source>hardly any part of the volume is transparent</source>
+        <translation>kaum ein Teil des Volumens ist durchsichtig</translation>
+    </message>
+    <message>
+        <source>the longest ray has too many samples for nested loops</source>
+        <translation>der längste Strahl hat zu viele Abtastpunkte für geschachtelte Schleifen</translation>
+    </message>
+    <message>
+        <source>every ray is short enough</source>
+        <translation>jeder Strahl ist kurz genug</translation>
+    </message>
+    <message>
+        <source>control points lie very close together</source>
+        <translation>Punkte der Kurve liegen sehr dicht beieinander</translation>
+    </message>
+    <message>
+        <source>control points lie far enough apart</source>
+        <translation>Punkte der Kurve liegen weit genug auseinander</translation>
+    </message>
+    <message>
+        <source>nothing of the volume can be seen</source>
+        <translation>vom Volumen ist nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>error-controlled steps follow the curve themselves</source>
+        <translation>fehlergesteuerte Schritte folgen der Kurve selbst</translation>
+    </message>
+    <message>
+        <source>error-controlled steps leave no sample to shift</source>
+        <translation>fehlergesteuerte Schritte lassen keinen Abtastpunkt zum Verschieben</translation>
+    </message>
+    <message>
+        <source>exact steps (pre-integration) leave no sample to shift</source>
+        <translation>exakte Schritte (Vorintegration) lassen keinen Abtastpunkt zum Verschieben</translation>
+    </message>
+    <message>
+        <source>the steps are so small that rays take too many of them</source>
+        <translation>die Schritte sind so klein, dass Strahlen zu viele davon machen</translation>
+    </message>
+    <message>
+        <source>nothing that can be seen depends on it</source>
+        <translation>nichts Sichtbares hängt davon ab</translation>
+    </message>
+    <message>
+        <source>this kind of picture has no use for it</source>
+        <translation>diese Art von Bild kann damit nichts anfangen</translation>
+    </message>
+    <message>
+        <source>the cuts of the crop box are lit as surfaces</source>
+        <translation>die Schnittflächen der Zuschnittbox sind als Oberflächen beleuchtet</translation>
+    </message>
+    <message>
+        <source>the crop box keeps the whole volume</source>
+        <translation>die Zuschnittbox behält das ganze Volumen</translation>
+    </message>
+    <message>
+        <source>no light falls on the cuts</source>
+        <translation>auf die Schnittflächen fällt kein Licht</translation>
+    </message>
+    <message>
+        <source>what is not body is hidden</source>
+        <translation>was nicht zum Körper gehört, ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>some labels are hidden or faded</source>
+        <translation>einige Labels sind ausgeblendet oder abgeschwächt</translation>
+    </message>
+    <message>
+        <source>every label is shown</source>
+        <translation>jedes Label wird gezeigt</translation>
+    </message>
+    <message>
+        <source>all of the volume is kept</source>
+        <translation>das ganze Volumen wird behalten</translation>
+    </message>
+    <message>
+        <source>samples are spent where the picture needs them to keep to the tolerance</source>
+        <translation>abgetastet wird dort, wo das Bild es braucht, um die Toleranz einzuhalten</translation>
+    </message>
+    <message>
+        <source>no tolerance is set, so every step is equally long</source>
+        <translation>keine Toleranz ist gesetzt, deshalb ist jeder Schritt gleich lang</translation>
+    </message>
+    <message>
+        <source>only the measure of overflow draws it</source>
+        <translation>nur das Messen der Überstrahlung zeichnet es</translation>
+    </message>
+    <message>
+        <source>only tests draw it</source>
+        <translation>nur Tests zeichnen es</translation>
+    </message>
+    <message>
+        <source>There is no volume to draw; open one first.</source>
+        <translation>Es gibt kein Volumen zu zeichnen; öffnen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>Boundaries (gradient)</source>
+        <translation>Grenzflächen (Gradient)</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Highlights</source>
+        <translation>Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Highlight sharpness by boundary (SP)</source>
+        <translation>Glanzlichtschärfe nach Grenzfläche (SP)</translation>
+    </message>
+    <message>
+        <source>Boundary emphasis (O)</source>
+        <translation>Grenzflächenbetonung (O)</translation>
+    </message>
+    <message>
+        <source>Curve over boundary strength</source>
+        <translation>Kurve über der Grenzflächenstärke</translation>
+    </message>
+    <message>
+        <source>Robust highlights</source>
+        <translation>Robuste Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Crop box</source>
+        <translation>Zuschnittbox</translation>
+    </message>
+    <message>
+        <source>Rays end early</source>
+        <translation>Strahlen enden vorzeitig</translation>
+    </message>
+    <message>
+        <source>Exact within each step (pre-integration)</source>
+        <translation>Exakt in jedem Schritt (Vorintegration)</translation>
+    </message>
+    <message>
+        <source>Skip empty space</source>
+        <translation>Leeren Raum überspringen</translation>
+    </message>
+    <message>
+        <source>Opacity by boundary strength</source>
+        <translation>Deckkraft nach Grenzflächenstärke</translation>
+    </message>
+    <message>
+        <source>Surface of one value</source>
+        <translation>Oberfläche eines Werts</translation>
+    </message>
+    <message>
+        <source>Shifted samples (jitter)</source>
+        <translation>Verschobene Abtastpunkte (Jitter)</translation>
+    </message>
+    <message>
+        <source>Soft limit of brightness (knee)</source>
+        <translation>Weiche Grenze der Helligkeit (Knie)</translation>
+    </message>
+    <message>
+        <source>Light on both sides</source>
+        <translation>Licht auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Kept region</source>
+        <translation>Behaltener Bereich</translation>
+    </message>
+    <message>
+        <source>the crop box cuts the volume, and the cuts are lit as surfaces</source>
+        <translation>die Zuschnittbox schneidet das Volumen, und die Schnittflächen sind als Oberflächen beleuchtet</translation>
+    </message>
+    <message>
+        <source>the crop box cuts the volume</source>
+        <translation>die Zuschnittbox schneidet das Volumen</translation>
+    </message>
+    <message>
+        <source>no measurable cost</source>
+        <translation>keine messbaren Kosten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>saves %1</source>
+        <translation>spart %1</translation>
+    </message>
+    <message>
+        <source>slices are blended one after the other and none knows which pixels are done</source>
+        <translation>Schnitte werden nacheinander überblendet, und keiner weiß, welche Pixel fertig sind</translation>
+    </message>
+    <message>
+        <source>a slice is one sample: there is nothing to step over</source>
+        <translation>ein Schnitt ist ein Abtastpunkt: es gibt nichts zu überspringen</translation>
+    </message>
+    <message>
+        <source>slices do not march along rays, so no ray is too long</source>
+        <translation>Schnitte folgen keinen Strahlen, deshalb ist kein Strahl zu lang</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MessageBar</name>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>What can be done about it</source>
+        <translation>Was sich tun lässt</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Shows every remark about this volume.</source>
+        <translation>Zeigt alle Hinweise zu diesem Volumen.</translation>
+    </message>
+    <message>
+        <source>Hides this message.</source>
+        <translation>Blendet diese Meldung aus.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::MessagePanel</name>
+    <message>
+        <source>The picture cannot be drawn</source>
+        <translation>Das Bild kann nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ModelMenus</name>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modell</translation>
+    </message>
+    <message>
+        <source>Le&amp;ft model</source>
+        <translation>&amp;Linkes Modell</translation>
+    </message>
+    <message>
+        <source>R&amp;ight model</source>
+        <translation>&amp;Rechtes Modell</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Left: %1</source>
+        <translation>Links: %1</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Rechts: %1</translation>
+    </message>
+    <message>
+        <source>The shading model of the picture: how tissue is lit.</source>
+        <translation>Das Schattierungsmodell des Bildes: wie Gewebe beleuchtet wird.</translation>
+    </message>
+    <message>
+        <source>The shading model of the left side.</source>
+        <translation>Das Schattierungsmodell der linken Seite.</translation>
+    </message>
+    <message>
+        <source>The shading model of the right side.</source>
+        <translation>Das Schattierungsmodell der rechten Seite.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modell: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ModelSection</name>
+    <message>
+        <source>How tissue is lit: not at all, evenly, with boundaries emphasised, or the same without overflowing highlights.</source>
+        <translation>Wie Gewebe beleuchtet wird: gar nicht, gleichmäßig, mit betonten Grenzflächen oder ebenso ohne Überstrahlung.</translation>
+    </message>
+    <message>
+        <source>Highlight sharpness (SP)</source>
+        <translation>Glanzlichtschärfe (SP)</translation>
+    </message>
+    <message>
+        <source>Small numbers give broad, soft highlights; large ones small, hard points of light.</source>
+        <translation>Kleine Zahlen ergeben breite, weiche Glanzlichter, große ergeben kleine, harte Lichtpunkte.</translation>
+    </message>
+    <message>
+        <source>Highlights go from the first sharpness on flat tissue to the second at strong boundaries, so that edges glint and flat parts stay calm.</source>
+        <translation>Glanzlichter gehen von der ersten Schärfe in flachem Gewebe zur zweiten an starken Grenzflächen, sodass Kanten glänzen und Flächen ruhig bleiben.</translation>
+    </message>
+    <message>
+        <source>on flat tissue</source>
+        <translation>in flachem Gewebe</translation>
+    </message>
+    <message>
+        <source>at boundaries</source>
+        <translation>an Grenzflächen</translation>
+    </message>
+    <message>
+        <source>Boundary emphasis (O)</source>
+        <translation>Grenzflächenbetonung (O)</translation>
+    </message>
+    <message>
+        <source>Multiplies opacity: by the first number on flat tissue, which below 1 fades, and by the second at strong boundaries, which above 1 stand out.</source>
+        <translation>Multipliziert die Deckkraft: mit der ersten Zahl in flachem Gewebe, das unter 1 verblasst, und mit der zweiten an starken Grenzflächen, die über 1 hervortreten.</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Model, left</source>
+        <translation>Modell, links</translation>
+    </message>
+    <message>
+        <source>Model, right</source>
+        <translation>Modell, rechts</translation>
+    </message>
+    <message>
+        <source>Enhanced and robust</source>
+        <translation>„Verstärkt“ und „Robust“</translation>
+    </message>
+    <message>
+        <source>Only the classic model has one sharpness everywhere, and it is not shown.</source>
+        <translation>Nur das klassische Modell hat überall dieselbe Schärfe, und es wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
+        <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::OpeningDesk</name>
+    <message>
+        <source>The scene&apos;s volume is not where the scene expects it: %1.</source>
+        <translation>Das Volumen der Szene ist nicht dort, wo die Szene es erwartet: %1.</translation>
+    </message>
+    <message>
+        <source>Locate volume…</source>
+        <translation>Volumen suchen…</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Opening the volume</source>
+        <translation>Volumen wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Restoring the session</source>
+        <translation>Sitzung wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Where is the volume of %1?</source>
+        <translation>Wo ist das Volumen von %1?</translation>
+    </message>
+    <message>
+        <source>Open a volume, session, scene or Limn picture</source>
+        <translation>Volumen, Sitzung, Szene oder Limn-Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)</source>
+        <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder or an image stack</source>
+        <translation>DICOM-Ordner oder Bilderstapel öffnen</translation>
+    </message>
+    <message>
+        <source>Voxel spacing</source>
+        <translation>Voxelabstand</translation>
+    </message>
+    <message>
+        <source>Distance between voxel centres along x, y and z in millimetres:</source>
+        <translation>Abstand der Voxelmitten entlang x, y und z in Millimetern:</translation>
+    </message>
+    <message>
+        <source>The spacing must be three positive numbers, such as 0.5, 0.5, 1.2.</source>
+        <translation>Der Abstand muss aus drei positiven Zahlen bestehen, etwa 0,5; 0,5; 1,2.</translation>
+    </message>
+    <message>
+        <source>%1, opened %2</source>
+        <translation>%1, geöffnet %2</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+</context>
+<context>
+    <name>limn::OrientationDesk</name>
+    <message>
+        <source>From the last column</source>
+        <translation>Von der letzten Spalte</translation>
+    </message>
+    <message>
+        <source>From the first column</source>
+        <translation>Von der ersten Spalte</translation>
+    </message>
+    <message>
+        <source>From the last row</source>
+        <translation>Von der letzten Zeile</translation>
+    </message>
+    <message>
+        <source>From the first row</source>
+        <translation>Von der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>From the last slice</source>
+        <translation>Von der letzten Schicht</translation>
+    </message>
+    <message>
+        <source>From the first slice</source>
+        <translation>Von der ersten Schicht</translation>
+    </message>
+    <message>
+        <source>set orientation %1</source>
+        <translation>Orientierung %1 festlegen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::OrientationDialog</name>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>Orientation of the volume</source>
+        <translation>Orientierung des Volumens</translation>
+    </message>
+    <message>
+        <source>The file does not say how its voxels lie in the patient. Say where each axis runs to; the picture follows. A wrong answer swaps left and right: compare with something known.</source>
+        <translation>Die Datei sagt nicht, wie ihre Voxel im Patienten liegen. Geben Sie an, wohin jede Achse läuft; das Bild folgt. Eine falsche Antwort vertauscht links und rechts: Vergleichen Sie mit etwas Bekanntem.</translation>
+    </message>
+    <message>
+        <source>Columns run to</source>
+        <translation>Spalten laufen nach</translation>
+    </message>
+    <message>
+        <source>Rows run to</source>
+        <translation>Zeilen laufen nach</translation>
+    </message>
+    <message>
+        <source>Slices run to</source>
+        <translation>Schichten laufen nach</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Flip: %1</source>
+        <translation>Umkehren: %1</translation>
+    </message>
+    <message>
+        <source>Use as shown</source>
+        <translation>So verwenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PictureSaving</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel: saving the picture</source>
+        <translation>Abbrechen: Bild wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif *.jpg *.exr)</source>
+        <translation>Bilder (*.png *.tif *.jpg *.exr)</translation>
+    </message>
+    <message>
+        <source>Saving %1 once the picture is complete</source>
+        <translation>%1 wird gespeichert, sobald das Bild fertig ist</translation>
+    </message>
+    <message>
+        <source>The picture changed before it was complete, so it is not saved; save it again.</source>
+        <translation>Das Bild hat sich geändert, bevor es fertig war, und wurde nicht gespeichert; speichern Sie es noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PictureStatus</name>
+    <message>
+        <source>Accuracy of the picture</source>
+        <translation>Genauigkeit des Bildes</translation>
+    </message>
+    <message>
+        <source>Accuracy: %1</source>
+        <translation>Genauigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Press for levels and steps.</source>
+        <translation>Für Stufen und Schrittweite drücken.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PlaneBar</name>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Crosshair (C)</source>
+        <translation>Fadenkreuz (C)</translation>
+    </message>
+    <message>
+        <source>Window/level (W)</source>
+        <translation>Fensterung (W)</translation>
+    </message>
+    <message>
+        <source>Distance (D)</source>
+        <translation>Abstand (D)</translation>
+    </message>
+    <message>
+        <source>Left drag: the place that all slices and the mark in the picture show.</source>
+        <translation>Ziehen mit links: die Stelle, die alle Schnitte und die Marke im Bild zeigen.</translation>
+    </message>
+    <message>
+        <source>Left drag: right widens the window, up raises its level. The right button always does.</source>
+        <translation>Ziehen mit links: nach rechts wird das Fenster breiter, nach oben seine Lage höher. Die rechte Taste tut das immer.</translation>
+    </message>
+    <message>
+        <source>Left drag: measures from one end to the other; Delete takes it away.</source>
+        <translation>Ziehen mit links: misst von einem Ende zum anderen; Entf nimmt den Abstand weg.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Grey windows to choose from.</source>
+        <translation>Graufenster zur Auswahl.</translation>
+    </message>
+    <message>
+        <source>Window width</source>
+        <translation>Fensterbreite</translation>
+    </message>
+    <message>
+        <source>How many values lie between black and white.</source>
+        <translation>Wie viele Werte zwischen Schwarz und Weiß liegen.</translation>
+    </message>
+    <message>
+        <source>Window level</source>
+        <translation>Fensterlage</translation>
+    </message>
+    <message>
+        <source>The value in the middle between black and white.</source>
+        <translation>Der Wert in der Mitte zwischen Schwarz und Weiß.</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Slab thickness in mm</source>
+        <translation>Schichtdicke in mm</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;How thick a slice is, mm: its pixels show the mean or the maximum over that thickness. 0 is the plane itself.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Wie dick ein Schnitt ist, in mm: Seine Pixel zeigen das Mittel oder das Maximum über diese Dicke. 0 ist die Ebene selbst.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Slab mm</source>
+        <translation>Dicke mm</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Slab shows</source>
+        <translation>Dicker Schnitt zeigt</translation>
+    </message>
+    <message>
+        <source>What a slab shows of the values across it.</source>
+        <translation>Was ein dicker Schnitt von den Werten quer zu ihm zeigt.</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Färben</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Colours slices by the transfer function, as strongly as a centimetre of that tissue is opaque.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Färbt Schnitte nach der Transferfunktion, so stark, wie ein Zentimeter dieses Gewebes deckt.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Interpolate between voxels</source>
+        <translation>Zwischen Voxeln interpolieren</translation>
+    </message>
+    <message>
+        <source>Outline the kept region</source>
+        <translation>Behaltenen Bereich umranden</translation>
+    </message>
+    <message>
+        <source>Crosshair to the middle</source>
+        <translation>Fadenkreuz in die Mitte</translation>
+    </message>
+    <message>
+        <source>Remove the distance</source>
+        <translation>Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>%1 (W %2 L %3)</source>
+        <translation>%1 (W %2 L %3)</translation>
+    </message>
+    <message>
+        <source>As at first</source>
+        <translation>Wie anfangs</translation>
+    </message>
+    <message>
+        <source>Full range</source>
+        <translation>Voller Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PlaneView</name>
+    <message>
+        <source>%1 slice</source>
+        <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 under the crosshair</source>
+        <translation>%1, %2 unter dem Fadenkreuz</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PointFields</name>
+    <message>
+        <source>change colour of point</source>
+        <translation>Farbe des Punkts ändern</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2</source>
+        <translation>Punkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>move point to %1</source>
+        <translation>Punkt nach %1 bewegen</translation>
+    </message>
+    <message>
+        <source>set opacity to %1</source>
+        <translation>Deckkraft auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Value of the selected point</source>
+        <translation>Wert des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Gradient of the selected point</source>
+        <translation>Gradient des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point</source>
+        <translation>Deckkraft des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)</source>
+        <translation>Wie viel Gewebe dieses Werts von dem verdeckt, was dahinter liegt: 0 (unsichtbar) – 1 (deckend)</translation>
+    </message>
+    <message>
+        <source>How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all)</source>
+        <translation>Wie viel von der Deckkraft bleibt, wo sich der Wert so schnell ändert: 0 (nichts) – 1 (alles)</translation>
+    </message>
+    <message>
+        <source>The colour in which tissue of this value is drawn</source>
+        <translation>Die Farbe, in der Gewebe dieses Werts gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Several points are selected: move them together in the plot</source>
+        <translation>Mehrere Punkte sind gewählt: Bewegen Sie sie gemeinsam in der Kurve</translation>
+    </message>
+    <message>
+        <source>Where the point stands on the axis; it stops at its neighbours</source>
+        <translation>Wo der Punkt auf der Achse steht; er hält an seinen Nachbarn</translation>
+    </message>
+    <message>
+        <source>Double click in the plot to add a point</source>
+        <translation>Doppelklick in die Kurve fügt einen Punkt hinzu</translation>
+    </message>
+    <message>
+        <source>Click the curve to add a point</source>
+        <translation>Klick auf die Kurve fügt einen Punkt hinzu</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PointPopup</name>
+    <message>
+        <source>change colour of point</source>
+        <translation>Farbe des Punkts ändern</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PresetBrowser</name>
+    <message>
+        <source>No preset matches</source>
+        <translation>Kein Preset passt</translation>
+    </message>
+    <message>
+        <source>Save as preset…</source>
+        <translation>Als Preset speichern…</translation>
+    </message>
+    <message>
+        <source>Search presets</source>
+        <translation>Presets suchen</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message>
+        <source>Shows only presets whose name, modality or note holds these words (Ctrl+F)</source>
+        <translation>Zeigt nur Presets, deren Name, Modalität oder Notiz diese Wörter enthält (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Keeps the present curve and light under a name of your own</source>
+        <translation>Behält die jetzige Kurve und das Licht unter einem eigenen Namen</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Preset speichern</translation>
+    </message>
+    <message>
+        <source>Delete preset</source>
+        <translation>Preset löschen</translation>
+    </message>
+    <message>
+        <source>Reset to this preset</source>
+        <translation>Auf dieses Preset zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Duplicate…</source>
+        <translation>Duplizieren…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Copy name</source>
+        <translation>Namen kopieren</translation>
+    </message>
+    <message>
+        <source>Only presets of your own can be deleted: choose one first</source>
+        <translation>Nur eigene Presets lassen sich löschen: Wählen Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>Deletes the preset &quot;%1&quot;</source>
+        <translation>Löscht das Preset „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PresetDesk</name>
+    <message>
+        <source>use preset %1</source>
+        <translation>Preset %1 verwenden</translation>
+    </message>
+    <message>
+        <source>fit preset %1</source>
+        <translation>Preset %1 anpassen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was fitted by this volume&apos;s own values: air lies at %2 (instead of %3 HU), tissue begins at %4 (%5 HU), the brightest is %6 (%7 HU).</source>
+        <translation>„%1“ wurde nach den Werten dieses Volumens angepasst: Luft liegt bei %2 (statt %3 HU), Gewebe beginnt bei %4 (%5 HU), das Hellste liegt bei %6 (%7 HU).</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is made for Hounsfield units, which this volume does not have: it may show nothing, or the wrong tissue.</source>
+        <translation>„%1“ ist für Hounsfield-Einheiten gemacht, die dieses Volumen nicht hat: Es zeigt vielleicht nichts oder das falsche Gewebe.</translation>
+    </message>
+    <message>
+        <source>Fit to this volume</source>
+        <translation>An dieses Volumen anpassen</translation>
+    </message>
+    <message>
+        <source>use the full range</source>
+        <translation>vollen Wertebereich verwenden</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Als Preset speichern</translation>
+    </message>
+    <message>
+        <source>Name (a preset of the same name is replaced):</source>
+        <translation>Name (ein gleichnamiges Preset wird ersetzt):</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is a built-in preset; choose another name.</source>
+        <translation>„%1“ ist ein mitgeliefertes Preset; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Ein Preset braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already; choose another name.</source>
+        <translation>Ein Preset „%1“ gibt es schon; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Preset umbenennen</translation>
+    </message>
+    <message>
+        <source>New name:</source>
+        <translation>Neuer Name:</translation>
+    </message>
+    <message>
+        <source>Duplicate preset</source>
+        <translation>Preset duplizieren</translation>
+    </message>
+    <message>
+        <source>Name of the copy (a preset of the same name is replaced):</source>
+        <translation>Name der Kopie (ein gleichnamiges Preset wird ersetzt):</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 Kopie</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ProjectionSection</name>
+    <message>
+        <source>Tissue (composite)</source>
+        <translation>Gewebe (Komposition)</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>Surface (isosurface)</source>
+        <translation>Oberfläche (Isofläche)</translation>
+    </message>
+    <message>
+        <source>Surface and tissue (hybrid)</source>
+        <translation>Oberfläche und Gewebe (hybrid)</translation>
+    </message>
+    <message>
+        <source>Tissue as the opacity curve shows it, lit, the near in front of the far.</source>
+        <translation>Gewebe, wie die Deckkraftkurve es zeigt, beleuchtet, das Nahe vor dem Fernen.</translation>
+    </message>
+    <message>
+        <source>The largest value along each ray: contrast-filled vessels, calcium, metal. Depth is lost.</source>
+        <translation>Der größte Wert entlang jedes Strahls: kontrastierte Gefäße, Kalk, Metall. Die Tiefe geht verloren.</translation>
+    </message>
+    <message>
+        <source>The smallest value along each ray: airways, air trapping. Black where the curve is transparent at that value; crop the air around the body.</source>
+        <translation>Der kleinste Wert entlang jedes Strahls: Atemwege, Air-Trapping. Schwarz, wo die Kurve bei diesem Wert durchsichtig ist; schneiden Sie die Luft um den Körper weg.</translation>
+    </message>
+    <message>
+        <source>The mean value along each ray, like one thick slice. Air lowers the mean: make the curve opaque at lower values, or crop.</source>
+        <translation>Der mittlere Wert entlang jedes Strahls, wie ein dicker Schnitt. Luft senkt das Mittel: Machen Sie die Kurve bei kleineren Werten deckend, oder schneiden Sie zu.</translation>
+    </message>
+    <message>
+        <source>White where much is opaque along the ray, as on a radiograph. Lower the overall opacity where all is white.</source>
+        <translation>Weiß, wo entlang des Strahls viel deckt, wie auf einem Röntgenbild. Verringern Sie die Gesamtdeckkraft, wenn alles weiß ist.</translation>
+    </message>
+    <message>
+        <source>The first surface at the value below, solid and lit.</source>
+        <translation>Die erste Oberfläche beim Wert unten, deckend und beleuchtet.</translation>
+    </message>
+    <message>
+        <source>A solid surface at the value below, seen through the tissue before it.</source>
+        <translation>Eine deckende Oberfläche beim Wert unten, gesehen durch das Gewebe davor.</translation>
+    </message>
+    <message>
+        <source>Surface at</source>
+        <translation>Oberfläche bei</translation>
+    </message>
+    <message>
+        <source>The value at which the surface lies: 300 HU is bone, −300 HU the skin of a CT.</source>
+        <translation>Der Wert, bei dem die Oberfläche liegt: 300 HU ist Knochen, −300 HU die Haut im CT.</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>What each ray through the volume becomes in the picture.</source>
+        <translation>Was jeder Strahl durch das Volumen im Bild ergibt.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PropertiesPanel</name>
+    <message>
+        <source>unused: this projection is unlit</source>
+        <translation>ungenutzt: diese Projektion ist unbeleuchtet</translation>
+    </message>
+</context>
+<context>
+    <name>limn::QualitySection</name>
+    <message>
+        <source>Step</source>
+        <translation>Schrittweite</translation>
+    </message>
+    <message>
+        <source>The distance between samples along a ray, in voxels: smaller is closer to exact, larger is faster.</source>
+        <translation>Der Abstand der Abtastpunkte entlang eines Strahls, in Voxeln: kleiner ist genauer, größer ist schneller.</translation>
+    </message>
+    <message>
+        <source>voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Stop when opaque to</source>
+        <translation>Ende bei Deckung</translation>
+    </message>
+    <message>
+        <source>A ray stops where so much light is already blocked: lower is faster but loses a little light, 1 never stops early.</source>
+        <translation>Ein Strahl endet, wo schon so viel Licht verdeckt ist: kleiner ist schneller, verliert aber etwas Licht; 1 endet nie vorzeitig.</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Curve between samples</source>
+        <translation>Kurve zwischen Punkten</translation>
+    </message>
+    <message>
+        <source>Whether the curve is averaged from one sample to the next (pre-integration), so that narrow peaks are not stepped over; automatic does so where the step is too large for the curve.</source>
+        <translation>Ob die Kurve von einem Abtastpunkt zum nächsten gemittelt wird (Vorintegration), sodass schmale Spitzen nicht übersprungen werden; „Automatisch“ tut es, wo der Schritt für die Kurve zu groß ist.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Always averaged</source>
+        <translation>Immer mitteln</translation>
+    </message>
+    <message>
+        <source>Never averaged</source>
+        <translation>Nie mitteln</translation>
+    </message>
+    <message>
+        <source>Blur the steps (jitter)</source>
+        <translation>Schritte verwischen (Jitter)</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Shifts each pixel&apos;s samples by a fixed random part of a step: rings from a large step turn into fine grain.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Verschiebt die Abtastpunkte jedes Pixels um einen festen zufälligen Teil eines Schritts: Ringe durch große Schritte werden zu feinem Korn.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::RangeSlider</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+</context>
+<context>
+    <name>limn::RegionDesk</name>
+    <message>
+        <source>Open the labels of this volume</source>
+        <translation>Labels dieses Volumens öffnen</translation>
+    </message>
+    <message>
+        <source>Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)</source>
+        <translation>Segmentierungen (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Opening labels</source>
+        <translation>Labels werden geöffnet</translation>
+    </message>
+    <message>
+        <source>open labels</source>
+        <translation>Labels öffnen</translation>
+    </message>
+    <message>
+        <source>body only</source>
+        <translation>nur Körper</translation>
+    </message>
+    <message>
+        <source>Looking for the body</source>
+        <translation>Körper wird gesucht</translation>
+    </message>
+    <message>
+        <source>show everything</source>
+        <translation>alles zeigen</translation>
+    </message>
+    <message>
+        <source>What is kept could not be found: %1.</source>
+        <translation>Was behalten wird, konnte nicht gefunden werden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::RemarksDesk</name>
+    <message>
+        <source>Set spacing…</source>
+        <translation>Abstand festlegen…</translation>
+    </message>
+    <message>
+        <source>Set orientation…</source>
+        <translation>Orientierung festlegen…</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SavingDesk</name>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Limn session (*.json)</source>
+        <translation>Limn-Sitzung (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Szene speichern</translation>
+    </message>
+    <message>
+        <source>Limn scene (*.json)</source>
+        <translation>Limn-Szene (*.json)</translation>
+    </message>
+    <message>
+        <source>The picture is not complete yet; save it again once it is.</source>
+        <translation>Das Bild ist noch nicht fertig; speichern Sie es noch einmal, sobald es das ist.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SeriesDialog</name>
+    <message>
+        <source>%1   %2   %3 images of %4×%5</source>
+        <translation>%1   %2   %3 Bilder zu %4×%5</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>Serie wählen</translation>
+    </message>
+    <message>
+        <source>This folder holds %1 series, the largest first.</source>
+        <translation>Dieser Ordner enthält %1 Serien, die größte zuerst.</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SessionSafety</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The changes to this session are not saved, and Limn cannot keep them for you.</source>
+        <translation>Die Änderungen an dieser Sitzung sind nicht gespeichert, und Limn kann sie nicht für Sie aufbewahren.</translation>
+    </message>
+    <message>
+        <source>Save session…</source>
+        <translation>Sitzung speichern…</translation>
+    </message>
+    <message>
+        <source>Lose the changes</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Unsaved work is not safe at present. %1</source>
+        <translation>Ungespeicherte Arbeit ist derzeit nicht sicher. %1</translation>
+    </message>
+    <message>
+        <source>Limn ended unexpectedly. Restore the last session (%1)?</source>
+        <translation>Limn wurde unerwartet beendet. Letzte Sitzung wiederherstellen (%1)?</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SettingsDialog</name>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Engine</translation>
+    </message>
+    <message>
+        <source>Forget what was opened before</source>
+        <translation>Vergessen, was geöffnet war</translation>
+    </message>
+    <message>
+        <source>Empties the list of recent files, and with it where volumes lie and dialogs open.</source>
+        <translation>Leert die Liste zuletzt geöffneter Dateien und damit auch, wo Volumen liegen und Dialoge beginnen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::StabilityDialog</name>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Stability checks</source>
+        <translation>Stabilitätsprüfungen</translation>
+    </message>
+    <message>
+        <source>Draws situations in which volume renderers are known to fail, with the driver of this computer, and compares them with what must come out. It takes some minutes; you can go on working.</source>
+        <translation>Zeichnet mit dem Treiber dieses Rechners Situationen, an denen Volumenrenderer bekanntermaßen scheitern, und vergleicht sie mit dem, was herauskommen muss. Das dauert einige Minuten; Sie können weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>The checks could not be started: %1.</source>
+        <translation>Die Prüfungen konnten nicht gestartet werden: %1.</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>The checks ended before they were complete, by you or by the driver.</source>
+        <translation>Die Prüfungen endeten vorzeitig, durch Sie oder durch den Treiber.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SuggestionDesk</name>
+    <message>
+        <source>Boundaries cannot be looked for: %1.</source>
+        <translation>Grenzflächen können nicht gesucht werden: %1.</translation>
+    </message>
+    <message>
+        <source>use the band %1</source>
+        <translation>Band %1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SuggestionDialog</name>
+    <message>
+        <source>Suggested bands</source>
+        <translation>Vorgeschlagene Bänder</translation>
+    </message>
+    <message>
+        <source>Looking for boundaries</source>
+        <translation>Grenzflächen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Looking for where materials touch…</source>
+        <translation>Es wird gesucht, wo Materialien aneinandergrenzen…</translation>
+    </message>
+    <message>
+        <source>Nothing in this volume has a boundary that stands out.</source>
+        <translation>Nichts in diesem Volumen hat eine Grenzfläche, die hervortritt.</translation>
+    </message>
+    <message>
+        <source>Each band makes one boundary visible. Point at a row to see it in the picture; Use puts it into the curve, in one step of the history.</source>
+        <translation>Jedes Band macht eine Grenzfläche sichtbar. Zeigen Sie auf eine Zeile, um sie im Bild zu sehen; „Verwenden“ setzt das Band in die Kurve, als ein Schritt des Verlaufs.</translation>
+    </message>
+    <message>
+        <source>In the curve</source>
+        <translation>In der Kurve</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Use the band %1</source>
+        <translation>Band %1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TissueButtons</name>
+    <message>
+        <source>Less</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>Halves the opacity around the pinned value</source>
+        <translation>Halbiert die Deckkraft um den angehefteten Wert</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Doubles the opacity around the pinned value</source>
+        <translation>Verdoppelt die Deckkraft um den angehefteten Wert</translation>
+    </message>
+    <message>
+        <source>Pinned: %1, %2</source>
+        <translation>Angeheftet: %1, %2</translation>
+    </message>
+    <message>
+        <source>Pinned: %1</source>
+        <translation>Angeheftet: %1</translation>
+    </message>
+    <message>
+        <source>%1 of the pinned tissue</source>
+        <comment>less or more</comment>
+        <translation>%1 vom angehefteten Gewebe</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>less or more, a value</comment>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TitleDesk</name>
+    <message>
+        <source>This volume names its patient. Show the name in the title bar?</source>
+        <translation>Dieses Volumen nennt seinen Patienten. Namen in der Titelleiste zeigen?</translation>
+    </message>
+    <message>
+        <source>Name the patient</source>
+        <translation>Patienten nennen</translation>
+    </message>
+    <message>
+        <source>Name nobody</source>
+        <translation>Niemanden nennen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TransferFunctionCanvas</name>
+    <message>
+        <source>Opacity of point %1</source>
+        <translation>Deckkraft von Punkt %1</translation>
+    </message>
+    <message>
+        <source>Point %1 of %2</source>
+        <translation>Punkt %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, opacity %2</source>
+        <translation>%1, Deckkraft %2</translation>
+    </message>
+    <message>
+        <source>Transfer function curve</source>
+        <translation>Kurve der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Curve of opacity over the gradient</source>
+        <translation>Kurve der Deckkraft über dem Gradienten</translation>
+    </message>
+    <message>
+        <source>Tab walks the points, arrows move them, N adds one, Enter edits numbers, Delete removes, Ctrl+A selects all.</source>
+        <translation>Tab geht durch die Punkte, Pfeiltasten bewegen sie, N fügt einen hinzu, Eingabe ändert Zahlen, Entf löscht, Strg+A wählt alle.</translation>
+    </message>
+    <message>
+        <source>Open a volume to see its histogram</source>
+        <translation>Öffnen Sie ein Volumen, um sein Histogramm zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TransferFunctionEditor</name>
+    <message>
+        <source>Overall opacity</source>
+        <translation>Gesamtdeckkraft</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Makes everything visible more solid or more transparent; what is invisible stays so.&lt;/p&gt;&lt;p&gt;×0.1 – ×10, default ×1. It springs back when let go; Shift drags finer.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Macht alles Sichtbare deckender oder durchsichtiger; was unsichtbar ist, bleibt es.&lt;/p&gt;&lt;p&gt;×0,1 – ×10, Standard ×1. Springt beim Loslassen zurück; mit Umschalt feiner.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Moves the whole curve to lower or higher values, so that other tissue appears.&lt;/p&gt;&lt;p&gt;Up to a quarter of the volume&apos;s range either way, default 0. It springs back when let go; Shift drags finer.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Verschiebt die ganze Kurve zu kleineren oder größeren Werten, sodass anderes Gewebe erscheint.&lt;/p&gt;&lt;p&gt;Bis zu einem Viertel des Wertebereichs in beide Richtungen, Standard 0. Springt beim Loslassen zurück; mit Umschalt feiner.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Fine low opacities</source>
+        <translation>Kleine Deckkraft fein</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Stretches the lower part of the opacity axis, where small changes show most in the picture; the curve itself stays.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Streckt den unteren Teil der Deckkraftachse, wo kleine Änderungen im Bild am meisten zeigen; die Kurve selbst bleibt.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Show all values of the volume (also: double click on the axis)</source>
+        <translation>Zeigt alle Werte des Volumens (auch: Doppelklick auf die Achse)</translation>
+    </message>
+    <message>
+        <source>Show all values</source>
+        <translation>Alle Werte zeigen</translation>
+    </message>
+    <message>
+        <source>change overall opacity %1</source>
+        <translation>Gesamtdeckkraft %1 ändern</translation>
+    </message>
+    <message>
+        <source>shift curve by %1</source>
+        <translation>Kurve um %1 verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ViewInput</name>
+    <message>
+        <source>reset crop face: %1</source>
+        <translation>Zuschnittfläche zurücksetzen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>limn::VolumeLoader</name>
+    <message>
+        <source>There is not enough memory for this volume; close other programs or choose a smaller one.</source>
+        <translation>Für dieses Volumen reicht der Speicher nicht; schließen Sie andere Programme, oder wählen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>Reading failed unexpectedly: %1.</source>
+        <translation>Das Lesen ist unerwartet gescheitert: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::WishSection</name>
+    <message>
+        <source>Chosen: %1</source>
+        <translation>Gewählt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>The exact picture has not converged, so no error is known. A wish for time can be kept.</source>
+        <translation>Das exakte Bild ist nicht konvergiert, deshalb ist kein Fehler bekannt. Ein Wunsch nach Zeit lässt sich erfüllen.</translation>
+    </message>
+    <message>
+        <source>No measured picture is that close. Closest: %1</source>
+        <translation>Kein gemessenes Bild ist so genau. Am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>No measured picture is that fast. Fastest: %1</source>
+        <translation>Kein gemessenes Bild ist so schnell. Am schnellsten: %1</translation>
+    </message>
+    <message>
+        <source>By wish</source>
+        <translation>Nach Wunsch</translation>
+    </message>
+    <message>
+        <source>Error at most, levels</source>
+        <translation>Fehler höchstens, Stufen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Takes the fastest measured picture of which 999 in 1000 colour values are at most so many levels of 255 off.&lt;/p&gt;&lt;p&gt;Range 0.01 – 100, default 1.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Nimmt das schnellste gemessene Bild, bei dem 999 von 1000 Farbwerten höchstens so viele von 255 Stufen falsch sind.&lt;/p&gt;&lt;p&gt;Bereich 0,01 – 100, Standard 1.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Time at most, ms</source>
+        <translation>Zeit höchstens, ms</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Takes the most exact measured picture that is drawn in at most so many milliseconds, at the size at which it was measured.&lt;/p&gt;&lt;p&gt;Range 1 – 100000, default 33.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Nimmt das genaueste gemessene Bild, das bei der gemessenen Größe in höchstens so vielen Millisekunden gezeichnet wird.&lt;/p&gt;&lt;p&gt;Bereich 1 – 100000, Standard 33.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Use: %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>Measure this picture first; a wish chooses among what was measured.</source>
+        <translation>Messen Sie zuerst dieses Bild; ein Wunsch wählt unter dem Gemessenen.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::WorkRow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Abbrechen: %1</translation>
+    </message>
+</context>
+</TS>

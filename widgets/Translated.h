@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/basics/Message.h"
+
+#include <QString>
+
+namespace limn {
+
+/// A message in the language of the window, its numbers in the user's locale. Where the language lacks the
+/// pattern, it stands in English.
+QString translated(const Message& message);
+
+} // namespace limn
