@@ -5,8 +5,6 @@
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
 #include "app/window/MessageBar.h"
-#include "cpu/CpuEngine.h"
-#include "raycaster/RayCasterEngine.h"
 #include "scene/framing/Framing.h"
 #include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
@@ -35,26 +33,8 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoView>
-#include <QVBoxLayout>
 
 namespace limn {
-
-Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine) {
-  auto* centre = new QWidget(&window);
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  for (MessageBar** bar : {&recovery, &unsafe, &patient, &messages})
-    column->addWidget(*bar = new MessageBar(centre));
-  recovery->setObjectName(QStringLiteral("recoveryBar"));
-  patient->setObjectName(QStringLiteral("patientBar"));
-  unsafe->setObjectName(QStringLiteral("unsafeBar"));
-  view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
-                          [] { return makeCpuEngine(); }},
-                         engine, centre);
-  column->addWidget(planes = new PlaneDeck(*view, centre), 1);
-  window.setCentralWidget(centre);
-}
 
 MainWindow::MainWindow(UserFolders folders, QWidget* parent)
     : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings), m_session(this),

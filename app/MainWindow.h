@@ -16,6 +16,7 @@
 #include "app/saving/SavingDesk.h"
 #include "app/suggestions/SuggestionDesk.h"
 #include "app/window/AccuracyDesk.h"
+#include "app/window/Centre.h"
 #include "app/window/ComparisonDesk.h"
 #include "app/window/CropBoxDesk.h"
 #include "app/window/CurveDesk.h"
@@ -35,22 +36,6 @@
 #include <QMainWindow>
 
 namespace limn {
-
-class CompareView;
-class MessageBar;
-
-/// What stands in the middle of the window: the picture below what there is to say.
-struct Centre {
-  /// The view draws with `engine` at first, never with OpenGL that the computer does not offer.
-  Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine);
-
-  MessageBar* recovery; ///< offers what an earlier window left behind
-  MessageBar* unsafe;   ///< says so as long as the session cannot be kept
-  MessageBar* patient;  ///< asks once whether a patient may be named
-  MessageBar* messages;
-  CompareView* view;
-  PlaneDeck* planes; ///< around the view
-};
 
 /// The window: the picture in the middle, presets left, properties right, the curve below. Lays out its parts
 /// and holds every connection between them, and nothing that a part could hold.
