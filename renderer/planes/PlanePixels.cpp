@@ -100,17 +100,22 @@ std::vector<std::uint32_t> planePixels(const PlaneImage& image, const GreyWindow
   return pixels;
 }
 
-std::vector<std::uint8_t> outlineOf(const PlaneImage& weights) {
+std::vector<std::uint8_t> outlineOf(const PlaneImage& weights, int thickness) {
   const glm::ivec2& size = weights.size;
   std::vector<std::uint8_t> edge(weights.values.size(), 0);
   const auto isDropped = [&](int x, int y) {
     return x >= 0 && y >= 0 && x < size.x && y < size.y && weights.at(x, y) < 0.5;
   };
+  const auto isNearDropped = [&](int x, int y) {
+    for (int away = 1; away <= thickness; ++away)
+      if (isDropped(x - away, y) || isDropped(x + away, y) || isDropped(x, y - away) ||
+          isDropped(x, y + away))
+        return true;
+    return false;
+  };
   for (int y = 0; y < size.y; ++y)
     for (int x = 0; x < size.x; ++x)
-      edge[static_cast<std::size_t>(y) * size.x + x] =
-          weights.at(x, y) >= 0.5 &&
-          (isDropped(x - 1, y) || isDropped(x + 1, y) || isDropped(x, y - 1) || isDropped(x, y + 1));
+      edge[static_cast<std::size_t>(y) * size.x + x] = weights.at(x, y) >= 0.5 && isNearDropped(x, y);
   return edge;
 }
 

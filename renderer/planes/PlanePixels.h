@@ -33,8 +33,8 @@ struct PlaneTint {
 std::vector<std::uint32_t> planePixels(const PlaneImage& image, const GreyWindow& window,
                                        const std::optional<PlaneTint>& tint, const Effort& effort = {});
 
-/// Where a kept region ends: pixels inside it (weight ≥ ½) one of whose four neighbours is in the volume and
-/// not kept.
-std::vector<std::uint8_t> outlineOf(const PlaneImage& weights);
+/// Where a kept region ends: pixels inside it (weight ≥ ½) with one in the volume and not kept at most
+/// `thickness` pixels beside, above or below.
+std::vector<std::uint8_t> outlineOf(const PlaneImage& weights, int thickness = 1);
 
 } // namespace limn

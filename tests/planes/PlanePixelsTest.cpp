@@ -68,6 +68,9 @@ TEST(PlaneOutline, runsAlongWhatIsNotKept) {
   EXPECT_EQ(outlineOf(weights), (std::vector<std::uint8_t>{0, 0, 1, 0, 0, //
                                                            0, 0, 1, 0, 0, //
                                                            0, 0, 0, 0, 0}));
+  EXPECT_EQ(outlineOf(weights, 2), (std::vector<std::uint8_t>{0, 0, 1, 1, 0, //
+                                                              0, 0, 1, 1, 0, //
+                                                              0, 0, 0, 0, 0}));
 }
 
 } // namespace

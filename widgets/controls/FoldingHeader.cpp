@@ -98,8 +98,9 @@ void FoldingHeader::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), colors.hover);
   painter.fillRect(0, 0, width(), 1, colors.border);
   if (hasFocus()) {
-    painter.setPen(colors.accent);
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colors.accent, 2.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 4.0, 4.0);
   }
 }
 

@@ -35,7 +35,7 @@ QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size)
 
 } // namespace
 
-const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGrid& plane) {
+const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGrid& plane, int outlinePixels) {
   const Read wanted{content.volume, plane, {content.settings.interpolation, content.settings.slab}};
   const PlaneContent painted = withoutPlaces(content);
   const bool isRead = wanted == m_read;
@@ -55,7 +55,7 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
           : std::nullopt;
   std::vector<std::uint32_t> pixels = planePixels(m_values, windowOf(content), tint);
   if (weighs && content.settings.outlinesRegion) {
-    const std::vector<std::uint8_t> edge = outlineOf(m_weights);
+    const std::vector<std::uint8_t> edge = outlineOf(m_weights, outlinePixels);
     for (std::size_t i = 0; i < pixels.size(); ++i)
       if (edge[i])
         pixels[i] = outlineColor;

@@ -13,8 +13,8 @@ namespace limn {
 class PlanePictures {
 public:
   /// The slice on a plane: grey, tinted and outlined as the content's settings ask, transparent outside of
-  /// the volume. There is a volume.
-  const QImage& picture(const PlaneContent& content, const PlaneGrid& plane);
+  /// the volume; outlines are so many pixels thick. There is a volume.
+  const QImage& picture(const PlaneContent& content, const PlaneGrid& plane, int outlinePixels = 1);
 
   /// How many pixels each way had better be read as one (`coarser`) so that it takes at most `mostMs`, judged
   /// by how long the last reading took: 1 where all can be, where nothing of the kind was read yet, and where

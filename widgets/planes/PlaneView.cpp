@@ -107,7 +107,8 @@ void PlaneView::paintEvent(QPaintEvent*) {
   const int coarseness = m_showsAllPixels ? 1 : m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
   if (coarseness > 1)
     m_rest.start();
-  const QImage& picture = m_pictures.picture(m_content, coarser(shown.grid, coarseness));
+  const int linePixels = std::max(1, static_cast<int>(std::lround(shown.pixelRatio / coarseness)));
+  const QImage& picture = m_pictures.picture(m_content, coarser(shown.grid, coarseness), linePixels);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, coarseness > 1);
   painter.drawImage(QRectF({0.0, 0.0}, QSizeF(picture.size()) * coarseness / shown.pixelRatio), picture);
   paintPlaneOverlay(painter, planeOverlay(m_content, m_plane, shown, size(), font()));

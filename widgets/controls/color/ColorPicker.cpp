@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -67,7 +68,8 @@ QRectF ColorPicker::hueRect() const {
 
 QRectF ColorPicker::swatchRect(int index) const {
   const double pitch = (width() + 4.0) / swatches.size();
-  return {index * pitch, fieldRect().bottom() + gap, pitch - 4.0, rowHeight};
+  const double left = std::round(index * pitch); // whole pixels, or frames blur
+  return {left, fieldRect().bottom() + gap, std::round((index + 1) * pitch) - 4.0 - left, rowHeight};
 }
 
 void ColorPicker::paintEvent(QPaintEvent*) {
@@ -100,7 +102,7 @@ void ColorPicker::paintEvent(QPaintEvent*) {
   for (const auto& [color, thickness] : {std::pair{QColor(Qt::black), 4.0}, {QColor(Qt::white), 2.0}}) {
     painter.setPen(QPen(color, thickness));
     painter.drawEllipse(place, 6.0, 6.0);
-    painter.drawRoundedRect(QRectF(hueRect().left() - 1.0, hueY - 3.0, barWidth + 2.0, 6.0), 2.0, 2.0);
+    painter.drawRoundedRect(QRectF(hueRect().left() + 2.0, hueY - 3.0, barWidth - 4.0, 6.0), 2.0, 2.0);
   }
 }
 

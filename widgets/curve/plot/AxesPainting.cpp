@@ -5,6 +5,7 @@
 #include "widgets/controls/color/ColorConversion.h"
 
 #include <QObject>
+#include <QPaintDevice>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -89,7 +90,7 @@ void paintColorStrip(QPainter& painter, const CanvasPicture& picture) {
     painter.fillPath(rounded, picture.colors.grid);
   } else {
     painter.setClipPath(rounded);
-    painter.drawImage(strip, colorRow(picture));
+    painter.drawImage(strip, colorRow(picture, painter.device()->devicePixelRatioF()));
   }
   painter.restore();
 }
@@ -102,11 +103,12 @@ QRectF plotWithin(const QSizeF& size, CurveSubject subject) {
           std::max(20.0, size.height() - plotTop - below)};
 }
 
-QImage colorRow(const CanvasPicture& picture) {
-  const int columns = std::max(1, static_cast<int>(picture.transform.plot.width()));
+QImage colorRow(const CanvasPicture& picture, double columnsPerPixel) {
+  const int columns = std::max(1, static_cast<int>(columnsPerPixel * picture.transform.plot.width()));
   QImage row(columns, 1, QImage::Format_RGB32);
   for (int i = 0; i < columns; ++i) {
-    const double value = valueAtX(picture.transform, picture.transform.plot.left() + i + 0.5);
+    const double value =
+        valueAtX(picture.transform, picture.transform.plot.left() + (i + 0.5) / columnsPerPixel);
     row.setPixelColor(i, 0, toQColor(classify(picture.function, value).color));
   }
   return row;

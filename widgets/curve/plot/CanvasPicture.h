@@ -56,7 +56,7 @@ void paintAxes(QPainter& painter, const CanvasPicture& picture);
 /// Histogram, curve with its colours beneath, bar, marked values, points, selection band and read-outs.
 void paintCurve(QPainter& painter, const CanvasPicture& picture);
 
-/// One pixel row of the function's colours over the visible values.
-QImage colorRow(const CanvasPicture& picture);
+/// One row of the function's colours over the visible values, so many columns to a logical pixel.
+QImage colorRow(const CanvasPicture& picture, double columnsPerPixel = 1.0);
 
 } // namespace limn

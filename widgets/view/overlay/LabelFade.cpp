@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/LabelFade.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace limn {
 namespace {
 
@@ -20,6 +23,19 @@ LabelFade::LabelFade(QObject* parent) : QObject(parent) {
 }
 
 void LabelFade::wake() {
+  m_awaitsPicture = true;
+  show();
+}
+
+void LabelFade::noteState(const PictureState& state) {
+  const bool isComplete = !state.sides.empty() && std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.completeMs.has_value();
+  });
+  if (isComplete && std::exchange(m_awaitsPicture, false))
+    show();
+}
+
+void LabelFade::show() {
   const bool wasFading =
       m_fade.state() == QAbstractAnimation::Running || m_fade.currentTime() == m_fade.totalDuration();
   m_fade.stop();

@@ -53,7 +53,7 @@ QStringList sideDetails(const Scene& scene, const SideState& state) {
   else if (state.estimate && !state.isRough && state.isResolved)
     parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
   if (state.completeMs)
-    parts << QObject::tr("%1 ms").arg(fixedNumber(*state.completeMs, *state.completeMs < 10.0 ? 1 : 0));
+    parts << timeText(*state.completeMs);
   if (state.contrast)
     parts << QObject::tr("contrast %1").arg(fixedNumber(*state.contrast, 3));
   if (state.overflow)

@@ -27,12 +27,6 @@ QString fractionText(double value) {
   return QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
 }
 
-QString timeText(double ms) {
-  if (ms < 1000.0)
-    return QObject::tr("%1 ms").arg(fixedNumber(ms, ms < 9.95 ? 1 : 0));
-  return QObject::tr("%1 s").arg(fixedNumber(ms / 1000.0, 1));
-}
-
 // The side that lies farthest from its exact picture.
 const SideState& worstOf(const PictureState& state) {
   return *std::ranges::max_element(state.sides, [](const auto& a, const auto& b) {
@@ -190,6 +184,12 @@ QString engineText(const PictureState& state) {
 }
 
 } // namespace
+
+QString timeText(double ms) {
+  if (ms < 1000.0)
+    return QObject::tr("%1 ms").arg(fixedNumber(ms, ms < 9.95 ? 1 : 0));
+  return QObject::tr("%1 s").arg(fixedNumber(ms / 1000.0, 1));
+}
 
 QString stepText(double stepVoxels) {
   return (stepVoxels > 1.0 ? QObject::tr("%1 voxels") : QObject::tr("%1 voxel"))

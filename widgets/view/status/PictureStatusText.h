@@ -30,6 +30,9 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
 /// A step in units of the smallest voxel spacing: "1/16 voxel", "0.3 voxel", "2 voxels".
 QString stepText(double stepVoxels);
 
+/// "23 ms", from a second on "1.9 s".
+QString timeText(double ms);
+
 /// An error in 8-bit levels; never "0".
 QString levelsText(double levels);
 
