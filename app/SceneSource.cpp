@@ -228,9 +228,9 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   loaded.read = options.read;
   loaded.scene.camera = firstView(defaultCamera(opened.volume->grid()), opened.volume->grid());
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
-  loaded.scene = withPreset(loaded.scene, preset, true);
+  loaded.scene = withPreset(loaded.scene, preset);
   loaded.preset = preset.name;
-  if (options.hidesTable)
+  if (options.hidesTable && !imageNormalAxis(opened.volume->grid()))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;
 }

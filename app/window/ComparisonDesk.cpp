@@ -20,6 +20,7 @@ ComparisonDesk::ComparisonDesk(Session& session, CompareView& view, const Action
 }
 
 void ComparisonDesk::setLayout(CompareLayout layout) {
+  m_beforeImage.reset();
   m_view.setCompareLayout(layout);
   checkOnly(*m_actions.layouts, static_cast<int>(layout));
   show();
@@ -34,6 +35,19 @@ void ComparisonDesk::setSideModel(int side, ShadingModel model) {
   }
   (side == 0 ? m_left : m_right) = model;
   show();
+}
+
+void ComparisonDesk::showOpened() {
+  const Scene& scene = m_session.scene();
+  const bool isImage =
+      scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
+  if (isImage && !m_beforeImage) {
+    const CompareLayout before = m_view.compareLayout();
+    setLayout(CompareLayout::single);
+    m_beforeImage = before;
+  } else if (!isImage && m_beforeImage) {
+    setLayout(*m_beforeImage);
+  }
 }
 
 void ComparisonDesk::show() {

@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include <optional>
+
 namespace limn {
 
 class Actions;
@@ -22,6 +24,10 @@ public:
 
   /// The model of a side (0 left, 1 right) of a comparison; of a single picture the scene's own.
   void setSideModel(int side, ShadingModel model);
+
+  /// A scene has been opened. An unlit image (imageLook) is shown alone: no model of light tells it from
+  /// another. What is opened after it has the layout from before, unless someone chose one meanwhile.
+  void showOpened();
 
   /// Shows models and layout of the moment.
   void show();
@@ -41,6 +47,7 @@ private:
   const Actions& m_actions;
   ShadingModel m_left = ShadingModel::classic;
   ShadingModel m_right = ShadingModel::enhanced;
+  std::optional<CompareLayout> m_beforeImage; ///< while an image is shown alone
 };
 
 } // namespace limn

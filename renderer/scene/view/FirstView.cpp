@@ -12,18 +12,6 @@ int largestComponent(const glm::dvec3& v) {
   return size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
 }
 
-// The index axis along which there is one sample, where the other two have more.
-std::optional<int> normalAxis(const glm::ivec3& dims) {
-  std::optional<int> axis;
-  for (int i = 0; i < 3; ++i)
-    if (dims[i] == 1) {
-      if (axis)
-        return std::nullopt;
-      axis = i;
-    }
-  return axis;
-}
-
 // The direction of an axis of the slice, towards the side on which `wanted` lies.
 glm::dvec3 towards(const glm::dvec3& axis, const glm::dvec3& wanted) {
   return glm::dot(axis, wanted) < 0.0 ? -axis : axis;
@@ -33,7 +21,7 @@ glm::dvec3 towards(const glm::dvec3& axis, const glm::dvec3& wanted) {
 
 Camera firstView(const Camera& camera, const Grid& grid) {
   Camera placed = standardView(camera, grid, StandardView::anterior);
-  const std::optional<int> flat = normalAxis(grid.dims);
+  const std::optional<int> flat = imageNormalAxis(grid);
   if (!flat)
     return placed;
   // LPS: +x is the patient's left, +y posterior, +z superior.
