@@ -226,11 +226,12 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
   loaded.read = options.read;
-  loaded.scene.camera = firstView(defaultCamera(opened.volume->grid()), opened.volume->grid());
+  const Grid& grid = opened.volume->grid();
+  loaded.scene.camera = firstView(defaultCamera(grid), grid, opened.volume->info().orientationKnown);
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
   loaded.scene = withPreset(loaded.scene, preset);
   loaded.preset = preset.name;
-  if (options.hidesTable && !imageNormalAxis(opened.volume->grid()))
+  if (options.hidesTable && !imageNormalAxis(grid))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;
 }
