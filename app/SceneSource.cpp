@@ -198,12 +198,12 @@ std::string absoluteSource(const std::string& source) {
   return (path.has_filename() ? path : path.parent_path()).string();
 }
 
-// Why surfaces of such a volume show bands; no look can take them away.
+// Why surfaces of such a volume show bands; no look can take them away. An image has no other slice.
 static std::string thickSlices(const Grid& grid) {
   constexpr double muchThicker = 4.0;
   const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
   const double ratio = thickest / smallestSpacingMm(grid);
-  if (ratio < muchThicker)
+  if (ratio < muchThicker || imageNormalAxis(grid))
     return {};
   char text[160];
   std::snprintf(

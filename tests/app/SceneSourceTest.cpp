@@ -37,7 +37,7 @@ TEST(SceneSource, aSingleImageOpensUnlitAndWhole) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "image.nrrd";
   std::ofstream file(path);
-  file << "NRRD0004\ntype: short\ndimension: 3\nsizes: 40 40 1\nspacings: 1 1 1\nencoding: ascii\n\n";
+  file << "NRRD0004\ntype: short\ndimension: 3\nsizes: 40 40 1\nspacings: 1 1 9\nencoding: ascii\n\n";
   for (int y = 0; y < 40; ++y)
     for (int x = 0; x < 40; ++x)
       file << (std::hypot(x - 20, y - 20) < 12 ? 200 : -1000) << ' ';
@@ -48,6 +48,7 @@ TEST(SceneSource, aSingleImageOpensUnlitAndWhole) {
   EXPECT_EQ(loaded.preset, "Image");
   EXPECT_EQ(loaded.scene.shading.model, ShadingModel::none);
   EXPECT_EQ(loaded.scene.keep, Region());
+  EXPECT_TRUE(loaded.notes.empty()) << "no other slice: no bands";
 }
 
 TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
