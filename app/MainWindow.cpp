@@ -312,6 +312,8 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_remarks.show(loaded.notes);
   if (loaded.session)
     restoreSession(*loaded.session);
+  else
+    m_comparison.showOpened();
   if (request.isUnsavedSession) {
     m_safety.takeOver(request.source);
   } else {

@@ -198,12 +198,12 @@ std::string absoluteSource(const std::string& source) {
   return (path.has_filename() ? path : path.parent_path()).string();
 }
 
-// Why surfaces of such a volume show bands; no look can take them away.
+// Why surfaces of such a volume show bands; no look can take them away. An image has no other slice.
 static std::string thickSlices(const Grid& grid) {
   constexpr double muchThicker = 4.0;
   const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
   const double ratio = thickest / smallestSpacingMm(grid);
-  if (ratio < muchThicker)
+  if (ratio < muchThicker || imageNormalAxis(grid))
     return {};
   char text[160];
   std::snprintf(
@@ -226,11 +226,12 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
   loaded.read = options.read;
-  loaded.scene.camera = firstView(defaultCamera(opened.volume->grid()), opened.volume->grid());
+  const Grid& grid = opened.volume->grid();
+  loaded.scene.camera = firstView(defaultCamera(grid), grid, opened.volume->info().orientationKnown);
   const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
-  loaded.scene = withPreset(loaded.scene, preset, true);
+  loaded.scene = withPreset(loaded.scene, preset);
   loaded.preset = preset.name;
-  if (options.hidesTable)
+  if (options.hidesTable && !imageNormalAxis(grid))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
   return loaded;
 }

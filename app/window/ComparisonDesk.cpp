@@ -36,6 +36,7 @@ ComparisonDesk::ComparisonDesk(Session& session, const OpenDocument& document, C
 }
 
 void ComparisonDesk::setLayout(CompareLayout layout) {
+  m_beforeImage.reset();
   m_view.setCompareLayout(layout);
   checkOnly(*m_actions.layouts, static_cast<int>(layout));
   show();
@@ -92,6 +93,19 @@ std::optional<ComparedLook> ComparisonDesk::comparedLook() const {
                       {m_look->name, text(own.name.empty() ? tr("Now")
                                           : own.isModified ? tr("%1, modified", "a preset").arg(name)
                                                            : name)}};
+}
+
+void ComparisonDesk::showOpened() {
+  const Scene& scene = m_session.scene();
+  const bool isImage =
+      scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
+  if (isImage && !m_beforeImage) {
+    const CompareLayout before = m_view.compareLayout();
+    setLayout(CompareLayout::single);
+    m_beforeImage = before;
+  } else if (!isImage && m_beforeImage) {
+    setLayout(*m_beforeImage);
+  }
 }
 
 void ComparisonDesk::show() {

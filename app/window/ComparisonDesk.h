@@ -5,6 +5,8 @@
 
 #include <QObject>
 
+#include <optional>
+
 namespace limn {
 
 class Actions;
@@ -30,6 +32,10 @@ public:
 
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
   void compareWith(const Preset& look);
+
+  /// A scene has been opened. An unlit image (imageLook) is shown alone: no model of light tells it from
+  /// another. What is opened after it has the layout from before, unless someone chose one meanwhile.
+  void showOpened();
 
   /// Shows models or looks and layout of the moment. Nothing of another volume is compared.
   void show();
@@ -57,6 +63,7 @@ private:
   std::optional<Preset> m_snapshot;
   std::optional<Preset> m_look;           ///< at the left
   std::shared_ptr<const Volume> m_volume; ///< that they belong to
+  std::optional<CompareLayout> m_beforeImage; ///< while an image is shown alone
 };
 
 } // namespace limn

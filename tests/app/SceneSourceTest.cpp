@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 namespace limn {
@@ -29,6 +30,25 @@ TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
   EXPECT_EQ(loaded.preset, "CT bone and veil");
   EXPECT_EQ(loaded.scene.projection, Projection::composite);
   EXPECT_FALSE(loaded.hasOwnCamera);
+}
+
+// The file says nothing of its unit, and its values are those of a CT: a body would be found in it.
+TEST(SceneSource, aSingleImageOpensUnlitAndWhole) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "image.nrrd";
+  std::ofstream file(path);
+  file << "NRRD0004\ntype: short\ndimension: 3\nsizes: 40 40 1\nspacings: 1 1 9\nencoding: ascii\n\n";
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x)
+      file << (std::hypot(x - 20, y - 20) < 12 ? 200 : -1000) << ' ';
+  file.close();
+  SourceOptions options;
+  options.hidesTable = true;
+  const LoadedScene loaded = loadScene(path.string(), options, {});
+  EXPECT_EQ(loaded.preset, "Image");
+  EXPECT_EQ(loaded.scene.shading.model, ShadingModel::none);
+  EXPECT_EQ(loaded.scene.keep, Region());
+  EXPECT_TRUE(loaded.notes.empty()) << "no other slice: no bands";
 }
 
 TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {

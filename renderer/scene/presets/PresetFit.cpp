@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/presets/PresetFit.h"
 
+#include "scene/presets/ImageLook.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -131,6 +133,8 @@ Preset withLandmarks(Preset preset) {
 
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort) {
   const Histogram histogram = histogramOf(volume, 1024, effort);
+  if (imageNormalAxis(volume.grid()))
+    return imageLook(volume, histogram);
   if (const Preset* preset = named(builtIn, firstLook(volume, histogram)))
     return fittedTo(looksLikeHounsfield(volume) ? *preset : withLandmarks(*preset), histogram);
   Preset automatic;

@@ -33,7 +33,7 @@ Preset withLandmarks(Preset preset);
 std::string firstLook(const Volume& volume, const Histogram& histogram);
 
 /// The preset a volume opens with: its first look from `builtIn`, fitted; the automatic ramp where none
-/// suits. `builtIn` may be empty.
+/// suits; of a single image its grey values (imageLook). `builtIn` may be empty.
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort = {});
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/view/FirstView.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -12,16 +13,14 @@ int largestComponent(const glm::dvec3& v) {
   return size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
 }
 
-// The index axis along which there is one sample, where the other two have more.
-std::optional<int> normalAxis(const glm::ivec3& dims) {
-  std::optional<int> axis;
+// The index axis along which a box is much thinner than along both others.
+std::optional<int> thinAxis(const Grid& grid) {
+  constexpr double muchThinner = 1.0 / 3.0;
+  const glm::dvec3 size = boxSizeMm(grid);
   for (int i = 0; i < 3; ++i)
-    if (dims[i] == 1) {
-      if (axis)
-        return std::nullopt;
-      axis = i;
-    }
-  return axis;
+    if (size[i] < muchThinner * std::min(size[(i + 1) % 3], size[(i + 2) % 3]))
+      return i;
+  return std::nullopt;
 }
 
 // The direction of an axis of the slice, towards the side on which `wanted` lies.
@@ -31,9 +30,11 @@ glm::dvec3 towards(const glm::dvec3& axis, const glm::dvec3& wanted) {
 
 } // namespace
 
-Camera firstView(const Camera& camera, const Grid& grid) {
+Camera firstView(const Camera& camera, const Grid& grid, bool orientationKnown) {
   Camera placed = standardView(camera, grid, StandardView::anterior);
-  const std::optional<int> flat = normalAxis(grid.dims);
+  std::optional<int> flat = imageNormalAxis(grid);
+  if (!flat && !orientationKnown)
+    flat = thinAxis(grid);
   if (!flat)
     return placed;
   // LPS: +x is the patient's left, +y posterior, +z superior.

@@ -34,4 +34,15 @@ double smallestSpacingMm(const Grid& grid) {
   return std::min({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
 }
 
+std::optional<int> imageNormalAxis(const Grid& grid) {
+  std::optional<int> axis;
+  for (int i = 0; i < 3; ++i)
+    if (grid.dims[i] == 1) {
+      if (axis)
+        return std::nullopt;
+      axis = i;
+    }
+  return axis;
+}
+
 } // namespace limn

@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace limn {
 
 /// Where the voxels of a volume lie: `world = origin + direction · diag(spacing) · index`, world in the
@@ -37,5 +39,8 @@ double boxDiagonalMm(const Grid& grid);
 
 /// The smallest spacing, mm: the unit in which a sampling step is given.
 double smallestSpacingMm(const Grid& grid);
+
+/// The index axis along which there is one sample, where the other two have more: the grid of an image.
+std::optional<int> imageNormalAxis(const Grid& grid);
 
 } // namespace limn

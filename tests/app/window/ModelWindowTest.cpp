@@ -9,6 +9,8 @@
 #include <QMenu>
 #include <QTimer>
 
+#include <fstream>
+
 // Where the shading models of the pictures are chosen, in the program's window.
 
 namespace limn {
@@ -64,6 +66,22 @@ TEST_F(ModelWindow, aComparisonHasAButtonForEachSideThatChangesItAndEndsNothing)
   EXPECT_EQ(shown(), (Models{ShadingModel::none, ShadingModel::robust}));
   EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
   EXPECT_TRUE(rest());
+}
+
+TEST_F(ModelWindow, anImageIsShownAloneAndTheNextVolumeIsComparedAgain) {
+  const QString image = pathTo("image.nrrd");
+  std::ofstream(image.toStdString()) << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 3 2 1\n"
+                                        "spacings: 1 1 1\nencoding: ascii\n\n0 50 100 150 200 250\n";
+  ASSERT_TRUE(open(image));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::single);
+  EXPECT_EQ(shown(), Models{ShadingModel::none});
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_EQ(shown(), (Models{ShadingModel::classic, ShadingModel::enhanced}));
+  ASSERT_TRUE(open(image));
+  setLayout(CompareLayout::wipe);
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe) << "chosen meanwhile";
 }
 
 TEST_F(ModelWindow, aSinglePictureHasOneButton) {

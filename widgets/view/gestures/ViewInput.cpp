@@ -219,7 +219,7 @@ bool ViewInput::obey(const ViewCommand& command) {
   if (!shown.volume)
     return false;
   const ViewFrame frame{m_facts.visibleBox, pictureAspect(source.geometry)};
-  if (const auto camera = cameraAfter(command, shown.camera, shown.volume->grid(), frame))
+  if (const auto camera = cameraAfter(command, shown.camera, *shown.volume, frame))
     emit cameraEdited(*camera);
   else if (const auto* use = std::get_if<UseTool>(&command))
     setTool(use->tool);

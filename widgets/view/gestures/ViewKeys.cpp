@@ -77,8 +77,9 @@ ViewCommand commandOf(const QKeyEvent& event) {
   return commandIn(letterCommands, key);
 }
 
-std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,
+std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Volume& volume,
                                   const ViewFrame& frame) {
+  const Grid& grid = volume.grid();
   const auto fitted = [&](const Camera& placed) {
     return framed(placed, grid, frame.visibleBox(), frame.aspect);
   };
@@ -88,7 +89,7 @@ std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& came
   if (std::holds_alternative<LookFromNearest>(command))
     return from(nearestStandardView(camera));
   if (std::holds_alternative<Reset>(command))
-    return fitted(firstView(camera, grid));
+    return fitted(firstView(camera, grid, volume.info().orientationKnown));
   if (const auto* turn = std::get_if<Rotate>(&command)) {
     const double step = keyTurnDeg * std::numbers::pi / 180.0;
     return orbited(camera, -turn->right * step, -turn->down * step);

@@ -71,8 +71,8 @@ struct ViewFrame {
   double aspect = 1.0;
 };
 
-/// The camera that a command asks for, of the volume on `grid`; nothing where the command moves none.
-std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Grid& grid,
+/// The camera that a command asks for, of this volume; nothing where the command moves none.
+std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Volume& volume,
                                   const ViewFrame& frame);
 
 } // namespace limn
