@@ -52,7 +52,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_regions({m_session, *m_actions.bodyOnly, *m_centre.messages, m_settings, *this}),
       m_orientation({m_session, *m_actions.setOrientation, *m_actions.views, *this}),
       m_dialogs(m_actions, QString::fromStdString(m_folders.reports.string()), *this),
-      m_curves(*m_panels.curves), m_suggestions(m_session, *m_actions.suggest, *this),
+      m_curves(*m_panels.curves, m_settings), m_suggestions(m_session, *m_actions.suggest, *this),
       m_planes({m_session, m_document, *m_centre.planes, *m_centre.view, *m_panels.curves->valueEditor(),
                 m_status, m_actions},
                this),

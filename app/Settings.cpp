@@ -24,6 +24,8 @@ const std::string stateKey = "window/state";
 const std::string themeKey = "theme";
 const std::string languageKey = "language";
 const std::string refineKey = "refineAtRest";
+const std::string histogramScaleKey = "histogramScale";
+const std::string histogramPartKey = "histogramPart";
 const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
@@ -308,6 +310,25 @@ bool Settings::refinesAtRest() const {
 
 void Settings::setRefinesAtRest(bool refines) {
   set(refineKey, written(refines));
+}
+
+HistogramView Settings::histogramView() const {
+  HistogramView view;
+  const QString scaleWord = text(histogramScaleKey);
+  for (const HistogramScale scale :
+       {HistogramScale::linear, HistogramScale::logarithmic, HistogramScale::percentile})
+    if (scaleWord == QLatin1String(nameOf(scale)))
+      view.scale = scale;
+  const QString partWord = text(histogramPartKey);
+  for (const HistogramPart part : {HistogramPart::whole, HistogramPart::kept, HistogramPart::visible})
+    if (partWord == QLatin1String(nameOf(part)))
+      view.part = part;
+  return view;
+}
+
+void Settings::setHistogramView(const HistogramView& view) {
+  set(histogramScaleKey, QLatin1String(nameOf(view.scale)));
+  set(histogramPartKey, QLatin1String(nameOf(view.part)));
 }
 
 EngineSetting Settings::engine() const {

@@ -4,6 +4,7 @@
 #include "app/UserFolders.h"
 #include "app/engines/EngineChoice.h"
 #include "io/scenefile/SettingsFile.h"
+#include "widgets/curve/plot/HistogramView.h"
 
 #include <QByteArray>
 #include <QList>
@@ -79,6 +80,10 @@ public:
   /// Whether resting pictures go on to smaller steps; true at first.
   bool refinesAtRest() const;
   void setRefinesAtRest(bool refines);
+
+  /// What stands behind the curve; the logarithm of all voxels at first.
+  HistogramView histogramView() const;
+  void setHistogramView(const HistogramView& view);
 
   /// Automatic at first.
   EngineSetting engine() const;

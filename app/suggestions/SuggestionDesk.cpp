@@ -13,27 +13,43 @@
 #include <exception>
 
 namespace limn {
+namespace {
+
+constexpr int restBeforeLookMs = 250;
+
+} // namespace
 
 SuggestionDesk::SuggestionDesk(Session& session, QAction& suggest, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
   connect(&suggest, &QAction::triggered, this, &SuggestionDesk::show);
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(restBeforeLookMs);
+  connect(&m_soon, &QTimer::timeout, this, &SuggestionDesk::lookAnew);
 }
 
 void SuggestionDesk::showScene(const Scene& scene) {
-  if (scene.volume == m_volume)
+  const Looked now{scene.volume, scene.keep, scene.crop};
+  if (now == m_at)
     return markShown();
+  const bool isSameVolume = now.volume == m_at.volume;
   m_thread.request_stop();
-  m_volume = scene.volume;
-  m_suggestions.clear();
+  m_at = now;
   m_isKnown = false;
-  if (m_dialog && m_dialog->isVisible() && m_volume)
+  if (isSameVolume && m_dialog && m_dialog->isVisible())
+    return m_soon.start();
+  m_suggestions.clear();
+  lookAnew();
+}
+
+void SuggestionDesk::lookAnew() {
+  if (m_dialog && m_dialog->isVisible() && m_at.volume)
     look();
   else if (m_dialog)
     m_dialog->close();
 }
 
 void SuggestionDesk::show() {
-  if (!m_volume)
+  if (!m_at.volume)
     return;
   if (!m_dialog) {
     m_dialog = new SuggestionDialog(&m_window);
@@ -66,39 +82,40 @@ void SuggestionDesk::place() {
 }
 
 void SuggestionDesk::look() {
+  m_soon.stop();
   m_dialog->showProgress(0.0);
-  m_thread = std::jthread([this, volume = m_volume](const std::stop_token& stop) { search(volume, stop); });
+  m_thread = std::jthread([this, at = m_at](const std::stop_token& stop) { search(at, stop); });
 }
 
-// On a worker thread. Only the volume asked for last counts.
-void SuggestionDesk::search(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop) {
+// On a worker thread. Only what was asked for last counts.
+void SuggestionDesk::search(const Looked& at, const std::stop_token& stop) {
   std::vector<Suggestion> suggestions;
   QString problem;
   const Effort effort{0, [&stop] { return stop.stop_requested(); },
-                      [this, &volume](double fraction) {
+                      [this, &at](double fraction) {
                         QMetaObject::invokeMethod(
                             this,
-                            [this, volume, fraction] {
-                              if (volume == m_volume && !m_isKnown && m_dialog)
+                            [this, at, fraction] {
+                              if (at == m_at && !m_isKnown && m_dialog)
                                 m_dialog->showProgress(fraction);
                             },
                             Qt::QueuedConnection);
                       }};
   try {
-    suggestions = suggestionsFor(boundariesOf(*volume, effort), volume->range());
+    const KeptVoxels kept(at.volume->grid(), at.keep, at.crop);
+    suggestions = suggestionsFor(boundariesOf(*at.volume, kept, effort), at.volume->range());
   } catch (const Cancelled&) {
     return;
   } catch (const std::exception& error) {
     problem = tr("Boundaries cannot be looked for: %1.").arg(QString::fromLocal8Bit(error.what()));
   }
   QMetaObject::invokeMethod(
-      this, [this, volume, suggestions, problem] { receive(volume, suggestions, problem); },
-      Qt::QueuedConnection);
+      this, [this, at, suggestions, problem] { receive(at, suggestions, problem); }, Qt::QueuedConnection);
 }
 
-void SuggestionDesk::receive(const std::shared_ptr<const Volume>& volume,
-                             const std::vector<Suggestion>& suggestions, const QString& problem) {
-  if (volume != m_volume || !m_dialog)
+void SuggestionDesk::receive(const Looked& at, const std::vector<Suggestion>& suggestions,
+                             const QString& problem) {
+  if (at != m_at || !m_dialog)
     return;
   m_isKnown = problem.isEmpty();
   m_suggestions = suggestions;
@@ -123,7 +140,7 @@ void SuggestionDesk::accept(std::size_t index) {
 }
 
 ValueNames SuggestionDesk::names() const {
-  return {QString::fromStdString(m_volume->info().unit), looksLikeHounsfield(*m_volume)};
+  return {QString::fromStdString(m_at.volume->info().unit), looksLikeHounsfield(*m_at.volume)};
 }
 
 } // namespace limn

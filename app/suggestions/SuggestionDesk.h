@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include <memory>
 #include <thread>
@@ -19,8 +20,8 @@ class Session;
 class SuggestionDialog;
 struct ValueNames;
 
-/// Proposes bands of the transfer function for the boundaries of the open volume, which it looks for beside
-/// the event loop, once for each volume.
+/// Proposes bands of the transfer function for the boundaries in what is kept of the open volume, which it
+/// looks for beside the event loop: once, until volume, kept region or crop change.
 class SuggestionDesk : public QObject {
   Q_OBJECT
 
@@ -37,13 +38,21 @@ signals:
   void previewed(const limn::Scene& scene);
 
 private:
+  /// In what boundaries are looked for.
+  struct Looked {
+    std::shared_ptr<const Volume> volume;
+    Region keep;
+    CropBox crop;
+    bool operator==(const Looked&) const = default;
+  };
+
   void show();
   void markShown();
   void place();
   void look();
-  void search(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop);
-  void receive(const std::shared_ptr<const Volume>& volume, const std::vector<Suggestion>& suggestions,
-               const QString& problem);
+  void lookAnew();
+  void search(const Looked& at, const std::stop_token& stop);
+  void receive(const Looked& at, const std::vector<Suggestion>& suggestions, const QString& problem);
   void preview(const std::optional<std::size_t>& index);
   void accept(std::size_t index);
   ValueNames names() const;
@@ -51,9 +60,10 @@ private:
   Session& m_session;
   QWidget& m_window;
   QPointer<SuggestionDialog> m_dialog;
-  std::shared_ptr<const Volume> m_volume; ///< whose boundaries are looked for or known
+  Looked m_at; ///< whose boundaries are looked for or known
   std::vector<Suggestion> m_suggestions;
   bool m_isKnown = false;
+  QTimer m_soon; ///< runs while what is kept changes: a face of the crop is dragged through many places
   std::jthread m_thread;
 };
 

@@ -15,12 +15,15 @@
 
 namespace limn {
 
-CurveDesk::CurveDesk(CurvePanel& panel) : m_panel(panel) {
+CurveDesk::CurveDesk(CurvePanel& panel, Settings& settings)
+    : m_panel(panel), m_histograms(*panel.valueEditor(), settings) {
+  connect(&m_histograms, &HistogramDesk::failed, this, &CurveDesk::failed);
   connect(&panel, &CurvePanel::gradientShown, this, &CurveDesk::measureGradients);
 }
 
 void CurveDesk::showScene(const Scene& scene) {
   m_panel.valueEditor()->setTransferFunction(scene.transferFunction);
+  m_histograms.showScene(scene);
   m_panel.gradientEditor()->setGradientOpacity(scene.gradientOpacity);
   m_panel.setGradientState(!scene.gradientOpacity                  ? CurvePanel::GradientState::off
                            : usesGradientOpacity(scene.projection) ? CurvePanel::GradientState::on
@@ -30,7 +33,7 @@ void CurveDesk::showScene(const Scene& scene) {
 void CurveDesk::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_volume = volume;
   TransferFunctionEditor* editor = m_panel.valueEditor();
-  editor->setHistogram(histogram);
+  m_histograms.showVolume(volume, histogram);
   editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());
   if (volume) {
     editor->setPinnedValue(std::nullopt);

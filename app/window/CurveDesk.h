@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/HistogramDesk.h"
 #include "scene/Scene.h"
 #include "scene/volume/Histogram.h"
 
@@ -18,7 +19,7 @@ class CurveDesk : public QObject {
   Q_OBJECT
 
 public:
-  explicit CurveDesk(CurvePanel& panel);
+  CurveDesk(CurvePanel& panel, Settings& settings);
 
   /// Shows the curves of a scene.
   void showScene(const Scene& scene);
@@ -34,6 +35,7 @@ private:
   void countGradients(const std::shared_ptr<const Volume>& volume, const std::stop_token& stop);
 
   CurvePanel& m_panel;
+  HistogramDesk m_histograms;
   std::shared_ptr<const Volume> m_volume;
   std::shared_ptr<const Volume> m_counted; ///< whose gradients were asked for last; null: of none
   std::vector<std::jthread> m_threads;

@@ -93,6 +93,12 @@ void TransferFunctionEditor::addLeading(QWidget* control, int place) {
   hideWhatHasNoRoom();
 }
 
+void TransferFunctionEditor::addTrailing(QWidget* control) {
+  m_row->insertWidget(m_row->count() - 1, control);
+  ++m_trailing;
+  hideWhatHasNoRoom();
+}
+
 void TransferFunctionEditor::setEditable(bool editable) {
   m_canvas->setEnabled(editable);
   for (QWidget* control : std::initializer_list<QWidget*>{m_opacity, m_shift, m_fine, m_showAll})
@@ -215,8 +221,11 @@ void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
 
 void TransferFunctionEditor::hideWhatHasNoRoom() {
   int room = width();
+  const auto take = [&](int i) { room -= m_row->itemAt(i)->widget()->sizeHint().width() + m_row->spacing(); };
   for (int i = 0; i < m_leading; ++i)
-    room -= m_row->itemAt(i)->widget()->sizeHint().width() + m_row->spacing();
+    take(i);
+  for (int i = 0; i < m_trailing; ++i)
+    take(m_row->count() - 2 - i);
   m_shift->setVisible(room >= 900);   // the bar above the plot shifts too
   m_opacity->setVisible(room >= 640); // dragging all points does nearly the same
   m_fine->setVisible(room >= 480);

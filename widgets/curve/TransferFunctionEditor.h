@@ -33,12 +33,15 @@ public:
   /// Puts a control before the numbers of the selected point, after the others there or at a place of theirs.
   void addLeading(QWidget* control, int place = -1);
 
+  /// Puts a control before the one that shows all values.
+  void addTrailing(QWidget* control);
+
   /// Whether the curve can be edited; it can unless said otherwise. The histogram shows in any case.
   void setEditable(bool editable);
 
   void setTransferFunction(const TransferFunction& function);
 
-  /// Drawn behind the curve, logarithmic. Its range is the volume's, and the plot shows all of it when it
+  /// Drawn behind the curve. Its range is the volume's, and the plot shows all of it when it
   /// changes; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
 
@@ -85,7 +88,8 @@ private:
   SpringSlider* m_opacity;
   SpringSlider* m_shift;
   QBoxLayout* m_row = nullptr;
-  int m_leading = 0; ///< controls before the numbers
+  int m_leading = 0;  ///< controls before the numbers
+  int m_trailing = 0; ///< controls before the last one
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
   TransferFunction m_pullBase;

@@ -3,6 +3,7 @@
 
 #include "scene/ProjectionFacts.h"
 #include "scene/basics/Error.h"
+#include "scene/framing/KeptVoxels.h"
 
 #include <algorithm>
 #include <optional>
@@ -10,12 +11,6 @@
 
 namespace limn {
 namespace {
-
-// Voxels from `lower` on, up to those before `upper`.
-struct VoxelBox {
-  glm::ivec3 lower{0};
-  glm::ivec3 upper{0};
-};
 
 // Which scalars show, given the weight that the region leaves their opacity.
 class Shown {
@@ -97,14 +92,6 @@ private:
   const Region* m_region;
   std::vector<std::uint8_t> m_table; // by the bits of the value
 };
-
-// The voxels whose centres lie in the crop.
-VoxelBox croppedVoxels(const Grid& grid, const CropBox& crop) {
-  const IndexBox box = croppedBox(grid, crop);
-  const glm::dvec3 centre = centreIndex(grid);
-  return {glm::max(glm::ivec3(glm::ceil(box.lower + centre)), 0),
-          glm::min(glm::ivec3(glm::floor(box.upper + centre)) + 1, grid.dims)};
-}
 
 // Shrinks a box from all sides until something shows there: only what lies around it is looked at.
 template <class T>

@@ -131,6 +131,10 @@ void add(const Boundary& boundary, std::vector<Boundary>& boundaries) {
 } // namespace
 
 std::vector<Boundary> boundariesOf(const Volume& volume, const Effort& effort) {
+  return boundariesOf(volume, KeptVoxels(volume.grid(), {}, {}), effort);
+}
+
+std::vector<Boundary> boundariesOf(const Volume& volume, const KeptVoxels& kept, const Effort& effort) {
   const Histogram moduli = gradientHistogram(volume, 4096, partOf(effort, 0.0, 0.5));
   const double least =
       std::max(weakest * quantile(moduli, strongestQuantile), overNoise * quantile(moduli, 0.5));
@@ -152,7 +156,8 @@ std::vector<Boundary> boundariesOf(const Volume& volume, const Effort& effort) {
       std::vector<LowAndHigh> own;
       const auto look = [&](int j, int k) {
         for (int i = 0; i < stencil.dims.x; ++i) {
-          if (scattered(voxelOffset(stencil.dims, i, j, k)) % each != 0 || !eligible.has(i, j, k))
+          if (scattered(voxelOffset(stencil.dims, i, j, k)) % each != 0 || !kept.has(i, j, k) ||
+              !eligible.has(i, j, k))
             continue;
           const glm::dvec3 gradient = stencil.alongAxes(i, j, k);
           if (!(glm::length(gradient) >= least))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/framing/KeptVoxels.h"
 #include "scene/volume/Volume.h"
 
 #include <vector>
@@ -28,5 +29,9 @@ struct Boundary {
 /// value and gradient (G. Kindlmann, J. Durkin, IEEE VolVis 1998) each would be an arch from `low` to `high`
 /// with its top at `value()`, which crosses others. Costs two passes over the voxels; throws Cancelled.
 std::vector<Boundary> boundariesOf(const Volume& volume, const Effort& effort = {});
+
+/// The same of the voxels that are kept alone. What a change is, and how far it reaches, the whole volume
+/// tells.
+std::vector<Boundary> boundariesOf(const Volume& volume, const KeptVoxels& kept, const Effort& effort = {});
 
 } // namespace limn

@@ -20,7 +20,10 @@ double quantumOf(const Volume& volume) {
   });
 }
 
-Histogram emptyHistogram(const Volume& volume, int mostBins) {
+} // namespace
+
+Histogram binsOf(const Volume& volume, int mostBins) {
+  assert(mostBins > 0);
   const ValueRange range = volume.range();
   const double width = range.highest - range.lowest;
   const double quantum = quantumOf(volume);
@@ -36,19 +39,12 @@ Histogram emptyHistogram(const Volume& volume, int mostBins) {
           std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
 }
 
-} // namespace
-
 Histogram histogramOf(const Volume& volume, int mostBins, const Effort& effort) {
-  assert(mostBins > 0);
-  Histogram histogram = emptyHistogram(volume, mostBins);
-  const int bins = static_cast<int>(histogram.counts.size());
-  const double width = histogram.range.highest - histogram.range.lowest;
-  const double binsPerValue = width > 0.0 ? bins / width : 0.0;
+  Histogram histogram = binsOf(volume, mostBins);
+  const HistogramBins bins(histogram);
   const Rescale rescale = volume.rescale();
   const auto binOf = [&](auto stored) {
-    const double value = rescale.slope * static_cast<double>(stored) + rescale.intercept;
-    const int bin = static_cast<int>((value - histogram.range.lowest) * binsPerValue);
-    return static_cast<std::size_t>(std::clamp(bin, 0, bins - 1));
+    return bins.of(rescale.slope * static_cast<double>(stored) + rescale.intercept);
   };
   const StoredCounts& known = volume.storedCounts();
   for (std::size_t i = 0; i < known.counts.size(); ++i)

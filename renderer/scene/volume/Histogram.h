@@ -3,6 +3,7 @@
 
 #include "scene/volume/Volume.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +20,30 @@ struct Histogram {
 /// scalar. Bins of integer data are centred on values and hold equally many of them each, so that no comb
 /// appears; a constant volume has one bin. Costs a pass over voxels of more than 16 bits, of others none.
 Histogram histogramOf(const Volume& volume, int mostBins = 1024, const Effort& effort = {});
+
+/// The bins of histogramOf, empty.
+Histogram binsOf(const Volume& volume, int mostBins = 1024);
+
+/// Where values are counted.
+class HistogramBins {
+public:
+  explicit HistogramBins(const Histogram& histogram)
+      : m_lowest(histogram.range.lowest), m_last(static_cast<int>(histogram.counts.size()) - 1) {
+    const double width = histogram.range.highest - histogram.range.lowest;
+    m_binsPerValue = width > 0.0 ? (m_last + 1) / width : 0.0;
+  }
+
+  /// The bin of a value; the first or the last for one beyond the range.
+  std::size_t of(double value) const {
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<int>((value - m_lowest) * m_binsPerValue), 0, m_last));
+  }
+
+private:
+  double m_lowest;
+  double m_binsPerValue;
+  int m_last;
+};
 
 double binWidth(const Histogram& histogram);
 

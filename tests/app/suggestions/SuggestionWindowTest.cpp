@@ -132,5 +132,22 @@ TEST_F(SuggestionWindow, closingEndsThePreviewAndAnotherVolumeIsLookedAtAnew) {
   EXPECT_FALSE(dialog().isVisible());
 }
 
+// In the neck there is none of the skull and its cavities.
+TEST_F(SuggestionWindow, whatIsHiddenProposesNothingAndACropIsLookedAtAnew) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  ASSERT_TRUE(suggest());
+  const auto explained = [this] {
+    QString all;
+    for (const QLabel* label : dialog().findChildren<QLabel*>())
+      all += label->text();
+    return all;
+  };
+  const QString whole = explained();
+  session().setCrop({{0.0, 0.0, 0.0}, {1.0, 1.0, 0.3}}, {nextGestureId(), QStringLiteral("crop")});
+  EXPECT_TRUE(test::waitUntil([&] { return !buttons().empty() && explained() != whole; }));
+  undo().undo();
+  EXPECT_TRUE(test::waitUntil([&] { return !buttons().empty() && explained() == whole; }));
+}
+
 } // namespace
 } // namespace limn

@@ -28,6 +28,11 @@ public:
   void setTransferFunction(const TransferFunction& function);
   /// Shows every value of another range; a histogram without counts stands for no volume.
   void setHistogram(const Histogram& histogram);
+  /// How high the histogram stands; logarithmic at first.
+  void setHistogramScale(HistogramScale scale) {
+    m_histogram.setScale(scale);
+    update();
+  }
   void setUnit(const QString& unit) { setShown(m_plot.unit, unit); }
   void setMarkedValue(std::optional<double> value) { setShown(m_markedValue, value); }
   void setPinnedValue(std::optional<double> value) {

@@ -3,16 +3,18 @@
 
 #include "scene/volume/Histogram.h"
 #include "widgets/Theme.h"
+#include "widgets/curve/plot/HistogramView.h"
 #include "widgets/curve/plot/PlotTransform.h"
 
 #include <QPixmap>
 
 namespace limn {
 
-/// The histogram's outline as heights 0..1, one per pixel column of the plot's visible range: log1p(count)
-/// over that of the fullest bin. Where several bins share a column the fullest shows; between bin centres it
-/// is linear.
-std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns);
+/// The histogram's outline as heights 0..1, one per pixel column of the plot's visible range: count, or
+/// log1p(count), over that of the fullest bin; or the share of all that lies up to the middle of the bin.
+/// Where several bins share a column the highest shows; between bin centres it is linear.
+std::vector<double> histogramHeights(const Histogram& histogram, const ValueRange& visible, int columns,
+                                     HistogramScale scale = HistogramScale::logarithmic);
 
 /// The area below the outline, and the line along it that tells its shape, each in the size of the plot and
 /// transparent elsewhere: colours of the curve lie between them.
@@ -21,13 +23,15 @@ struct HistogramPicture {
   QPixmap edge;
 };
 
-HistogramPicture histogramPicture(const Histogram& histogram, const PlotTransform& transform,
-                                  const ThemeColors& colors, double devicePixelRatio);
+HistogramPicture histogramPicture(const Histogram& histogram, HistogramScale scale,
+                                  const PlotTransform& transform, const ThemeColors& colors,
+                                  double devicePixelRatio);
 
 /// A histogram with its picture, which is made anew only where something of it changed.
 class HistogramCache {
 public:
   void setHistogram(const Histogram& histogram);
+  void setScale(HistogramScale scale) { m_key.scale = scale, m_picture = {}; }
 
   /// Null pictures for a histogram without counts.
   HistogramPicture picture(const PlotTransform& transform, const ThemeColors& colors,
@@ -35,6 +39,7 @@ public:
 
 private:
   struct Key {
+    HistogramScale scale = HistogramScale::logarithmic;
     PlotTransform transform;
     QColor area; ///< stands for the look
     double devicePixelRatio = 0.0;

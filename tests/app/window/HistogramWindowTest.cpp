@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "scene/framing/KeptVoxels.h"
+#include "widgets/curve/HistogramButton.h"
+
+#include <QMenu>
+
+// What stands behind the curve, in the program's window.
+
+namespace limn {
+namespace {
+
+class HistogramWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    window->resize(1280, 800);
+    ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  }
+
+  TransferFunctionCanvas& plot() const { return *curves().valueEditor()->canvas(); }
+  HistogramButton& button() const { return *window->findChild<HistogramButton*>(); }
+
+  void choose(const char* name) {
+    button()
+        .menu()
+        ->findChild<QAction*>(QLatin1String(name)) // children of the menu
+        ->trigger();
+  }
+
+  // Once the menu is open, which runs a loop of its own.
+  template <class Act>
+  void onceOpen(Act&& act) {
+    auto* look = new QTimer(window.get());
+    QObject::connect(look, &QTimer::timeout, look, [this, look, act] {
+      if (!button().menu()->isVisible())
+        return;
+      look->stop();
+      act(*button().menu());
+    });
+    look->start(5);
+  }
+
+  // How the plot looks without a pointer over it.
+  QImage shown() { return plot().grab().toImage(); }
+};
+
+TEST_F(HistogramWindow, itsButtonOpensAMenuThatChangesThePlotAndIsRemembered) {
+  const QImage before = shown();
+  QAction* linear = button().menu()->findChild<QAction*>(QStringLiteral("histogram-linear"));
+  onceOpen([&](QMenu& menu) {
+    QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(linear).center());
+  });
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                    button().mapTo(window.get(), QRectF(button().rect()).center()).toPoint());
+  ASSERT_TRUE(test::waitUntil([&] { return linear->isChecked(); }));
+  EXPECT_NE(shown(), before);
+  const Settings settings(UserFolders::below(folder.path()).settings);
+  EXPECT_EQ(settings.histogramView(), (HistogramView{HistogramScale::linear, HistogramPart::whole}));
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(HistogramWindow, theKeyboardReachesIt) {
+  button().setFocus();
+  ASSERT_TRUE(button().hasFocus());
+  QAction* linear = button().menu()->findChild<QAction*>(QStringLiteral("histogram-linear"));
+  onceOpen([&](QMenu& menu) {
+    menu.setActiveAction(nullptr);
+    while (menu.activeAction() != linear)
+      QTest::keyClick(&menu, Qt::Key_Down);
+    QTest::keyClick(&menu, Qt::Key_Return);
+  });
+  QTest::keyClick(&button(), Qt::Key_Space);
+  ASSERT_TRUE(test::waitUntil([&] { return linear->isChecked(); }));
+}
+
+TEST_F(HistogramWindow, ofWhatIsKeptFollowsTheCropAndOfWhatIsVisibleTheCurve) {
+  const QImage whole = shown();
+  session().setCrop({{0.0, 0.0, 0.0}, {1.0, 0.3, 1.0}}, {nextGestureId(), "crop"});
+  EXPECT_EQ(shown(), whole) << "of the whole volume all count";
+  choose("histogram-kept");
+  ASSERT_TRUE(test::waitUntil([&] { return shown() != whole; }));
+  const QImage kept = shown();
+  session().setCrop({}, {nextGestureId(), "uncut"});
+  EXPECT_TRUE(test::waitUntil([&] { return shown() == whole; }));
+  undo().undo();
+  EXPECT_TRUE(test::waitUntil([&] { return shown() == kept; }));
+  choose("histogram-visible");
+  const QImage visible = shown();
+  EXPECT_NE(visible, kept) << "without the air around the head";
+  choose("histogram-whole");
+  EXPECT_EQ(shown(), whole);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/curve/plot/HistogramView.h"
+
+#include <QToolButton>
+
+namespace limn {
+
+/// Chooses what stands behind the curve: how high, and of which voxels.
+class HistogramButton : public QToolButton {
+  Q_OBJECT
+
+public:
+  explicit HistogramButton(QWidget* parent = nullptr);
+
+  void setView(const HistogramView& view);
+
+signals:
+  void viewChosen(const limn::HistogramView& view);
+
+private:
+  template <class Choice>
+  void addChoice(Choice choice, Choice HistogramView::*part, const QString& text, const QString& help);
+  void addHeading(const QString& text);
+
+  HistogramView m_view;
+};
+
+} // namespace limn
