@@ -59,7 +59,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_ray({m_session, *m_centre.view, *m_panels.ray}, this),
       m_emphasis(m_session, *m_panels.curves->valueEditor()->canvas(), m_planes, this),
       m_presets(PresetStore(m_folders.presets),
-                {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, *this}),
+                {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, m_settings, *this}),
       m_thumbnails({m_session, *m_panels.presets, [this] { return m_presets.fittedPresets(); },
                     [this] { return m_centre.view->pictureAspect(); }},
                    this),
@@ -155,6 +155,10 @@ void MainWindow::connectPanels() {
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
   connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
+  connect(m_panels.presets, &PresetBrowser::favouriteRequested, &m_presets, &PresetDesk::setFavourite);
+  connect(m_panels.presets, &PresetBrowser::noteRequested, &m_presets, &PresetDesk::editNote);
+  connect(m_panels.presets, &PresetBrowser::folderRequested, &m_presets, &PresetDesk::moveTo);
+  connect(m_panels.presets, &PresetBrowser::newFolderRequested, &m_presets, &PresetDesk::moveToNewFolder);
   connect(m_panels.presets, &PresetBrowser::duplicateRequested, &m_presets, &PresetDesk::duplicate);
   connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
   connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);

@@ -29,6 +29,7 @@ const std::string histogramPartKey = "histogramPart";
 const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
+const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
 const std::string saveFolderKey = "saveFolder";
@@ -343,6 +344,24 @@ void Settings::setEngine(EngineSetting engine) {
   for (const auto& [setting, name] : engineWords)
     if (setting == engine)
       set(engineKey, QLatin1String(name));
+}
+
+std::set<std::string> Settings::favourites() {
+  readAgain();
+  std::set<std::string> names;
+  for (const auto& [key, value] : m_values)
+    if (key.starts_with(favouritePrefix))
+      names.insert(key.substr(favouritePrefix.size()));
+  return names;
+}
+
+void Settings::setFavourite(const std::string& preset, bool isFavourite) {
+  change([&](SettingsDocument& values) {
+    if (isFavourite)
+      values[favouritePrefix + preset] = written(true).toStdString();
+    else
+      values.erase(favouritePrefix + preset);
+  });
 }
 
 EngineMemory Settings::engineMemory() {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace limn {
@@ -88,6 +89,10 @@ public:
   /// Automatic at first.
   EngineSetting engine() const;
   void setEngine(EngineSetting engine);
+
+  /// The presets, by name, that are listed first; those of other windows too.
+  std::set<std::string> favourites();
+  void setFavourite(const std::string& preset, bool isFavourite);
 
   /// The outcome of trials on this machine and others that share the file. Valid while this lives.
   EngineMemory engineMemory();

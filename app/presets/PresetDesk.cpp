@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetDesk.h"
 
+#include "app/Settings.h"
 #include "app/document/OpenDocument.h"
 #include "app/presets/PresetStore.h"
 #include "app/saving/SaveNotes.h"
@@ -30,6 +31,7 @@ PresetDesk::PresetDesk(PresetStore store, const Partners& partners)
 void PresetDesk::refresh() {
   const PresetStore::Contents own = m_store.read();
   m_own = own.presets;
+  showStanding();
   m_with.browser.setPresets(m_builtIn, m_own);
   if (!own.problems.empty())
     m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(own.problems.front()));
@@ -37,13 +39,25 @@ void PresetDesk::refresh() {
 }
 
 std::vector<Preset> PresetDesk::fittedPresets() const {
-  std::vector<Preset> presets = m_own;
-  for (const Preset& preset : m_builtIn)
-    presets.push_back(fittedTo(preset, m_with.document.histogram()));
+  std::vector<Preset> presets;
+  for (const QString& name : m_with.browser.presets())
+    presets.push_back(fitted(name).value());
   return presets;
 }
 
+void PresetDesk::showStanding() {
+  PresetStanding standing;
+  standing.favourites = m_with.settings.favourites();
+  m_volume = m_with.session.scene().volume;
+  if (m_volume)
+    standing.fit = {m_volume->info().modality, firstLook(*m_volume, m_with.document.histogram()),
+                    looksLikeHounsfield(*m_volume)};
+  m_with.browser.setStanding(standing);
+}
+
 void PresetDesk::markShown() {
+  if (m_with.session.scene().volume != m_volume)
+    showStanding();
   const OpenDocument::PresetInUse preset = m_with.document.presetInUse();
   m_with.browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
 }
@@ -64,7 +78,21 @@ std::optional<Preset> PresetDesk::fitted(const QString& name) const {
   return isBuiltIn && m_with.session.scene().volume ? fittedTo(*found, m_with.document.histogram()) : *found;
 }
 
+// Somebody may have edited its file.
+void PresetDesk::readAgain(const QString& name) {
+  const auto known = named(m_own, name);
+  if (known == m_own.end())
+    return;
+  try {
+    if (m_store.find(known->name) != *known)
+      refresh();
+  } catch (const Error&) {
+    refresh(); // and say why
+  }
+}
+
 void PresetDesk::use(const QString& name) {
+  readAgain(name);
   const std::optional<Preset> preset = fitted(name);
   if (!preset || !m_with.session.scene().volume)
     return;
@@ -127,11 +155,8 @@ void PresetDesk::useNumber(int number) {
                                        {nextGestureId(), tr("use the full range")});
     return;
   }
-  const auto index = static_cast<std::size_t>(number - 1);
-  if (index < m_builtIn.size())
-    use(QString::fromStdString(m_builtIn[index].name));
-  else if (index - m_builtIn.size() < m_own.size())
-    use(QString::fromStdString(m_own[index - m_builtIn.size()].name));
+  if (const QStringList listed = m_with.browser.presets(); number <= listed.size())
+    use(listed[number - 1]);
 }
 
 void PresetDesk::askForName() {
@@ -167,7 +192,11 @@ bool PresetDesk::mayBeCalled(const QString& name) const {
 void PresetDesk::save(const QString& name) {
   if (!mayBeCalled(name))
     return;
-  const Preset preset = presetOf(m_with.session.scene(), name.toStdString());
+  Preset preset = presetOf(m_with.session.scene(), name.toStdString());
+  if (const auto before = named(m_own, name); before != m_own.end()) {
+    preset.note = before->note;
+    preset.folder = before->folder;
+  }
   const auto write = [&] {
     m_store.save(preset);
     refresh();
@@ -180,6 +209,8 @@ void PresetDesk::save(const QString& name) {
 void PresetDesk::remove(const QString& name) {
   try {
     m_store.remove(name.toStdString());
+    if (m_with.settings.favourites().contains(name.toStdString()))
+      m_with.settings.setFavourite(name.toStdString(), false);
     refresh();
   } catch (const Error& error) {
     m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(error.what()));
@@ -188,11 +219,10 @@ void PresetDesk::remove(const QString& name) {
 
 void PresetDesk::rename(const QString& name) {
   const auto give = [this, name](const QString& entered) {
-    const std::vector<Preset> own = m_store.read().presets;
-    const auto found = named(own, name);
-    if (entered == name || found == own.end() || !mayBeCalled(entered))
+    const auto found = named(m_own, name);
+    if (entered == name || found == m_own.end() || !mayBeCalled(entered))
       return;
-    if (named(own, entered) != own.end())
+    if (named(m_own, entered) != m_own.end())
       return m_with.messages.show(MessageBar::Kind::error,
                                   tr("There is a preset \"%1\" already; choose another name.").arg(entered));
     m_with.notes.attempt([&] {
@@ -200,6 +230,10 @@ void PresetDesk::rename(const QString& name) {
       renamed.name = entered.toStdString();
       m_store.save(renamed);
       m_store.remove(name.toStdString());
+      if (m_with.settings.favourites().contains(name.toStdString())) {
+        m_with.settings.setFavourite(name.toStdString(), false);
+        m_with.settings.setFavourite(renamed.name, true);
+      }
       if (Preset inUse = m_with.session.preset(); inUse.name == name.toStdString()) {
         inUse.name = renamed.name;
         m_with.session.adoptPreset(inUse);
@@ -209,6 +243,42 @@ void PresetDesk::rename(const QString& name) {
     });
   };
   ask(tr("Rename preset"), tr("New name:"), name, give);
+}
+
+void PresetDesk::setFavourite(const QString& name, bool isFavourite) {
+  m_with.settings.setFavourite(name.toStdString(), isFavourite);
+  showStanding();
+}
+
+void PresetDesk::change(const QString& name, const std::function<void(Preset&)>& edit) {
+  const auto found = named(m_own, name);
+  if (found == m_own.end())
+    return;
+  Preset changed = *found;
+  edit(changed);
+  m_with.notes.attempt([&] {
+    m_store.save(changed);
+    refresh();
+  });
+}
+
+void PresetDesk::editNote(const QString& name) {
+  const Preset* preset = find(name);
+  if (!preset)
+    return;
+  ask(tr("Note of \"%1\"").arg(name), tr("What it shows, in one sentence:"),
+      QString::fromStdString(preset->note), [this, name](const QString& note) {
+        change(name, [&](Preset& changed) { changed.note = note.toStdString(); });
+      });
+}
+
+void PresetDesk::moveTo(const QString& name, const QString& folder) {
+  change(name, [&](Preset& changed) { changed.folder = folder.toStdString(); });
+}
+
+void PresetDesk::moveToNewFolder(const QString& name) {
+  ask(tr("New folder"), tr("Folder for \"%1\":").arg(name), {},
+      [this, name](const QString& folder) { moveTo(name, folder); });
 }
 
 void PresetDesk::duplicate(const QString& name) {

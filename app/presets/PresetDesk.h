@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 class QWidget;
@@ -17,6 +18,8 @@ class OpenDocument;
 class PresetBrowser;
 class SaveNotes;
 class Session;
+class Settings;
+class Volume;
 
 /// Uses presets in a session, built-in ones and the user's own, and keeps the latter.
 class PresetDesk : public QObject {
@@ -30,7 +33,8 @@ public:
     PresetBrowser& browser; ///< lists the presets and marks the one in use
     MessageBar& messages;
     SaveNotes& notes;
-    QWidget& window; ///< over which is asked
+    Settings& settings; ///< knows the favourites
+    QWidget& window;    ///< over which is asked
   };
 
   PresetDesk(PresetStore store, const Partners& partners);
@@ -56,6 +60,13 @@ public:
   void remove(const QString& name);
   /// Asks for another name of one of the user's own presets.
   void rename(const QString& name);
+  void setFavourite(const QString& name, bool isFavourite);
+  /// Asks for the note of one of the user's own presets.
+  void editNote(const QString& name);
+  /// Puts one of them into a folder of the list; an empty one is none.
+  void moveTo(const QString& name, const QString& folder);
+  /// Asks for the folder.
+  void moveToNewFolder(const QString& name);
   /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
   void duplicate(const QString& name);
 
@@ -76,12 +87,16 @@ private:
   const Preset* find(const QString& name) const;
   std::optional<Preset> fitted(const QString& name) const;
   void save(const QString& name);
+  void change(const QString& name, const std::function<void(Preset&)>& edit);
+  void showStanding();
+  void readAgain(const QString& name);
 
   PresetStore m_store;
   Partners m_with;
   std::vector<Preset> m_builtIn = builtInPresets();
-  std::vector<Preset> m_own; ///< as read last
-  QString m_said;            ///< in the message bar, of the preset used last
+  std::vector<Preset> m_own;              ///< as read last
+  std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
+  QString m_said;                         ///< in the message bar, of the preset used last
 };
 
 } // namespace limn

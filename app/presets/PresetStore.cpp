@@ -10,11 +10,27 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace limn {
 namespace {
 
 constexpr std::size_t longestFileName = 255; // of the usual file systems, bytes
+
+// In alphabetical order, so that of two presets of one name it is always the same that counts.
+std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, missing))
+    if (entry.path().extension() == ".json" && !isTemporary(entry.path()))
+      files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+Preset presetIn(const std::filesystem::path& file) {
+  return parsePreset(readTextFile(file), file.filename().string());
+}
 
 } // namespace
 
@@ -40,31 +56,61 @@ std::filesystem::path PresetStore::fileOf(const std::string& name) const {
 
 PresetStore::Contents PresetStore::read() const {
   Contents contents;
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(m_folder, missing)) {
-    if (entry.path().extension() != ".json" || isTemporary(entry.path()))
-      continue;
+  std::set<std::string> taken;
+  for (const Preset& preset : builtInPresets())
+    taken.insert(preset.name);
+  for (const std::filesystem::path& file : filesIn(m_folder))
     try {
-      contents.presets.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
+      Preset preset = presetIn(file);
+      if (!taken.insert(preset.name).second)
+        throw Error(Error::Kind::input, "The preset file " + file.filename().string() +
+                                            " is left out: another preset is called \"" + preset.name +
+                                            "\"; give it a name of its own.");
+      contents.presets.push_back(std::move(preset));
     } catch (const Error& error) {
       contents.problems.emplace_back(error.what());
     }
-  }
   std::ranges::sort(contents.presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
   return contents;
 }
 
+// Usually the one that is named after it; somebody may have named another by hand. Empty: none.
+std::filesystem::path PresetStore::fileHolding(const std::string& name) const {
+  if (std::error_code unknown; std::filesystem::exists(fileOf(name), unknown))
+    return fileOf(name);
+  for (const std::filesystem::path& file : filesIn(m_folder))
+    try {
+      if (presetIn(file).name == name)
+        return file;
+    } catch (const Error&) {
+      // Whatever it is, it is not this one.
+    }
+  return {};
+}
+
+std::optional<Preset> PresetStore::find(const std::string& name) const {
+  const std::filesystem::path file = fileHolding(name);
+  return file.empty() ? std::nullopt : std::optional(presetIn(file));
+}
+
 void PresetStore::save(const Preset& preset) const {
-  if (fileOf(preset.name).filename().string().size() > longestFileName)
+  const std::filesystem::path file = fileOf(preset.name);
+  if (file.filename().string().size() > longestFileName)
     throw Error(Error::Kind::usage,
                 "Cannot save the preset: its name is too long for a file; choose a shorter one.");
   makeFolder(m_folder);
-  writeFileAtomically(fileOf(preset.name), presetToJson(preset), FilePlace::fixed);
+  const std::filesystem::path before = fileHolding(preset.name);
+  writeFileAtomically(file, presetToJson(preset), FilePlace::fixed);
+  std::error_code failed; // then the list says that two have one name
+  if (!before.empty() && before != file)
+    std::filesystem::remove(before, failed);
 }
 
 void PresetStore::remove(const std::string& name) const {
+  const std::filesystem::path file = fileHolding(name);
   std::error_code failed;
-  std::filesystem::remove(fileOf(name), failed);
+  if (!file.empty())
+    std::filesystem::remove(file, failed);
   if (failed)
     throw Error(Error::Kind::other, "Cannot delete the preset \"" + name + "\": " + failed.message() + ".");
 }

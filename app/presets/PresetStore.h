@@ -4,6 +4,7 @@
 #include "scene/presets/Preset.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,16 @@ public:
   /// A store in the platform's data folder for this program.
   static PresetStore ofThisUser();
 
-  /// What could be read, by name, and one sentence for each file that could not.
+  /// What could be read, by name, and one sentence for each file that could not, or repeats a name.
   struct Contents {
     std::vector<Preset> presets;
     std::vector<std::string> problems;
   };
   Contents read() const;
+
+  /// The preset of this name as its file has it now; absent where there is none. Throws Error where it cannot
+  /// be read.
+  std::optional<Preset> find(const std::string& name) const;
 
   /// Writes a preset atomically, replacing the one of the same name. Throws Error.
   void save(const Preset& preset) const;
@@ -35,6 +40,7 @@ public:
 
 private:
   std::filesystem::path fileOf(const std::string& name) const;
+  std::filesystem::path fileHolding(const std::string& name) const;
   std::filesystem::path m_folder;
 };
 

@@ -45,6 +45,16 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
   EXPECT_EQ(settings.windowState(), "state");
 }
 
+TEST_F(Settled, favouritesAreThoseOfEveryWindow) {
+  Settings one(file());
+  Settings other(file());
+  one.setFavourite("CT bone", true);
+  other.setFavourite("Kopf · \"MR\"/2", true);
+  EXPECT_EQ(one.favourites(), (std::set<std::string>{"CT bone", "Kopf · \"MR\"/2"}));
+  other.setFavourite("CT bone", false);
+  EXPECT_EQ(one.favourites(), std::set<std::string>{"Kopf · \"MR\"/2"});
+}
+
 TEST_F(Settled, twoWindowsLoseNothingOfEachOther) {
   Settings one(file());
   Settings other(file());

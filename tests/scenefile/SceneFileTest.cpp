@@ -178,11 +178,13 @@ TEST(PresetFile, whatIsWrittenIsReadBack) {
   const Preset preset{.name = "Knochen",
                       .modality = "CT",
                       .note = "Bone in warm colours",
+                      .folder = "Heads",
                       .transferFunction = unusualScene().transferFunction,
                       .gradientOpacity = GradientOpacity{{{0.5, 0.25}, {80.0, 1.0 / 3.0}}},
                       .shading = unusualScene().shading,
                       .projection = Projection::compositeIsosurface,
-                      .isovalue = 123.456789};
+                      .isovalue = 123.456789,
+                      .landmarks = Landmarks{0.0, 0.1, 99.9}};
   EXPECT_EQ(parsePreset(presetToJson(preset), "p"), preset);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetBrowser.h"
+#include "support/JudgedTime.h"
 #include "support/Waiting.h"
 #include "widgets/FindWidget.h"
 #include "widgets/PresetNames.h"
@@ -12,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
@@ -166,7 +168,8 @@ TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT bone"));
   EXPECT_EQ(marked(), QStringLiteral("CT bone"));
   EXPECT_EQ(m_chosen.size(), 1);
-  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Compare with the picture", "Duplicate…", "Copy name"}))
+  EXPECT_EQ(menuTexts(),
+            (QStringList{"Use", "Compare with the picture", "Add to favourites", "Duplicate…", "Copy name"}))
       << "built-in ones stay as they are";
   trigger("Use");
   EXPECT_EQ(marked(), QStringLiteral("CT lung"));
@@ -177,10 +180,46 @@ TEST_F(PresetBrowserTest, theMenuOfTheKeyboardIsAboutTheRowInHand) {
   m_browser.setCurrent(QStringLiteral("My temporal bone"), true);
   QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
   QCoreApplication::sendEvent(list(), &asked);
-  EXPECT_EQ(menuTexts(), (QStringList{"Reset to this preset", "Compare with the picture", "Duplicate…",
-                                      "Rename…", "Delete", "Copy name"}));
+  EXPECT_EQ(menuTexts(),
+            (QStringList{"Reset to this preset", "Compare with the picture", "Add to favourites",
+                         "Duplicate…", "Rename…", "Note…", "Move to folder", "Delete", "Copy name"}));
   trigger("Reset to this preset");
   EXPECT_EQ(marked(), QStringLiteral("My temporal bone"));
+}
+
+TEST_F(PresetBrowserTest, fMakesAFavouriteAndF2RenamesOneOfTheUsersOwn) {
+  QSignalSpy favourite(&m_browser, &PresetBrowser::favouriteRequested);
+  QSignalSpy rename(&m_browser, &PresetBrowser::renameRequested);
+  click(QStringLiteral("CT bone"));
+  QTest::keyClick(list(), Qt::Key_F);
+  QTest::keyClick(list(), Qt::Key_F2);
+  ASSERT_EQ(favourite.size(), 1);
+  EXPECT_EQ(favourite.front(), (QVariantList{QStringLiteral("CT bone"), true}));
+  EXPECT_TRUE(rename.isEmpty()) << "a built-in one";
+  m_browser.setStanding({{"CT bone"}, std::nullopt});
+  EXPECT_EQ(presetNames(m_browser).front(), QStringLiteral("CT bone"));
+  EXPECT_EQ(marked(), QStringLiteral("CT bone"));
+  QTest::keyClick(list(), Qt::Key_F);
+  EXPECT_EQ(favourite.back(), (QVariantList{QStringLiteral("CT bone"), false}));
+  click(QStringLiteral("My temporal bone"));
+  QTest::keyClick(list(), Qt::Key_F2);
+  ASSERT_EQ(rename.size(), 1);
+  EXPECT_EQ(rename.front(), QVariantList{QStringLiteral("My temporal bone")});
+}
+
+TEST_F(PresetBrowserTest, fourHundredPresetsAreListedAndFound) {
+  std::vector<Preset> many;
+  for (int i = 0; i < 400; ++i) {
+    many.push_back(samplePresets()[0]);
+    many.back().name = "Mine " + std::to_string(1000 + i);
+    many.back().folder = "Folder " + std::to_string(i % 7);
+  }
+  const double before = test::threadMs();
+  m_browser.setPresets(samplePresets(), many);
+  test::judgeMs("listing 400 presets", test::threadMs() - before, 100.0);
+  EXPECT_EQ(presetNames(m_browser).size(), 400 + static_cast<int>(samplePresets().size()));
+  QTest::keyClicks(search(), QStringLiteral("folder 3 1003"));
+  EXPECT_EQ(presetNames(m_browser), QStringList{"Mine 1003"});
 }
 
 TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {

@@ -4,11 +4,10 @@
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetDelegate.h"
+#include "widgets/presets/PresetMenu.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/presets/PresetPointer.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -118,7 +117,8 @@ void PresetBrowser::clearPictures() {
 }
 
 void PresetBrowser::refill() {
-  fillPresetModel(*m_model, m_builtIn, m_own, lookOf(palette()));
+  const int scrolled = m_list->verticalScrollBar()->value();
+  fillPresetModel(*m_model, groupedPresets(m_builtIn, m_own, m_standing), lookOf(palette()));
   for (const auto& [name, picture] : m_pictures)
     showPresetPicture(*m_model, name, picture);
   search(m_search->text());
@@ -127,6 +127,22 @@ void PresetBrowser::refill() {
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
   showButtons();
+  m_list->verticalScrollBar()->setValue(scrolled);
+}
+
+void PresetBrowser::setStanding(const PresetStanding& standing) {
+  if (standing == m_standing)
+    return;
+  m_standing = standing;
+  refill();
+}
+
+QStringList PresetBrowser::presets() const {
+  QStringList names;
+  for (const PresetGroup& group : groupedPresets(m_builtIn, m_own, m_standing))
+    for (const ListedPreset& listed : group.presets)
+      names << QString::fromStdString(listed.preset.name);
+  return names;
 }
 
 void PresetBrowser::search(const QString& text) {
@@ -185,22 +201,28 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
   if (!index.isValid() || index.data(presetRole::isGroup).toBool())
     return;
   const QString name = index.data().toString();
-  auto* menu = new QMenu(this);
+  PresetInHand preset;
+  preset.name = name;
+  preset.isOwn = index.data(presetRole::isOwn).toBool();
+  preset.isFavourite = index.data(presetRole::isFavourite).toBool();
+  preset.isModified = name == m_current && m_isModified;
+  preset.allFolders = foldersOf(m_own);
+  for (const Preset& own : m_own)
+    if (own.name == name.toStdString())
+      preset.folder = own.folder;
+  const auto ask = [this, name](auto signal) { return [this, name, signal] { emit(this->*signal)(name); }; };
+  PresetDeeds deeds;
+  deeds.use = ask(&PresetBrowser::presetChosen);
+  deeds.compare = ask(&PresetBrowser::compareRequested);
+  deeds.toggleFavourite = [this, name, is = preset.isFavourite] { emit favouriteRequested(name, !is); };
+  deeds.duplicate = ask(&PresetBrowser::duplicateRequested);
+  deeds.rename = ask(&PresetBrowser::renameRequested);
+  deeds.editNote = ask(&PresetBrowser::noteRequested);
+  deeds.remove = ask(&PresetBrowser::deleteRequested);
+  deeds.moveToNewFolder = ask(&PresetBrowser::newFolderRequested);
+  deeds.moveTo = [this, name](const QString& folder) { emit folderRequested(name, folder); };
+  QMenu* menu = makePresetMenu(preset, deeds, this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  const auto add = [&](const QString& text, auto act) { menu->addAction(text, this, act); };
-  if (name == m_current && m_isModified)
-    add(tr("Reset to this preset"), [this, name] { emit presetChosen(name); });
-  else
-    add(tr("Use"), [this, name] { emit presetChosen(name); });
-  add(tr("Compare with the picture"), [this, name] { emit compareRequested(name); });
-  menu->addSeparator();
-  add(tr("Duplicate…"), [this, name] { emit duplicateRequested(name); });
-  if (index.data(presetRole::isOwn).toBool()) {
-    add(tr("Rename…"), [this, name] { emit renameRequested(name); });
-    add(tr("Delete"), [this, name] { emit deleteRequested(name); });
-  }
-  menu->addSeparator();
-  add(tr("Copy name"), [name] { QApplication::clipboard()->setText(name); });
   menu->popup(at);
 }
 
@@ -227,15 +249,27 @@ bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
   const int key = static_cast<QKeyEvent*>(event)->key();
   if (watched == m_search)
     return handleSearchKey(key);
-  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+  return handleListKey(key);
+}
+
+bool PresetBrowser::handleListKey(int key) {
+  const QString own = ownPresetInHand();
+  if (key == Qt::Key_Return || key == Qt::Key_Enter)
     choose(m_list->currentIndex());
-    return true;
-  }
-  if (key == Qt::Key_Delete && !ownPresetInHand().isEmpty()) {
-    emit deleteRequested(ownPresetInHand());
-    return true;
-  }
-  return false;
+  else if (key == Qt::Key_F)
+    toggleFavourite(m_list->currentIndex());
+  else if (key == Qt::Key_Delete && !own.isEmpty())
+    emit deleteRequested(own);
+  else if (key == Qt::Key_F2 && !own.isEmpty())
+    emit renameRequested(own);
+  else
+    return false;
+  return true;
+}
+
+void PresetBrowser::toggleFavourite(const QModelIndex& index) {
+  if (index.isValid() && !index.data(presetRole::isGroup).toBool())
+    emit favouriteRequested(index.data().toString(), !index.data(presetRole::isFavourite).toBool());
 }
 
 // A menu is about the row under the pointer; the one that is marked stays.

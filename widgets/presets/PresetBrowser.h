@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/presets/Preset.h"
+#include "widgets/presets/PresetOrder.h"
 
 #include <QWidget>
 
@@ -21,9 +21,10 @@ namespace limn {
 class PresetDelegate;
 struct PresetPicture;
 
-/// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
-/// Enter chooses, a right click opens a menu and selects nothing; names are unique over both lists. The frame
-/// marks the preset that is shown, wherever the keyboard is. It saves and deletes nothing itself.
+/// The presets as a searchable list, in groups (PresetOrder). A click or Enter chooses, a right click opens a
+/// menu and selects nothing; F makes a favourite, F2 renames, Delete deletes; names are unique over both
+/// lists. The frame marks the preset that is shown, wherever the keyboard is. It saves and deletes nothing
+/// itself.
 class PresetBrowser : public QWidget {
   Q_OBJECT
 
@@ -32,6 +33,12 @@ public:
   ~PresetBrowser() override;
 
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
+
+  /// Lists them in another order.
+  void setStanding(const PresetStanding& standing);
+
+  /// The names of all presets from top to bottom, whatever is searched for.
+  QStringList presets() const;
 
   /// Marks a preset by name, without choosing it, as the one that the picture was made from, changed since or
   /// not; an unknown or empty name marks none. A choice by the user marks nothing by itself: its receiver
@@ -58,8 +65,12 @@ signals:
   void duplicateRequested(const QString& name);
   /// A preset is to be seen beside what is shown.
   void compareRequested(const QString& name);
+  void favouriteRequested(const QString& name, bool isFavourite);
   /// Only for the user's own presets.
   void renameRequested(const QString& name);
+  void noteRequested(const QString& name);
+  void folderRequested(const QString& name, const QString& folder); ///< empty: none
+  void newFolderRequested(const QString& name);
   void deleteRequested(const QString& name);
 
 protected:
@@ -74,15 +85,18 @@ private:
   void mark();
   void offerMenu(const QModelIndex& index, const QPoint& at);
   void choose(const QModelIndex& index);
+  void toggleFavourite(const QModelIndex& index);
   QString ownPresetInHand() const;
   void showButtons();
   bool handleSearchKey(int key);
+  bool handleListKey(int key);
   bool handleRightClick(const QEvent& event);
 
   std::vector<Preset> m_builtIn;
   std::vector<Preset> m_own;
   std::map<QString, PresetPicture> m_pictures; ///< by preset
-  QString m_current;                           ///< the preset in use
+  PresetStanding m_standing;
+  QString m_current; ///< the preset in use
   bool m_isModified = false;
   QLineEdit* m_search;
   QTreeView* m_list;

@@ -10,6 +10,8 @@
 #include <QTextLayout>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace limn {
@@ -152,6 +154,22 @@ void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRe
       painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
+// Of a favourite, in a corner of its picture; it stands out from any.
+void paintStar(QPainter& painter, const QPointF& centre, const ThemeColors& colors) {
+  constexpr double outer = 6.0;
+  constexpr double inner = 2.6;
+  QPolygonF star;
+  for (int corner = 0; corner < 10; ++corner) {
+    const double angle = std::numbers::pi * (corner / 5.0 - 0.5);
+    star << centre + (corner % 2 ? inner : outer) * QPointF(std::cos(angle), std::sin(angle));
+  }
+  painter.setPen(QPen(QColor(0, 0, 0, 200), 2.0));
+  painter.setBrush(colors.accent);
+  painter.drawPolygon(star);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(star);
+}
+
 } // namespace
 
 void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -181,6 +199,8 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
   paintTexts(*painter, option, texts, index);
+  if (index.data(presetRole::isFavourite).toBool())
+    paintStar(*painter, QPointF(picture.right() - 7.0, picture.top() + 8.0), colors);
   painter->restore();
 }
 

@@ -14,35 +14,25 @@
 namespace limn {
 namespace {
 
-QString groupTitle(const QString& modality) {
-  if (modality == QStringLiteral("PT"))
-    return QObject::tr("PET");
-  if (modality == QStringLiteral("US"))
-    return QObject::tr("Ultrasound");
-  return modality.isEmpty() ? QObject::tr("Any data") : modality;
-}
-
-QStandardItem* groupItem(QStandardItemModel& model, const QString& title) {
-  for (int row = 0; row < model.rowCount(); ++row)
-    if (model.item(row)->text() == title)
-      return model.item(row);
+QStandardItem* groupItem(const QString& title) {
   auto* item = new QStandardItem(title);
   item->setData(true, presetRole::isGroup);
   item->setFlags(Qt::ItemIsEnabled);
-  model.appendRow(item);
   return item;
 }
 
-QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture) {
-  const QString name = QString::fromStdString(preset.name);
-  const QString note = QString::fromStdString(preset.note);
-  const QString modality = QString::fromStdString(preset.modality);
+QStandardItem* presetItem(const ListedPreset& listed, const QImage& curve) {
+  const QString name = QString::fromStdString(listed.preset.name);
+  const QString note = QString::fromStdString(listed.preset.note);
+  const QString modality = QString::fromStdString(listed.preset.modality);
+  const QString folder = QString::fromStdString(listed.preset.folder);
   auto* item = new QStandardItem(name);
   item->setData(false, presetRole::isGroup);
-  item->setData(own, presetRole::isOwn);
-  item->setData(own && note.isEmpty() ? modality : note, presetRole::note);
-  item->setData(picture, presetRole::curve);
-  item->setData(QStringList{name, modality, note}.join(QLatin1Char(' ')), presetRole::searchText);
+  item->setData(listed.isOwn, presetRole::isOwn);
+  item->setData(listed.isFavourite, presetRole::isFavourite);
+  item->setData(listed.isOwn && note.isEmpty() ? modality : note, presetRole::note);
+  item->setData(curve, presetRole::curve);
+  item->setData(QStringList{name, modality, folder, note}.join(QLatin1Char(' ')), presetRole::searchText);
   item->setToolTip(
       note.isEmpty()
           ? name
@@ -62,6 +52,8 @@ void forEachPreset(QStandardItemModel& model, Work work) {
 // What is seen of a row is heard, too.
 void nameForScreenReaders(QStandardItem& item) {
   QStringList parts{item.text()};
+  if (item.data(presetRole::isFavourite).toBool())
+    parts << QObject::tr("favourite", "a preset");
   const auto use = static_cast<PresetUse>(item.data(presetRole::use).toInt());
   if (use != PresetUse::none)
     parts << QObject::tr("shown", "a preset");
@@ -125,18 +117,15 @@ void showPresetPicture(QStandardItemModel& model, const QString& name, const Pre
   });
 }
 
-void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, Look look) {
+void fillPresetModel(QStandardItemModel& model, const std::vector<PresetGroup>& groups, Look look) {
   model.clear();
-  const auto add = [&](const Preset& preset, bool isOwn, const QString& group) {
-    const QSize size(thumbnailWidth, thumbnailHeight);
-    const QImage picture = curveThumbnail(preset.transferFunction, size, 2.0, look);
-    groupItem(model, group)->appendRow(presetItem(preset, isOwn, picture));
-  };
-  for (const Preset& preset : own)
-    add(preset, true, QObject::tr("My presets"));
-  for (const Preset& preset : builtIn)
-    add(preset, false, groupTitle(QString::fromStdString(preset.modality)));
+  for (const PresetGroup& group : groups) {
+    QStandardItem* heading = groupItem(group.title);
+    model.appendRow(heading);
+    for (const ListedPreset& listed : group.presets)
+      heading->appendRow(presetItem(listed, curveThumbnail(listed.preset.transferFunction,
+                                                           {thumbnailWidth, thumbnailHeight}, 2.0, look)));
+  }
 }
 
 } // namespace limn

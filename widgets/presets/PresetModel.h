@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/presets/Preset.h"
 #include "widgets/Theme.h"
+#include "widgets/presets/PresetOrder.h"
 
 #include <QImage>
 #include <QString>
@@ -25,13 +25,11 @@ struct PresetPicture {
 
 /// Roles of the preset list beside Qt::DisplayRole, the preset's name or the group's title.
 namespace presetRole {
-enum { isGroup = Qt::UserRole + 1, isOwn, note, curve, picture, searchText, use, showsNothing };
+enum { isGroup = Qt::UserRole + 1, isOwn, note, curve, picture, searchText, use, showsNothing, isFavourite };
 }
 
-/// Fills `model` with groups of presets: the user's own first, then the built-in ones by modality, in the
-/// order in which they are given, each with a picture of its curve in the colours of a look.
-void fillPresetModel(QStandardItemModel& model, const std::vector<Preset>& builtIn,
-                     const std::vector<Preset>& own, Look look);
+/// Fills `model` with groups of presets, each with a picture of its curve in the colours of a look.
+void fillPresetModel(QStandardItemModel& model, const std::vector<PresetGroup>& groups, Look look);
 
 /// Marks the preset of this name, and no other, as used this way; an unknown or empty name marks none.
 void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use);

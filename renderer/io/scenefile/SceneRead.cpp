@@ -325,6 +325,7 @@ Preset readPreset(JsonFields& fields) {
     fields.fail("name", "is missing");
   fields.text("modality", preset.modality);
   fields.text("note", preset.note);
+  fields.text("folder", preset.folder);
   if (!fields.has("transfer_function"))
     fields.fail("transfer_function", "is missing");
   preset.transferFunction = readTransferFunction(fields.object("transfer_function"));

@@ -151,6 +151,8 @@ nlohmann::ordered_json presetJson(const Preset& preset) {
                {"modality", preset.modality},
                {"note", preset.note},
                {"transfer_function", toJson(preset.transferFunction)}};
+  if (!preset.folder.empty())
+    json["folder"] = preset.folder;
   if (preset.gradientOpacity)
     json["gradient_opacity"] = toJson(preset.gradientOpacity);
   if (preset.shading)

@@ -14,6 +14,7 @@ struct Preset {
   std::string name;
   std::string modality; ///< "CT", "MR", …
   std::string note;     ///< one sentence: what it shows; short lists have it up to a semicolon
+  std::string folder;   ///< of one of the user's own, in their list; empty: none
   TransferFunction transferFunction;
   std::optional<GradientOpacity> gradientOpacity;
   std::optional<Shading> shading;

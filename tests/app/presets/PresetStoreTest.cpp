@@ -55,6 +55,50 @@ TEST(PresetStore, keepsPresetsUnderAnyName) {
                 entry.path().parent_path() == folder.path() / "presets");
 }
 
+// A user's file system: what is in it may have been copied, renamed and edited by hand.
+TEST(PresetStore, filesThatAreNamedByHandAreFoundReplacedAndRemoved) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  store.save(named("Mine"));
+  std::filesystem::rename(folder.path() / "Mine.json", folder.path() / "for anna.json");
+  ASSERT_TRUE(store.find("Mine"));
+  EXPECT_EQ(store.find("Mine"), named("Mine"));
+  Preset changed = named("Mine");
+  changed.note = "changed";
+  store.save(changed);
+  EXPECT_EQ(store.read().presets, std::vector{changed}) << "not twice";
+  std::filesystem::rename(folder.path() / "Mine.json", folder.path() / "for anna.json");
+  store.remove("Mine");
+  EXPECT_TRUE(store.read().presets.empty());
+  EXPECT_FALSE(store.find("Mine"));
+}
+
+TEST(PresetStore, aNameThatIsTakenOrAFileThatIsBrokenIsSaidAndLeftOut) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  store.save(named("Mine"));
+  std::filesystem::copy_file(folder.path() / "Mine.json", folder.path() / "copy.json");
+  store.save(named("CT bone")); // a built-in one
+  std::ofstream(folder.path() / "broken.json") << "{\"limn_preset\": 1, \"name\": ";
+  const PresetStore::Contents contents = store.read();
+  ASSERT_EQ(contents.presets.size(), 1u);
+  EXPECT_EQ(contents.presets.front().name, "Mine");
+  ASSERT_EQ(contents.problems.size(), 3u);
+  const char* const files[] = {"CT bone.json", "broken.json", "copy.json"};
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NE(contents.problems[i].find(files[i]), std::string::npos) << contents.problems[i];
+}
+
+TEST(PresetStore, keepsNoteAndFolder) {
+  const test::TemporaryFolder folder;
+  const PresetStore store(folder.path());
+  Preset preset = named("Mine");
+  preset.note = "for the \"petrous\" bone";
+  preset.folder = "Schläfe";
+  store.save(preset);
+  EXPECT_EQ(store.read().presets, std::vector{preset});
+}
+
 // A byte beside letters and digits takes three in the file's name: 83 of them and ".json" are 254.
 TEST(PresetStore, aNameThatIsTooLongIsSaid) {
   const test::TemporaryFolder folder;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/presets/PresetStore.h"
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
 
 #include <QContextMenuEvent>
+#include <QInputDialog>
 #include <QMenu>
 
 // Presets in the program's window, by mouse and keys.
@@ -150,6 +152,49 @@ TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
   window->findChild<ComparisonDesk*>()->restore(kept);
   EXPECT_EQ(view().sceneOfSide(0), left);
   EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
+}
+
+TEST_F(PresetWindow, favouritesNotesAndFoldersAreThereInTheNextWindow) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const auto answer = [this](const QString& text) {
+    onceAsked<QInputDialog>([text](QInputDialog& dialog) {
+      dialog.setTextValue(text);
+      dialog.accept();
+    });
+  };
+  const auto choose = [this](const QString& entry) {
+    const QPoint place = rowOf(browser(), QStringLiteral("Mine")).center();
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list().viewport()->mapToGlobal(place));
+    QCoreApplication::sendEvent(list().viewport(), &asked);
+    QMenu& menu = *browser().findChild<QMenu*>();
+    menu.close();
+    action(entry)->trigger();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  const UserFolders folders = UserFolders::below(folder.path());
+  const auto mine = [&] { return PresetStore(folders.presets).find("Mine").value_or(Preset{}); };
+  answer(QStringLiteral("Mine"));
+  window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+  ASSERT_TRUE(test::waitUntil([&] { return mine().name == "Mine"; }));
+  answer(QStringLiteral("for the petrous bone"));
+  choose(QStringLiteral("Note…"));
+  ASSERT_TRUE(test::waitUntil([&] { return !mine().note.empty(); }));
+  answer(QStringLiteral("Temporal"));
+  choose(QStringLiteral("New folder…"));
+  ASSERT_TRUE(test::waitUntil([&] { return !mine().folder.empty(); }));
+  click("CT lung");
+  QTest::keyClick(window->windowHandle(), Qt::Key_F);
+  EXPECT_EQ(browser().presets().mid(0, 2), (QStringList{"CT lung", "Mine"}));
+
+  window = std::make_unique<MainWindow>(folders);
+  EXPECT_EQ(browser().presets().mid(0, 2), (QStringList{"CT lung", "Mine"}));
+  EXPECT_EQ(mine().note, "for the petrous bone");
+  EXPECT_EQ(mine().folder, "Temporal");
+}
+
+TEST_F(PresetWindow, whatFitsTheVolumeBestStandsFirst) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(browser().presets().front().toStdString(), session().preset().name);
 }
 
 } // namespace
