@@ -60,7 +60,8 @@ std::optional<Preset> PresetDesk::fitted(const QString& name) const {
   if (found == presets.end())
     return std::nullopt;
   const bool isBuiltIn = found - presets.begin() < static_cast<std::ptrdiff_t>(builtInPresets().size());
-  return isBuiltIn && m_with.session.scene().volume ? fittedTo(*found, m_with.document.histogram()) : *found;
+  const std::shared_ptr<const Volume>& volume = m_with.session.scene().volume;
+  return isBuiltIn && volume ? fittedTo(*found, m_with.document.histogram(), volume->grid()) : *found;
 }
 
 void PresetDesk::use(const QString& name) {
@@ -85,7 +86,8 @@ void PresetDesk::offerToFit(const Preset& preset) {
     if (m_with.session.scene().volume != volume)
       return;
     const Landmarks to = landmarksOf(m_with.document.histogram());
-    show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
+    show(fittedTo(withLandmarks(preset), m_with.document.histogram(), volume->grid()),
+         tr("fit preset %1").arg(name));
     const auto number = [](double value) { return QLocale().toString(value, 'g', 4); };
     say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
            "HU), tissue begins at "
@@ -109,8 +111,9 @@ void PresetDesk::useNumber(int number) {
   if (!m_with.session.scene().volume)
     return;
   if (number == 0) {
-    m_with.session.setTransferFunction(automaticRamp(m_with.document.histogram()),
-                                       {nextGestureId(), tr("use the full range")});
+    m_with.session.setTransferFunction(
+        automaticRamp(m_with.document.histogram(), m_with.session.scene().volume->grid()),
+        {nextGestureId(), tr("use the full range")});
     return;
   }
   const std::vector<Preset> presets = allPresets(m_store);
