@@ -63,7 +63,8 @@ std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments
   std::vector<BenchScene> scenes;
   for (const Preset& preset : presetsFor(arguments.presets))
     scenes.push_back({stem + ", " + preset.name,
-                      withPreset(loaded.scene, fittedTo(preset, histogramOf(*loaded.scene.volume))),
+                      withPreset(loaded.scene, fittedTo(preset, histogramOf(*loaded.scene.volume),
+                                                        loaded.scene.volume->grid())),
                       loaded.volumePath});
   if (scenes.empty())
     scenes.push_back(

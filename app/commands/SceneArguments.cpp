@@ -27,7 +27,7 @@ Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
     note("\"" + preset.name +
          "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
          "or the wrong tissue.");
-  return fittedTo(preset, histogramOf(volume));
+  return fittedTo(preset, histogramOf(volume), volume.grid());
 }
 
 enum class Keep { all, body };

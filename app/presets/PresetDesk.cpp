@@ -75,7 +75,8 @@ std::optional<Preset> PresetDesk::fitted(const QString& name) const {
   if (!found)
     return std::nullopt;
   const bool isBuiltIn = named(m_builtIn, name) != m_builtIn.end();
-  return isBuiltIn && m_with.session.scene().volume ? fittedTo(*found, m_with.document.histogram()) : *found;
+  const std::shared_ptr<const Volume>& volume = m_with.session.scene().volume;
+  return isBuiltIn && volume ? fittedTo(*found, m_with.document.histogram(), volume->grid()) : *found;
 }
 
 // Somebody may have edited its file.
@@ -127,7 +128,8 @@ void PresetDesk::offerToFit(const Preset& preset) {
     if (m_with.session.scene().volume != volume)
       return;
     const Landmarks to = landmarksOf(m_with.document.histogram());
-    show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
+    show(fittedTo(withLandmarks(preset), m_with.document.histogram(), volume->grid()),
+         tr("fit preset %1").arg(name));
     const auto number = [](double value) { return digitsNumber(value, 4); };
     say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
            "HU), tissue begins at "
@@ -151,8 +153,9 @@ void PresetDesk::useNumber(int number) {
   if (!m_with.session.scene().volume)
     return;
   if (number == 0) {
-    m_with.session.setTransferFunction(automaticRamp(m_with.document.histogram()),
-                                       {nextGestureId(), tr("use the full range")});
+    m_with.session.setTransferFunction(
+        automaticRamp(m_with.document.histogram(), m_with.session.scene().volume->grid()),
+        {nextGestureId(), tr("use the full range")});
     return;
   }
   if (const QStringList listed = m_with.browser.presets(); number <= listed.size())

@@ -59,7 +59,8 @@ TransferFunction ProjectionCurves::ownCurve(const Scene& scene, Kind kind, const
     preset.transferFunction = kind == Kind::minimum ? minimumCurve() : averageCurve();
   return kind == Kind::tissue
              ? preset.transferFunction
-             : fittedTo(isHounsfield ? preset : withLandmarks(preset), histogram).transferFunction;
+             : fittedTo(isHounsfield ? preset : withLandmarks(preset), histogram, scene.volume->grid())
+                   .transferFunction;
 }
 
 void ProjectionCurves::note(const Scene& scene) {

@@ -27,7 +27,7 @@ Scene sceneOf(const char* path, const std::string& name, ShadingModel model) {
   scene.camera = defaultCamera(scene.volume->grid());
   for (const Preset& preset : builtInPresets())
     if (preset.name == name)
-      scene = withPreset(scene, fittedTo(preset, histogramOf(*scene.volume)));
+      scene = withPreset(scene, fittedTo(preset, histogramOf(*scene.volume), scene.volume->grid()));
   scene.shading.model = model;
   return scene;
 }

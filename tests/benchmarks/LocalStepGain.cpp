@@ -70,7 +70,8 @@ Scene sceneOf(const char* volume, const char* preset, const std::string& model) 
   Scene scene;
   scene.volume = readVolume(volume);
   scene.camera = defaultCamera(scene.volume->grid());
-  scene = withPreset(scene, fittedTo(parsePreset(readTextFile(preset), preset), histogramOf(*scene.volume)));
+  scene = withPreset(scene, fittedTo(parsePreset(readTextFile(preset), preset), histogramOf(*scene.volume),
+                                     scene.volume->grid()));
   scene.shading.model = models.at(model);
   scene.quality.preintegrated = Preintegration::never;
   scene.quality.earlyTermination = 1.0 - 0.125 / 255.0;

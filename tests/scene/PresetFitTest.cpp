@@ -37,7 +37,7 @@ TEST(PresetFit, quantileIsTheValueWithThatShareBelow) {
 }
 
 TEST(PresetFit, automaticRampIsTransparentForTheBackgroundAndShowsTheObject) {
-  const TransferFunction ramp = automaticRamp(histogramOf(twoClasses(), 100));
+  const TransferFunction ramp = automaticRamp(histogramOf(twoClasses(), 100), {});
   EXPECT_EQ(classify(ramp, 5.0).opacity, 0.0);
   EXPECT_GT(classify(ramp, 95.0).opacity, 0.3);
 }
@@ -51,24 +51,41 @@ TEST(PresetFit, automaticRampLeavesNoiseAroundTheObjectTransparent) {
     voxels[i] = 10.0f + 20.0f * static_cast<float>(i % 3);
   voxels[999] = 0.0f;
   voxels[998] = 100.0f;
-  const TransferFunction ramp = automaticRamp(histogramOf(Volume(grid, voxels, {}, {}, {}), 100));
+  const TransferFunction ramp = automaticRamp(histogramOf(Volume(grid, voxels, {}, {}, {}), 100), grid);
   EXPECT_EQ(classify(ramp, 50.0).opacity, 0.0);
   EXPECT_GT(classify(ramp, 95.0).opacity, 0.3);
 }
 
 TEST(PresetFit, movesPresetsByTheirLandmarksAndLeavesOthersWhereTheyAre) {
   Preset mr = spanning(0, 1000, "MR");
-  EXPECT_EQ(fittedTo(mr, histogramOf(twoClasses())), mr) << "it says of no data that it was shaped on it";
+  EXPECT_EQ(fittedTo(mr, histogramOf(twoClasses()), {}), mr) << "it says of no data that it was shaped on it";
   mr.landmarks = Landmarks{0.0, 250.0, 1000.0};
-  const Preset fitted = fittedTo(mr, histogramOf(twoClasses()));
+  const Preset fitted = fittedTo(mr, histogramOf(twoClasses()), {});
   EXPECT_NEAR(fitted.transferFunction.points.front().value, 5.0, 0.1);
   EXPECT_NEAR(fitted.transferFunction.points.back().value, 95.0, 0.1);
-  EXPECT_EQ(fittedTo(spanning(0, 1000, "CT"), histogramOf(twoClasses())), spanning(0, 1000, "CT"));
+  EXPECT_EQ(fittedTo(spanning(0, 1000, "CT"), histogramOf(twoClasses()), {}), spanning(0, 1000, "CT"));
+}
+
+// Micro-CT of 0.02 mm is as opaque a voxel as a body of 1 mm; 0.4 mm is what a head has.
+TEST(PresetFit, givesFineGridsTheirOwnUnitDistance) {
+  Grid grid;
+  const auto unitOf = [&](double spacingMm) {
+    grid.spacingMm = {spacingMm, spacingMm, 2.0};
+    const Histogram histogram = histogramOf(twoClasses());
+    return std::pair(automaticRamp(histogram, grid).unitDistanceMm,
+                     fittedTo(spanning(0, 1000, "MR"), histogram, grid).transferFunction.unitDistanceMm);
+  };
+  EXPECT_EQ(unitOf(0.02), std::pair(0.02, 0.02));
+  EXPECT_EQ(unitOf(0.4), std::pair(0.4, 1.0));
+  EXPECT_EQ(unitOf(1.5), std::pair(1.0, 1.0));
+  grid.spacingMm = glm::dvec3(0.02);
+  const Preset once = fittedTo(spanning(0, 1000, "CT"), histogramOf(twoClasses()), grid);
+  EXPECT_EQ(fittedTo(once, histogramOf(twoClasses()), grid), once);
 }
 
 TEST(PresetFit, aHounsfieldPresetCanBeMovedOntoDataOfAnotherScale) {
   const Preset preset = withLandmarks(spanning(-1000, 1500, "CT"));
-  const Preset fitted = fittedTo(preset, histogramOf(twoClasses()));
+  const Preset fitted = fittedTo(preset, histogramOf(twoClasses()), {});
   EXPECT_NEAR(fitted.transferFunction.points.front().value, 5.0, 0.1);
   EXPECT_NEAR(fitted.transferFunction.points.back().value, 95.0, 0.1);
   EXPECT_FALSE(withLandmarks(spanning(0, 1000, "MR")).landmarks);

@@ -28,9 +28,8 @@ Preset imageLook(const Volume& volume, const Histogram& histogram) {
   look.modality = volume.info().modality;
   look.note = "Grey values of a single image";
   // Opaque before a ray has drifted sideways: an image may be thicker than its pixels are wide.
-  const double unitDistanceMm = std::min(1.0, smallestSpacingMm(volume.grid()));
-  look.transferFunction = {
-      unitDistanceMm, {{window.lowest, glm::dvec3(0.0), 1.0}, {window.highest, glm::dvec3(1.0), 1.0}}};
+  look.transferFunction = {unitDistanceMm(volume.grid()),
+                           {{window.lowest, glm::dvec3(0.0), 1.0}, {window.highest, glm::dvec3(1.0), 1.0}}};
   look.shading = Shading{};
   look.shading->model = ShadingModel::none;
   look.projection = Projection::composite;

@@ -9,6 +9,10 @@
 namespace limn {
 namespace {
 
+// Scanners of people have voxels of a tenth of a millimetre and more; below that lie samples of a few
+// millimetres, through which one would see as through a film.
+constexpr double finestOfBodiesMm = 0.1;
+
 const Preset* named(const std::vector<Preset>& presets, const std::string& name) {
   const auto found =
       std::find_if(presets.begin(), presets.end(), [&](const Preset& p) { return p.name == name; });
@@ -95,7 +99,11 @@ bool looksLikeHounsfield(const Volume& volume) {
   return range.lowest >= -3100.0 && range.lowest <= -900.0 && range.highest > 150.0;
 }
 
-TransferFunction automaticRamp(const Histogram& histogram) {
+double unitDistanceMm(const Grid& grid) {
+  return std::min(1.0, smallestSpacingMm(grid));
+}
+
+TransferFunction automaticRamp(const Histogram& histogram, const Grid& grid) {
   const Landmarks landmarks = landmarksOf(histogram);
   const double low = histogram.range.lowest;
   const double high = std::max(quantile(histogram, 0.995), low + binWidth(histogram));
@@ -103,19 +111,22 @@ TransferFunction automaticRamp(const Histogram& histogram) {
   // Skin is darker than what it covers: the ramp begins below the threshold, but above noise.
   const double begin = std::clamp(endOfBackground(histogram, threshold), low + 0.6 * (threshold - low),
                                   low + 0.9 * (threshold - low));
-  return {1.0,
+  return {unitDistanceMm(grid),
           {{begin, {0.72, 0.55, 0.45}, 0.0},
            {threshold, {0.86, 0.70, 0.58}, 0.25},
            {threshold + 0.35 * (high - threshold), {0.94, 0.82, 0.70}, 0.5},
            {high, {1.0, 0.97, 0.90}, 0.85}}};
 }
 
-Preset fittedTo(const Preset& preset, const Histogram& histogram) {
-  if (!preset.landmarks)
-    return preset;
+Preset fittedTo(const Preset& preset, const Histogram& histogram, const Grid& grid) {
   Preset fitted = preset;
+  double& unit = fitted.transferFunction.unitDistanceMm;
+  if (smallestSpacingMm(grid) < finestOfBodiesMm)
+    unit = std::min(unit, unitDistanceMm(grid)); // the same once more where it was fitted before
+  if (!preset.landmarks)
+    return fitted;
   fitted.landmarks = landmarksOf(histogram);
-  fitted.transferFunction = moved(preset.transferFunction, *preset.landmarks, *fitted.landmarks);
+  fitted.transferFunction = moved(fitted.transferFunction, *preset.landmarks, *fitted.landmarks);
   if (preset.isovalue)
     fitted.isovalue = moved(*preset.isovalue, *preset.landmarks, *fitted.landmarks);
   return fitted;
@@ -136,12 +147,12 @@ Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, con
   if (imageNormalAxis(volume.grid()))
     return imageLook(volume, histogram);
   if (const Preset* preset = named(builtIn, firstLook(volume, histogram)))
-    return fittedTo(looksLikeHounsfield(volume) ? *preset : withLandmarks(*preset), histogram);
+    return fittedTo(looksLikeHounsfield(volume) ? *preset : withLandmarks(*preset), histogram, volume.grid());
   Preset automatic;
   automatic.name = "Automatic";
   automatic.modality = volume.info().modality;
   automatic.note = "Transparent background, brighter values more opaque";
-  automatic.transferFunction = automaticRamp(histogram);
+  automatic.transferFunction = automaticRamp(histogram, volume.grid());
   // Opaque surfaces would lose their shape in full highlights.
   automatic.shading = Shading{};
   automatic.shading->specular = 0.35;

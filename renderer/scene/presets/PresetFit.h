@@ -13,13 +13,19 @@ namespace limn {
 /// air (-3100..-900) and reaches beyond soft tissue (> 150).
 bool looksLikeHounsfield(const Volume& volume);
 
+/// The unit distance of opacities that mean a material of no known size: 1 mm, or a voxel where that is
+/// smaller.
+double unitDistanceMm(const Grid& grid);
+
 /// A function for data without a known scale: transparent up to where the noise of the background ends (0.6
-/// to 0.9 of the object threshold), a surface from there on, full at the 99.5 % quantile.
-TransferFunction automaticRamp(const Histogram& histogram);
+/// to 0.9 of the object threshold), a surface from there on, full at the 99.5 % quantile. Its unit distance
+/// is that of the grid.
+TransferFunction automaticRamp(const Histogram& histogram, const Grid& grid);
 
 /// A preset that knows the landmarks of the data that it was shaped on, moved onto those of other data;
-/// others stay where they are (CT presets where Hounsfield put them).
-Preset fittedTo(const Preset& preset, const Histogram& histogram);
+/// others stay where they are (CT presets where Hounsfield put them). On a grid finer than 0.1 mm, as of
+/// micro-CT, opacities that hold for a millimetre of a body hold for a voxel.
+Preset fittedTo(const Preset& preset, const Histogram& histogram, const Grid& grid);
 
 /// Whether a preset means Hounsfield units.
 bool isForHounsfield(const Preset& preset);
