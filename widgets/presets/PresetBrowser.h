@@ -10,7 +10,6 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
 class QStandardItemModel;
 class QToolButton;
 class QTreeView;
@@ -18,6 +17,7 @@ class QTreeView;
 namespace limn {
 
 class PresetDelegate;
+class PresetFilter;
 
 /// The presets as a searchable list, grouped: the user's own, then the built-in ones by modality. A click or
 /// Enter chooses, a right click opens a menu and selects nothing; names are unique over both lists. The frame
@@ -42,6 +42,8 @@ public:
 
 signals:
   void presetChosen(const QString& name);
+  /// Enter in the search field chose; the keyboard has nothing more to do here.
+  void searchEnded();
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);
@@ -78,7 +80,7 @@ private:
   QToolButton* m_delete;
   QAction* m_searchIcon;
   QStandardItemModel* m_model;
-  QSortFilterProxyModel* m_filtered;
+  PresetFilter* m_filtered;
 };
 
 } // namespace limn
