@@ -19,7 +19,7 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
   if (kept.region.kind == Region::Kind::all)
     kept.remark = "No body was found in the volume (" + found.doubt + "), so everything is kept.";
   else if (!found.isSure && !found.isAlone)
-    kept.remark = "What is kept may be more or less than the body: " + found.doubt + ".";
+    kept.remark = "Body only may be wrong here: " + found.doubt + "; compare with everything shown.";
   return kept;
 }
 

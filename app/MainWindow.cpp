@@ -20,6 +20,7 @@
 #include "widgets/ray/RayPanel.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/panels/ViewPanels.h"
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
@@ -45,6 +46,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
       m_focus(*this, m_docks, *m_actions.pictureAndCurveOnly),
+      m_panelCycle({m_panels.presets, m_panels.history, m_centre.view, m_centre.planes, m_panels.curves,
+                    m_panels.properties, m_panels.effects, m_panels.accuracy},
+                   *m_actions.nextPanel, *m_actions.previousPanel),
       m_title({m_document, m_settings, *m_actions.patientInTitle, *m_centre.patient, *this}),
       m_comparison(m_session, m_document, *m_centre.view, m_actions, this),
       m_engines({*m_centre.view, m_settings, *m_actions.engines, m_openGl}, this),
@@ -120,9 +124,6 @@ void MainWindow::connectView() {
   connect(view, &CompareView::shortcutListRequested, m_actions.shortcuts, &QAction::trigger);
   connect(view, &CompareView::everythingRequested, &m_regions, &RegionDesk::showEverything);
   connect(view, &CompareView::maximiseRequested, m_actions.pictureAndCurveOnly, &QAction::trigger);
-  connect(view, &CompareView::openFolderRequested, &m_opening, &OpeningDesk::askForFolder);
-  connect(view, &CompareView::openFileRequested, &m_opening, &OpeningDesk::askForFile);
-  connect(view, &CompareView::sampleRequested, &m_opening, &OpeningDesk::openSample);
   connect(view, &CompareView::loadingCancelled, &m_opening, &OpeningDesk::cancel);
   connect(view, &CompareView::loadingCancelled, &m_regions, &RegionDesk::cancel);
   connect(view, &CompareView::toolChanged, this,
@@ -152,6 +153,7 @@ void MainWindow::connectPanels() {
   connect(m_panels.presets, &PresetBrowser::presetChosen, &m_presets, &PresetDesk::use);
   connect(m_panels.presets, &PresetBrowser::previewRequested, &m_presets, &PresetDesk::preview);
   connect(m_panels.presets, &PresetBrowser::compareRequested, &m_presets, &PresetDesk::compare);
+  connect(m_panels.presets, &PresetBrowser::searchEnded, m_centre.view, qOverload<>(&QWidget::setFocus));
   connect(m_panels.presets, &PresetBrowser::saveRequested, &m_presets, &PresetDesk::askForName);
   connect(m_panels.presets, &PresetBrowser::deleteRequested, &m_presets, &PresetDesk::remove);
   connect(m_panels.presets, &PresetBrowser::renameRequested, &m_presets, &PresetDesk::rename);
@@ -197,9 +199,15 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
   connect(&m_dialogs, &DialogDesk::clearRecentRequested, &m_opening, &OpeningDesk::clearRecent);
-  connect(&m_opening, &OpeningDesk::recentChanged, m_centre.view, &CompareView::setRecentSources);
-  m_centre.view->setRecentSources(m_opening.recentTexts());
-  connect(m_centre.view, &CompareView::recentRequested, &m_opening, &OpeningDesk::openRecent);
+  EmptyPanel& empty = m_centre.view->emptyPanel();
+  connect(&empty, &EmptyPanel::openFolderRequested, &m_opening, &OpeningDesk::askForFolder);
+  connect(&empty, &EmptyPanel::openFileRequested, &m_opening, &OpeningDesk::askForFile);
+  connect(&empty, &EmptyPanel::sampleRequested, &m_opening, &OpeningDesk::openSample);
+  connect(&empty, &EmptyPanel::recentRequested, &m_opening, &OpeningDesk::openRecent);
+  connect(&empty, &EmptyPanel::continueRequested, &m_safety, &SessionSafety::continueLast);
+  connect(&m_safety, &SessionSafety::unfinishedChanged, &empty, &EmptyPanel::setUnfinished);
+  connect(&m_opening, &OpeningDesk::recentChanged, &empty, &EmptyPanel::setRecentSources);
+  empty.setRecentSources(m_opening.recentTexts());
   connect(&m_session.undoStack(), &QUndoStack::indexChanged, &m_opening, &OpeningDesk::leaveFailure);
   connect(m_actions.layouts, &QActionGroup::triggered, &m_opening, &OpeningDesk::leaveFailure);
   connect(&m_safety, &SessionSafety::restoreRequested, &m_opening, &OpeningDesk::restore);
@@ -363,10 +371,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 // Esc that nothing nearer to the keyboard has a use for.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape)
-    m_centre.view->setTool(ViewTool::rotate);
-  else
-    QMainWindow::keyPressEvent(event);
+  if (event->key() != Qt::Key_Escape)
+    return QMainWindow::keyPressEvent(event);
+  if (m_centre.view->tool() == ViewTool::rotate)
+    m_focus.leave();
+  m_centre.view->setTool(ViewTool::rotate);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

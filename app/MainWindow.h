@@ -26,6 +26,7 @@
 #include "app/window/EngineDesk.h"
 #include "app/window/FocusMode.h"
 #include "app/window/OrientationDesk.h"
+#include "app/window/PanelCycle.h"
 #include "app/window/PlaneDesk.h"
 #include "app/window/RayDesk.h"
 #include "app/window/RegionDesk.h"
@@ -98,6 +99,7 @@ private:
   Actions m_actions;
   ChangingMenus m_menus;
   FocusMode m_focus;
+  PanelCycle m_panelCycle;
   TitleDesk m_title;
   ComparisonDesk m_comparison;
   EngineDesk m_engines;

@@ -198,6 +198,9 @@ void Actions::makeViewActions() {
   pictureAndCurveOnly =
       made("pictureAndCurveOnly",
            {.text = tr("&Picture and curve only"), .shortcut = Qt::Key_F11, .isCheckable = true});
+  nextPanel = made("nextPanel", {.text = tr("&Next panel"), .shortcut = Qt::Key_F6});
+  previousPanel = made("previousPanel",
+                       {.text = tr("Pre&vious panel"), .shortcut = QKeySequence(Qt::SHIFT | Qt::Key_F6)});
   patientInTitle = made("patientInTitle", {.text = tr("Patient in the title &bar"), .isCheckable = true});
 }
 

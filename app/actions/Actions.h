@@ -55,6 +55,8 @@ public:
   QAction* bodyOnly = nullptr;
   QAction* refineAtRest = nullptr;
   QAction* pictureAndCurveOnly = nullptr;
+  QAction* nextPanel = nullptr;
+  QAction* previousPanel = nullptr;
   QAction* patientInTitle = nullptr;
   QActionGroup* themes = nullptr;    ///< data: the word in the settings
   QActionGroup* languages = nullptr; ///< data: the word in the settings

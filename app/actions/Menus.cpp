@@ -61,7 +61,7 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly, actions.refineAtRest});
   menu->addSeparator();
   menu->addActions(panels);
-  menu->addAction(actions.pictureAndCurveOnly);
+  menu->addActions({actions.pictureAndCurveOnly, actions.nextPanel, actions.previousPanel});
   menu->addSeparator();
   QMenu* engines = menu->addMenu(QObject::tr("&Engine"));
   engines->addActions(actions.engines->actions());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/opening/VolumeLoader.h"
 
+#include "app/opening/SparseReports.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 
@@ -61,9 +62,9 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
   };
   Progress progress;
   progress.isCancelled = [job] { return job->isCancelled.load(); };
-  progress.report = [this, job](double fraction, const Message& what) {
+  progress.report = SparseReports([this, job](double fraction, const Message& what) {
     deliver(job, [this, fraction, what] { emit progressed(fraction, translated(what)); });
-  };
+  });
   try {
     const std::string path = source.toStdString();
     if (!options.read.series && std::filesystem::is_directory(path)) {

@@ -49,6 +49,7 @@ void SessionSafety::begin(const std::filesystem::path& folder) {
     return;
   }
   offerAbandoned();
+  tellUnfinished();
 }
 
 void SessionSafety::noteChange() {
@@ -69,6 +70,7 @@ bool SessionSafety::mayLeave() {
     return askBeforeLosing(m_notKept);
   try {
     m_keeper->keep(*m_document.unsaved(m_session()));
+    tellUnfinished();
     return true;
   } catch (const Error& error) {
     return askBeforeLosing(QString::fromStdString(error.what()));
@@ -99,6 +101,18 @@ void SessionSafety::takeOver(const QString& file) {
   if (m_keeper && m_keeper->autosave().savingOfNow()())
     m_keeper->forget(file.toStdString());
   offerAbandoned();
+  tellUnfinished();
+}
+
+void SessionSafety::tellUnfinished() {
+  const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  emit unfinishedChanged(kept.empty() ? QString() : described(kept.front()));
+}
+
+void SessionSafety::continueLast() {
+  const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  if (!kept.empty())
+    emit restoreRequested(QString::fromStdString(kept.front().string()));
 }
 
 void SessionSafety::offerAbandoned() {

@@ -48,14 +48,20 @@ public:
   /// Fills the menu of unsaved sessions.
   void refreshMenu();
 
+  /// Opens what was left unsaved last.
+  void continueLast();
+
 signals:
   void restoreRequested(const QString& file);
   void saveRequested();
+  /// What was left unsaved last, as a few words that name nobody; empty: nothing.
+  void unfinishedChanged(const QString& text);
 
 private:
   bool askBeforeLosing(const QString& why);
   void sayUnsafe(const QString& why);
   void offerAbandoned();
+  void tellUnfinished();
 
   const OpenDocument& m_document;
   std::function<SessionDocument()> m_session;

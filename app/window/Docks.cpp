@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/Docks.h"
 
+#include "app/window/SharedPlace.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/effects/EffectsPanel.h"
@@ -47,7 +48,11 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
-  m_right[0] = add(tr("Properties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
+  const auto sharers = std::make_shared<QList<const QWidget*>>();
+  const auto addRight = [&](const QString& title, const char* name, QWidget* panel) {
+    return add(title, name, new SharedPlace(*panel, sharers), Qt::RightDockWidgetArea);
+  };
+  m_right[0] = addRight(tr("Properties"), "shadingDock", panels.properties);
   panels.history = new QUndoView(&window);
   panels.history->setEmptyLabel(tr("As opened"));
   panels.history->setAccessibleName(tr("History"));
@@ -59,10 +64,10 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.tabifyDockWidget(m_presets, m_history);
   m_presets->raise();
   panels.effects = new EffectsPanel(&window);
-  m_right[1] = add(tr("Effects"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
+  m_right[1] = addRight(tr("Effects"), "effectsDock", panels.effects);
   window.tabifyDockWidget(m_right[0], m_right[1]);
   panels.accuracy = new AccuracyPanel(&window);
-  m_right[2] = add(tr("Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
+  m_right[2] = addRight(tr("Accuracy"), "accuracyDock", panels.accuracy);
   window.tabifyDockWidget(m_right[1], m_right[2]);
   panels.ray = new RayPanel(&window);
   m_ray = add(tr("Ray"), "rayDock", panels.ray, Qt::RightDockWidgetArea);

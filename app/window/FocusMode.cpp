@@ -2,6 +2,7 @@
 #include "app/window/FocusMode.h"
 
 #include "app/window/Docks.h"
+#include "app/window/FadingNote.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -24,6 +25,8 @@ void FocusMode::leave() {
 // What the user had closed before stays closed.
 void FocusMode::set(bool isOn) {
   if (!isOn) {
+    if (m_note)
+      m_note->hide();
     for (const QPointer<QWidget>& bar : std::exchange(m_hidden, {}))
       if (bar)
         bar->show();
@@ -39,6 +42,9 @@ void FocusMode::set(bool isOn) {
   for (QToolBar* bar : m_window.findChildren<QToolBar*>())
     hide(bar);
   hide(m_window.statusBar());
+  if (!m_note)
+    m_note = new FadingNote(*m_window.centralWidget());
+  m_note->say(tr("F11 or Esc shows the panels again"));
 }
 
 } // namespace limn

@@ -13,9 +13,10 @@ class QWidget;
 namespace limn {
 
 class Docks;
+class FadingNote;
 
 /// The picture and its curve without what stands around them: panels, tool bars and status bar go while the
-/// action is checked, and those that were there before come back with it.
+/// action is checked, and those that were there before come back with it. A note over the picture says how.
 class FocusMode : public QObject {
   Q_OBJECT
 
@@ -32,6 +33,7 @@ private:
   QMainWindow& m_window;
   Docks& m_docks;
   QAction& m_action;
+  FadingNote* m_note = nullptr;            ///< once there was something to say
   std::vector<QPointer<QWidget>> m_hidden; ///< beside the docks
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/document/Session.h"
 #include "app/opening/OpenDialog.h"
+#include "app/opening/SparseReports.h"
 #include "app/window/MessageBar.h"
 #include "io/labels/LabelReader.h"
 #include "scene/basics/Error.h"
@@ -95,9 +96,9 @@ void RegionDesk::run(const std::shared_ptr<Job>& job, const std::shared_ptr<cons
   };
   Progress progress;
   progress.isCancelled = [job] { return job->isCancelled.load(); };
-  progress.report = [this, job](double fraction, const Message& what) {
+  progress.report = SparseReports([this, job](double fraction, const Message& what) {
     deliver(job, [this, fraction, what] { emit progressed(fraction, translated(what)); });
-  };
+  });
   try {
     deliver(job, [this, found = work(*volume, progress), gesture] {
       end();
@@ -125,7 +126,10 @@ void RegionDesk::deliver(const std::shared_ptr<Job>& job, std::function<void()> 
 
 void RegionDesk::keep(const FoundRegion& found, const QString& gesture) {
   m_parts.session.setKeep(found.region, {nextGestureId(), gesture});
-  if (!found.remark.empty())
+  if (!found.remark.empty() && isRestricting(found.region))
+    m_parts.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.remark), {},
+                          {tr("Show everything"), [this] { showEverything(); }});
+  else if (!found.remark.empty())
     m_parts.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.remark));
   showScene(m_parts.session.scene());
 }

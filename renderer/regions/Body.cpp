@@ -73,9 +73,11 @@ Region regionOf(const BitGrid& kept, const Effort& effort) {
 // Why a body is not sure that leaves `beside` of the tissue out; empty where it is.
 std::string doubtAbout(double beside, double contact, bool isAlone) {
   if (1.0 - beside < leastShare)
-    return "it holds " + percent(1.0 - beside) + " of the tissue";
+    return "only " + percent(1.0 - beside) +
+           " of the tissue hangs together, so a part of the patient may be hidden";
   if (contact > mostContact)
-    return "what hangs on it touches it by " + percent(contact) + " of its surface";
+    return "what lies against the body touches it by " + percent(contact) +
+           " of its surface, so a part of the table may be kept";
   return isAlone ? "nothing lies beside it" : "";
 }
 

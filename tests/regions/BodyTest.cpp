@@ -144,7 +144,7 @@ TEST(Body, isNotSureOfOneBodyOfTwo) {
   });
   const BodyFinding found = findBody(volume);
   EXPECT_FALSE(found.isSure);
-  EXPECT_EQ(found.doubt, "it holds 60 % of the tissue");
+  EXPECT_EQ(found.doubt, "only 60 % of the tissue hangs together, so a part of the patient may be hidden");
   EXPECT_TRUE(isKept(found.region, {30, 15, 15}));
   EXPECT_FALSE(isKept(found.region, {90, 15, 15}));
 }

@@ -5,6 +5,7 @@
 #include "widgets/FindWidget.h"
 #include "widgets/PresetNames.h"
 #include "widgets/WidgetSamples.h"
+#include "widgets/presets/PresetFilter.h"
 #include "widgets/presets/PresetModel.h"
 
 #include <QAction>
@@ -230,7 +231,7 @@ TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {
 TEST_F(PresetBrowserTest, searchFindsWordsInAnyOrderInNameModalityAndNote) {
   m_browser.focusSearch();
   QTest::keyClicks(search(), QStringLiteral("bone ct"));
-  EXPECT_EQ(presetNames(m_browser), (QStringList{"My temporal bone", "CT skin and bone", "CT bone"}));
+  EXPECT_EQ(presetNames(m_browser), (QStringList{"CT skin and bone", "CT bone", "My temporal bone"}));
   search()->selectAll();
   QTest::keyClicks(search(), QStringLiteral("brain"));
   EXPECT_EQ(presetNames(m_browser), QStringList{"MR head"});
@@ -238,6 +239,22 @@ TEST_F(PresetBrowserTest, searchFindsWordsInAnyOrderInNameModalityAndNote) {
   EXPECT_EQ(m_chosen, QStringList{"MR head"});
   QTest::keyClick(search(), Qt::Key_Escape);
   EXPECT_EQ(presetNames(m_browser).size(), 5);
+}
+
+TEST_F(PresetBrowserTest, whatTheNameSaysComesBeforeWhatTheNoteSays) {
+  EXPECT_EQ(presetHit(QStringLiteral("CT bone"), {"bone"}), PresetHit::isName);
+  EXPECT_EQ(presetHit(QStringLiteral("CT bone and veil"), {"Bone"}), PresetHit::nameBegins);
+  EXPECT_EQ(presetHit(QStringLiteral("CT skin and bone"), {"bone"}), PresetHit::wordBegins);
+  EXPECT_EQ(presetHit(QStringLiteral("CT skin and bone"), {"one"}), PresetHit::inName);
+  EXPECT_EQ(presetHit(QStringLiteral("CT lung"), {"bone"}), PresetHit::elsewhere);
+  const QStringList inOrder = presetNames(m_browser);
+  m_browser.focusSearch();
+  QTest::keyClicks(search(), QStringLiteral("bone"));
+  EXPECT_EQ(presetNames(m_browser).front(), QStringLiteral("CT bone"));
+  QTest::keyClick(search(), Qt::Key_Return);
+  EXPECT_EQ(m_chosen, QStringList{"CT bone"});
+  QTest::keyClick(search(), Qt::Key_Escape);
+  EXPECT_EQ(presetNames(m_browser), inOrder) << "without a search they stand as they did";
 }
 
 TEST_F(PresetBrowserTest, searchTakesSignsLiterally) {
@@ -249,7 +266,7 @@ TEST_F(PresetBrowserTest, arrowsAndEnterChooseFromTheSearchField) {
   QTest::keyClicks(search(), QStringLiteral("ct"));
   QTest::keyClick(search(), Qt::Key_Down);
   QTest::keyClick(list(), Qt::Key_Return);
-  EXPECT_EQ(m_chosen, QStringList{"My temporal bone"});
+  EXPECT_EQ(m_chosen, QStringList{"CT skin and bone"});
 }
 
 TEST_F(PresetBrowserTest, onlyOwnPresetsCanBeDeleted) {

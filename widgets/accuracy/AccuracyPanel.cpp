@@ -15,9 +15,9 @@
 namespace limn {
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
-    : QScrollArea(parent), m_dial(new DialSection), m_wish(new WishSection), m_chart(new MeasuredSection),
+    : SectionPanel(parent), m_dial(new DialSection), m_wish(new WishSection), m_chart(new MeasuredSection),
       m_map(new MapSection) {
-  stackSections(*this, {m_dial, m_wish, m_chart, m_map});
+  stack({m_dial, m_wish, m_chart, m_map});
   connectSections();
   setAccessibleName(tr("Accuracy"));
   showScene();

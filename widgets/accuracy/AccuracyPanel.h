@@ -4,8 +4,7 @@
 #include "widgets/Gesture.h"
 #include "widgets/accuracy/map/ComparedPicture.h"
 #include "widgets/accuracy/points/PointUse.h"
-
-#include <QScrollArea>
+#include "widgets/controls/SectionPanel.h"
 
 namespace limn {
 
@@ -20,7 +19,7 @@ enum class AccuracyWork { none, findingSteps, measuring, comparing };
 
 /// How close the picture is to the exact one and what that costs: a dial, wishes, the measured chart, and a
 /// map of where it differs.
-class AccuracyPanel : public QScrollArea {
+class AccuracyPanel : public SectionPanel {
   Q_OBJECT
 
 public:

@@ -3,9 +3,9 @@
 
 #include "widgets/controls/FoldingHeader.h"
 
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace limn {
 
@@ -34,24 +34,13 @@ bool FoldingSection::isFolded() const {
   return !m_header->isChecked();
 }
 
-void FoldingSection::setSummary(const QString& summary) {
-  m_header->setSummary(summary);
+QSize FoldingSection::minimumSizeHint() const {
+  const QSize size = QWidget::minimumSizeHint();
+  return {std::max(size.width(), m_body->minimumSizeHint().width()), size.height()};
 }
 
-void stackSections(QScrollArea& panel, const std::vector<QWidget*>& sections) {
-  auto* content = new QWidget;
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  for (QWidget* section : sections)
-    layout->addWidget(section);
-  layout->addStretch(1);
-  panel.setWidget(content);
-  panel.setWidgetResizable(true);
-  panel.setFrameShape(QFrame::NoFrame);
-  panel.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // Nothing may hide under the scroll bar.
-  panel.setMinimumWidth(content->minimumSizeHint().width() + panel.verticalScrollBar()->sizeHint().width());
+void FoldingSection::setSummary(const QString& summary) {
+  m_header->setSummary(summary);
 }
 
 } // namespace limn

@@ -3,9 +3,6 @@
 
 #include <QWidget>
 
-#include <vector>
-
-class QScrollArea;
 class QVBoxLayout;
 
 namespace limn {
@@ -29,6 +26,9 @@ public:
   /// A few words at the right of the header; empty for none.
   void setSummary(const QString& summary);
 
+  /// As wide as it is unfolded, so that folding moves nothing beside it.
+  QSize minimumSizeHint() const override;
+
 signals:
   /// The user folded or unfolded the section.
   void foldedByUser(bool folded);
@@ -38,8 +38,5 @@ private:
   QWidget* m_body;
   QVBoxLayout* m_contents;
 };
-
-/// Fills a panel with sections, one below another; it scrolls down alone.
-void stackSections(QScrollArea& panel, const std::vector<QWidget*>& sections);
 
 } // namespace limn

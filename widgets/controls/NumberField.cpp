@@ -33,6 +33,11 @@ void NumberField::setNumber(double number) {
   setValue(number);
 }
 
+void NumberField::commit() {
+  interpretText();
+  reportIfChanged();
+}
+
 void NumberField::setShownAs(QString (*write)(double)) {
   m_write = write;
   setNumber(m_number);

@@ -20,6 +20,9 @@ public:
   void setNumber(double number);
   double number() const { return m_number; }
 
+  /// Takes what was typed, as Enter does.
+  void commit();
+
   /// Shows numbers as `write` does them, which may round more than `decimals` says.
   void setShownAs(QString (*write)(double));
 

@@ -4,6 +4,7 @@
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -55,8 +56,9 @@ QWidget* CurvePanel::makeSwitch(Switch& made) {
 
 void CurvePanel::showGradient(bool shown) {
   const bool changes = shown != gradientIsShown();
-  const bool hadFocus = currentWidget()->isAncestorOf(focusWidget());
+  const bool hadFocus = currentWidget()->isAncestorOf(QApplication::focusWidget());
   setCurrentIndex(shown ? 1 : 0);
+  setFocusProxy(currentWidget());
   for (const Switch& pair : m_switches) {
     pair.value->setChecked(!shown);
     pair.gradient->setChecked(shown);

@@ -126,6 +126,7 @@ void TransferFunctionEditor::connectCanvas() {
   connect(m_canvas, &TransferFunctionCanvas::pointDetailsRequested, this,
           &TransferFunctionEditor::openDetails);
   connect(m_fields, &PointFields::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
+  connect(m_fields, &PointFields::typingEnded, m_canvas, qOverload<>(&QWidget::setFocus));
   connect(m_tissue, &TissueButtons::functionEdited, m_canvas, &TransferFunctionCanvas::edit);
 }
 

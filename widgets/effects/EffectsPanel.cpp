@@ -13,7 +13,7 @@
 namespace limn {
 
 EffectsPanel::EffectsPanel(QWidget* parent)
-    : QScrollArea(parent), m_list(new QWidget), m_heading(new QLabel), m_measure(new QPushButton),
+    : SectionPanel(parent), m_list(new QWidget), m_heading(new QLabel), m_measure(new QPushButton),
       m_method(new QLabel) {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
@@ -41,9 +41,6 @@ EffectsPanel::EffectsPanel(QWidget* parent)
   column->addWidget(m_method);
   column->addStretch(1);
   setWidget(content);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // Narrower, texts would be columns of words, and the tabs above it cut off.
   setMinimumWidth(260);
   setAccessibleName(tr("Effects"));

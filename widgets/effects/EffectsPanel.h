@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/controls/SectionPanel.h"
 #include "widgets/effects/EffectTimes.h"
-
-#include <QScrollArea>
 
 class QLabel;
 class QPushButton;
@@ -13,7 +12,7 @@ namespace limn {
 class EffectRowWidget;
 
 /// What the picture simulates: a row per effect, on or off, why, and on request what each costs.
-class EffectsPanel : public QScrollArea {
+class EffectsPanel : public SectionPanel {
   Q_OBJECT
 
 public:

@@ -34,7 +34,7 @@ public:
 
 QString summaryOf(const Region& region) {
   if (region.kind == Region::Kind::body)
-    return LabelSection::tr("table hidden");
+    return LabelSection::tr("body only");
   if (region.kind == Region::Kind::all)
     return LabelSection::tr("none");
   const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),

@@ -4,6 +4,7 @@
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetDelegate.h"
+#include "widgets/presets/PresetFilter.h"
 #include "widgets/presets/PresetMenu.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/presets/PresetPointer.h"
@@ -16,9 +17,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScrollBar>
-#include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <QTreeView>
@@ -30,7 +29,7 @@ PresetBrowser::PresetBrowser(QWidget* parent)
     : QWidget(parent), m_search(new QLineEdit), m_list(new QTreeView), m_delegate(new PresetDelegate(m_list)),
       m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
       m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
-      m_model(new QStandardItemModel(this)), m_filtered(new QSortFilterProxyModel(this)) {
+      m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -42,6 +41,7 @@ PresetBrowser::PresetBrowser(QWidget* parent)
   layout->addWidget(m_list, 1);
   layout->addWidget(makeButtons());
   makeList();
+  setFocusProxy(m_list);
 
   m_nothing->setAlignment(Qt::AlignCenter);
   m_nothing->setForegroundRole(QPalette::PlaceholderText);
@@ -60,8 +60,6 @@ PresetBrowser::PresetBrowser(QWidget* parent)
 
 void PresetBrowser::makeList() {
   m_filtered->setSourceModel(m_model);
-  m_filtered->setRecursiveFilteringEnabled(true);
-  m_filtered->setFilterRole(presetRole::searchText);
   m_list->setModel(m_filtered);
   m_list->setItemDelegate(m_delegate);
   m_list->setObjectName(QStringLiteral("presetList"));
@@ -146,12 +144,7 @@ QStringList PresetBrowser::presets() const {
 }
 
 void PresetBrowser::search(const QString& text) {
-  // Every word must occur, in any order.
-  QString pattern;
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts))
-    pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
-  m_filtered->setFilterRegularExpression(
-      QRegularExpression(QLatin1Char('^') + pattern, QRegularExpression::CaseInsensitiveOption));
+  m_filtered->search(text);
   m_list->expandAll();
   const bool nothing = m_filtered->rowCount() == 0 && !text.isEmpty();
   m_nothing->setVisible(nothing);
@@ -298,6 +291,7 @@ bool PresetBrowser::handleSearchKey(int key) {
   if ((key == Qt::Key_Return || key == Qt::Key_Enter) && first.isValid()) {
     m_list->setCurrentIndex(first);
     choose(first);
+    emit searchEnded();
     return true;
   }
   return false;

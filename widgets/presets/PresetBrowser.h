@@ -11,7 +11,6 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
 class QStandardItemModel;
 class QToolButton;
 class QTreeView;
@@ -19,6 +18,7 @@ class QTreeView;
 namespace limn {
 
 class PresetDelegate;
+class PresetFilter;
 struct PresetPicture;
 
 /// The presets as a searchable list, in groups (PresetOrder). A click or Enter chooses, a right click opens a
@@ -60,6 +60,8 @@ signals:
   void presetChosen(const QString& name);
   /// The pointer rests on a preset, or the keyboard went to it: it is to be seen for a while. Empty: no more.
   void previewRequested(const QString& name);
+  /// Enter in the search field chose; the keyboard has nothing more to do here.
+  void searchEnded();
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);
@@ -106,7 +108,7 @@ private:
   QToolButton* m_delete;
   QAction* m_searchIcon;
   QStandardItemModel* m_model;
-  QSortFilterProxyModel* m_filtered;
+  PresetFilter* m_filtered;
 };
 
 } // namespace limn

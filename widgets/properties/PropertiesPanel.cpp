@@ -13,12 +13,11 @@
 namespace limn {
 
 PropertiesPanel::PropertiesPanel(QWidget* parent)
-    : QScrollArea(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
+    : SectionPanel(parent), m_projection(new ProjectionSection), m_model(new ModelSection),
       m_sections({m_model, new GradientSection, new LightSection}), m_use(m_sections.size()),
       m_crop(new CropSection), m_labels(new LabelSection), m_fog(new FogSection),
       m_quality(new QualitySection) {
-  stackSections(
-      *this, {m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_labels, m_fog, m_quality});
+  stack({m_projection, m_sections[0], m_sections[1], m_sections[2], m_crop, m_labels, m_fog, m_quality});
   // What is needed most stands open; the rest waits folded.
   m_sections[1]->setFolded(true);
   foldUnused();

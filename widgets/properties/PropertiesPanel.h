@@ -3,8 +3,7 @@
 
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
-
-#include <QScrollArea>
+#include "widgets/controls/SectionPanel.h"
 
 namespace limn {
 
@@ -19,7 +18,7 @@ class ShadingSection;
 /// What a scene says beside its curves, in folding sections: projection, light, crop, labels, fog, quality.
 /// Controls that change nothing in the pictures shown are disabled and say why in their tool tips; a section
 /// that the scene does not use says so in its header.
-class PropertiesPanel : public QScrollArea {
+class PropertiesPanel : public SectionPanel {
   Q_OBJECT
 
 public:

@@ -90,12 +90,8 @@ void CompareView::connectInput() {
   connect(m_input, &ViewInput::swapRequested, this, [this] { setSwapped(true); });
   connect(m_input, &ViewInput::toolChanged, this, &CompareView::toolChanged);
   connect(m_labels, &LabelFade::changed, this, &CompareView::repaintOverlay);
-  connect(m_panels, &PanelStack::openFolderRequested, this, &CompareView::openFolderRequested);
-  connect(m_panels, &PanelStack::openFileRequested, this, &CompareView::openFileRequested);
-  connect(m_panels, &PanelStack::sampleRequested, this, &CompareView::sampleRequested);
   connect(m_panels, &PanelStack::loadingCancelled, this,
           [this] { m_isPreparing ? m_engines->cancelPreparing() : emit loadingCancelled(); });
-  connect(m_panels, &PanelStack::recentRequested, this, &CompareView::recentRequested);
 }
 
 void CompareView::connectFit() {
@@ -105,6 +101,7 @@ void CompareView::connectFit() {
     if (pictureState().resting)
       m_fit->settle();
   });
+  connect(this, &CompareView::pictureStateChanged, m_labels, &LabelFade::noteState);
 }
 
 // What draws asks this for what to show.
@@ -207,8 +204,8 @@ ViewTool CompareView::tool() const {
   return m_input->tool();
 }
 
-void CompareView::setRecentSources(const QStringList& texts) {
-  m_panels->setRecentSources(texts);
+EmptyPanel& CompareView::emptyPanel() const {
+  return m_panels->emptyPanel();
 }
 
 void CompareView::setLoading(double fraction, const QString& text) {

@@ -21,6 +21,7 @@
 namespace limn {
 
 class CameraFit;
+class EmptyPanel;
 class EngineSwitch;
 class LabelFade;
 class PanelStack;
@@ -114,8 +115,8 @@ public:
   void setTool(ViewTool tool);
   ViewTool tool() const;
 
-  /// What was opened before, offered where there is no volume; latest first.
-  void setRecentSources(const QStringList& texts);
+  /// What the view offers where there is no volume.
+  EmptyPanel& emptyPanel() const;
 
   /// Shows that something loads: `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
@@ -180,10 +181,6 @@ signals:
   void engineChanged(limn::ViewEngine engine);
   /// Drawing had failed, and works again.
   void graphicsRestored(const QString& sentence);
-  void openFolderRequested();
-  void openFileRequested();
-  void sampleRequested();
-  void recentRequested(int number); ///< of setRecentSources, from 0 on
   void loadingCancelled();
 
 protected:

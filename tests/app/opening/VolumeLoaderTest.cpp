@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loading on a thread of its own, with an event loop and without a window: what ThreadSanitizer watches.
 #include "app/opening/VolumeLoader.h"
+#include "app/opening/SparseReports.h"
 #include "support/FileBytes.h"
 #include "support/TemporaryFolder.h"
 
@@ -54,6 +55,22 @@ TEST_F(VolumeLoading, endsWithTheVolumeOrASentence) {
   loader.start(pathOf("bad.nrrd"), {});
   waitForTheEnd();
   EXPECT_TRUE(sentence.contains(QLatin1String("bad.nrrd"))) << sentence.toStdString();
+}
+
+// A report has the window painted: work that tells of each of its pieces must not flood it.
+TEST(SparseReports, passOnWhatSaysSomethingElseAndTheRestNowAndThen) {
+  std::vector<std::string> told;
+  SparseReports reports([&](double, const Message& what) { told.push_back(what.english()); });
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 100000; ++i)
+    reports(1e-5 * i, "Reading");
+  const auto took = std::chrono::steady_clock::now() - start;
+  EXPECT_GE(told.size(), 1u);
+  EXPECT_LE(told.size(), static_cast<std::size_t>(took / betweenReports) + 1);
+  const std::size_t before = told.size();
+  reports(0.0, "Counting");
+  reports(0.0, "Reading");
+  EXPECT_EQ(told.size(), before + 2);
 }
 
 TEST_F(VolumeLoading, onlyTheLastOfManyStartsIsTold) {

@@ -99,7 +99,7 @@ TEST(Thumbnail, allBuiltInPresetsTakeLittleTime) {
   std::vector<Thumbnail> wanted;
   for (const Preset& preset : builtInPresets())
     wanted.push_back(
-        {QString::fromStdString(preset.name), withPreset(scene, fittedTo(preset, histogram), true)});
+        {QString::fromStdString(preset.name), withPreset(scene, fittedTo(preset, histogram, scene.volume->grid()), true)});
   ThumbnailWorker worker;
   int drawn = 0;
   QObject::connect(&worker, &ThumbnailWorker::drawn, &worker, [&] { ++drawn; });

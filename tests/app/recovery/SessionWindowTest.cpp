@@ -191,6 +191,36 @@ TEST_F(SessionWindow, closingWithUnsavedChangesAsksNothingAndLosesNothing) {
   EXPECT_TRUE(window->isWindowModified());
 }
 
+TEST_F(SessionWindow, whatWasLeftUnsavedIsOneKeyAwayOnTheEmptyPage) {
+  window->keepSessions();
+  auto* offered = window->findChild<QPushButton*>(QStringLiteral("continue"));
+  EXPECT_FALSE(offered->isVisible());
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  workALittle();
+  const SessionDocument before = window->sessionDocument();
+  window->close();
+  window = newWindow();
+  window->keepSessions();
+  window->activateWindow();
+  offered = window->findChild<QPushButton*>(QStringLiteral("continue"));
+  ASSERT_TRUE(offered->isVisible());
+  EXPECT_TRUE(offered->text().startsWith(QStringLiteral("Continue where you left\n")))
+      << offered->text().toStdString();
+  ASSERT_TRUE(test::waitUntil([&] { return offered->hasFocus(); }));
+  QTest::keyClick(offered, Qt::Key_Return);
+  ASSERT_TRUE(test::waitUntil([&] { return scene().volume != nullptr; }));
+  EXPECT_EQ(window->sessionDocument(), before);
+  // A volume that is closed with changes is on offer at once, and one without is not.
+  action(QStringLiteral("&Close volume"))->trigger();
+  EXPECT_TRUE(offered->isVisible());
+  QTest::mouseClick(offered, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([&] { return scene().volume != nullptr; }));
+  saving().writeSession(pathTo("mine.json"));
+  action(QStringLiteral("&Close volume"))->trigger();
+  EXPECT_TRUE(window->findChild<QPushButton*>(QStringLiteral("openFolder"))->isVisible());
+  EXPECT_FALSE(offered->isVisible());
+}
+
 TEST_F(SessionWindow, openingAnotherVolumeKeepsTheUnsavedSession) {
   window->keepSessions();
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));

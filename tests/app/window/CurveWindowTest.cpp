@@ -44,6 +44,34 @@ TEST_F(CurveWindow, thePopUpOfAPointLeavesItInSightAndItsPartsStandInLine) {
   }
 }
 
+TEST_F(CurveWindow, enterAndEscInTheNumbersOfAPointLeadBackToIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  plot().setFocus();
+  plot().takeInHand(2);
+  const double before = plot().transferFunction().points[2].opacity;
+  QTest::keyClick(&plot(), Qt::Key_Return);
+  QWidget* value = QApplication::focusWidget();
+  ASSERT_NE(value, &plot());
+  QTest::keyClick(value, Qt::Key_Tab);
+  QWidget* opacity = QApplication::focusWidget();
+  QTest::keyClicks(opacity, QStringLiteral("0.25"));
+  EXPECT_EQ(plot().transferFunction().points[2].opacity, before) << "not before Enter";
+  QTest::keyClick(opacity, Qt::Key_Return);
+  EXPECT_EQ(scene().transferFunction.points[2].opacity, 0.25);
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_EQ(QApplication::focusWidget(), &plot());
+  EXPECT_EQ(plot().selected(), PointIndices{2});
+
+  QTest::keyClick(&plot(), Qt::Key_Return);
+  QTest::keyClicks(value, QStringLiteral("77"));
+  QTest::keyClick(value, Qt::Key_Escape);
+  EXPECT_EQ(undo().count(), 1) << "what was typed is taken back";
+  EXPECT_EQ(QApplication::focusWidget(), &plot());
+  EXPECT_EQ(plot().selected(), PointIndices{2});
+  QTest::keyClick(&plot(), Qt::Key_Up);
+  EXPECT_GT(scene().transferFunction.points[2].opacity, 0.25) << "the keys are the point's again";
+}
+
 TEST_F(CurveWindow, aTissueClickedInThePictureIsMadeTransparentByOneMoreClick) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(rest());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/controls/SectionPanel.h"
 #include "widgets/controls/sliders/ValueSlider.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/properties/PropertiesPanel.h"
@@ -22,6 +24,7 @@ protected:
     // A window that had another size before divides itself differently.
     window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
     window->resize(1280, 800);
+    window->view().setRefinesAtRest(false);
     window->show();
     WindowHarness::SetUp();
     ASSERT_TRUE(open(QStringLiteral("phantom:4")));
@@ -99,6 +102,21 @@ TEST_F(Density, theTabsAtTheRightHaveRoomForTheirWords) {
       for (int i = 0; !tabs->visibleRegion().isEmpty() && i < tabs->count(); ++i)
         EXPECT_GE(tabs->tabRect(i).width(), tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
             << tabs->tabText(i).toStdString() << " while " << name << " lies on top";
+  }
+}
+
+TEST_F(Density, aTabAtTheRightLeavesThePictureAsItIs) {
+  const QRect before = static_cast<QWidget&>(view()).geometry();
+  for (const char* name : {"effectsDock", "accuracyDock", "shadingDock"}) {
+    dock(name).raise();
+    ASSERT_TRUE(test::waitUntil([&] { return dock(name).widget()->isVisible(); }));
+    for (FoldingSection* section : dock(name).findChildren<FoldingSection*>())
+      section->setFolded(!section->isFolded());
+    QCoreApplication::processEvents();
+    EXPECT_EQ(static_cast<QWidget&>(view()).geometry(), before) << name;
+    auto* panel = dock(name).findChild<SectionPanel*>();
+    EXPECT_GE(panel->viewport()->width(), panel->widget()->minimumSizeHint().width())
+        << "nothing of " << name << " is cut off";
   }
 }
 

@@ -49,5 +49,27 @@ TEST_F(ReadOut, leavesBarCurveAndPointsInSight) {
   }
 }
 
+// A curve that goes up and down every 40 pixels leaves no place of 190 free of itself, nor the edges free of
+// its points.
+TEST_F(ReadOut, crossesTheCurveRatherThanHideAPoint) {
+  const PlotTransform transform = m_canvas.transform();
+  TransferFunction zigzag;
+  for (double x = transform.plot.left() + 20.0; x < transform.plot.right(); x += 40.0)
+    zigzag.points.push_back(
+        {valueAtX(transform, x), glm::dvec3(1.0), zigzag.points.size() % 2 == 0 ? 0.02 : 0.98});
+  const QPolygonF curve = curvePolygon(transform, zigzag);
+  int crossings = 0;
+  for (double x = transform.plot.left(); x <= transform.plot.right(); x += 7.0) {
+    const QRectF box = clearPlace(transform, zigzag, {190.0, 20.0}, x);
+    EXPECT_TRUE(transform.plot.contains(box)) << x;
+    for (const ControlPoint& point : zigzag.points)
+      EXPECT_FALSE(box.adjusted(-5.0, -5.0, 5.0, 5.0).contains(positionOf(transform, point))) << x;
+    for (qsizetype i = 1; i < curve.size(); ++i)
+      for (double along = 0.0; along < 1.0; along += 0.05)
+        crossings += box.contains(curve[i - 1] + along * (curve[i] - curve[i - 1]));
+  }
+  EXPECT_GT(crossings, 0) << "there was no other place";
+}
+
 } // namespace
 } // namespace limn

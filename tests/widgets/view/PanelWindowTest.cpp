@@ -6,7 +6,7 @@
 #include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/panels/ViewPanels.h"
 
-#include <QGuiApplication>
+#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -30,9 +30,9 @@ TEST(Panels, withoutAVolumeTheViewOffersThreeWaysToOpenOne) {
   ASSERT_TRUE(host.show());
   auto* panel = host.view.findChild<EmptyPanel*>();
   ASSERT_TRUE(panel->isVisible());
-  QSignalSpy folder(&host.view, &CompareView::openFolderRequested);
-  QSignalSpy file(&host.view, &CompareView::openFileRequested);
-  QSignalSpy sample(&host.view, &CompareView::sampleRequested);
+  QSignalSpy folder(panel, &EmptyPanel::openFolderRequested);
+  QSignalSpy file(panel, &EmptyPanel::openFileRequested);
+  QSignalSpy sample(panel, &EmptyPanel::sampleRequested);
   QTest::mouseClick(buttonNamed(host, "openFolder"), Qt::LeftButton);
   QTest::mouseClick(buttonNamed(host, "openFile"), Qt::LeftButton);
   QTest::mouseClick(buttonNamed(host, "sample"), Qt::LeftButton);
@@ -41,6 +41,30 @@ TEST(Panels, withoutAVolumeTheViewOffersThreeWaysToOpenOne) {
   EXPECT_EQ(sample.count(), 1);
   host.showPhantom();
   EXPECT_FALSE(panel->isVisible());
+}
+
+TEST(Panels, enterDoesWhatIsLikeliestWhereverThePointerIs) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  auto& panel = host.view.emptyPanel();
+  QSignalSpy folder(&panel, &EmptyPanel::openFolderRequested);
+  QSignalSpy goingOn(&panel, &EmptyPanel::continueRequested);
+  EXPECT_FALSE(buttonNamed(host, "continue")->isVisible());
+  ASSERT_TRUE(test::waitUntil([&] {
+    if (!host.view.isActiveWindow())
+      host.view.window()->activateWindow();
+    return buttonNamed(host, "openFolder")->hasFocus();
+  }));
+  host.move({10, 10});
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(folder.count(), 1);
+  panel.setUnfinished(QStringLiteral("Head & neck, 3.4.26 14:03"));
+  EXPECT_TRUE(buttonNamed(host, "continue")->text().endsWith(QStringLiteral("\nHead && neck, 3.4.26 14:03")));
+  EXPECT_TRUE(buttonNamed(host, "continue")->hasFocus());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(goingOn.count(), 1);
+  panel.setUnfinished({});
+  EXPECT_TRUE(buttonNamed(host, "openFolder")->hasFocus());
 }
 
 TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {

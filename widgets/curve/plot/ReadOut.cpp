@@ -83,13 +83,20 @@ QRectF clearPlace(const PlotTransform& transform, const TransferFunction& functi
     return QRectF(QPointF(std::clamp(left, room.left(), rightmost), top), size);
   };
   const double bottom = room.bottom() - size.height();
-  for (const double left : {x - size.width() / 2.0, x + besideValue, x - besideValue - size.width()})
-    for (const double top : {room.top(), bottom}) {
+  std::vector<double> tops{room.top(), bottom};
+  for (double top = room.top() + size.height(); top < bottom; top += size.height())
+    tops.push_back(top);
+  std::optional<QRectF> besidePoints;
+  for (const double top : tops)
+    for (const double left : {x - size.width() / 2.0, x + besideValue, x - besideValue - size.width()}) {
       const QRectF box = boxAt(left, top);
-      if (!coversCurve(box, curve) && !coversPoint(box, transform, function))
+      if (coversPoint(box, transform, function))
+        continue;
+      if (!coversCurve(box, curve))
         return box;
+      besidePoints = besidePoints.value_or(box);
     }
-  return boxAt(x - size.width() / 2.0, room.top());
+  return besidePoints.value_or(boxAt(x - size.width() / 2.0, room.top()));
 }
 
 } // namespace limn

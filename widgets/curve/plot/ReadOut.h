@@ -16,9 +16,9 @@ std::optional<Tissue> toldTissue(const CanvasPicture& picture);
 /// "310 HU · opacity 0.42 · bone, dense contrast agent"; empty where nothing is told of.
 QString readOutText(const CanvasPicture& picture);
 
-/// Where a box of `size` beside the value at `x` lies within the plot: at its upper or lower edge, under `x`
-/// or beside it, the first place that covers neither the curve nor a point; under `x` at the upper edge where
-/// there is none. Pixels.
+/// Where a box of `size` beside the value at `x` lies within the plot: at its upper or lower edge or a row
+/// between them, under `x` or beside it, the first place that covers neither the curve nor a point. Where
+/// there is none, the first that covers no point; then under `x` at the upper edge. Pixels.
 QRectF clearPlace(const PlotTransform& transform, const TransferFunction& function, const QSizeF& size,
                   double x);
 

@@ -6,6 +6,7 @@
 #include "widgets/controls/color/ColorButton.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 
 #include <algorithm>
@@ -66,6 +67,8 @@ PointFields::PointFields(CurveSubject subject, QWidget* parent)
   connect(m_color, &ColorButton::colorEdited, this, [this](const glm::dvec3& color, const Gesture& gesture) {
     emit functionEdited(withColorAt(m_function, m_selected, color), gesture);
   });
+  for (NumberField* field : {m_value, m_opacity})
+    field->installEventFilter(this);
   setPoints({}, {}, {}, 1);
 }
 
@@ -108,6 +111,21 @@ void PointFields::focusValue() {
   NumberField* field = m_selected.size() == 1 ? m_value : m_opacity;
   field->setFocus(Qt::ShortcutFocusReason);
   field->selectAll();
+}
+
+bool PointFields::eventFilter(QObject* watched, QEvent* event) {
+  auto* field = qobject_cast<NumberField*>(watched);
+  if (!field || event->type() != QEvent::KeyPress)
+    return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key == Qt::Key_Escape)
+    field->setNumber(field->number());
+  else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+    field->commit();
+  else
+    return false;
+  emit typingEnded();
+  return true;
 }
 
 QString PointFields::describedSelection() const {

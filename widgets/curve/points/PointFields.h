@@ -29,7 +29,12 @@ public:
 
   void focusValue();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 signals:
+  /// Enter or Esc ended typing in a number; what Esc had typed is taken back.
+  void typingEnded();
   /// The whole function with the selected points changed.
   void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
 

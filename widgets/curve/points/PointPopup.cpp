@@ -26,6 +26,7 @@ PointPopup::PointPopup(CurveSubject subject, const TransferFunction& function, s
   m_picker->setColor(function.points[index].color);
 
   connect(m_fields, &PointFields::functionEdited, this, &PointPopup::change);
+  connect(m_fields, &PointFields::typingEnded, this, &QWidget::close);
   connect(m_picker, &ColorPicker::colorPicked, this, [this](const glm::dvec3& color, std::uint64_t id) {
     change(withPointColored(m_function, m_index, color), {id, tr("change colour of point")});
   });

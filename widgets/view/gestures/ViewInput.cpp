@@ -201,7 +201,8 @@ void ViewInput::enter() {
   const QWidget* focused = QApplication::focusWidget();
   const bool isTyping = qobject_cast<const QLineEdit*>(focused) != nullptr ||
                         qobject_cast<const QAbstractSpinBox*>(focused) != nullptr;
-  if (m_view->isActiveWindow() && !isTyping)
+  const bool hasPicture = m_facts.shown().comparison.scene.volume != nullptr;
+  if (hasPicture && m_view->isActiveWindow() && !isTyping)
     m_view->setFocus(Qt::MouseFocusReason);
 }
 
@@ -229,7 +230,7 @@ bool ViewInput::obey(const ViewCommand& command) {
     emit swapRequested();
   else if (std::holds_alternative<Cancel>(command) && m_drag)
     cancelDrag(shown);
-  else if (std::holds_alternative<Cancel>(command))
+  else if (std::holds_alternative<Cancel>(command) && m_tool != ViewTool::rotate)
     setTool(ViewTool::rotate);
   else if (std::holds_alternative<ListShortcuts>(command))
     emit shortcutListRequested();

@@ -8,7 +8,7 @@
 
 namespace limn {
 
-/// What a region hides, as a few words: "Table hidden", "3 labels hidden or faded"; empty where it hides
+/// What a region hides, as a few words: "Body only", "3 labels hidden or faded"; empty where it hides
 /// nothing.
 QString regionText(const Region& region);
 

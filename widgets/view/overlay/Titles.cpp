@@ -91,7 +91,9 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
 // Only over titles and notes: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
   if (source.hovered.region)
-    return QObject::tr("A click shows everything again, as View ▸ Body only does where the table is hidden.");
+    return QObject::tr("A part of the volume is hidden. A click shows everything again; View ▸ Body only "
+                       "hides the table and "
+                       "what else lies beside the body.");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

@@ -13,10 +13,6 @@ PanelStack::PanelStack(QWidget* view)
       m_loading(new LoadingPanel(view)), m_failure(new FailureBar(view)) {
   m_message->hide();
   m_loading->hide();
-  connect(m_empty, &EmptyPanel::openFolderRequested, this, &PanelStack::openFolderRequested);
-  connect(m_empty, &EmptyPanel::openFileRequested, this, &PanelStack::openFileRequested);
-  connect(m_empty, &EmptyPanel::sampleRequested, this, &PanelStack::sampleRequested);
-  connect(m_empty, &EmptyPanel::recentRequested, this, &PanelStack::recentRequested);
   connect(m_message, &MessagePanel::retryRequested, this, &PanelStack::retryRequested);
   connect(m_loading, &LoadingPanel::cancelled, this, &PanelStack::loadingCancelled);
   connect(m_failure, &FailureBar::retryRequested, this, &PanelStack::driverRetryRequested);
@@ -45,10 +41,6 @@ void PanelStack::arrange(bool hasVolume, const QString& sentence) {
   for (QWidget* panel : {static_cast<QWidget*>(m_message), static_cast<QWidget*>(m_empty),
                          static_cast<QWidget*>(m_failure), static_cast<QWidget*>(m_loading)})
     panel->raise();
-}
-
-void PanelStack::setRecentSources(const QStringList& texts) {
-  m_empty->setRecentSources(texts);
 }
 
 void PanelStack::setLoading(double fraction, const QString& text) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QStringList>
 
 class QWidget;
 
@@ -25,8 +24,8 @@ public:
   /// and is empty where it is.
   void arrange(bool hasVolume, const QString& sentence);
 
-  /// What was opened before, latest first.
-  void setRecentSources(const QStringList& texts);
+  /// What stands there without a volume.
+  EmptyPanel& emptyPanel() const { return *m_empty; }
 
   /// `fraction` 0..1, or less than 0 where it is unknown.
   void setLoading(double fraction, const QString& text);
@@ -43,10 +42,6 @@ public:
   int coveredBelow() const;
 
 signals:
-  void openFolderRequested();
-  void openFileRequested();
-  void sampleRequested();
-  void recentRequested(int number); ///< of setRecentSources, from 0 on
   void loadingCancelled();
   void retryRequested();       ///< after a failure of any kind
   void driverRetryRequested(); ///< while the processor draws

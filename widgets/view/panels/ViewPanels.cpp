@@ -53,6 +53,7 @@ QPushButton* panelButton(const QString& text, const QString& name, QWidget* pare
   made->setObjectName(name);
   made->setAccessibleName(text);
   made->setCursor(Qt::PointingHandCursor);
+  made->setAutoDefault(true); // Enter presses it
   return made;
 }
 
@@ -65,29 +66,32 @@ EmptyPanel::EmptyPanel(QWidget* parent)
       new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
   formats->setAlignment(Qt::AlignCenter);
   formats->setWordWrap(true);
-  auto* folder = panelButton(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
-  folder->setDefault(true);
+  m_folder = panelButton(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
+  m_continue = panelButton({}, QStringLiteral("continue"), this);
   auto* file = panelButton(tr("Open file…"), QStringLiteral("openFile"), m_target);
   auto* sample = panelButton(tr("Try the sample head"), QStringLiteral("sample"), m_target);
-  connect(folder, &QPushButton::clicked, this, &EmptyPanel::openFolderRequested);
+  connect(m_folder, &QPushButton::clicked, this, &EmptyPanel::openFolderRequested);
   connect(file, &QPushButton::clicked, this, &EmptyPanel::openFileRequested);
   connect(sample, &QPushButton::clicked, this, &EmptyPanel::sampleRequested);
+  connect(m_continue, &QPushButton::clicked, this, &EmptyPanel::continueRequested);
 
   auto* column = new QVBoxLayout(m_target);
-  column->setContentsMargins(32, 88, 32, 32);
+  column->setContentsMargins(24, 80, 24, 24);
   column->setSpacing(8);
   column->addWidget(title);
   column->addWidget(formats);
   column->addSpacing(16);
-  for (QPushButton* each : {folder, file, sample})
-    column->addWidget(each, 0, Qt::AlignHCenter);
-  for (QPushButton* each : {folder, file, sample})
-    each->setMinimumWidth(220);
+  m_ways = new QHBoxLayout;
+  m_ways->setSpacing(8);
+  for (QPushButton* each : {m_folder, file, sample})
+    m_ways->addWidget(each);
+  column->addLayout(m_ways);
   m_target->setMaximumSize(520, 380);
 
   auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(16, 16, 16, 16);
+  outer->setContentsMargins(16, 8, 16, 8);
   outer->addStretch();
+  outer->addWidget(m_continue, 0, Qt::AlignHCenter);
   auto* row = new QHBoxLayout;
   row->addStretch();
   row->addWidget(m_target, 1);
@@ -96,6 +100,39 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   outer->addWidget(m_recent, 0, Qt::AlignHCenter);
   outer->addStretch();
   m_recent->hide();
+  setUnfinished({});
+}
+
+void EmptyPanel::setUnfinished(const QString& text) {
+  const bool hadFocus = likeliest() == window()->focusWidget();
+  m_continue->setVisible(!text.isEmpty());
+  m_continue->setText(
+      tr("Continue where you left\n%1").arg(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&"))));
+  m_continue->setAccessibleName(tr("Continue where you left: %1").arg(text));
+  showLikeliest(hadFocus);
+}
+
+QPushButton* EmptyPanel::likeliest() const {
+  return m_continue->isHidden() ? m_folder : m_continue;
+}
+
+void EmptyPanel::showLikeliest(bool takesFocus) {
+  QPushButton* best = likeliest();
+  for (QPushButton* each : {m_folder, m_continue})
+    each->setDefault(each == best);
+  if (takesFocus)
+    best->setFocus(Qt::OtherFocusReason);
+}
+
+// Beside each other they leave room for what was open before.
+void EmptyPanel::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  m_ways->setDirection(width() < 560 ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+void EmptyPanel::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  showLikeliest(true);
 }
 
 void EmptyPanel::setRecentSources(const QStringList& texts) {

@@ -4,14 +4,15 @@
 #include <QFrame>
 #include <QStringList>
 
+class QBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace limn {
 
-/// Covers the view while there is no volume: where to drop one, three ways to open one, and what was opened
-/// before.
+/// Covers the view while there is no volume: where to drop one, three ways to open one, what was left
+/// unfinished, and what was opened before. The keyboard stands on what is likeliest, so that Enter does it.
 class EmptyPanel : public QFrame {
   Q_OBJECT
 
@@ -21,7 +22,11 @@ public:
   /// Latest first; the first few are offered.
   void setRecentSources(const QStringList& texts);
 
+  /// What was left with unsaved changes, as a few words; empty: nothing.
+  void setUnfinished(const QString& text);
+
 signals:
+  void continueRequested(); ///< with what was left unfinished
   void openFolderRequested();
   void openFileRequested();
   void sampleRequested();
@@ -29,9 +34,17 @@ signals:
 
 protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
 private:
+  QPushButton* likeliest() const;
+  void showLikeliest(bool takesFocus);
+
   QWidget* m_target = nullptr;
+  QBoxLayout* m_ways = nullptr; ///< to open one
+  QPushButton* m_folder = nullptr;
+  QPushButton* m_continue = nullptr;
   QWidget* m_recent = nullptr;
 };
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/PanelCycle.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QWidget>
+
+namespace limn {
+namespace {
+
+bool isSeen(const QWidget& widget) {
+  return widget.isVisible() && !widget.visibleRegion().isEmpty();
+}
+
+bool takesKeys(const QWidget& widget) {
+  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;
+}
+
+// Where the keyboard enters an area that it was never in.
+QWidget* entryOf(QWidget& area) {
+  QWidget* proxy = area.focusProxy();
+  while (proxy && proxy->focusProxy())
+    proxy = proxy->focusProxy();
+  if (proxy && takesKeys(*proxy))
+    return proxy;
+  QWidget* next = &area;
+  do {
+    if ((next == &area || area.isAncestorOf(next)) && takesKeys(*next))
+      return next;
+    next = next->nextInFocusChain();
+  } while (next != &area);
+  return nullptr;
+}
+
+} // namespace
+
+PanelCycle::PanelCycle(const QList<QWidget*>& panels, const QAction& next, const QAction& previous) {
+  for (QWidget* area : panels)
+    m_panels.append({area, nullptr});
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { note(now); });
+  connect(&next, &QAction::triggered, this, [this] { step(1); });
+  connect(&previous, &QAction::triggered, this, [this] { step(-1); });
+}
+
+// The innermost: the slices lie around the picture.
+PanelCycle::Panel* PanelCycle::panelOf(const QWidget* widget) {
+  for (Panel& panel : m_panels)
+    if (widget && (panel.area == widget || panel.area->isAncestorOf(widget)))
+      return &panel;
+  return nullptr;
+}
+
+void PanelCycle::note(QWidget* now) {
+  if (Panel* panel = panelOf(now))
+    panel->last = now;
+}
+
+void PanelCycle::step(int direction) {
+  const qsizetype count = m_panels.size();
+  const Panel* here = panelOf(QApplication::focusWidget());
+  // From nowhere the first step leads to the first panel, or the last.
+  const qsizetype from = here ? here - m_panels.constData() : direction > 0 ? -1 : count;
+  for (qsizetype steps = 1; steps <= count; ++steps) {
+    Panel& panel = m_panels[((from + direction * steps) % count + count) % count];
+    if (&panel == here || !isSeen(*panel.area))
+      continue;
+    QWidget* entry = panel.last && takesKeys(*panel.last) && isSeen(*panel.last) ? panel.last.data()
+                                                                                 : entryOf(*panel.area);
+    if (!entry || panelOf(entry) != &panel)
+      continue;
+    entry->window()->activateWindow(); // a dock may float
+    entry->setFocus(Qt::TabFocusReason);
+    return;
+  }
+}
+
+} // namespace limn

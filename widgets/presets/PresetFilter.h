@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSortFilterProxyModel>
+#include <QStringList>
+
+namespace limn {
+
+/// How well a preset answers a search, best first. The first word of a name, mostly the modality, may be left
+/// out: "bone" is the name of "CT bone".
+enum class PresetHit { isName, nameBegins, wordBegins, inName, elsewhere };
+
+/// The presets that a search finds, best first, and their groups by the best in each; without a search all of
+/// them in the order of the list.
+class PresetFilter : public QSortFilterProxyModel {
+public:
+  explicit PresetFilter(QObject* parent = nullptr);
+
+  /// Every word must occur in name, modality or note, in any order and as it is written.
+  void search(const QString& text);
+
+protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+private:
+  int rankOf(const QModelIndex& index) const;
+
+  QStringList m_words;
+};
+
+/// How well a preset of this name answers the words, all of which its text holds somewhere.
+PresetHit presetHit(const QString& name, const QStringList& words);
+
+} // namespace limn
