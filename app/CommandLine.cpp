@@ -79,6 +79,7 @@ int runCommandLine(int argc, char** argv) {
   syntax.footer("Example: limn head.nii.gz");
   addInfoCommand(syntax);
   addRenderCommand(syntax);
+  addFigureCommand(syntax);
   addEffectsCommand(syntax);
   addPresetsCommand(syntax);
   addAccuracyCommand(syntax);

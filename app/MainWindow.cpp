@@ -322,8 +322,8 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_panels.properties->foldUnused();
   m_status.showVolume(loaded.scene.volume.get());
   m_remarks.show(loaded.notes);
-  if (loaded.session)
-    restoreSession(*loaded.session);
+  if (const auto& beside = loaded.session ? loaded.session : loaded.beside)
+    restoreSession(*beside);
   else
     m_comparison.showOpened();
   if (request.isUnsavedSession) {

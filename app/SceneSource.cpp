@@ -74,6 +74,13 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
   return {volume, absoluteSource(source)};
 }
 
+OpenedVolume openedBefore(const std::string& source, const SourceOptions& options, const Progress& progress,
+                          std::vector<std::string>& notes) {
+  const auto known = options.opened.find(absoluteSource(source));
+  return known != options.opened.end() ? OpenedVolume{known->second, known->first}
+                                       : openVolume(source, options.read, progress, notes);
+}
+
 // The text of a scene or session, which is told by what it holds: a file may have lost its ending. What has
 // the ending is taken for one, so that an error can say what is wrong with it.
 std::optional<std::string> sceneText(const fs::path& path) {
@@ -95,17 +102,75 @@ std::optional<std::string> sceneText(const fs::path& path) {
   return text;
 }
 
-// A picture that Limn wrote carries its scene; any other image is a slice of a stack.
-std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
+// What a picture that Limn wrote says of its scenes; any other image is a slice of a stack.
+std::string descriptionIn(const fs::path& path) {
   const std::string extension = lowerExtension(path);
-  const bool mayCarry =
-      extension == ".png" || extension == ".tif" || extension == ".tiff" || extension == ".exr";
+  const bool mayCarry = extension == ".png" || extension == ".tif" || extension == ".tiff" ||
+                        extension == ".exr" || extension == ".pdf";
   if (!mayCarry || !fs::is_regular_file(path))
-    return std::nullopt;
-  const std::string description = readImageDescription(path);
-  if (description.find("\"limn_scene\"") == std::string::npos)
+    return {};
+  std::string description = readImageDescription(path);
+  if (extension == ".pdf" && !looksLikeFigure(description))
+    throw Error(Error::Kind::input, "Cannot open " + path.filename().string() +
+                                        ": it is no figure of Limn; choose a volume, a scene or a picture.");
+  return description;
+}
+
+std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
+  const std::string description = descriptionIn(path);
+  if (description.find("\"limn_scene\"") == std::string::npos || looksLikeFigure(description))
     return std::nullopt;
   return located(parseScene(description, path.filename().string()), path);
+}
+
+std::optional<FigureDocument> figureIn(const fs::path& path) {
+  const std::string description = descriptionIn(path);
+  if (!looksLikeFigure(description))
+    return std::nullopt;
+  FigureDocument figure = parseFigure(description, path.filename().string());
+  for (FigurePanelDocument& panel : figure.panels)
+    panel.scene = located(std::move(panel.scene), path);
+  return figure;
+}
+
+// The second panel as the other side of a comparison where it differs in the model alone, and slices.
+SessionDocument besideFirst(const FigureDocument& figure) {
+  SessionDocument beside;
+  beside.layout = CompareLayout::single;
+  const FigurePanelDocument& first = figure.panels.front();
+  for (const FigurePanelDocument& panel : figure.panels) {
+    SceneDocument other = panel.scene;
+    other.scene.shading.model = first.scene.scene.shading.model;
+    if (other != first.scene)
+      continue;
+    if (panel.plane) {
+      beside.planes = panel.planes;
+      beside.planes.layout = PlaneLayout::pictureAndThree;
+    } else if (&panel != &first && beside.layout == CompareLayout::single) {
+      beside.layout = CompareLayout::sideBySide;
+      beside.leftModel = first.scene.scene.shading.model;
+      beside.rightModel = panel.scene.scene.shading.model;
+    }
+  }
+  return beside;
+}
+
+// What a window cannot hold of a figure.
+std::string remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
+  const auto isHeld = [&](const FigurePanelDocument& panel) {
+    SceneDocument other = panel.scene;
+    const ShadingModel model = other.scene.shading.model;
+    other.scene.shading.model = figure.panels.front().scene.scene.shading.model;
+    const bool isSide = model == other.scene.shading.model ||
+                        (beside.layout == CompareLayout::sideBySide && model == beside.rightModel);
+    return other == figure.panels.front().scene && (panel.plane || isSide);
+  };
+  const auto held = std::ranges::count_if(figure.panels, isHeld);
+  const auto all = static_cast<std::ptrdiff_t>(figure.panels.size());
+  return held == all ? std::string()
+                     : "The figure has " + std::to_string(all) + " panels; " +
+                           (held == 1 ? "the first is shown" : std::to_string(held) + " of them are shown") +
+                           " (`limn figure` draws all of them again).";
 }
 
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
@@ -155,7 +220,7 @@ LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, c
   loaded.hasOwnCamera = document.hasCamera;
   loaded.scene = std::move(document.scene);
   const std::string source = volumeOf(document, options);
-  const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
+  const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
   loaded.scene.volume =
       document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
   loaded.volumePath = opened.path;
@@ -221,8 +286,15 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
                                    : loadDocument(readSceneFile(source), options, progress);
   if (auto document = sceneInPicture(source))
     return loadDocument(std::move(*document), options, progress);
+  if (auto figure = figureIn(source)) {
+    LoadedScene first = loadDocument(figure->panels.front().scene, options, progress);
+    first.beside = besideFirst(*figure);
+    if (const std::string remark = remarkOn(*figure, *first.beside); !remark.empty())
+      first.notes.push_back(remark);
+    return first;
+  }
   LoadedScene loaded;
-  const OpenedVolume opened = openVolume(source, options.read, progress, loaded.notes);
+  const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
   loaded.scene.volume = opened.volume;
   loaded.volumePath = opened.path;
   loaded.read = options.read;
@@ -233,6 +305,24 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   loaded.preset = preset.name;
   if (options.hidesTable && !imageNormalAxis(grid))
     loaded.scene.keep = sureBodyOf(*opened.volume, progress);
+  return loaded;
+}
+
+std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
+                                       const Progress& progress) {
+  const std::optional<FigureDocument> figure = figureIn(source);
+  if (!figure)
+    return std::nullopt;
+  LoadedFigure loaded{figure->settings, {}};
+  SourceOptions more = options;
+  for (const FigurePanelDocument& panel : figure->panels) {
+    loaded.panels.push_back(
+        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
+    const LoadedScene& scene = loaded.panels.back().scene;
+    // One that was turned by hand is another volume.
+    if (panel.scene.orientation.empty())
+      more.opened.emplace(scene.volumePath, scene.scene.volume);
+  }
   return loaded;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/VolumeReader.h"
+#include "io/scenefile/FigureFile.h"
 #include "io/scenefile/SessionFile.h"
 #include "scene/Scene.h"
 #include "scene/basics/Error.h"
@@ -40,6 +41,8 @@ struct SourceOptions {
   /// Volumes by the names that stand for them in scenes, because their own may name the patient.
   std::map<std::string, std::filesystem::path> references;
   bool hidesTable = false; ///< of a CT volume whose body is sure, that alone is kept at first
+  /// Volumes that were read already, by their absolute path or built-in name: they are not read again.
+  std::map<std::string, std::shared_ptr<const Volume>> opened;
 };
 
 /// A scene ready to draw, and where its volume came from.
@@ -51,12 +54,32 @@ struct LoadedScene {
   std::vector<std::string> notes;         ///< one sentence each: what else was noteworthy
   ReadOptions read;                       ///< with which the volume was read
   std::optional<SessionDocument> session; ///< where the source is one
+  /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
+  std::optional<SessionDocument> beside;
 };
 
-/// Loads anything that names a scene: a volume (see readVolume), a scene or session file, a picture written
-/// by Limn, `sample` (the CT head of an installed example, otherwise the phantom) or `phantom[:spacing in
-/// mm]`. A volume gets its first view and the best-fitting preset. Throws Error and Cancelled.
+/// A figure ready to draw.
+struct LoadedFigure {
+  struct Panel {
+    std::string name;
+    std::optional<PatientPlane> plane;
+    PlaneSettings planes;
+    LoadedScene scene;
+  };
+  FigureSettings settings;
+  std::vector<Panel> panels;
+};
+
+/// Loads anything that names a scene: a volume (see readVolume), a scene or session file, a picture or figure
+/// written by Limn (of a figure the first panel), `sample` (the CT head of an installed example, otherwise
+/// the phantom) or `phantom[:spacing in mm]`. A volume gets its first view and the best-fitting preset.
+/// Throws Error and Cancelled.
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress);
+
+/// Loads every panel of a figure that Limn wrote; nothing where the source is none. Panels of one volume
+/// share it. Throws as loadScene does.
+std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
+                                       const Progress& progress);
 
 /// How a source is called from wherever: a path becomes absolute, what is built in (`sample`, `phantom:1`)
 /// keeps its name.

@@ -14,6 +14,9 @@ void addInfoCommand(CommandSyntax& root);
 /// `limn render`: a picture of a scene, or of two shading models side by side.
 void addRenderCommand(CommandSyntax& root);
 
+/// `limn figure SCENE…`: a labelled figure of one to four pictures.
+void addFigureCommand(CommandSyntax& root);
+
 /// `limn effects`: what a picture simulates, why, and what each effect costs.
 void addEffectsCommand(CommandSyntax& root);
 

@@ -52,6 +52,10 @@ ShadingModel modelNamed(const std::string& word, const std::string& option) {
   return chosen(models, word, option);
 }
 
+Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
+  return framedView(scene, chosen(views, view, "--view"), aspect);
+}
+
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())
@@ -80,7 +84,7 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   // Half a picture is narrow.
   const double aspect = (arguments.model == "compare" ? 0.5 : 1.0) * scene.image.width / scene.image.height;
   if (!arguments.view.empty())
-    scene.camera = framedView(scene, chosen(views, arguments.view, "--view"), aspect);
+    scene.camera = viewOf(scene, arguments.view, aspect);
   else if (!loaded.hasOwnCamera)
     scene.camera = framedCamera(scene, aspect);
   return scene;
@@ -91,6 +95,10 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
                      "scene or session file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
   command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command.option("--model", arguments.model, models);
+  addLookOptions(command, arguments);
+}
+
+void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command.option(
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");

@@ -23,9 +23,16 @@ struct SceneArguments {
 /// Adds SOURCE and the options; `models` says which models `--model` takes.
 void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models);
 
+/// Adds those of the options that change how a scene looks, but for its model.
+void addLookOptions(CommandSyntax& command, SceneArguments& arguments);
+
 /// The scene with everything that was given but the model; framed anew where it has no camera of its own, on
 /// half the picture where two models are compared. Throws Error (usage).
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments);
+
+/// The camera of a standard view, named by --view, framed for a picture of this width over height. Throws
+/// Error (usage).
+Camera viewOf(const Scene& scene, const std::string& view, double aspect);
 
 /// The shading model of that name; `option` is named where there is none. Throws Error (usage).
 ShadingModel modelNamed(const std::string& word, const std::string& option);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engines/PictureMaker.h"
 
+#include "accuracy/ErrorEstimate.h"
 #include "accuracy/Tolerance.h"
 #include "app/engines/EngineTrial.h"
 #include "cpu/CpuRenderer.h"
@@ -26,57 +27,109 @@ struct Drawer {
 MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
                        const Drawer& by) {
   if (!needsSteps(scene))
-    return {draw(scene, size), scene, by.engine, by.name, {}};
+    return {draw(scene, size), scene, by.engine, by.name, {}, false};
   const WithinTolerance found = withinTolerance(scene, size, draw, control);
-  MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}};
+  MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}, false};
   picture.notes.push_back("The picture is " + describe(found) + ".");
   if (!found.holds)
     picture.notes.push_back(found.sentence);
   return picture;
 }
 
+// Scenes one after another: each picture is handed on before the next is drawn.
+struct Sitting {
+  const std::vector<Scene>& scenes;
+  const glm::ivec2& size;
+  const TakePicture& take;
+};
+
+bool stepsSeeFunction(RayCaster& caster, const Scene& scene) {
+  const DrawingFacts facts = caster.facts(scene);
+  return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
+}
+
+bool stepsSeeFunction(CpuRenderer& renderer, const Scene& scene) {
+  const bool isPreintegrated = renderer.plan(scene).effects.has(Effect::preintegration);
+  return stepSeesFunction(scene, renderer.steepestPerMm(), isPreintegrated);
+}
+
+// Those that do not tell how steep the field is.
 template <class Renderer>
-std::vector<MadePicture> makeWith(Renderer& renderer, const std::vector<Scene>& scenes,
-                                  const glm::ivec2& size, StepControl control, const Drawer& by) {
-  std::vector<MadePicture> pictures;
-  const DrawScene draw = [&](const Scene& scene, const glm::ivec2& pixels) {
-    return renderer.render(scene, pixels);
-  };
-  for (const Scene& scene : scenes) {
-    MadePicture picture = makeWithin(scene, size, draw, control, by);
+bool stepsSeeFunction(const Renderer&, const Scene&) {
+  return false;
+}
+
+// Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.
+template <class Renderer, class Draw>
+void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, const Effort& effort,
+              StepControl control, const Drawer& by) {
+  const auto count = static_cast<double>(sitting.scenes.size());
+  for (std::size_t i = 0; i < sitting.scenes.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    const Effort part = partOf(effort, place / count, (place + 1.0) / count);
+    MadePicture picture = makeWithin(
+        sitting.scenes[i], sitting.size,
+        [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, part); }, control, by);
     if (!renderer.limitation().empty())
       picture.notes.push_back(renderer.limitation());
-    pictures.push_back(std::move(picture));
+    picture.canBeEstimated = stepsSeeFunction(renderer, picture.scene);
+    sitting.take(i, std::move(picture));
   }
-  return pictures;
 }
 
-std::vector<MadePicture> makeWithGl(const std::vector<Scene>& scenes, const glm::ivec2& size,
-                                    PictureEngine engine, const VolumeRoom& room) {
+void makeWithGl(const Sitting& sitting, const PictureOrder& order, const VolumeRoom& room) {
   const HeadlessContext context;
-  if (engine == PictureEngine::slices || engine == PictureEngine::slicesBackToFront) {
-    SliceRenderer slices(engine == PictureEngine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
-    return makeWith(slices, scenes, size, StepControl::equal, {engine, rendererName()});
+  if (order.engine == PictureEngine::slices || order.engine == PictureEngine::slicesBackToFront) {
+    SliceRenderer slices(order.engine == PictureEngine::slices ? BlendOrder::frontToBack
+                                                               : BlendOrder::backToFront);
+    const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort&) {
+      return slices.render(scene, pixels);
+    };
+    return makeWith(slices, draw, sitting, order.effort, StepControl::equal, {order.engine, rendererName()});
   }
   RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, room);
-  return makeWith(caster, scenes, size, StepControl::local, {PictureEngine::gl, rendererName()});
-}
-
-std::vector<MadePicture> makeWithCpu(const std::vector<Scene>& scenes, const glm::ivec2& size, int threads) {
-  CpuRenderer renderer(threads);
-  return makeWith(renderer, scenes, size, StepControl::local, {PictureEngine::cpu, renderer.name()});
-}
-
-std::vector<MadePicture> makeWithReference(const std::vector<Scene>& scenes, const glm::ivec2& size,
-                                           int threads) {
-  std::vector<MadePicture> pictures;
-  const DrawScene draw = [threads](const Scene& scene, const glm::ivec2& pixels) {
-    return toImage(renderReference(scene, pixels, threads));
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return caster.render(scene, pixels, effort);
   };
-  for (const Scene& scene : scenes)
-    pictures.push_back(makeWithin(scene, size, draw, StepControl::local,
-                                  {PictureEngine::reference, "reference (double precision)"}));
-  return pictures;
+  makeWith(caster, draw, sitting, order.effort, StepControl::local, {PictureEngine::gl, rendererName()});
+}
+
+// Any strips make the same picture; between them it is told how far it is.
+Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size, const Effort& effort) {
+  constexpr int rows = 128;
+  if (size.y <= rows)
+    return renderer.draw(scene, size, {{0, 0}, size}, effort.isCancelled);
+  Image whole(size);
+  for (int y = 0; y < size.y; y += rows) {
+    const PixelRect tile{{0, y}, {size.x, std::min(rows, size.y - y)}};
+    const Image strip = renderer.draw(scene, size, tile, effort.isCancelled);
+    std::ranges::copy(strip.pixels, &whole.at(0, y));
+    if (effort.report)
+      effort.report(1.0 * (y + tile.size.y) / size.y);
+  }
+  return whole;
+}
+
+void makeWithCpu(const Sitting& sitting, const PictureOrder& order) {
+  CpuRenderer renderer(order.effort.threads);
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return inStrips(renderer, scene, pixels, effort);
+  };
+  makeWith(renderer, draw, sitting, order.effort, StepControl::local, {PictureEngine::cpu, renderer.name()});
+}
+
+// The reference has no limits of its own to tell of.
+struct ReferenceRenderer {
+  std::string limitation() const { return {}; }
+};
+
+void makeWithReference(const Sitting& sitting, const PictureOrder& order) {
+  const ReferenceRenderer renderer;
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return toImage(renderReference(scene, pixels, order.effort.threads, effort.isCancelled));
+  };
+  makeWith(renderer, draw, sitting, order.effort, StepControl::local,
+           {PictureEngine::reference, "reference (double precision)"});
 }
 
 // The context of the question is gone before a picture makes its own.
@@ -138,26 +191,44 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Pictur
   return figuresWith(caster);
 }
 
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const PictureOrder& order,
+              const TakePicture& take) {
+  std::size_t taken = 0;
+  const TakePicture counted = [&](std::size_t index, MadePicture picture) {
+    take(index, std::move(picture));
+    ++taken;
+  };
+  const Sitting sitting{scenes, size, counted};
+  if (order.engine == PictureEngine::reference)
+    return makeWithReference(sitting, order);
+  if (order.engine == PictureEngine::cpu)
+    return makeWithCpu(sitting, order);
+  if (order.engine != PictureEngine::automatic)
+    return makeWithGl(sitting, order, {order.textureMb, true});
+  std::string problem;
+  try {
+    if (!processorIsFaster(scenes.front(), order.memory))
+      return makeWithGl(sitting, order, {order.textureMb, false});
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::openGl || taken > 0)
+      throw;
+    problem = error.what();
+  }
+  const TakePicture excused = [&](std::size_t index, MadePicture picture) {
+    if (!problem.empty() && index == 0)
+      picture.notes.push_back(problem + " The CPU engine drew the picture instead.");
+    take(index, std::move(picture));
+  };
+  makeWithCpu({scenes, size, excused}, order);
+}
+
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
                                       PictureEngine engine, int threads, double textureMb,
                                       const EngineMemory& memory) {
-  if (engine == PictureEngine::reference)
-    return makeWithReference(scenes, size, threads);
-  if (engine == PictureEngine::cpu)
-    return makeWithCpu(scenes, size, threads);
-  if (engine != PictureEngine::automatic)
-    return makeWithGl(scenes, size, engine, {textureMb, true});
-  try {
-    if (!processorIsFaster(scenes.front(), memory))
-      return makeWithGl(scenes, size, engine, {textureMb, false});
-  } catch (const Error& error) {
-    if (error.kind() != Error::Kind::openGl)
-      throw;
-    std::vector<MadePicture> pictures = makeWithCpu(scenes, size, threads);
-    pictures.front().notes.push_back(std::string(error.what()) + " The CPU engine drew the picture instead.");
-    return pictures;
-  }
-  return makeWithCpu(scenes, size, threads);
+  std::vector<MadePicture> pictures;
+  makeEach(scenes, size, {engine, textureMb, memory, {threads, {}, {}}},
+           [&](std::size_t, MadePicture picture) { pictures.push_back(std::move(picture)); });
+  return pictures;
 }
 
 std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {

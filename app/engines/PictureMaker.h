@@ -5,6 +5,7 @@
 #include "glsl/textures/GraphicsMemory.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
+#include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
 
 #include <functional>
@@ -24,13 +25,31 @@ struct MadePicture {
   PictureEngine drawnBy;          ///< never `automatic`
   std::string engine;             ///< renderer string, or "reference (double precision)"
   std::vector<std::string> notes; ///< one sentence each
+  /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
+  /// (accuracy/ErrorEstimate).
+  bool canBeEstimated = false;
 };
 
-/// Draws one picture per scene with one renderer, sharing its textures. `threads` 0 uses every core. A scene
-/// with a tolerance gets the steps that keep it, where it does not have them already (accuracy/Tolerance).
-/// The ray caster's volume takes at most `textureMb` on the graphics card: a larger one is drawn with fewer
-/// voxels, or by the CPU engine where that may be chosen. Which engine is the faster is asked of `memory`,
-/// and found by a trial where it does not know. Throws Error.
+/// How pictures are drawn.
+struct PictureOrder {
+  PictureEngine engine = PictureEngine::automatic;
+  /// The ray caster's volume takes at most so much on the graphics card, MB: a larger one is drawn with fewer
+  /// voxels, or by the CPU engine where that may be chosen.
+  double textureMb = anyMb;
+  EngineMemory memory; ///< is asked which engine is the faster; found by a trial where it does not know
+  Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
+};
+
+/// Takes the picture of the scene at `index`.
+using TakePicture = std::function<void(std::size_t index, MadePicture picture)>;
+
+/// Draws one picture per scene with one renderer, sharing its textures, and hands on each before it draws the
+/// next. A scene with a tolerance gets the steps that keep it, where it does not have them already
+/// (accuracy/Tolerance). Throws Error; Cancelled.
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const PictureOrder& order,
+              const TakePicture& take);
+
+/// The same, all together. `threads` 0 uses every core.
 std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
                                       PictureEngine engine, int threads, double textureMb = anyMb,
                                       const EngineMemory& memory = {});

@@ -4,6 +4,7 @@
 #include "accuracy/times/Timing.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace limn {
@@ -26,6 +27,9 @@ double residentMb();
 
 /// The most that was resident since the program started or since the last call of `forgetPeak`, MB.
 double peakResidentMb();
+
+/// Memory that programs could still get, bytes; nothing where the system does not tell.
+std::optional<double> freeMemory();
 
 /// Gives free memory back to the system and starts a new peak.
 void forgetPeak();

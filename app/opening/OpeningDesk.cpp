@@ -87,7 +87,7 @@ void OpeningDesk::askForFile() {
       &m_window,
       {.title = tr("Open a volume, session, scene or Limn picture"),
        .filters = {tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
-                      "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)"),
+                      "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)"),
                    tr("All files (*)")}},
       m_settings);
   if (!path.isEmpty())

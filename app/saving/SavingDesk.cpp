@@ -48,7 +48,6 @@ void SavingDesk::writeSession(const QString& path) {
   const std::filesystem::path target(path.toStdString());
   session.scene.volume = volumeSeenFrom(target);
   session.scene.keep.labels = labelsSeenFrom(target);
-  session.scene.keep.labels = labelsSeenFrom(target);
   const auto write = [&] {
     writeFileAtomically(target, sessionToJson(session));
     m_document.settleIn(path, m_session());

@@ -2,6 +2,7 @@
 #include "io/ImageFile.h"
 
 #include "io/AtomicFile.h"
+#include "io/PdfDescription.h"
 #include "io/openimageio/PictureLibrary.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
@@ -47,6 +48,15 @@ std::vector<std::uint8_t> composited(const Image& image, const glm::dvec3& backg
   return levels;
 }
 
+void writeAtomically(const fs::path& path, const PictureToWrite& picture) {
+  replaceAtomically(path, [&](const fs::path& temporary) {
+    const std::string problem = pictureLibrary().write(temporary.string(), picture);
+    if (!problem.empty())
+      throw Error(Error::Kind::other, "Cannot write " + path.string() + ": " + problem +
+                                          "; choose another folder, ending or size.");
+  });
+}
+
 // libjpeg ends the whole program where a picture or a comment is beyond what the format can hold.
 void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std::string& description) {
   constexpr int longestSide = 65500;
@@ -68,16 +78,21 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
   const std::vector<std::uint8_t> levels =
       format == Format::exr ? std::vector<std::uint8_t>() : composited(image, background);
   const void* pixels = format == Format::exr ? static_cast<const void*>(image.pixels.data()) : levels.data();
-  const PictureToWrite picture{format, image.size.x, image.size.y, pixels, description};
-  replaceAtomically(path, [&](const fs::path& temporary) {
-    const std::string problem = pictureLibrary().write(temporary.string(), picture);
-    if (!problem.empty())
-      throw Error(Error::Kind::other, "Cannot write " + path.string() + ": " + problem +
-                                          "; choose another folder, ending or size.");
-  });
+  writeAtomically(path, {format, image.size.x, image.size.y, pixels, description});
+}
+
+void writeBytes(const fs::path& path, const BytePicture& picture, const std::string& description) {
+  const Format format = formatOf(path);
+  if (format != Format::png && format != Format::tiff)
+    throw Error(Error::Kind::usage,
+                "Cannot write " + path.string() + ": this picture needs the ending .png or .tif.");
+  writeAtomically(path, {format, picture.size.x, picture.size.y, picture.bytes.data(), description,
+                         picture.hasAlpha, picture.dotsPerInch});
 }
 
 std::string readImageDescription(const fs::path& path) {
+  if (isPdf(path))
+    return readPdfDescription(path);
   const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
   if (!picture) {
     std::error_code problem;

@@ -3,8 +3,10 @@
 
 #include "scene/basics/Image.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace limn {
 
@@ -15,7 +17,20 @@ namespace limn {
 void writeImage(const std::filesystem::path& path, const Image& image, const glm::dvec3& background,
                 const std::string& description);
 
-/// Reads the image description of a picture; empty where there is none. Throws Error where it cannot be read.
+/// A picture whose bytes are made: 8 bits a channel, row by row from the top.
+struct BytePicture {
+  glm::ivec2 size{0};
+  bool hasAlpha = false;           ///< RGBA, the colours not multiplied by alpha; otherwise RGB
+  std::vector<std::uint8_t> bytes; ///< size.x · size.y · (4 or 3)
+  double dotsPerInch = 0.0;        ///< at which it is meant to be printed; 0: nothing is said
+};
+
+/// Writes such a picture as PNG or TIFF by its extension, as writeImage does. Throws Error.
+void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
+                const std::string& description);
+
+/// Reads the image description of a picture, or what a PDF carries in its place (PdfDescription.h); empty
+/// where there is none. Throws Error where it cannot be read.
 std::string readImageDescription(const std::filesystem::path& path);
 
 } // namespace limn

@@ -12,11 +12,14 @@
 #include "glsl/textures/SceneTextures.h"
 #include "raycaster/DecisionTextures.h"
 #include "raycaster/ProgramCache.h"
+#include "scene/basics/Error.h"
 #include "scene/effects/Neighbours.h"
 #include "scene/steps/LocalSteps.h"
 #include "scene/steps/RayFrame.h"
 
 #include <epoxy/gl.h>
+
+#include <algorithm>
 
 namespace limn {
 namespace {
@@ -50,7 +53,7 @@ struct RayCaster::Parts {
   void draw(const Scene& scene, Content content, const glm::ivec2& size, const PixelRect& tile);
   IndexBox drawnBox(const Scene& scene, EffectSet effects) const;
   void drawWith(const ShaderProgram& shader, const Scene& scene, const glm::ivec2& size);
-  Image render(const Scene& scene, Content content, const glm::ivec2& size);
+  Image render(const Scene& scene, Content content, const glm::ivec2& size, const Effort& effort = {});
   void noteStepLimit(const Scene& scene);
   void tryOut(EffectSet effects, const Scene& scene, const glm::ivec2& size);
 };
@@ -134,14 +137,23 @@ void RayCaster::Parts::drawWith(const ShaderProgram& shader, const Scene& scene,
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::ivec2& size) {
+Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::ivec2& size,
+                               const Effort& effort) {
   forgetDriverErrors();
   const FloatTarget target(size);
-  for (int y = 0; y < size.y; y += tileSize)
+  for (int y = 0; y < size.y; y += tileSize) {
     for (int x = 0; x < size.x; x += tileSize) {
       draw(scene, content, size, {{x, y}, glm::min(glm::ivec2(tileSize), size - glm::ivec2(x, y))});
       glFlush();
+      if (effort.isCancelled) {
+        glFinish(); // what waits in a queue could not be ended
+        if (effort.isCancelled())
+          throw Cancelled();
+      }
     }
+    if (effort.report)
+      effort.report(1.0 * std::min(size.y, y + tileSize) / size.y);
+  }
   Image image = readBack(size);
   requireHealthyDriver("drawing a picture");
   return image;
@@ -171,8 +183,8 @@ void RayCaster::draw(const Scene& scene, const glm::ivec2& size, const PixelRect
   m_parts->draw(scene, Content::picture, size, tile);
 }
 
-Image RayCaster::render(const Scene& scene, const glm::ivec2& size) {
-  return m_parts->render(scene, Content::picture, size);
+Image RayCaster::render(const Scene& scene, const glm::ivec2& size, const Effort& effort) {
+  return m_parts->render(scene, Content::picture, size, effort);
 }
 
 Image RayCaster::renderUnlimited(const Scene& scene, const glm::ivec2& size) {

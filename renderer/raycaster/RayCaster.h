@@ -43,8 +43,9 @@ public:
   /// for bit. The framebuffer's lower left corner is the picture's.
   void draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile);
 
-  /// Draws a whole picture off screen in 32-bit floats and reads it back.
-  Image render(const Scene& scene, const glm::ivec2& size);
+  /// Draws a whole picture off screen in 32-bit floats and reads it back. Tells `effort` how far it is and
+  /// asks it after each tile whether to end, with Cancelled.
+  Image render(const Scene& scene, const glm::ivec2& size, const Effort& effort = {});
 
   /// The picture whose light terms are neither clamped nor compressed (DEFINITION section 4), which shows by
   /// how much they overflow. Not limited to 0..1.

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/openimageio/PictureLibrary.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 
 namespace limn {
 namespace {
@@ -47,11 +52,19 @@ std::optional<StoredPicture> open(const std::string& path) {
 OIIO::ImageSpec specOf(const PictureToWrite& picture) {
   using Format = PictureToWrite::Format;
   const bool isFloat = picture.format == Format::exr;
-  OIIO::ImageSpec spec(picture.width, picture.height, isFloat ? 4 : 3,
+  const bool hasAlpha = isFloat || picture.hasAlpha;
+  OIIO::ImageSpec spec(picture.width, picture.height, hasAlpha ? 4 : 3,
                        isFloat ? TypeDesc::FLOAT : TypeDesc::UINT8);
-  if (isFloat)
+  if (hasAlpha)
     spec.alpha_channel = 3;
-  else
+  if (picture.hasAlpha)
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+  if (picture.dotsPerInch > 0.0) {
+    spec.attribute("ResolutionUnit", "in");
+    spec.attribute("XResolution", static_cast<float>(picture.dotsPerInch));
+    spec.attribute("YResolution", static_cast<float>(picture.dotsPerInch));
+  }
+  if (!isFloat)
     spec.attribute("oiio:ColorSpace", "sRGB");
   if (picture.format == Format::jpeg) {
     spec.attribute("CompressionQuality", 95);
@@ -64,14 +77,33 @@ OIIO::ImageSpec specOf(const PictureToWrite& picture) {
   return spec;
 }
 
-std::string write(const std::string& path, const PictureToWrite& picture) {
-  const OIIO::ImageSpec spec = specOf(picture);
-  const auto output = OIIO::ImageOutput::create(path);
-  if (output && output->open(path, spec) && output->write_image(spec.format, picture.pixels) &&
-      output->close())
-    return {};
+std::string reasonOf(const OIIO::ImageOutput* output) {
   const std::string reason = output ? output->geterror() : OIIO::geterror();
   return reason.empty() ? "no reason was given" : reason;
+}
+
+std::string writeFile(const std::string& path, const std::vector<unsigned char>& bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file)
+    return std::strerror(errno);
+  int problem = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() ? 0 : errno;
+  if (std::fclose(file) != 0 && problem == 0)
+    problem = errno;
+  return problem == 0 ? std::string() : std::strerror(problem);
+}
+
+// The library's PNG writer does not notice that a disk is full, so that it writes into memory.
+std::string write(const std::string& path, const PictureToWrite& picture) {
+  const OIIO::ImageSpec spec = specOf(picture);
+  const bool isPng = picture.format == PictureToWrite::Format::png;
+  OIIO::Filesystem::IOVecOutput memory;
+  const auto output = OIIO::ImageOutput::create(path);
+  if (output && isPng)
+    output->set_ioproxy(&memory);
+  if (output && output->open(path, spec) && output->write_image(spec.format, picture.pixels) &&
+      output->close())
+    return isPng ? writeFile(path, memory.buffer()) : std::string();
+  return reasonOf(output.get());
 }
 
 } // namespace

@@ -29,6 +29,8 @@ struct PictureToWrite {
   int height = 0;
   const void* pixels = nullptr; ///< RGBA floats for EXR, RGB bytes otherwise
   std::string description;      ///< ASCII, may be empty
+  bool hasAlpha = false;        ///< RGBA bytes instead, the colours not multiplied by alpha; not for JPEG
+  double dotsPerInch = 0.0;     ///< at which it is meant to be printed; 0: nothing is said
 };
 
 /// What Limn asks of OpenImageIO. The library brings two hundred others, which took most of the program's

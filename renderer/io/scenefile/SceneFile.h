@@ -32,6 +32,9 @@ SceneDocument readSceneFile(const std::filesystem::path& path);
 /// A document with absolute paths, which are written relative to the folder of its `file`.
 SceneDocument located(SceneDocument document, const std::filesystem::path& file);
 
+/// What is to be written of a scene; `volume` is stored as given, and so is the source of labels.
+SceneDocument documentOf(const Scene& scene, const std::string& volume);
+
 /// A scene as JSON with every key written out; `volume` is stored as given, and so is the source of labels.
 std::string sceneToJson(const Scene& scene, const std::string& volume);
 

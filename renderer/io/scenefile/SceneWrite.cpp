@@ -130,14 +130,22 @@ nlohmann::ordered_json sceneJson(const SceneDocument& document) {
   return json;
 }
 
-std::string sceneToJson(const Scene& scene, const std::string& volume) {
+SceneDocument documentOf(const Scene& scene, const std::string& volume) {
   SceneDocument document;
   document.volume = volume;
   document.scene = scene;
+  document.scene.volume.reset();
+  document.scene.keep = {};
   document.keep = keptPartOf(scene.keep);
   if (scene.volume)
     document.orientation = scene.volume->info().orientationByHand;
-  return textOf(sceneJson(document));
+  document.hasCamera = true;
+  document.hasTransferFunction = true;
+  return document;
+}
+
+std::string sceneToJson(const Scene& scene, const std::string& volume) {
+  return textOf(sceneJson(documentOf(scene, volume)));
 }
 
 std::string presetToJson(const Preset& preset) {

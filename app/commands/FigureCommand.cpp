@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Commands.h"
+
+#include "app/PrivateNames.h"
+#include "app/Settings.h"
+#include "app/commands/FigureArguments.h"
+#include "app/commands/SceneArguments.h"
+#include "app/figure/FigureFiles.h"
+#include "app/figure/FigureScenes.h"
+#include "scene/framing/Framing.h"
+#include "scene/light/ModelName.h"
+#include "widgets/figure/FigureText.h"
+
+#include <QGuiApplication>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace limn {
+namespace {
+
+struct FigureRequest {
+  SceneArguments scene; ///< but for the source and the size
+  std::vector<std::string> sources;
+  FigureArguments figure;
+  std::vector<std::string> panels, names;
+  std::string out;
+  std::string engine = "auto";
+  int threads = 0;
+};
+
+/// A panel with what else is known of it.
+struct Planned {
+  FigurePanel panel;
+  std::string volumePath;
+  bool hasOwnCamera = false;
+};
+
+/// Panels in the order in which they stand.
+struct Plan {
+  FigureSettings settings;
+  bool isReopened = false; ///< `settings` are those of a figure
+  std::vector<Planned> panels;
+  std::vector<std::string> notes;
+};
+
+const std::map<std::string, PictureEngine> figureEngines{{"auto", PictureEngine::automatic},
+                                                         {"gl", PictureEngine::gl},
+                                                         {"cpu", PictureEngine::cpu},
+                                                         {"reference", PictureEngine::reference}};
+
+// What Qt says of a session that there is none of is nobody's concern.
+class Silence {
+public:
+  Silence() : m_before(qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {})) {}
+  ~Silence() { qInstallMessageHandler(m_before); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  QtMessageHandler m_before;
+};
+
+// Qt's fonts need an application, but no display.
+class FontsWithoutDisplay {
+public:
+  FontsWithoutDisplay() {
+    const Silence silence;
+    m_application.emplace(m_count, m_words.data());
+  }
+
+private:
+  int m_count = 3;
+  std::array<char, 5> m_name{"limn"};
+  std::array<char, 10> m_option{"-platform"};
+  std::array<char, 10> m_platform{"offscreen"};
+  std::array<char*, 4> m_words{m_name.data(), m_option.data(), m_platform.data(), nullptr};
+  std::optional<QGuiApplication> m_application;
+};
+
+void say(Plan& plan, const std::string& sentence) {
+  if (!sentence.empty() && std::ranges::find(plan.notes, sentence) == plan.notes.end())
+    plan.notes.push_back(sentence);
+}
+
+// Two scene files that differ in neither model nor projection are told apart by their own names.
+void nameAfterFiles(Plan& plan, const std::vector<std::string>& sources) {
+  std::set<QString> names;
+  for (const Planned& planned : plan.panels)
+    names.insert(planned.panel.name);
+  if (names.size() == plan.panels.size() || sources.size() != plan.panels.size())
+    return;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const QString stem = QString::fromStdString(std::filesystem::path(sources[i]).stem().string());
+    if (!mayNameThePatient(stem, plan.panels[i].panel.scene.volume->info().patient))
+      plan.panels[i].panel.name = stem;
+  }
+}
+
+void addPanel(Plan& plan, FigurePanel panel, const LoadedScene& loaded) {
+  if (panel.name.isEmpty())
+    panel.name = usualName(panel);
+  plan.panels.push_back({std::move(panel), loaded.volumePath, loaded.hasOwnCamera});
+}
+
+// A scene in one panel, or in one for each model.
+void addScene(Plan& plan, const LoadedScene& loaded, const SceneArguments& arguments) {
+  FigurePanel panel;
+  panel.scene = adjusted(loaded, arguments);
+  if (arguments.model.empty())
+    return addPanel(plan, panel, loaded);
+  const std::vector<ShadingModel> models =
+      arguments.model == "compare" ? std::vector{ShadingModel::classic, ShadingModel::enhanced}
+                                   : std::vector{modelNamed(arguments.model, "--model (beside compare)")};
+  for (const ShadingModel model : models) {
+    panel.scene.shading.model = model;
+    addPanel(plan, panel, loaded);
+  }
+}
+
+// What a word of --panels makes of a scene: another model, a slice, or another preset.
+void addWord(Plan& plan, const LoadedScene& loaded, SceneArguments arguments, const std::string& word) {
+  for (const PatientPlane plane : patientPlanes)
+    if (word == nameOf(plane))
+      return addPanel(plan, planePanel(adjusted(loaded, arguments), plane, {}), loaded);
+  FigurePanel panel;
+  const bool isModel =
+      std::ranges::any_of(shadingModels, [&](ShadingModel model) { return word == nameOf(model); });
+  if (!isModel) {
+    arguments.preset = word;
+    panel.name = QString::fromStdString(word);
+  }
+  panel.scene = adjusted(loaded, arguments);
+  if (isModel)
+    panel.scene.shading.model = modelNamed(word, "--panels");
+  addPanel(plan, panel, loaded);
+}
+
+void addReopened(Plan& plan, const LoadedFigure& figure, const SceneArguments& arguments) {
+  plan.settings = figure.settings;
+  plan.isReopened = true;
+  for (const LoadedFigure::Panel& loaded : figure.panels) {
+    FigurePanel panel = panelOf(loaded);
+    panel.scene = adjusted(loaded.scene, arguments);
+    addPanel(plan, panel, loaded.scene);
+  }
+}
+
+Plan planned(const FigureRequest& request, const Progress& progress) {
+  Plan plan;
+  plan.settings.width = 0.0;
+  if (!request.panels.empty() && (request.sources.size() > 1 || !request.scene.model.empty()))
+    throw Error(Error::Kind::usage,
+                "--panels shows one scene in several ways; it takes one SCENE and no --model.");
+  SourceOptions options = sourceOptions(request.scene.source);
+  for (const std::string& source : request.sources) {
+    if (const auto figure = loadFigure(source, options, progress)) {
+      addReopened(plan, *figure, request.scene);
+      continue;
+    }
+    const LoadedScene loaded = loadScene(source, options, progress);
+    options.opened.emplace(loaded.volumePath, loaded.scene.volume);
+    if (plan.panels.empty() && !plan.isReopened)
+      plan.settings.panelAspect = 1.0 * loaded.scene.image.width / loaded.scene.image.height;
+    if (request.panels.empty())
+      addScene(plan, loaded, request.scene);
+    for (const std::string& word : request.panels)
+      addWord(plan, loaded, request.scene, word);
+    if (request.scene.preset.empty() && !loaded.preset.empty())
+      say(plan, "Shown with the preset \"" + loaded.preset + "\".");
+    for (const std::string& note : loaded.notes)
+      say(plan, note);
+  }
+  if (plan.panels.size() > mostPanels)
+    throw Error(Error::Kind::usage, "A figure has at most " + std::to_string(mostPanels) + " panels, not " +
+                                        std::to_string(plan.panels.size()) + "; make several figures.");
+  nameAfterFiles(plan, request.sources);
+  return plan;
+}
+
+// One column of a journal for one panel, two for more.
+Figure figureOf(Plan& plan, const FigureRequest& request) {
+  if (plan.settings.width <= 0.0)
+    plan.settings.width = plan.panels.size() == 1 ? 8.5 : 17.0;
+  Figure figure{adjusted(plan.settings, request.figure), {}};
+  if (request.names.size() > plan.panels.size())
+    throw Error(Error::Kind::usage, "--names has more names than the figure has panels (" +
+                                        std::to_string(plan.panels.size()) + ").");
+  for (std::size_t i = 0; i < plan.panels.size(); ++i) {
+    figure.panels.push_back(plan.panels[i].panel);
+    if (i < request.names.size())
+      figure.panels[i].name = QString::fromStdString(request.names[i]);
+  }
+  const QSize size = figureLayout(figure).pictureSize();
+  const double aspect = 1.0 * size.width() / size.height();
+  for (std::size_t i = 0; i < plan.panels.size(); ++i)
+    if (!plan.panels[i].hasOwnCamera && request.scene.view.empty())
+      figure.panels[i].scene.camera = framedCamera(figure.panels[i].scene, aspect);
+    else if (!request.scene.view.empty())
+      figure.panels[i].scene.camera = viewOf(figure.panels[i].scene, request.scene.view, aspect);
+  return figure;
+}
+
+void requireMemory(const Figure& figure, FigurePixels pixels, bool isQuiet) {
+  const FigureLayout layout = figureLayout(figure);
+  const std::string told = memoryNote(layout, pixels);
+  if (!hasMemoryFor(layout, pixels))
+    throw Error(Error::Kind::other, told + " Choose a smaller figure or close other programs.");
+  if (!told.empty() && !isQuiet)
+    note(told);
+}
+
+PictureOrder orderOf(const FigureRequest& request, Settings& settings, const Progress& progress) {
+  PictureOrder order;
+  order.engine = chosen(figureEngines, request.engine, "--engine");
+  order.memory = settings.engineMemory();
+  order.effort.threads = request.threads;
+  if (progress.report)
+    order.effort.report = [report = progress.report](double fraction) { report(fraction, "Drawing"); };
+  return order;
+}
+
+void tell(const MadeFigure& made, const Plan& plan, double ms) {
+  for (const std::string& sentence : plan.notes)
+    note(sentence);
+  for (const std::string& sentence : made.notes)
+    note(sentence);
+  const FigureLayout& layout = made.layout;
+  const double cm = 2.54 / made.figure.settings.dotsPerInch;
+  char line[200];
+  std::snprintf(
+      line, sizeof line,
+      "%d x %d pixels (%.1f x %.1f cm at %g dpi), pictures of %d x %d, in %.0f ms (set-up included)%s",
+      layout.size.width(), layout.size.height(), cm * layout.size.width(), cm * layout.size.height(),
+      made.figure.settings.dotsPerInch, layout.pictureSize().width(), layout.pictureSize().height(), ms,
+      made.engine.empty() ? "" : " on ");
+  note(line + made.engine);
+}
+
+void runFigure(const FigureRequest& request) {
+  const FigurePixels pixels = pixelsFor(figureFormatOf(request.out));
+  const FontsWithoutDisplay fonts;
+  const Progress progress = terminalProgress(request.scene.source.quiet);
+  Plan plan = planned(request, progress);
+  const Figure figure = figureOf(plan, request);
+  requireMemory(figure, pixels, request.scene.source.quiet);
+  const auto start = std::chrono::steady_clock::now();
+  Settings settings;
+  const PictureOrder order = orderOf(request, settings, progress);
+  const MadeFigure made = makeFigure(withErrors(figure, order), order, pixels);
+  std::vector<std::string> volumes;
+  for (const Planned& planned : plan.panels)
+    volumes.push_back(planned.volumePath);
+  const NameInFile named = [](const std::string& path, const Volume& volume) {
+    return shareableName(QString::fromStdString(path), volume).toStdString();
+  };
+  writeFigure(request.out, made, figureDescription(made.figure, volumes, named));
+  const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+  if (!request.scene.source.quiet)
+    tell(made, plan, ms.count());
+}
+
+} // namespace
+
+void addFigureCommand(CommandSyntax& root) {
+  auto request = std::make_shared<FigureRequest>();
+  CommandSyntax command = root.command("figure", "a labelled figure of one to four pictures");
+  command
+      .option(
+          "SCENE", request->sources,
+          "up to four scene or session files, volumes, DICOM folders, Limn pictures, or one figure of Limn")
+      .required();
+  command.option("-o,--output", request->out, "figure to write: .png .tif .exr .pdf").required();
+  addFigureOptions(command, request->figure);
+  command
+      .option("--panels", request->panels,
+              "how one SCENE is shown, a panel each: classic, enhanced, robust, none, axial, coronal, "
+              "sagittal, or "
+              "names of presets")
+      .separatedByCommas();
+  command.option("--names", request->names, "what stands above the panels").separatedByCommas();
+  command.option("--model", request->scene.model,
+                 "none, classic, enhanced, robust, or compare (classic and enhanced, a panel each)");
+  addLookOptions(command, request->scene);
+  addSourceOptions(command, request->scene.source);
+  command.flag("--quiet", request->scene.source.quiet, "no progress and no remarks on stderr");
+  command.option("--engine", request->engine, "auto (the faster of gl and cpu), gl, cpu or reference");
+  command
+      .option("--threads", request->threads,
+              "threads of the CPU engine and the reference (default: every core)")
+      .within(1, 4096);
+  command.footer("Example: limn figure head.nii.gz --model compare --size 17cm -o figure.pdf");
+  command.runs([request] { runFigure(*request); });
+}
+
+} // namespace limn

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/scenefile/FigureFile.h"
+
+#include "io/json/JsonFields.h"
+#include "io/scenefile/PlanesJson.h"
+#include "io/scenefile/SceneJson.h"
+
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Limits dotLimits{fewestDotsPerInch, mostDotsPerInch};
+constexpr Limits textLimits{1.0, 200.0};
+
+void readSize(JsonFields fields, FigureSettings& settings) {
+  fields.choice("unit", settings.unit, figureUnits);
+  fields.number("width", settings.width, positive);
+  if (fields.has("height"))
+    fields.number("height", settings.height.emplace(), positive);
+  fields.number("dpi", settings.dotsPerInch, dotLimits);
+  fields.number("panel_aspect", settings.panelAspect, positive);
+  fields.finish();
+}
+
+void readMarks(JsonFields fields, FigureSettings& settings) {
+  for (const FigureMark mark : figureMarks)
+    fields.boolean(nameOf(mark), settings.marks[static_cast<std::size_t>(mark)]);
+  fields.finish();
+}
+
+FigurePanelDocument readPanel(JsonFields fields) {
+  FigurePanelDocument panel;
+  fields.text("name", panel.name);
+  if (fields.has("plane"))
+    fields.choice("plane", panel.plane.emplace(), patientPlanes);
+  if (fields.has("slices"))
+    panel.planes = readPlanes(fields.object("slices"));
+  if (!fields.has("scene"))
+    fields.fail("scene", "is missing");
+  panel.scene = readScene(fields.object("scene"));
+  fields.finish();
+  return panel;
+}
+
+std::vector<FigurePanelDocument> readPanels(JsonFields& fields) {
+  const nlohmann::json& list = fields.child("panels");
+  if (!list.is_array() || list.empty() || list.size() > mostPanels)
+    fields.fail("panels", "must be a list of 1 to " + std::to_string(mostPanels) + " panels");
+  std::vector<FigurePanelDocument> panels;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    panels.push_back(readPanel(JsonFields(list[i], fields.document(), "panels." + std::to_string(i))));
+  return panels;
+}
+
+Json sizeJson(const FigureSettings& settings) {
+  Json json = {{"unit", nameOf(settings.unit)}, {"width", settings.width}};
+  if (settings.height)
+    json["height"] = *settings.height;
+  json["dpi"] = settings.dotsPerInch;
+  json["panel_aspect"] = settings.panelAspect;
+  return json;
+}
+
+Json panelJson(const FigurePanelDocument& panel) {
+  Json json = {{"name", panel.name}};
+  if (panel.plane) {
+    json["plane"] = nameOf(*panel.plane);
+    json["slices"] = planesJson(panel.planes);
+  }
+  json["scene"] = sceneJson(panel.scene);
+  return json;
+}
+
+} // namespace
+
+bool looksLikeFigure(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("limn_figure");
+}
+
+FigureDocument parseFigure(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsedJson(text, name);
+  JsonFields fields(json, name, "");
+  requireVersion(fields, "limn_figure", "figure");
+  FigureDocument figure;
+  if (fields.has("size"))
+    readSize(fields.object("size"), figure.settings);
+  fields.number("text_pt", figure.settings.textPoints, textLimits);
+  fields.choice("page", figure.settings.page, figurePages);
+  if (fields.has("marks"))
+    readMarks(fields.object("marks"), figure.settings);
+  if (!fields.has("panels"))
+    fields.fail("panels", "is missing");
+  figure.panels = readPanels(fields);
+  fields.finish();
+  return figure;
+}
+
+std::string figureToJson(const FigureDocument& figure) {
+  const FigureSettings& settings = figure.settings;
+  Json json = {{"limn_figure", 1},
+               {"size", sizeJson(settings)},
+               {"text_pt", settings.textPoints},
+               {"page", nameOf(settings.page)}};
+  for (const FigureMark mark : figureMarks)
+    json["marks"][nameOf(mark)] = settings.shows(mark);
+  for (const FigurePanelDocument& panel : figure.panels)
+    json["panels"].push_back(panelJson(panel));
+  return textOf(json);
+}
+
+} // namespace limn

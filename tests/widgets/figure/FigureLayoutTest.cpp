@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/figure/FigureLayout.h"
+
+#include "scene/basics/Error.h"
+#include "scene/volume/Phantom.h"
+#include "widgets/figure/FigurePainting.h"
+#include "widgets/figure/FigureText.h"
+#include "widgets/figure/PictureMarks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+std::shared_ptr<const Volume> volume() {
+  static const std::shared_ptr<const Volume> phantom = phantomVolume({16.0});
+  return phantom;
+}
+
+Figure figureOf(std::size_t panels) {
+  Figure figure;
+  for (std::size_t i = 0; i < panels; ++i) {
+    FigurePanel panel;
+    panel.scene.volume = volume();
+    panel.scene.camera = defaultCamera(volume()->grid());
+    panel.scene.transferFunction.points = {{0.0, {1.0, 0.0, 0.0}, 0.0}, {1000.0, {1.0, 1.0, 1.0}, 1.0}};
+    panel.name = usualName(panel);
+    figure.panels.push_back(panel);
+  }
+  return figure;
+}
+
+void hide(Figure& figure, FigureMark mark) {
+  figure.settings.marks[static_cast<std::size_t>(mark)] = false;
+}
+
+TEST(FigureLayout, hasTheSizeInCentimetresAtItsDotsPerInch) {
+  Figure figure = figureOf(2);
+  figure.settings.width = 17.0;
+  figure.settings.height = 10.0;
+  figure.settings.dotsPerInch = 300.0;
+  // 17 cm / 2.54 · 300 = 2007.9, 10 cm / 2.54 · 300 = 1181.1.
+  EXPECT_EQ(figureLayout(figure).size, QSize(2008, 1181));
+  figure.settings.unit = FigureSettings::Unit::pixels;
+  figure.settings.width = 640.0;
+  figure.settings.height = 480.0;
+  EXPECT_EQ(figureLayout(figure).size, QSize(640, 480));
+}
+
+TEST(FigureLayout, givesEveryPanelTheSameWholePixelsAndNothingOverlaps) {
+  for (std::size_t count = 1; count <= mostPanels; ++count)
+    for (const bool sharesCurve : {true, false}) {
+      Figure figure = figureOf(count);
+      if (!sharesCurve)
+        figure.panels.back().scene.transferFunction.points.back().opacity = 0.5;
+      const FigureLayout layout = figureLayout(figure);
+      ASSERT_EQ(layout.pictures.size(), count);
+      EXPECT_EQ(layout.legends.size(), sharesCurve || count == 1 ? 1u : count);
+      std::vector<QRectF> places(layout.headings);
+      for (const QRect& picture : layout.pictures) {
+        EXPECT_EQ(picture.size(), layout.pictureSize());
+        places.emplace_back(picture);
+      }
+      for (const LegendPlace& legend : layout.legends)
+        places.push_back(legend.place);
+      places.push_back(layout.notes);
+      const QRectF page(QPointF(0.0, 0.0), layout.size);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_TRUE(page.contains(places[i])) << count << " panels, place " << i;
+        for (std::size_t k = 0; k < i; ++k)
+          EXPECT_FALSE(places[i].intersects(places[k])) << count << " panels, places " << i << " and " << k;
+      }
+    }
+}
+
+TEST(FigureLayout, picturesHaveTheShapeAskedForWhereNoHeightIsGiven) {
+  Figure figure = figureOf(4);
+  for (const double aspect : {0.5, 1.0, 1.6}) {
+    figure.settings.panelAspect = aspect;
+    const QSize size = figureLayout(figure).pictureSize();
+    EXPECT_NEAR(size.height(), size.width() / aspect, 0.5);
+  }
+}
+
+TEST(FigureLayout, withoutMarksIsPictures) {
+  Figure figure = figureOf(1);
+  figure.settings.marks.fill(false);
+  const FigureLayout layout = figureLayout(figure);
+  EXPECT_TRUE(layout.headings.empty());
+  EXPECT_TRUE(layout.legends.empty());
+  EXPECT_TRUE(layout.notes.isEmpty());
+  const int margin = layout.pictures[0].left();
+  EXPECT_EQ(layout.size, layout.pictureSize() + QSize(2 * margin, 2 * margin));
+}
+
+TEST(FigureLayout, scaledKeepsItsProportions) {
+  Figure figure = figureOf(2);
+  const FigureLayout full = figureLayout(figure);
+  figure.settings = scaledBy(figure.settings, 0.25);
+  const FigureLayout small = figureLayout(figure);
+  EXPECT_NEAR(small.size.width(), 0.25 * full.size.width(), 1.0);
+  // Heights are sums of some ten lengths that are rounded each.
+  EXPECT_NEAR(small.size.height(), 0.25 * full.size.height(), 10.0);
+  EXPECT_NEAR(small.textPixels, 0.25 * full.textPixels, 0.01);
+}
+
+void expectRefused(const Figure& figure, const std::string& because) {
+  try {
+    figureLayout(figure);
+    FAIL() << "laid out";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), Error::Kind::usage);
+    EXPECT_NE(std::string(error.what()).find(because), std::string::npos) << error.what();
+  }
+}
+
+TEST(FigureLayout, refusesWhatCannotBeDrawn) {
+  Figure figure = figureOf(1);
+  figure.settings.width = 300.0; // at 300 dpi 35,433 pixels
+  expectRefused(figure, "35433 pixels wide");
+  figure.settings.width = 0.1; // 12 pixels
+  expectRefused(figure, "12 pixels wide");
+  figure.settings.width = 17.0;
+  figure.settings.height = 1.0; // legend, notes and heading take more
+  expectRefused(figure, "no room");
+  figure.settings.height.reset();
+  figure.settings.panelAspect = 1e-3;
+  expectRefused(figure, "pixels high");
+}
+
+TEST(FigureText, saysOfEachNoteWhereItHolds) {
+  Figure figure = figureOf(2);
+  figure.panels[0].errorLevels = 0.42;
+  figure.panels[1].errorLevels = 1.5;
+  figure.panels[1].scene.camera.projection = Camera::Projection::orthographic;
+  EXPECT_EQ(
+      notesOf(figure).toStdString(),
+      "Estimated within 0.42 (a), 1.5 (b) of 255 levels of the exact picture. Scale at the depth of the "
+      "centre (perspective: a). Not for diagnosis.");
+  figure.panels[1] = figure.panels[0];
+  EXPECT_EQ(notesOf(figure).toStdString(),
+            "Estimated within 0.42 of 255 levels of the exact picture. Scale at the depth of the centre "
+            "(perspective). Not for diagnosis.");
+  hide(figure, FigureMark::accuracy);
+  hide(figure, FigureMark::scaleBar);
+  hide(figure, FigureMark::notForDiagnosis);
+  EXPECT_EQ(notesOf(figure), QString());
+}
+
+TEST(FigureText, tellsARegionThatIsHidden) {
+  Figure figure = figureOf(2);
+  figure.settings.marks.fill(false);
+  figure.settings.marks[static_cast<std::size_t>(FigureMark::region)] = true;
+  EXPECT_EQ(notesOf(figure), QString());
+  const glm::ivec3 dims = volume()->grid().dims;
+  std::vector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1);
+  places.front() = 0;
+  figure.panels[0].scene.keep = bodyRegion(dims, places);
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Table hidden (a)."));
+  figure.panels[1].scene.keep = figure.panels[0].scene.keep;
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Table hidden."));
+}
+
+TEST(PictureMarks, scaleBarIsAsLongAsItSays) {
+  Figure figure = figureOf(1);
+  Camera& camera = figure.panels[0].scene.camera;
+  camera.projection = Camera::Projection::orthographic;
+  camera.heightMm = 250.0;
+  const FigureLayout layout = figureLayout(figure);
+  const auto scale = pictureMarks(figure, layout, 0).scale;
+  ASSERT_TRUE(scale);
+  const double mm = 250.0 / layout.pictureSize().height() * scale->bar.width();
+  // At most 30 % of the picture's 250 mm: 50 mm is the longest round length.
+  EXPECT_EQ(scale->text, QStringLiteral("5\u00a0cm"));
+  EXPECT_NEAR(mm, 50.0, 1e-6);
+}
+
+TEST(FigurePainting, changesNoPixelOfAPictureOutsideItsMarks) {
+  for (const FigureSettings::Page page : figurePages) {
+    Figure figure = figureOf(2);
+    figure.settings.page = page;
+    const FigureLayout layout = figureLayout(figure);
+    std::vector<QImage> pictures;
+    for (int panel = 0; panel < 2; ++panel) {
+      QImage noise(layout.pictureSize(), QImage::Format_RGBA8888);
+      for (int y = 0; y < noise.height(); ++y)
+        for (int x = 0; x < noise.width(); ++x)
+          noise.setPixelColor(x, y, QColor((x * 7 + y * 13 + panel) % 256, (x * y) % 256, (x + 3 * y) % 256));
+      pictures.push_back(noise);
+    }
+    const QImage image = figureImage(figure, layout, pictures);
+    ASSERT_EQ(image.size(), layout.size);
+    for (std::size_t panel = 0; panel < 2; ++panel) {
+      const std::vector<QRectF> covered = coveredBy(pictureMarks(figure, layout, panel), layout);
+      ASSERT_EQ(covered.size(), 6u) << "four letters, a bar and its text";
+      const QRect& place = layout.pictures[panel];
+      int compared = 0;
+      int painted = 0;
+      for (int y = 0; y < place.height(); ++y)
+        for (int x = 0; x < place.width(); ++x) {
+          const QPoint at = place.topLeft() + QPoint(x, y);
+          const bool isSame = image.pixelColor(at) == pictures[panel].pixelColor(x, y);
+          const bool isCovered = std::ranges::any_of(
+              covered, [&](const QRectF& mark) { return mark.contains(QPointF(at) + QPointF(0.5, 0.5)); });
+          compared += !isCovered;
+          painted += !isSame;
+          ASSERT_TRUE(isSame || isCovered) << x << ", " << y;
+        }
+      EXPECT_GT(compared, 0.9 * place.width() * place.height());
+      EXPECT_GT(painted, 100) << "the marks are there";
+    }
+  }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/figure/FigureLayout.h"
+
+#include "scene/basics/Error.h"
+#include "widgets/figure/FigureText.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// In heights of the body's font.
+constexpr double pageMargin = 0.8;
+constexpr double panelGap = 1.2;
+constexpr double headingHeight = 1.7;
+constexpr double legendHeight = 7.6;
+constexpr double legendGap = 0.9;
+constexpr double notesGap = 0.7;
+
+// Smaller pictures are no pictures.
+constexpr int leastPictureSide = 16;
+// Text may take no more than this share of a panel's width: a small figure gets small text.
+constexpr double mostTextOfPanel = 1.0 / 20.0;
+
+/// What a figure has above, between and below its pictures, pixels.
+struct Furniture {
+  int columns = 1, rows = 1;
+  double margin = 0.0, gap = 0.0, heading = 0.0;
+  double ownLegend = 0.0, sharedLegend = 0.0;
+  double notes = 0.0;
+
+  double besidePictures() const { return 2.0 * margin + (columns - 1) * gap; }
+  double cellFurniture() const { return heading + ownLegend; }
+  double abovePictures() const {
+    return 2.0 * margin + (rows - 1) * gap + rows * cellFurniture() + sharedLegend + notes;
+  }
+};
+
+int pixelsOf(const FigureSettings& settings, double length, const char* side) {
+  const double pixels = std::round(toPixels(settings, length));
+  if (!(pixels >= fewestFigurePixels) || pixels > mostFigurePixels)
+    throw Error(
+        Error::Kind::usage,
+        QObject::tr("The figure would be %1 pixels %2; from %3 to %4 are possible: choose another size "
+                    "or fewer dots per inch.")
+            .arg(pixels, 0, 'f', 0)
+            .arg(QObject::tr(side))
+            .arg(fewestFigurePixels)
+            .arg(mostFigurePixels)
+            .toStdString());
+  return static_cast<int>(pixels);
+}
+
+// Panels whose curve is explained, if it is.
+std::vector<std::size_t> panelsWithCurve(const Figure& figure) {
+  std::vector<std::size_t> panels;
+  if (figure.settings.shows(FigureMark::curve))
+    for (std::size_t i = 0; i < figure.panels.size(); ++i)
+      if (hasCurve(figure.panels[i]))
+        panels.push_back(i);
+  return panels;
+}
+
+bool shareCurve(const Figure& figure, const std::vector<std::size_t>& panels) {
+  const Scene& first = figure.panels[panels.front()].scene;
+  return std::ranges::all_of(panels, [&](std::size_t panel) {
+    const Scene& scene = figure.panels[panel].scene;
+    return scene.transferFunction == first.transferFunction &&
+           scene.volume->info().unit == first.volume->info().unit && scene.projection == first.projection &&
+           scene.isovalue == first.isovalue;
+  });
+}
+
+double heightOfNotes(const Figure& figure, const FigureLayout& layout, double width) {
+  const QString notes = notesOf(figure);
+  if (notes.isEmpty())
+    return 0.0;
+  const QFontMetricsF metrics(figureFont(layout, noteScale));
+  return std::ceil(
+      metrics.boundingRect(QRectF(0.0, 0.0, width, 1e6), Qt::AlignLeft | Qt::TextWordWrap, notes).height());
+}
+
+Furniture furnitureOf(const Figure& figure, const FigureLayout& layout) {
+  const double text = layout.textPixels;
+  const auto count = static_cast<int>(figure.panels.size());
+  Furniture furniture;
+  furniture.columns = count == 4 ? 2 : count;
+  furniture.rows = count == 4 ? 2 : 1;
+  furniture.margin = std::round(pageMargin * text);
+  furniture.gap = std::round(panelGap * text);
+  const FigureSettings& settings = figure.settings;
+  if (settings.shows(FigureMark::panelLetters) || settings.shows(FigureMark::names))
+    furniture.heading = std::round(headingHeight * text);
+  const std::vector<std::size_t> curves = panelsWithCurve(figure);
+  const double legend = std::round((legendGap + legendHeight) * text);
+  if (!curves.empty())
+    (shareCurve(figure, curves) ? furniture.sharedLegend : furniture.ownLegend) = legend;
+  const double notes = heightOfNotes(figure, layout, layout.size.width() - 2.0 * furniture.margin);
+  if (notes > 0.0)
+    furniture.notes = notes + std::round(notesGap * text);
+  return furniture;
+}
+
+void placeLegends(FigureLayout& layout, const Figure& figure, const Furniture& furniture, double top) {
+  const double gap = std::round(legendGap * layout.textPixels);
+  const double margin = furniture.margin;
+  const std::vector<std::size_t> curves = panelsWithCurve(figure);
+  if (furniture.sharedLegend > 0.0)
+    layout.legends.push_back(
+        {QRectF(margin, top + gap, layout.size.width() - 2.0 * margin, furniture.sharedLegend - gap),
+         curves.front()});
+  if (furniture.ownLegend > 0.0)
+    for (const std::size_t panel : curves) {
+      const QRect& picture = layout.pictures[panel];
+      layout.legends.push_back(
+          {QRectF(picture.left(), picture.bottom() + 1.0 + gap, picture.width(), furniture.ownLegend - gap),
+           panel});
+    }
+}
+
+void placePictures(FigureLayout& layout, const Figure& figure, const Furniture& furniture,
+                   const QSize& picture) {
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const auto column = static_cast<int>(i) % furniture.columns;
+    const auto row = static_cast<int>(i) / furniture.columns;
+    const double x = furniture.margin + column * (picture.width() + furniture.gap);
+    const double y = furniture.margin + row * (picture.height() + furniture.cellFurniture() + furniture.gap);
+    if (furniture.heading > 0.0)
+      layout.headings.emplace_back(x, y, picture.width(), furniture.heading);
+    layout.pictures.emplace_back(QPoint(static_cast<int>(x), static_cast<int>(y + furniture.heading)),
+                                 picture);
+  }
+}
+
+} // namespace
+
+QFont figureFont(const FigureLayout& layout, double scale) {
+  QFont font;
+  font.setFamilies({QStringLiteral("Arial"), QStringLiteral("Helvetica"), QStringLiteral("Liberation Sans"),
+                    QStringLiteral("DejaVu Sans")});
+  font.setStyleHint(QFont::SansSerif);
+  // Without hinting, text is as wide in any number of pixels.
+  font.setHintingPreference(QFont::PreferNoHinting);
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(scale * layout.textPixels))));
+  return font;
+}
+
+FigureLayout figureLayout(const Figure& figure) {
+  const FigureSettings& settings = figure.settings;
+  FigureLayout layout;
+  layout.size.setWidth(pixelsOf(settings, settings.width, "wide"));
+  const auto count = static_cast<int>(figure.panels.size());
+  const int columns = count == 4 ? 2 : count;
+  layout.textPixels = std::min(settings.textPoints * settings.dotsPerInch / 72.0,
+                               mostTextOfPanel * layout.size.width() / columns);
+  const Furniture furniture = furnitureOf(figure, layout);
+  const int width = static_cast<int>((layout.size.width() - furniture.besidePictures()) / furniture.columns);
+  int height = static_cast<int>(std::lround(width / settings.panelAspect));
+  if (settings.height) {
+    layout.size.setHeight(pixelsOf(settings, *settings.height, "high"));
+    height = static_cast<int>((layout.size.height() - furniture.abovePictures()) / furniture.rows);
+  }
+  if (width < leastPictureSide || height < leastPictureSide)
+    throw Error(
+        Error::Kind::usage,
+        QObject::tr("What stands around the pictures leaves no room for them; choose a larger figure, "
+                    "smaller text or fewer marks.")
+            .toStdString());
+  if (!settings.height) {
+    const double needed = std::ceil(furniture.rows * height + furniture.abovePictures());
+    FigureSettings inPixels = settings;
+    inPixels.unit = FigureSettings::Unit::pixels;
+    layout.size.setHeight(pixelsOf(inPixels, needed, "high"));
+  }
+  placePictures(layout, figure, furniture, {width, height});
+  const double below = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLegend;
+  placeLegends(layout, figure, furniture, below);
+  if (furniture.notes > 0.0)
+    layout.notes = QRectF(furniture.margin, layout.size.height() - furniture.margin - furniture.notes,
+                          layout.size.width() - 2.0 * furniture.margin, furniture.notes)
+                       .adjusted(0.0, std::round(notesGap * layout.textPixels), 0.0, 0.0);
+  return layout;
+}
+
+} // namespace limn

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/figure/FigureText.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/planes/PlaneText.h"
+#include "widgets/properties/ProjectionSection.h"
+#include "widgets/view/overlay/RegionNote.h"
+#include "widgets/view/overlay/SideText.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// "a, b" where a note does not hold for every panel; empty where it does.
+template <class Holds>
+QString lettersWhere(const Figure& figure, const Holds& holds) {
+  QStringList letters;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    if (holds(figure.panels[i]))
+      letters << panelLetter(i);
+  return letters.size() == static_cast<qsizetype>(figure.panels.size()) ? QString()
+                                                                        : letters.join(QStringLiteral(", "));
+}
+
+// One error for all panels is told once.
+QString accuracyNote(const Figure& figure) {
+  QStringList told;
+  QStringList errors;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i)
+    if (const auto& levels = figure.panels[i].errorLevels) {
+      errors << promisedLevels(*levels);
+      told << QStringLiteral("%1 (%2)").arg(errors.back(), panelLetter(i));
+    }
+  if (told.isEmpty())
+    return {};
+  const bool isOne = errors.count(errors.front()) == static_cast<qsizetype>(figure.panels.size());
+  return QObject::tr("Estimated within %1 of 255 levels of the exact picture.")
+      .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));
+}
+
+QStringList regionNotes(const Figure& figure) {
+  QStringList notes;
+  for (const FigurePanel& panel : figure.panels) {
+    const QString text = regionText(panel.scene.keep);
+    const auto isSaid = [&](const FigurePanel& other) { return regionText(other.scene.keep) == text; };
+    if (text.isEmpty() || panel.plane)
+      continue;
+    const QString where =
+        lettersWhere(figure, [&](const FigurePanel& other) { return !other.plane && isSaid(other); });
+    const QString note =
+        where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
+    if (!notes.contains(note))
+      notes << note;
+  }
+  return notes;
+}
+
+bool isInPerspective(const FigurePanel& panel) {
+  return !panel.plane && panel.scene.camera.projection == Camera::Projection::perspective;
+}
+
+} // namespace
+
+QString panelLetter(std::size_t index) {
+  return QString(QChar(static_cast<char16_t>(u'a' + index)));
+}
+
+QString usualName(const FigurePanel& panel) {
+  return panel.plane ? planeTitle(*panel.scene.volume, *panel.plane) : sideTitle(panel.scene);
+}
+
+QString panelDetails(const FigurePanel& panel) {
+  if (!panel.plane)
+    return usesLight(panel.scene.projection) ? sideDetails(panel.scene, {}).join(QStringLiteral(" · "))
+                                             : QString();
+  const PlaneContent content = planeContentOf(panel);
+  return slicePlaceText(content, *panel.plane) + QStringLiteral(" · ") + windowText(content);
+}
+
+PlaneContent planeContentOf(const FigurePanel& panel) {
+  return {panel.scene.volume, panel.scene.transferFunction, panel.scene.keep, panel.planes,
+          panel.firstWindow};
+}
+
+PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels) {
+  return planeFrame(panel.scene.volume->grid(), *panel.plane, crosshairOf(planeContentOf(panel)),
+                    QSizeF(pixels), 1.0, std::nullopt);
+}
+
+double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels) {
+  return panel.plane ? mmPerLogicalPixel(planeFrameOf(panel, pixels))
+                     : mmPerPixel(panel.scene.camera, pixels.height());
+}
+
+std::optional<OrientationLetters> lettersOfPanel(const FigurePanel& panel) {
+  if (!panel.scene.volume->info().orientationKnown)
+    return std::nullopt;
+  if (!panel.plane)
+    return orientationLetters(panel.scene.camera);
+  const PlaneAxes axes = axesOf(*panel.plane);
+  return OrientationLetters{lettersOf(-axes.right), lettersOf(axes.right), lettersOf(-axes.down),
+                            lettersOf(axes.down)};
+}
+
+bool hasCurve(const FigurePanel& panel) {
+  return !panel.plane || panel.planes.isTinted;
+}
+
+QString notesOf(const Figure& figure) {
+  const FigureSettings& settings = figure.settings;
+  QStringList notes;
+  if (settings.shows(FigureMark::accuracy))
+    notes << accuracyNote(figure);
+  if (settings.shows(FigureMark::region))
+    notes << regionNotes(figure);
+  if (settings.shows(FigureMark::scaleBar) && std::ranges::any_of(figure.panels, isInPerspective)) {
+    const QString where = lettersWhere(figure, isInPerspective);
+    notes << (where.isEmpty()
+                  ? QObject::tr("Scale at the depth of the centre (perspective).")
+                  : QObject::tr("Scale at the depth of the centre (perspective: %1).").arg(where));
+  }
+  if (settings.shows(FigureMark::notForDiagnosis))
+    notes << QObject::tr("Not for diagnosis.");
+  notes.removeAll(QString());
+  return notes.join(QLatin1Char(' '));
+}
+
+} // namespace limn
