@@ -29,7 +29,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
     return {draw(scene, size), scene, by.engine, by.name, {}};
   const WithinTolerance found = withinTolerance(scene, size, draw, control);
   MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}};
-  picture.notes.push_back("The picture is " + describe(found) + ".");
+  picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
   if (!found.holds)
     picture.notes.push_back(found.sentence);
   return picture;
@@ -154,7 +154,8 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
     if (error.kind() != Error::Kind::openGl)
       throw;
     std::vector<MadePicture> pictures = makeWithCpu(scenes, size, threads);
-    pictures.front().notes.push_back(std::string(error.what()) + " The CPU engine drew the picture instead.");
+    pictures.front().notes.push_back(
+        Message::tr("%1 The CPU engine drew the picture instead.").arg(error.sentence()));
     return pictures;
   }
   return makeWithCpu(scenes, size, threads);

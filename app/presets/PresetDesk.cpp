@@ -7,8 +7,10 @@
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/presets/PresetWords.h"
 #include "widgets/properties/ProjectionSection.h"
 
 #include <QInputDialog>
@@ -45,7 +47,7 @@ void PresetDesk::refresh() {
   const PresetStore::Contents own = m_store.read();
   m_with.browser.setPresets(builtInPresets(), own.presets);
   if (!own.problems.empty())
-    m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(own.problems.front()));
+    m_with.messages.show(MessageBar::Kind::error, translated(own.problems.front()));
 }
 
 void PresetDesk::markShown() {
@@ -69,7 +71,7 @@ void PresetDesk::use(const QString& name) {
     return;
   if (!m_said.isEmpty() && m_with.messages.sentence() == m_said)
     m_with.messages.hide(); // it was about another preset
-  show(*preset, tr("use preset %1").arg(name));
+  show(*preset, tr("use preset %1").arg(presetWords(name)));
   if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
     offerToFit(*preset);
 }
@@ -85,18 +87,19 @@ void PresetDesk::offerToFit(const Preset& preset) {
     if (m_with.session.scene().volume != volume)
       return;
     const Landmarks to = landmarksOf(m_with.document.histogram());
-    show(fittedTo(withLandmarks(preset), m_with.document.histogram()), tr("fit preset %1").arg(name));
+    show(fittedTo(withLandmarks(preset), m_with.document.histogram()),
+         tr("fit preset %1").arg(presetWords(name)));
     const auto number = [](double value) { return digitsNumber(value, 4); };
     say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
            "HU), tissue begins at "
            "%4 (%5 HU), the brightest is %6 (%7 HU).")
-            .arg(name, number(to.background), number(hounsfieldLandmarks.background), number(to.object),
-                 number(hounsfieldLandmarks.object), number(to.brightest),
+            .arg(presetWords(name), number(to.background), number(hounsfieldLandmarks.background),
+                 number(to.object), number(hounsfieldLandmarks.object), number(to.brightest),
                  number(hounsfieldLandmarks.brightest)));
   };
   say(tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
          "nothing, or the wrong tissue.")
-          .arg(name),
+          .arg(presetWords(name)),
       {tr("Fit to this volume"), fit});
 }
 
@@ -167,7 +170,7 @@ void PresetDesk::remove(const QString& name) {
     m_store.remove(name.toStdString());
     refresh();
   } catch (const Error& error) {
-    m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    m_with.messages.show(MessageBar::Kind::error, translated(error.sentence()));
   }
 }
 

@@ -47,7 +47,7 @@ PresetStore::Contents PresetStore::read() const {
     try {
       contents.presets.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
     } catch (const Error& error) {
-      contents.problems.emplace_back(error.what());
+      contents.problems.push_back(error.sentence());
     }
   }
   std::ranges::sort(contents.presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
@@ -56,8 +56,9 @@ PresetStore::Contents PresetStore::read() const {
 
 void PresetStore::save(const Preset& preset) const {
   if (fileOf(preset.name).filename().string().size() > longestFileName)
-    throw Error(Error::Kind::usage,
-                "Cannot save the preset: its name is too long for a file; choose a shorter one.");
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Cannot save the preset: its name is too long for a file; choose a shorter one."));
   makeFolder(m_folder);
   writeFileAtomically(fileOf(preset.name), presetToJson(preset), FilePlace::fixed);
 }
@@ -66,7 +67,8 @@ void PresetStore::remove(const std::string& name) const {
   std::error_code failed;
   std::filesystem::remove(fileOf(name), failed);
   if (failed)
-    throw Error(Error::Kind::other, "Cannot delete the preset \"" + name + "\": " + failed.message() + ".");
+    throw Error(Error::Kind::other,
+                Message::tr("Cannot delete the preset \"%1\": %2.").arg(name).arg(failed.message()));
 }
 
 std::vector<Preset> allPresets(const PresetStore& store) {
@@ -85,7 +87,8 @@ Preset presetNamed(const std::vector<Preset>& presets, const std::string& name) 
   std::string known;
   for (const Preset& preset : presets)
     known += (known.empty() ? "" : ", ") + preset.name;
-  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; there are: " + known + ".");
+  throw Error(Error::Kind::usage,
+              Message::tr("There is no preset \"%1\"; there are: %2.").arg(name).arg(known));
 }
 
 } // namespace limn

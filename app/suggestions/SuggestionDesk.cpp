@@ -6,6 +6,7 @@
 #include "app/suggestions/SuggestionText.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/Translated.h"
 
 #include <QAction>
 #include <QMetaObject>
@@ -89,7 +90,7 @@ void SuggestionDesk::search(const std::shared_ptr<const Volume>& volume, const s
   } catch (const Cancelled&) {
     return;
   } catch (const std::exception& error) {
-    problem = tr("Boundaries cannot be looked for: %1.").arg(QString::fromLocal8Bit(error.what()));
+    problem = tr("Boundaries cannot be looked for: %1.").arg(translated(error));
   }
   QMetaObject::invokeMethod(
       this, [this, volume, suggestions, problem] { receive(volume, suggestions, problem); },

@@ -38,7 +38,7 @@ struct RayCaster::Parts {
   ProgramCache programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
-  std::string stepLimitation;
+  Message stepLimitation;
   bool skipsEmptySpace = true;
   bool compilesAllEffects = false;
   std::optional<EffectSet> leftOut;
@@ -143,7 +143,7 @@ Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::i
       glFlush();
     }
   Image image = readBack(size);
-  requireHealthyDriver("drawing a picture");
+  requireHealthyDriver(Message::tr("drawing a picture"));
   return image;
 }
 
@@ -257,8 +257,8 @@ const GradientScale& RayCaster::gradientScale() const {
   return m_parts->textures.gradientScale();
 }
 
-std::string RayCaster::limitation() const {
-  return m_parts->textures.limitation() + m_parts->stepLimitation;
+Message RayCaster::limitation() const {
+  return m_parts->textures.limitation().followedBy(" ", m_parts->stepLimitation);
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/curve/plot/CanvasPicture.h"
+#include "widgets/presets/PresetWords.h"
 
 #include <QObject>
 #include <QPainter>
@@ -35,18 +36,19 @@ QStandardItem* groupItem(QStandardItemModel& model, const QString& title) {
 
 QStandardItem* presetItem(const Preset& preset, bool own, const QImage& picture) {
   const QString name = QString::fromStdString(preset.name);
-  const QString note = QString::fromStdString(preset.note);
+  const QString shownName = presetWords(name);
+  const QString note = presetWords(QString::fromStdString(preset.note));
   const QString modality = QString::fromStdString(preset.modality);
   auto* item = new QStandardItem(name);
   item->setData(false, presetRole::isGroup);
   item->setData(own, presetRole::isOwn);
   item->setData(own && note.isEmpty() ? modality : note, presetRole::note);
   item->setData(picture, presetRole::thumbnail);
-  item->setData(QStringList{name, modality, note}.join(QLatin1Char(' ')), presetRole::searchText);
+  item->setData(QStringList{name, shownName, modality, note}.join(QLatin1Char(' ')), presetRole::searchText);
   item->setToolTip(
       note.isEmpty()
-          ? name
-          : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), note.toHtmlEscaped()));
+          ? shownName
+          : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(shownName.toHtmlEscaped(), note.toHtmlEscaped()));
   item->setStatusTip(note); // whole, however narrow the list is
   item->setEditable(false);
   return item;
@@ -94,9 +96,10 @@ void markPresetUse(QStandardItemModel& model, const QString& name, PresetUse use
       QStandardItem* item = model.item(group)->child(row);
       const PresetUse its = item->text() == name ? use : PresetUse::none;
       item->setData(static_cast<int>(its), presetRole::use);
-      item->setData(its == PresetUse::shown      ? QObject::tr("%1, shown").arg(item->text())
-                    : its == PresetUse::modified ? QObject::tr("%1, shown, modified").arg(item->text())
-                                                 : item->text(),
+      item->setData(its == PresetUse::shown ? QObject::tr("%1, shown").arg(presetWords(item->text()))
+                    : its == PresetUse::modified
+                        ? QObject::tr("%1, shown, modified").arg(presetWords(item->text()))
+                        : presetWords(item->text()),
                     Qt::AccessibleTextRole);
     }
 }
