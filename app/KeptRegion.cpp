@@ -9,7 +9,7 @@
 namespace limn {
 namespace {
 
-constexpr const char* findingBody = "Looking for the body";
+const Message findingBody = Message::tr("Looking for the body");
 
 } // namespace
 
@@ -17,9 +17,11 @@ FoundRegion bodyOf(const Volume& volume, const Progress& progress) {
   BodyFinding found = findBody(volume, effortOf(progress, findingBody));
   FoundRegion kept{std::move(found.region), {}};
   if (kept.region.kind == Region::Kind::all)
-    kept.remark = "No body was found in the volume (" + found.doubt + "), so everything is kept.";
+    kept.remark =
+        Message::tr("No body was found in the volume (%1), so everything is kept.").arg(found.doubt);
   else if (!found.isSure && !found.isAlone)
-    kept.remark = "Body only may be wrong here: " + found.doubt + "; compare with everything shown.";
+    kept.remark =
+        Message::tr("Body only may be wrong here: %1; compare with everything shown.").arg(found.doubt);
   return kept;
 }
 

@@ -12,7 +12,7 @@ namespace limn {
 /// A region, and why it is not what was asked for: one sentence, empty where it is.
 struct FoundRegion {
   Region region;
-  std::string remark;
+  Message remark;
 };
 
 /// The body of a volume, asked for: everything where there is none. Throws Cancelled.

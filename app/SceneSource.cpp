@@ -48,8 +48,9 @@ std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Prog
     const std::string number = source.substr(colon + 1);
     const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), spec.spacingMm);
     if (failed != std::errc() || end != number.data() + number.size())
-      throw Error(Error::Kind::usage,
-                  "\"" + source + "\" is not a phantom; write phantom:SPACING, such as phantom:1.5.");
+      throw Error(
+          Error::Kind::usage,
+          Message::tr("\"%1\" is not a phantom; write phantom:SPACING, such as phantom:1.5.").arg(source));
   }
   if (progress.report)
     progress.report(0.0, Message::tr("Making the phantom"));
@@ -57,20 +58,19 @@ std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Prog
 }
 
 OpenedVolume openVolume(const std::string& source, const ReadOptions& options, const Progress& progress,
-                        std::vector<std::string>& notes) {
+                        std::vector<Message>& notes) {
   if (source == "sample") {
     if (const auto head = installedSampleHead())
       return {readVolume(*head, options, progress), head->string()};
-    notes.emplace_back(
-        "No example head is installed (package invesalius-examples), so the built-in phantom is shown.");
+    notes.push_back(Message::tr(
+        "No example head is installed (package invesalius-examples), so the built-in phantom is shown."));
     return {phantomNamed("phantom", progress), "phantom"};
   }
   if (isPhantom(source))
     return {phantomNamed(source, progress), source};
   const auto volume = readVolume(source, options, progress);
   if (options.series && volume->info().format != "DICOM")
-    notes.push_back("This is no DICOM series; its number " + std::to_string(*options.series) +
-                    " was ignored.");
+    notes.push_back(Message::tr("This is no DICOM series; its number %1 was ignored.").arg(*options.series));
   return {volume, absoluteSource(source)};
 }
 
@@ -264,19 +264,17 @@ std::string absoluteSource(const std::string& source) {
 }
 
 // Why surfaces of such a volume show bands; no look can take them away. An image has no other slice.
-static std::string thickSlices(const Grid& grid) {
+static Message thickSlices(const Grid& grid) {
   constexpr double muchThicker = 4.0;
   const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
   const double ratio = thickest / smallestSpacingMm(grid);
   if (ratio < muchThicker || imageNormalAxis(grid))
     return {};
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "The slices lie %.2g mm apart, %.0f times as far as the pixels within them: surfaces show a band "
-      "for each slice.",
-      thickest, ratio);
-  return text;
+  return Message::
+      tr("The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for "
+         "each slice.")
+          .arg(Message::rounded(thickest, 2))
+          .arg(Message::fixed(ratio, 0));
 }
 
 static LoadedScene loadUnframed(const std::string& source, const SourceOptions& options,
@@ -328,7 +326,7 @@ std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOp
 
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
   LoadedScene loaded = loadUnframed(source, options, progress);
-  if (const std::string remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
+  if (const Message remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
     loaded.notes.push_back(remark);
   const ImageSettings& image = loaded.scene.image;
   if (!loaded.hasOwnCamera)

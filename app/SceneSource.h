@@ -20,9 +20,10 @@ class VolumeMissing : public Error {
 public:
   /// `expected` is where the file or folder should be.
   explicit VolumeMissing(const std::filesystem::path& expected)
-      : Error(Error::Kind::input, "The scene's volume " + expected.filename().string() +
-                                      " is not where the scene expects it (" + expected.string() +
-                                      "); say where it is (--volume PATH)."),
+      : Error(Error::Kind::input, Message::tr("The scene's volume %1 is not where the scene expects it (%2); "
+                                              "say where it is (--volume PATH).")
+                                      .arg(expected.filename().string())
+                                      .arg(expected.string())),
         m_expected(expected) {}
 
   const std::filesystem::path& expected() const { return m_expected; }
@@ -47,12 +48,12 @@ struct SourceOptions {
 
 /// A scene ready to draw, and where its volume came from.
 struct LoadedScene {
-  Scene scene;               ///< with volume, camera and transfer function
-  std::string volumePath;    ///< absolute path, or the built-in name ("phantom:1")
-  bool hasOwnCamera = false; ///< the source says from where to look
-  std::string preset;        ///< the preset the program chose, empty where the source says how to show it
-  std::vector<std::string> notes;         ///< one sentence each: what else was noteworthy
-  ReadOptions read;                       ///< with which the volume was read
+  Scene scene;                ///< with volume, camera and transfer function
+  std::string volumePath;     ///< absolute path, or the built-in name ("phantom:1")
+  bool hasOwnCamera = false;  ///< the source says from where to look
+  std::string preset;         ///< the preset the program chose, empty where the source says how to show it
+  std::vector<Message> notes; ///< one sentence each: what else was noteworthy
+  ReadOptions read;           ///< with which the volume was read
   std::optional<SessionDocument> session; ///< where the source is one
   /// Where it is a figure, what of its other panels a window shows beside the scene: a second model, slices.
   std::optional<SessionDocument> beside;

@@ -5,6 +5,7 @@
 #include "io/FileLock.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 
 #include <QDateTime>
@@ -160,7 +161,7 @@ void Settings::change(const std::function<void(SettingsDocument&)>& edit) {
     m_isWritable = true;
   } catch (const Error& error) {
     if (m_isWritable && m_tell)
-      m_tell(QString::fromStdString(error.what()));
+      m_tell(translated(error.sentence()));
     m_isWritable = false;
   }
 }

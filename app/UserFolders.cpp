@@ -32,8 +32,10 @@ void makeFolder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed)
-    throw Error(Error::Kind::other, "Cannot make the folder " + folder.string() + ": " + failed.message() +
-                                        "; make room there or allow Limn to write there.");
+    throw Error(Error::Kind::other,
+                Message::tr("Cannot make the folder %1: %2; make room there or allow Limn to write there.")
+                    .arg(folder.string())
+                    .arg(failed.message()));
 }
 
 void makePrivateFolder(const fs::path& folder) {

@@ -2,6 +2,193 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>Message</name>
+    <message>
+        <source>The CPU engine needs a processor with SSE4; draw with OpenGL on this one.</source>
+        <translation>Die CPU-Engine braucht einen Prozessor mit SSE4; zeichnen Sie auf diesem mit OpenGL.</translation>
+    </message>
+    <message>
+        <source>LIMN_CPU_TARGET is &quot;%1&quot;, which this processor does not have; unset it.</source>
+        <translation>LIMN_CPU_TARGET ist „%1“, was dieser Prozessor nicht hat; löschen Sie die Variable.</translation>
+    </message>
+    <message>
+        <source>LIMN_CPU_TARGET is &quot;%1&quot;; use sse4, avx2 or avx512, or unset it.</source>
+        <translation>LIMN_CPU_TARGET ist „%1“; verwenden Sie sse4, avx2 oder avx512, oder löschen Sie die Variable.</translation>
+    </message>
+    <message>
+        <source>names a value longer than the file</source>
+        <translation>nennt einen Wert, der länger ist als die Datei</translation>
+    </message>
+    <message>
+        <source>The run-length encoded pixels of %1 are damaged or cut off; copy the file again from its source.</source>
+        <translation>Die lauflängenkodierten Pixel von %1 sind beschädigt oder abgeschnitten; kopieren Sie die Datei neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>its project list is too long</source>
+        <translation>ihre Projektliste ist zu lang</translation>
+    </message>
+    <message>
+        <source>its project list is damaged</source>
+        <translation>ihre Projektliste ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is an archive but no InVesalius 3 project (it has no main.plist)</source>
+        <translation>sie ist ein Archiv, aber kein Projekt von InVesalius 3 (main.plist fehlt)</translation>
+    </message>
+    <message>
+        <source>unpack it and open the volume inside</source>
+        <translation>entpacken Sie sie, und öffnen Sie das Volumen darin</translation>
+    </message>
+    <message>
+        <source>its other half %1%2 is missing</source>
+        <translation>ihre andere Hälfte %1%2 fehlt</translation>
+    </message>
+    <message>
+        <source>copy both files of the pair into one folder</source>
+        <translation>kopieren Sie beide Dateien des Paars in einen Ordner</translation>
+    </message>
+    <message>
+        <source>its header does not give 2 to 7 dimensions</source>
+        <translation>ihr Kopf nennt nicht 2 bis 7 Dimensionen</translation>
+    </message>
+    <message>
+        <source>its header gives more volumes than any file holds</source>
+        <translation>ihr Kopf nennt mehr Volumen, als eine Datei enthält</translation>
+    </message>
+    <message>
+        <source>it is a folder where a file is needed</source>
+        <translation>sie ist ein Ordner, wo eine Datei gebraucht wird</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>wählen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>check the name and the right to read it</source>
+        <translation>prüfen Sie den Namen und das Leserecht</translation>
+    </message>
+    <message>
+        <source>its voxels are spread over several files</source>
+        <translation>ihre Voxel sind auf mehrere Dateien verteilt</translation>
+    </message>
+    <message>
+        <source>save it as one file</source>
+        <translation>speichern Sie sie als eine Datei</translation>
+    </message>
+    <message>
+        <source>it names its voxel file &quot;%1&quot;, which is not in the folder of the header</source>
+        <translation>sie nennt ihre Voxeldatei „%1“, die nicht im Ordner des Kopfes liegt</translation>
+    </message>
+    <message>
+        <source>put both files into one folder and name the voxel file without a path</source>
+        <translation>legen Sie beide Dateien in einen Ordner, und nennen Sie die Voxeldatei ohne Pfad</translation>
+    </message>
+    <message>
+        <source>its voxel file %1 is missing</source>
+        <translation>ihre Voxeldatei %1 fehlt</translation>
+    </message>
+    <message>
+        <source>copy that file beside the header</source>
+        <translation>kopieren Sie diese Datei neben den Kopf</translation>
+    </message>
+    <message>
+        <source>it names itself as its voxel file</source>
+        <translation>sie nennt sich selbst als Voxeldatei</translation>
+    </message>
+    <message>
+        <source>its voxel file &quot;%1&quot; is a link that leads out of the folder</source>
+        <translation>ihre Voxeldatei „%1“ ist ein Verweis, der aus dem Ordner führt</translation>
+    </message>
+    <message>
+        <source>replace the link by the file itself</source>
+        <translation>ersetzen Sie den Verweis durch die Datei selbst</translation>
+    </message>
+    <message>
+        <source>its header gives the dimensions %1 x %2 x %3</source>
+        <translation>ihr Kopf nennt die Abmessungen %1 x %2 x %3</translation>
+    </message>
+    <message>
+        <source>%1, which leave no voxels</source>
+        <translation>%1, was keine Voxel übrig lässt</translation>
+    </message>
+    <message>
+        <source>%1, which is too large for any computer</source>
+        <translation>%1, was für jeden Rechner zu groß ist</translation>
+    </message>
+    <message>
+        <source>if they are right, save a smaller part of the volume; otherwise export the file again</source>
+        <translation>wenn sie stimmen, speichern Sie einen kleineren Teil des Volumens; sonst exportieren Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>its header&apos;s line %1 has too few numbers</source>
+        <translation>die Zeile %1 ihres Kopfes hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>it does not hold exactly one piece</source>
+        <translation>sie enthält nicht genau ein Stück</translation>
+    </message>
+    <message>
+        <source>save it as one piece</source>
+        <translation>speichern Sie sie als ein Stück</translation>
+    </message>
+    <message>
+        <source>its piece does not fill its extent</source>
+        <translation>ihr Stück füllt seine Ausdehnung nicht</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>it is no picture, or a damaged one</source>
+        <translation>sie ist kein Bild oder ein beschädigtes</translation>
+    </message>
+    <message>
+        <source>choose a PNG, TIFF, JPEG or EXR picture</source>
+        <translation>wählen Sie ein Bild als PNG, TIFF, JPEG oder EXR</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.</source>
+        <translation>%1 ist kein gültiges JSON (der Fehler liegt bei Byte %2); öffnen Sie es in einem Texteditor, um es zu reparieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds a number too large to be one; open it in a text editor to repair it.</source>
+        <translation>%1 enthält eine Zahl, die zu groß ist; öffnen Sie es in einem Texteditor, um es zu reparieren.</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>it is far larger than any file of this kind</source>
+        <translation>sie ist weit größer als jede Datei dieser Art</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>sie lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>check that you may read it</source>
+        <translation>prüfen Sie, ob Sie sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>open a DICOM folder, NIfTI, NRRD, MetaImage, VTI or VTK image, a stack of TIFF, PNG or JPEG pictures, or an InVesalius project</source>
+        <translation>öffnen Sie einen DICOM-Ordner, ein NIfTI-, NRRD-, MetaImage-, VTI- oder VTK-Bild, einen Stapel aus TIFF-, PNG- oder JPEG-Bildern oder ein InVesalius-Projekt</translation>
+    </message>
+    <message>
+        <source>The spacing must be three positive numbers of millimetres.</source>
+        <translation>Der Abstand muss aus drei positiven Zahlen in Millimetern bestehen.</translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>Picture</source>
@@ -1803,7 +1990,7 @@
     </message>
     <message>
         <source>In a &amp;window of its own</source>
-        <translation>In eigenem &amp;Fenster</translation>
+        <translation>In ei&amp;genem Fenster</translation>
     </message>
 </context>
 <context>
@@ -3101,6 +3288,1598 @@
         <source>slices do not march along rays, so no ray is too long</source>
         <translation>Schnitte folgen keinen Strahlen, deshalb ist kein Strahl zu lang</translation>
     </message>
+    <message>
+        <source>In a trial on this computer a small picture took %1 ms with OpenGL and %2 ms with the processor.</source>
+        <translation>In einem Versuch auf diesem Rechner dauerte ein kleines Bild %1 ms mit OpenGL und %2 ms mit dem Prozessor.</translation>
+    </message>
+    <message>
+        <source>Chosen in View ▸ Engine.</source>
+        <translation>Gewählt unter „Ansicht ▸ Engine“.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no card and draws on the processor itself, where the CPU engine is likely to be faster.</source>
+        <translation>Der Grafiktreiber hat keine Karte und zeichnet selbst auf dem Prozessor, wo die CPU-Engine wahrscheinlich schneller ist.</translation>
+    </message>
+    <message>
+        <source>A graphics card is likely to be faster than the processor.</source>
+        <translation>Eine Grafikkarte ist wahrscheinlich schneller als der Prozessor.</translation>
+    </message>
+    <message>
+        <source>The picture is %1.</source>
+        <translation>Das Bild ist %1.</translation>
+    </message>
+    <message>
+        <source>%1 The CPU engine drew the picture instead.</source>
+        <translation>%1 Stattdessen hat die CPU-Engine das Bild gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Looking for the body</source>
+        <translation>Körper wird gesucht</translation>
+    </message>
+    <message>
+        <source>No body was found in the volume (%1), so everything is kept.</source>
+        <translation>Im Volumen wurde kein Körper gefunden (%1), deshalb wird alles behalten.</translation>
+    </message>
+    <message>
+        <source>What is kept may be more or less than the body: %1.</source>
+        <translation>Was behalten wird, ist vielleicht mehr oder weniger als der Körper: %1.</translation>
+    </message>
+    <message>
+        <source>Cannot save the preset: its name is too long for a file; choose a shorter one.</source>
+        <translation>Das Preset kann nicht gespeichert werden: Sein Name ist für eine Datei zu lang; wählen Sie einen kürzeren.</translation>
+    </message>
+    <message>
+        <source>Cannot delete the preset &quot;%1&quot;: %2.</source>
+        <translation>Das Preset „%1“ kann nicht gelöscht werden: %2.</translation>
+    </message>
+    <message>
+        <source>There is no preset &quot;%1&quot;; there are: %2.</source>
+        <translation>Es gibt kein Preset „%1“; vorhanden sind: %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a phantom; write phantom:SPACING, such as phantom:1.5.</source>
+        <translation>„%1“ ist kein Phantom; schreiben Sie phantom:ABSTAND, etwa phantom:1.5.</translation>
+    </message>
+    <message>
+        <source>No example head is installed (package invesalius-examples), so the built-in phantom is shown.</source>
+        <translation>Kein Beispielkopf ist installiert (Paket invesalius-examples), deshalb wird das eingebaute Phantom gezeigt.</translation>
+    </message>
+    <message>
+        <source>This is no DICOM series; its number %1 was ignored.</source>
+        <translation>Dies ist keine DICOM-Serie; ihre Nummer %1 wurde nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for each slice.</source>
+        <translation>Die Schichten liegen %1 mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen je Schicht ein Band.</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s volume %1 is not where the scene expects it (%2); say where it is (--volume PATH).</source>
+        <translation>Das Volumen %1 der Szene ist nicht dort, wo die Szene es erwartet (%2); geben Sie an, wo es ist (--volume PFAD).</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder %1: %2; make room there or allow Limn to write there.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2; schaffen Sie dort Platz, oder erlauben Sie Limn, dort zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The chart cannot be written as PNG; is there memory left?</source>
+        <translation>Das Diagramm lässt sich nicht als PNG schreiben; ist noch Speicher frei?</translation>
+    </message>
+    <message>
+        <source>drawing the picture</source>
+        <translation>beim Zeichnen des Bildes</translation>
+    </message>
+    <message>
+        <source>Measuring %1, %2</source>
+        <translation>Messung: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 level</source>
+        <translation>%1 Stufe</translation>
+    </message>
+    <message>
+        <source>%1 levels</source>
+        <translation>%1 Stufen</translation>
+    </message>
+    <message>
+        <source>The tolerance of %1 cannot be kept: a peak or valley of the transfer function is so narrow that even the finest step may miss it; make it wider.</source>
+        <translation>Die Toleranz von %1 lässt sich nicht einhalten: Eine Spitze oder ein Tal der Transferfunktion ist so schmal, dass selbst der feinste Schritt sie verfehlen kann; machen Sie sie breiter.</translation>
+    </message>
+    <message>
+        <source>The tolerance of %1 cannot be kept: the finest step comes within about %2; make the steps of the transfer function less steep, or allow that many levels.</source>
+        <translation>Die Toleranz von %1 lässt sich nicht einhalten: Der feinste Schritt kommt auf etwa %2 heran; machen Sie die Stufen der Transferfunktion weniger steil, oder lassen Sie so viele Stufen zu.</translation>
+    </message>
+    <message>
+        <source>error-controlled steps of fineness %1</source>
+        <translation>fehlergesteuerten Schritten der Feinheit %1</translation>
+    </message>
+    <message>
+        <source>equal steps of %1 voxels</source>
+        <translation>gleichen Schritten von %1 Voxeln</translation>
+    </message>
+    <message>
+        <source>estimated within %1, with %2</source>
+        <translation>auf %1 genau geschätzt, mit %2</translation>
+    </message>
+    <message>
+        <source>A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it or a reduced copy.</source>
+        <translation>Eine Schicht des Volumens braucht mehr als 4 GiB, was die CPU-Engine nicht zeichnet; zeichnen Sie einen Teil davon oder eine verkleinerte Kopie.</translation>
+    </message>
+    <message>
+        <source>The step is so small that long rays would need more than %1 samples; they are drawn with that number.</source>
+        <translation>Die Schritte sind so klein, dass lange Strahlen mehr als %1 Abtastpunkte brauchten; sie werden mit dieser Zahl gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The graphics driver offers OpenGL %1.%2, but drawing needs OpenGL 3.0; update the driver or install Mesa&apos;s software driver (libgl1-mesa-dri).</source>
+        <translation>Der Grafiktreiber bietet OpenGL %1.%2, zum Zeichnen braucht es OpenGL 3.0; aktualisieren Sie den Treiber, oder installieren Sie den Softwaretreiber von Mesa (libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset while %1; try again, and if it happens often, draw with a larger step, in a smaller picture or with --engine cpu.</source>
+        <translation>Der Grafiktreiber wurde %1 zurückgesetzt; versuchen Sie es noch einmal, und wenn es oft geschieht, zeichnen Sie mit größeren Schritten, in einem kleineren Bild oder mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The graphics driver ran out of memory while %1; close other programs that draw, choose a smaller picture or use --engine cpu.</source>
+        <translation>Dem Grafiktreiber ging %1 der Speicher aus; schließen Sie andere Programme, die zeichnen, wählen Sie ein kleineres Bild, oder verwenden Sie --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a command while %1; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
+        <translation>Der Grafiktreiber hat %1 einen Befehl verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw a picture of %1×%2 pixels in floats; try a smaller one or --engine cpu.</source>
+        <translation>Der Grafiktreiber kann kein Bild von %1×%2 Pixeln in Gleitkommazahlen zeichnen; versuchen Sie ein kleineres oder --engine cpu.</translation>
+    </message>
+    <message>
+        <source>No OpenGL without a display: %1. Install the packages libegl1 and libgl1-mesa-dri (or the graphics card&apos;s driver), or use --engine cpu.</source>
+        <translation>Kein OpenGL ohne Bildschirm: %1. Installieren Sie die Pakete libegl1 und libgl1-mesa-dri (oder den Treiber der Grafikkarte), oder verwenden Sie --engine cpu.</translation>
+    </message>
+    <message>
+        <source>no EGL display could be opened</source>
+        <translation>keine EGL-Anzeige ließ sich öffnen</translation>
+    </message>
+    <message>
+        <source>the driver cannot draw without a surface</source>
+        <translation>der Treiber kann nicht ohne Fläche zeichnen</translation>
+    </message>
+    <message>
+        <source>the driver offers OpenGL ES only</source>
+        <translation>der Treiber bietet nur OpenGL ES</translation>
+    </message>
+    <message>
+        <source>the driver has no configuration for OpenGL</source>
+        <translation>der Treiber hat keine Konfiguration für OpenGL</translation>
+    </message>
+    <message>
+        <source>the driver could not make an OpenGL context</source>
+        <translation>der Treiber konnte keinen OpenGL-Kontext anlegen</translation>
+    </message>
+    <message>
+        <source>the OpenGL context could not be made current</source>
+        <translation>der OpenGL-Kontext ließ sich nicht aktivieren</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw a picture of %1 × %2 pixels in 32-bit floats; make the window smaller or install a driver with OpenGL 3.0 or newer.</source>
+        <translation>Der Grafiktreiber kann kein Bild von %1 × %2 Pixeln in 32-Bit-Gleitkommazahlen zeichnen; machen Sie das Fenster kleiner, oder installieren Sie einen Treiber mit OpenGL 3.0 oder neuer.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a shader; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
+        <translation>Der Grafiktreiber hat einen Shader verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+    </message>
+    <message>
+        <source>The graphics driver could not link a shader program; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
+        <translation>Der Grafiktreiber konnte ein Shaderprogramm nicht binden; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no room for the kept region; draw all of the volume, or with --engine cpu.</source>
+        <translation>Der Grafiktreiber hat keinen Platz für den behaltenen Bereich; zeichnen Sie das ganze Volumen, oder verwenden Sie --engine cpu.</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused even a tiny 3D texture; update the driver or draw with --engine cpu.</source>
+        <translation>Der Grafiktreiber hat selbst eine winzige 3D-Textur verweigert; aktualisieren Sie den Treiber, oder zeichnen Sie mit --engine cpu.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>The volume of %1 voxels is too large for the graphics memory that it may take</source>
+        <translation>Das Volumen von %1 Voxeln ist zu groß für den Grafikspeicher, den es belegen darf</translation>
+    </message>
+    <message>
+        <source>The volume of %1 voxels is too large for the graphics driver</source>
+        <translation>Das Volumen von %1 Voxeln ist zu groß für den Grafiktreiber</translation>
+    </message>
+    <message>
+        <source>%1 and is shown with %2.</source>
+        <translation>%1 und wird mit %2 gezeigt.</translation>
+    </message>
+    <message>
+        <source>The graphics driver has no room for %1, %2 MB; draw without them.</source>
+        <translation>Der Grafiktreiber hat keinen Platz für %1, %2 MB; zeichnen Sie ohne sie.</translation>
+    </message>
+    <message>
+        <source>choose another folder or make room</source>
+        <translation>wählen Sie einen anderen Ordner, oder schaffen Sie Platz</translation>
+    </message>
+    <message>
+        <source>make room there or allow Limn to write there</source>
+        <translation>schaffen Sie dort Platz, oder erlauben Sie Limn, dort zu schreiben</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2; %3, the old file is untouched.</source>
+        <translation>%1 kann nicht geschrieben werden: %2; %3, die alte Datei ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2; %3.</source>
+        <translation>%1 kann nicht geschrieben werden: %2; %3.</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 × %4, %5 image)</source>
+        <translation>%1 (%2, %3 × %4, %5 Bild)</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3 × %4, %5 images)</source>
+        <translation>%1 (%2, %3 × %4, %5 Bilder)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 has no series %2; it holds %3.</source>
+        <translation>%1 hat keine Serie %2; vorhanden sind %3.</translation>
+    </message>
+    <message>
+        <source>%1 series were found and the largest is shown, %2; the others are %3. Choose one by its number.</source>
+        <translation>%1 Serien wurden gefunden, und die größte wird gezeigt, %2; die anderen sind %3. Wählen Sie eine nach ihrer Nummer.</translation>
+    </message>
+    <message>
+        <source>%1 DICOM file is damaged or cut off and was left out (%2): slices may be missing; copy the series again.</source>
+        <translation>%1 DICOM-Datei ist beschädigt oder abgeschnitten und wurde weggelassen (%2): Es können Schichten fehlen; kopieren Sie die Serie neu.</translation>
+    </message>
+    <message>
+        <source>%1 DICOM files are damaged or cut off and were left out (%2): slices may be missing; copy the series again.</source>
+        <translation>%1 DICOM-Dateien sind beschädigt oder abgeschnitten und wurden weggelassen (%2): Es können Schichten fehlen; kopieren Sie die Serie neu.</translation>
+    </message>
+    <message>
+        <source>This is a single image; open its folder to see the whole series.</source>
+        <translation>Dies ist ein einzelnes Bild; öffnen Sie seinen Ordner, um die ganze Serie zu sehen.</translation>
+    </message>
+    <message>
+        <source>no DICOM files</source>
+        <translation>keine DICOM-Dateien</translation>
+    </message>
+    <message>
+        <source>DICOM objects without images only (reports, plans or indices)</source>
+        <translation>nur DICOM-Objekte ohne Bilder (Befunde, Pläne oder Verzeichnisse)</translation>
+    </message>
+    <message>
+        <source>only DICOM files that are damaged or cut off (%1)</source>
+        <translation>nur DICOM-Dateien, die beschädigt oder abgeschnitten sind (%1)</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds %2; choose the folder of an image series.</source>
+        <translation>Der Ordner %1 enthält %2; wählen Sie den Ordner einer Bildserie.</translation>
+    </message>
+    <message>
+        <source>%1 makes a volume of %2 × %3 × %4 voxels, more than can be shown; choose a smaller series.</source>
+        <translation>%1 ergibt ein Volumen von %2 × %3 × %4 Voxeln, mehr, als gezeigt werden kann; wählen Sie eine kleinere Serie.</translation>
+    </message>
+    <message>
+        <source>it holds no segments</source>
+        <translation>sie enthält keine Segmente</translation>
+    </message>
+    <message>
+        <source>its segments are compressed</source>
+        <translation>ihre Segmente sind komprimiert</translation>
+    </message>
+    <message>
+        <source>export the segmentation uncompressed</source>
+        <translation>exportieren Sie die Segmentierung unkomprimiert</translation>
+    </message>
+    <message>
+        <source>its header contradicts itself about its pixels</source>
+        <translation>ihr Kopf widerspricht sich bei den Pixeln</translation>
+    </message>
+    <message>
+        <source>it is too short for the frames that it announces</source>
+        <translation>sie ist zu kurz für die Bilder, die sie ankündigt</translation>
+    </message>
+    <message>
+        <source>it does not say where its frames lie and which segment each shows</source>
+        <translation>sie sagt nicht, wo ihre Bilder liegen und welches Segment jedes zeigt</translation>
+    </message>
+    <message>
+        <source>export it again</source>
+        <translation>exportieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>it does not say how its frames lie in the patient</source>
+        <translation>sie sagt nicht, wie ihre Bilder im Patienten liegen</translation>
+    </message>
+    <message>
+        <source>its planes lie too far apart for one volume</source>
+        <translation>ihre Ebenen liegen für ein Volumen zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>its planes make no even stack</source>
+        <translation>ihre Ebenen ergeben keinen gleichmäßigen Stapel</translation>
+    </message>
+    <message>
+        <source>export the segmentation as NRRD or NIfTI</source>
+        <translation>exportieren Sie die Segmentierung als NRRD oder NIfTI</translation>
+    </message>
+    <message>
+        <source>it is cut off within its segments</source>
+        <translation>sie ist mitten in ihren Segmenten abgeschnitten</translation>
+    </message>
+    <message>
+        <source> (%1 : 1)</source>
+        <translation> (%1 : 1)</translation>
+    </message>
+    <message>
+        <source>The images were compressed with loss%1: fine detail differs from what the scanner measured.</source>
+        <translation>Die Bilder wurden verlustbehaftet komprimiert%1: Feine Einzelheiten weichen von dem ab, was das Gerät gemessen hat.</translation>
+    </message>
+    <message>
+        <source>The file holds more pixels than its header announces; the rest is not shown.</source>
+        <translation>Die Datei enthält mehr Pixel, als ihr Kopf ankündigt; der Rest wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.</source>
+        <translation>Die Bilder sollen invertiert gezeigt werden (MONOCHROME1); ihre Werte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The images are coloured; their luminance is shown.</source>
+        <translation>Die Bilder sind farbig; ihre Helligkeit wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The DICOM file %1 gives a rescale slope of 0 or none that is a number, which leaves no values; its header is damaged.</source>
+        <translation>Die DICOM-Datei %1 nennt eine Rescale-Steigung von 0 oder keine Zahl, was keine Werte übrig lässt; ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Some pixels have bits set beyond those that hold the value; these bits were ignored.</source>
+        <translation>Bei einigen Pixeln sind Bits außerhalb derer gesetzt, die den Wert halten; diese Bits wurden nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>The deflated DICOM file %1 inflates to more than 1 GiB; decompress it with another tool.</source>
+        <translation>Die gepackte DICOM-Datei %1 ergibt mehr als 1 GiB; entpacken Sie sie mit einem anderen Werkzeug.</translation>
+    </message>
+    <message>
+        <source>The deflated DICOM file %1 is damaged: its data cannot be inflated; copy it again.</source>
+        <translation>Die gepackte DICOM-Datei %1 ist beschädigt: Ihre Daten lassen sich nicht entpacken; kopieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The DICOM header of %1 %2: the file is damaged or cut off; copy it again from its source.</source>
+        <translation>Der DICOM-Kopf von %1 %2: Die Datei ist beschädigt oder abgeschnitten; kopieren Sie sie neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>names a value longer than the file</source>
+        <translation>nennt einen Wert, der länger ist als die Datei</translation>
+    </message>
+    <message>
+        <source>holds more than any header</source>
+        <translation>enthält mehr als jeder Kopf</translation>
+    </message>
+    <message>
+        <source>nests sequences too deeply</source>
+        <translation>schachtelt Sequenzen zu tief</translation>
+    </message>
+    <message>
+        <source>cannot be read to its end</source>
+        <translation>lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>has a broken fragment</source>
+        <translation>hat ein beschädigtes Fragment</translation>
+    </message>
+    <message>
+        <source>names a sequence longer than the file</source>
+        <translation>nennt eine Sequenz, die länger ist als die Datei</translation>
+    </message>
+    <message>
+        <source>has a sequence with a broken item</source>
+        <translation>hat eine Sequenz mit einem beschädigten Element</translation>
+    </message>
+    <message>
+        <source>has an item longer than its sequence</source>
+        <translation>hat ein Element, das länger ist als seine Sequenz</translation>
+    </message>
+    <message>
+        <source>The file %1 does not start as DICOM does; if it was an image, it is damaged or cut off, so copy it again from its source.</source>
+        <translation>Die Datei %1 beginnt nicht wie DICOM; wenn sie ein Bild war, ist sie beschädigt oder abgeschnitten; kopieren Sie sie neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be opened; check that it exists and that you may read it.</source>
+        <translation>Die Datei %1 lässt sich nicht öffnen; prüfen Sie, ob es sie gibt und ob Sie sie lesen dürfen.</translation>
+    </message>
+    <message>
+        <source>The DICOM file %1 %2</source>
+        <translation>Die DICOM-Datei %1 %2</translation>
+    </message>
+    <message>
+        <source>is the index of a medium (DICOMDIR) and no image; open the folder that holds it.</source>
+        <translation>ist das Verzeichnis eines Datenträgers (DICOMDIR) und kein Bild; öffnen Sie den Ordner, in dem sie liegt.</translation>
+    </message>
+    <message>
+        <source>is cut off before its picture; copy it again from its source.</source>
+        <translation>ist vor ihrem Bild abgeschnitten; kopieren Sie sie neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>holds no image%1; open the folder of an image series instead.</source>
+        <translation>enthält kein Bild%1; öffnen Sie stattdessen den Ordner einer Bildserie.</translation>
+    </message>
+    <message>
+        <source> (its kind is %1)</source>
+        <translation> (ihre Art ist %1)</translation>
+    </message>
+    <message>
+        <source>stores its pixels as floating-point numbers, which this program does not read from DICOM; convert it to NIfTI.</source>
+        <translation>speichert ihre Pixel als Gleitkommazahlen, die dieses Programm aus DICOM nicht liest; wandeln Sie sie in NIfTI um.</translation>
+    </message>
+    <message>
+        <source>is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.</source>
+        <translation>ist ein Mosaik: viele Schichten in einem Bild; wandeln Sie sie zuerst mit dcm2niix um.</translation>
+    </message>
+    <message>
+        <source>gives %1 as its number of frames; its header is damaged.</source>
+        <translation>nennt %1 als Zahl ihrer Bilder; ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>is a film: its frames follow each other in time and not in space, so they make no volume.</source>
+        <translation>ist ein Film: Ihre Bilder folgen in der Zeit und nicht im Raum aufeinander, deshalb ergeben sie kein Volumen.</translation>
+    </message>
+    <message>
+        <source>is a video, whose frames make no volume; export the series as single images.</source>
+        <translation>ist ein Video, dessen Bilder kein Volumen ergeben; exportieren Sie die Serie als einzelne Bilder.</translation>
+    </message>
+    <message>
+        <source>only names a server that holds its pixels (JPIP); export the images themselves.</source>
+        <translation>nennt nur einen Server, der ihre Pixel hat (JPIP); exportieren Sie die Bilder selbst.</translation>
+    </message>
+    <message>
+        <source>says its picture is %1 × %2 pixels; its header is damaged.</source>
+        <translation>nennt als Bildgröße %1 × %2 Pixel; ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>stores %1 bits per pixel, which this program does not read; convert it to 8, 16 or 32 bits.</source>
+        <translation>speichert %1 Bit je Pixel, was dieses Programm nicht liest; wandeln Sie sie in 8, 16 oder 32 Bit um.</translation>
+    </message>
+    <message>
+        <source>contradicts itself: %1 bits up to bit %2 stored in %3; its header is damaged.</source>
+        <translation>widerspricht sich: %1 Bit bis zum Bit %2, gespeichert in %3; ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>has %1 samples per pixel; only grey (1) and colour (3) can be opened.</source>
+        <translation>hat %1 Werte je Pixel; nur Grau (1) und Farbe (3) lassen sich öffnen.</translation>
+    </message>
+    <message>
+        <source>says its %1 samples per pixel mean %2, which this program does not know; export it as grey values.</source>
+        <translation>nennt als Bedeutung ihrer %1 Werte je Pixel %2, was dieses Programm nicht kennt; exportieren Sie sie als Grauwerte.</translation>
+    </message>
+    <message>
+        <source>is coloured by a palette this program cannot read; export it as grey values.</source>
+        <translation>ist durch eine Palette gefärbt, die dieses Programm nicht lesen kann; exportieren Sie sie als Grauwerte.</translation>
+    </message>
+    <message>
+        <source>stores uncompressed colour with reduced resolution (%1), which this program does not read; export it as grey values.</source>
+        <translation>speichert unkomprimierte Farbe in verringerter Auflösung (%1), was dieses Programm nicht liest; exportieren Sie sie als Grauwerte.</translation>
+    </message>
+    <message>
+        <source>is too short for the %1 pictures of %2 × %3 pixels it announces; it is damaged or cut off, so copy it again from its source.</source>
+        <translation>ist zu kurz für die %1 Bilder von %2 × %3 Pixeln, die sie ankündigt; sie ist beschädigt oder abgeschnitten, kopieren Sie sie deshalb neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>announces %1 pictures, more than any volume has; export it again.</source>
+        <translation>kündigt %1 Bilder an, mehr, als ein Volumen hat; exportieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>is cut off: its pixels need %1 bytes, and it holds %2; copy it again from its source.</source>
+        <translation>ist abgeschnitten: Ihre Pixel brauchen %1 Byte, und sie enthält %2; kopieren Sie sie neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>The compressed pixels of %1 %2 (transfer syntax %3); export the series uncompressed.</source>
+        <translation>Die komprimierten Pixel von %1 %2 (Transfersyntax %3); exportieren Sie die Serie unkomprimiert.</translation>
+    </message>
+    <message>
+        <source>are damaged or in a form this program does not read</source>
+        <translation>sind beschädigt oder in einer Form, die dieses Programm nicht liest</translation>
+    </message>
+    <message>
+        <source>make a picture of %1 × %2 pixels where the header says %3 × %4</source>
+        <translation>ergeben ein Bild von %1 × %2 Pixeln, wo der Kopf %3 × %4 nennt</translation>
+    </message>
+    <message>
+        <source>have %1 samples per pixel where the header says %2</source>
+        <translation>haben %1 Werte je Pixel, wo der Kopf %2 nennt</translation>
+    </message>
+    <message>
+        <source>have %1 bits where the header says %2</source>
+        <translation>haben %1 Bit, wo der Kopf %2 nennt</translation>
+    </message>
+    <message>
+        <source>are damaged or cut off (%1)</source>
+        <translation>sind beschädigt oder abgeschnitten (%1)</translation>
+    </message>
+    <message>
+        <source>do not fill the picture</source>
+        <translation>füllen das Bild nicht</translation>
+    </message>
+    <message>
+        <source>cannot be decoded, for they are damaged or in a form this program does not read</source>
+        <translation>lassen sich nicht dekodieren, denn sie sind beschädigt oder in einer Form, die dieses Programm nicht liest</translation>
+    </message>
+    <message>
+        <source>are in a form this program does not read</source>
+        <translation>sind in einer Form, die dieses Programm nicht liest</translation>
+    </message>
+    <message>
+        <source>are cut off</source>
+        <translation>sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>cannot be decoded: %1</source>
+        <translation>lassen sich nicht dekodieren: %1</translation>
+    </message>
+    <message>
+        <source>The pixels of the DICOM file %1 %2; the file is damaged or cut off, so copy it again from its source.</source>
+        <translation>Die Pixel der DICOM-Datei %1 %2; die Datei ist beschädigt oder abgeschnitten, kopieren Sie sie deshalb neu von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>end early</source>
+        <translation>enden vorzeitig</translation>
+    </message>
+    <message>
+        <source>have a broken fragment</source>
+        <translation>haben ein beschädigtes Fragment</translation>
+    </message>
+    <message>
+        <source>hold %1 compressed pieces for %2 frames</source>
+        <translation>enthalten %1 komprimierte Stücke für %2 Bilder</translation>
+    </message>
+    <message>
+        <source>hold %1 pictures for %2 frames</source>
+        <translation>enthalten %1 Bilder statt der %2 angekündigten</translation>
+    </message>
+    <message>
+        <source>The DICOM series has a gap of %1 mm after slice %2, where its slices usually lie %3 mm apart: slices are missing; copy the whole series again.</source>
+        <translation>Die DICOM-Serie hat eine Lücke von %1 mm nach Schicht %2, während ihre Schichten sonst %3 mm auseinanderliegen: Es fehlen Schichten; kopieren Sie die ganze Serie neu.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 mm</source>
+        <translation>%1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 and in %2 more places</source>
+        <translation>%1 und an %2 weiteren Stellen</translation>
+    </message>
+    <message>
+        <source>%1 slice seems to be missing between %2 from the first</source>
+        <translation>%1 Schicht scheint zu fehlen, zwischen %2 von der ersten aus</translation>
+    </message>
+    <message>
+        <source>%1 slices seem to be missing between %2 from the first</source>
+        <translation>%1 Schichten scheinen zu fehlen, zwischen %2 von der ersten aus</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>The slices lie %1 apart; %2 mm is used for all, which moves a slice by %3 mm at most.</source>
+        <translation>Die Schichten liegen %1 auseinander; für alle wird %2 mm verwendet, was eine Schicht um höchstens %3 mm verschiebt.</translation>
+    </message>
+    <message>
+        <source>The slices lie unequally, %1 apart: %2 planes every %3 mm were interpolated between them, some of which %4</source>
+        <translation>Die Schichten liegen ungleich, %1 auseinander: Dazwischen wurden %2 Ebenen im Abstand von %3 mm interpoliert, von denen einige %4</translation>
+    </message>
+    <message>
+        <source>may bridge missing slices.</source>
+        <translation>vielleicht fehlende Schichten überbrücken.</translation>
+    </message>
+    <message>
+        <source>bridge missing slices: %1.</source>
+        <translation>fehlende Schichten überbrücken: %1.</translation>
+    </message>
+    <message>
+        <source>The slices are stacked straight although they lie up to %1 mm sideways of each other.</source>
+        <translation>Die Schichten werden gerade gestapelt, obwohl sie bis zu %1 mm seitlich versetzt liegen.</translation>
+    </message>
+    <message>
+        <source>The slices of the DICOM series lie beside each other rather than on each other, so they make no volume; choose another series.</source>
+        <translation>Die Schichten der DICOM-Serie liegen nebeneinander statt aufeinander und ergeben kein Volumen; wählen Sie eine andere Serie.</translation>
+    </message>
+    <message>
+        <source>The slices do not lie straight on each other (slant of %1°, as of a tilted gantry): they were resampled onto an upright grid, whose added corners hold no data.</source>
+        <translation>Die Schichten liegen nicht gerade aufeinander (Neigung %1°, wie bei gekippter Gantry): Sie wurden auf ein aufrechtes Gitter umgerechnet, dessen zusätzliche Ecken keine Daten enthalten.</translation>
+    </message>
+    <message>
+        <source>The series does not say how thick its slices are; 1 mm is assumed.</source>
+        <translation>Die Serie sagt nicht, wie dick ihre Schichten sind; es wird 1 mm angenommen.</translation>
+    </message>
+    <message>
+        <source>The series does not say how large its pixels are; 1 mm is assumed.</source>
+        <translation>Die Serie sagt nicht, wie groß ihre Pixel sind; es wird 1 mm angenommen.</translation>
+    </message>
+    <message>
+        <source>The image does not say where it lies in the patient; its orientation is unknown.</source>
+        <translation>Das Bild sagt nicht, wo es im Patienten liegt; seine Orientierung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The images do not say where they lie in the patient: they are stacked in the order of their numbers, and the orientation is unknown.</source>
+        <translation>Die Bilder sagen nicht, wo sie im Patienten liegen: Sie werden in der Reihenfolge ihrer Nummern gestapelt, und die Orientierung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>temporal position</source>
+        <translation>Zeitposition</translation>
+    </message>
+    <message>
+        <source>trigger time</source>
+        <translation>Triggerzeit</translation>
+    </message>
+    <message>
+        <source>delay after the heart beat</source>
+        <translation>Verzögerung nach dem Herzschlag</translation>
+    </message>
+    <message>
+        <source>echo time</source>
+        <translation>Echozeit</translation>
+    </message>
+    <message>
+        <source>diffusion b-value</source>
+        <translation>b-Wert der Diffusion</translation>
+    </message>
+    <message>
+        <source>image type</source>
+        <translation>Bildtyp</translation>
+    </message>
+    <message>
+        <source>acquisition number</source>
+        <translation>Aufnahmenummer</translation>
+    </message>
+    <message>
+        <source>acquisition time</source>
+        <translation>Aufnahmezeit</translation>
+    </message>
+    <message>
+        <source>content time</source>
+        <translation>Inhaltszeit</translation>
+    </message>
+    <message>
+        <source>unset</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation>%1 %2 von %3</translation>
+    </message>
+    <message>
+        <source>the first %1 at each position</source>
+        <translation>je Position das erste nach: %1</translation>
+    </message>
+    <message>
+        <source>%1 image is a copy of another of the series and left out.</source>
+        <translation>%1 Bild ist die Kopie eines anderen der Serie und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 images are copies of another of the series and left out.</source>
+        <translation>%1 Bilder sind Kopien anderer der Serie und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>the lowest image number at each position</source>
+        <translation>die kleinste Bildnummer an jeder Position</translation>
+    </message>
+    <message>
+        <source>The series holds several phases (%1 images at %2 positions); shown is: %3.</source>
+        <translation>Die Serie enthält mehrere Phasen (%1 Bilder an %2 Positionen); gezeigt wird: %3.</translation>
+    </message>
+    <message>
+        <source>The series repeats some positions (%1 images at %2 positions); shown is: %3.</source>
+        <translation>Die Serie wiederholt einige Positionen (%1 Bilder an %2 Positionen); gezeigt wird: %3.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds more than %2 files; open the folder of one study instead.</source>
+        <translation>Der Ordner %1 enthält mehr als %2 Dateien; öffnen Sie stattdessen den Ordner einer Untersuchung.</translation>
+    </message>
+    <message>
+        <source>check the name and the right to read it</source>
+        <translation>prüfen Sie den Namen und das Leserecht</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2; check that the folder exists, may be written and has room.</source>
+        <translation>%1 kann nicht geschrieben werden: %2; prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat.</translation>
+    </message>
+    <message>
+        <source>its project list names no volume of three dimensions</source>
+        <translation>ihre Projektliste nennt kein Volumen mit drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>open it in InVesalius and save it again</source>
+        <translation>öffnen Sie sie in InVesalius, und speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>its voxels are of the type &quot;%1&quot;, which is not supported</source>
+        <translation>ihre Voxel sind vom Typ „%1“, der nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>its matrix has %1 bytes where the project asks for %2</source>
+        <translation>ihre Matrix hat %1 Byte, wo das Projekt %2 verlangt</translation>
+    </message>
+    <message>
+        <source>its matrix &quot;%1&quot; is missing</source>
+        <translation>ihre Matrix „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>its archive is damaged or cut off</source>
+        <translation>ihr Archiv ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its archive holds gigabytes before the project</source>
+        <translation>ihr Archiv enthält Gigabytes vor dem Projekt</translation>
+    </message>
+    <message>
+        <source>its header&apos;s field %1 has too few numbers</source>
+        <translation>das Feld %1 ihres Kopfes hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>it does not have 2 to 4 dimensions</source>
+        <translation>sie hat nicht 2 bis 4 Dimensionen</translation>
+    </message>
+    <message>
+        <source>save one volume of it</source>
+        <translation>speichern Sie ein Volumen davon</translation>
+    </message>
+    <message>
+        <source>its header has no DimSize</source>
+        <translation>in ihrem Kopf fehlt DimSize</translation>
+    </message>
+    <message>
+        <source>its header names no ElementDataFile</source>
+        <translation>ihr Kopf nennt kein ElementDataFile</translation>
+    </message>
+    <message>
+        <source>its header&apos;s HeaderSize is not supported</source>
+        <translation>die HeaderSize ihres Kopfes wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>save it as one .mha file</source>
+        <translation>speichern Sie sie als eine .mha-Datei</translation>
+    </message>
+    <message>
+        <source>it holds compressed text</source>
+        <translation>sie enthält komprimierten Text</translation>
+    </message>
+    <message>
+        <source>save it uncompressed or as binary data</source>
+        <translation>speichern Sie sie unkomprimiert oder als Binärdaten</translation>
+    </message>
+    <message>
+        <source>its voxels are of NIfTI type %1 (binary, complex or 128-bit numbers are not supported)</source>
+        <translation>ihre Voxel sind vom NIfTI-Typ %1 (binäre, komplexe oder 128-Bit-Zahlen werden nicht unterstützt)</translation>
+    </message>
+    <message>
+        <source>convert it to integers or floats first</source>
+        <translation>wandeln Sie sie zuerst in Ganz- oder Gleitkommazahlen um</translation>
+    </message>
+    <message>
+        <source>it is an Analyze 7.5 file, which does not say which side is left</source>
+        <translation>sie ist eine Datei von Analyze 7.5, die nicht sagt, welche Seite links ist</translation>
+    </message>
+    <message>
+        <source>convert it to NIfTI (.nii) first</source>
+        <translation>wandeln Sie sie zuerst in NIfTI (.nii) um</translation>
+    </message>
+    <message>
+        <source>its NIfTI header is cut off or damaged</source>
+        <translation>ihr NIfTI-Kopf ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>its header contradicts itself: voxels of %1 bits, and of a type that has %2</source>
+        <translation>ihr Kopf widerspricht sich: Voxel von %1 Bit und von einem Typ, der %2 hat</translation>
+    </message>
+    <message>
+        <source>its header places the voxels at an impossible offset</source>
+        <translation>ihr Kopf legt die Voxel an eine unmögliche Stelle</translation>
+    </message>
+    <message>
+        <source>The file&apos;s scaling is damaged: the values are those stored, in no known unit.</source>
+        <translation>Die Skalierung der Datei ist beschädigt: Die Werte sind die gespeicherten, in keiner bekannten Einheit.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s two placements (sform, qform) differ by up to %1 mm; the sform is used.</source>
+        <translation>Die beiden Lagen der Datei (sform, qform) weichen um bis zu %1 mm ab; sform wird verwendet.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s placement (sform) is damaged and was left out.</source>
+        <translation>Die Lage der Datei (sform) ist beschädigt und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s placement (qform) is damaged and was left out.</source>
+        <translation>Die Lage der Datei (qform) ist beschädigt und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>its header has a damaged list of vectors</source>
+        <translation>ihr Kopf hat eine beschädigte Liste von Vektoren</translation>
+    </message>
+    <message>
+        <source>its space does not have two or three dimensions</source>
+        <translation>ihr Raum hat nicht zwei oder drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>convert it to a 3-D volume first</source>
+        <translation>wandeln Sie sie zuerst in ein 3D-Volumen um</translation>
+    </message>
+    <message>
+        <source>its header&apos;s field &quot;%1&quot; does not fit its dimension</source>
+        <translation>das Feld „%1“ ihres Kopfes passt nicht zu ihrer Dimension</translation>
+    </message>
+    <message>
+        <source>its header&apos;s dimension and sizes do not agree</source>
+        <translation>Dimension und Größen ihres Kopfes stimmen nicht überein</translation>
+    </message>
+    <message>
+        <source>its header does not say which of its axes are spatial</source>
+        <translation>ihr Kopf sagt nicht, welche ihrer Achsen räumlich sind</translation>
+    </message>
+    <message>
+        <source>add the field &quot;kinds&quot; to the header or save one volume</source>
+        <translation>ergänzen Sie im Kopf das Feld „kinds“, oder speichern Sie ein Volumen</translation>
+    </message>
+    <message>
+        <source>its header gives more volumes than any file holds</source>
+        <translation>ihr Kopf nennt mehr Volumen, als eine Datei enthält</translation>
+    </message>
+    <message>
+        <source>its axis %1 holds %2 values per voxel (%3), and a volume needs one</source>
+        <translation>ihre Achse %1 enthält %2 Werte je Voxel (%3), und ein Volumen braucht einen</translation>
+    </message>
+    <message>
+        <source>no kind</source>
+        <translation>keine Art</translation>
+    </message>
+    <message>
+        <source>save one component or one time step as a volume of its own</source>
+        <translation>speichern Sie eine Komponente oder einen Zeitschritt als eigenes Volumen</translation>
+    </message>
+    <message>
+        <source>its axes are not those of one volume</source>
+        <translation>ihre Achsen sind nicht die eines Volumens</translation>
+    </message>
+    <message>
+        <source>save one scalar volume</source>
+        <translation>speichern Sie ein skalares Volumen</translation>
+    </message>
+    <message>
+        <source>its header does not name the byte order</source>
+        <translation>ihr Kopf nennt die Bytereihenfolge nicht</translation>
+    </message>
+    <message>
+        <source>add &quot;endian: little&quot; or &quot;endian: big&quot;</source>
+        <translation>ergänzen Sie „endian: little“ oder „endian: big“</translation>
+    </message>
+    <message>
+        <source>it ends before its voxels start</source>
+        <translation>sie endet, bevor ihre Voxel beginnen</translation>
+    </message>
+    <message>
+        <source>its header&apos;s byte skip is not supported</source>
+        <translation>das „byte skip“ ihres Kopfes wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>save it as one .nrrd file</source>
+        <translation>speichern Sie sie als eine .nrrd-Datei</translation>
+    </message>
+    <message>
+        <source>its encoding &quot;%1&quot; is not supported</source>
+        <translation>ihre Kodierung „%1“ wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>save it with the encoding raw or gzip</source>
+        <translation>speichern Sie sie mit der Kodierung raw oder gzip</translation>
+    </message>
+    <message>
+        <source>its NRRD header has no end</source>
+        <translation>ihr NRRD-Kopf hat kein Ende</translation>
+    </message>
+    <message>
+        <source>the picture is damaged or cut off</source>
+        <translation>das Bild ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its samples are of a type that is not supported</source>
+        <translation>ihre Pixelwerte sind von einem Typ, der nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>convert it to 8 or 16 bits first</source>
+        <translation>wandeln Sie sie zuerst in 8 oder 16 Bit um</translation>
+    </message>
+    <message>
+        <source>the picture is cut off</source>
+        <translation>das Bild ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its header asks for more pixels than the file can hold</source>
+        <translation>ihr Kopf verlangt mehr Pixel, als die Datei enthalten kann</translation>
+    </message>
+    <message>
+        <source>its picture %1 (page %2) has another size or type than the first</source>
+        <translation>ihr Bild %1 (Seite %2) hat eine andere Größe oder einen anderen Typ als das erste</translation>
+    </message>
+    <message>
+        <source>keep only the slices of one stack in the folder</source>
+        <translation>lassen Sie nur die Schichten eines Stapels im Ordner</translation>
+    </message>
+    <message>
+        <source>%1, so that a slice is missing from the stack</source>
+        <translation>%1, sodass im Stapel eine Schicht fehlt</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>it does not start as a picture does</source>
+        <translation>sie beginnt nicht wie ein Bild</translation>
+    </message>
+    <message>
+        <source>copy it again, or take it out of the folder if it is no slice</source>
+        <translation>kopieren Sie sie neu, oder nehmen Sie sie aus dem Ordner, wenn sie keine Schicht ist</translation>
+    </message>
+    <message>
+        <source>its picture %1 has several pages</source>
+        <translation>ihr Bild %1 hat mehrere Seiten</translation>
+    </message>
+    <message>
+        <source>open that file by itself</source>
+        <translation>öffnen Sie diese Datei für sich</translation>
+    </message>
+    <message>
+        <source>it is a single picture, and a volume needs a stack of slices</source>
+        <translation>sie ist ein einzelnes Bild, und ein Volumen braucht einen Stapel von Schichten</translation>
+    </message>
+    <message>
+        <source>open the folder that holds all slices, or a TIFF file with several pages</source>
+        <translation>öffnen Sie den Ordner mit allen Schichten oder eine TIFF-Datei mit mehreren Seiten</translation>
+    </message>
+    <message>
+        <source>it holds pictures of several kinds</source>
+        <translation>er enthält Bilder verschiedener Art</translation>
+    </message>
+    <message>
+        <source>JPEG compression is lossy: the values are not the original ones.</source>
+        <translation>Die JPEG-Komprimierung ist verlustbehaftet: Die Werte sind nicht die ursprünglichen.</translation>
+    </message>
+    <message>
+        <source>The numbers in the file names are uneven: slices may be missing.</source>
+        <translation>Die Nummern in den Dateinamen haben Lücken: Es können Schichten fehlen.</translation>
+    </message>
+    <message>
+        <source>the picture is damaged</source>
+        <translation>das Bild ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the picture is damaged (%1)</source>
+        <translation>das Bild ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>it holds %1 values per pixel of a kind that is not supported</source>
+        <translation>sie enthält %1 Werte je Pixel einer Art, die nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>convert it to grey or RGB first</source>
+        <translation>wandeln Sie sie zuerst in Grau oder RGB um</translation>
+    </message>
+    <message>
+        <source>its pages are damaged or cut off</source>
+        <translation>ihre Seiten sind beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its header places the voxels with numbers that span no volume</source>
+        <translation>ihr Kopf legt die Voxel mit Zahlen fest, die kein Volumen aufspannen</translation>
+    </message>
+    <message>
+        <source>export the file again with a valid orientation</source>
+        <translation>exportieren Sie die Datei neu mit einer gültigen Orientierung</translation>
+    </message>
+    <message>
+        <source>its axes are sheared (%1 degrees off the right angle), which would be drawn distorted</source>
+        <translation>ihre Achsen sind geschert (%1 Grad neben dem rechten Winkel) und würden verzerrt gezeichnet</translation>
+    </message>
+    <message>
+        <source>resample it to a rectangular grid first, e.g. with 3D Slicer or FSL</source>
+        <translation>rechnen Sie sie zuerst auf ein rechtwinkliges Gitter um, z. B. mit 3D Slicer oder FSL</translation>
+    </message>
+    <message>
+        <source>its compressed data are damaged</source>
+        <translation>ihre komprimierten Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 bytes of voxels, but the file holds only %2%3</source>
+        <translation>ihr Kopf verlangt %1 Byte an Voxeln, aber die Datei enthält nur %2%3</translation>
+    </message>
+    <message>
+        <source> compressed ones</source>
+        <translation> komprimierte</translation>
+    </message>
+    <message>
+        <source>its voxels end early</source>
+        <translation>ihre Voxel enden vorzeitig</translation>
+    </message>
+    <message>
+        <source>The file holds more data than its header asks for: its dimensions may be wrong.</source>
+        <translation>Die Datei enthält mehr Daten, als ihr Kopf verlangt: Ihre Abmessungen sind vielleicht falsch.</translation>
+    </message>
+    <message>
+        <source>a voxel&apos;s text is not a number of the type that the header names</source>
+        <translation>der Text eines Voxels ist keine Zahl des Typs, den der Kopf nennt</translation>
+    </message>
+    <message>
+        <source>it holds colours as text</source>
+        <translation>sie enthält Farben als Text</translation>
+    </message>
+    <message>
+        <source>convert it to a binary encoding</source>
+        <translation>wandeln Sie sie in eine binäre Kodierung um</translation>
+    </message>
+    <message>
+        <source>The text ends right behind its last number, which may be cut off.</source>
+        <translation>Der Text endet gleich hinter seiner letzten Zahl, die abgeschnitten sein kann.</translation>
+    </message>
+    <message>
+        <source>The file ends before the last of its volumes: it may be cut off.</source>
+        <translation>Die Datei endet vor dem letzten ihrer Volumen: Sie ist vielleicht abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>its voxels end after %1 of the %2 that its header asks for</source>
+        <translation>ihre Voxel enden nach %1 der %2, die ihr Kopf verlangt</translation>
+    </message>
+    <message>
+        <source>its header gives a dimension that is not a positive whole number</source>
+        <translation>ihr Kopf nennt eine Abmessung, die keine positive ganze Zahl ist</translation>
+    </message>
+    <message>
+        <source>it holds %1 values per voxel, and a volume needs one</source>
+        <translation>sie enthält %1 Werte je Voxel, und ein Volumen braucht einen</translation>
+    </message>
+    <message>
+        <source>save one component as a volume of its own</source>
+        <translation>speichern Sie eine Komponente als eigenes Volumen</translation>
+    </message>
+    <message>
+        <source>The file holds %1 volumes; the first is shown.</source>
+        <translation>Die Datei enthält %1 Volumen; das erste wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The file holds colours; their luminance is shown.</source>
+        <translation>Die Datei enthält Farben; ihre Helligkeit wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>its header names no SCALARS among its first lines</source>
+        <translation>ihr Kopf nennt in den ersten Zeilen keine SCALARS</translation>
+    </message>
+    <message>
+        <source>export it as structured points with scalars</source>
+        <translation>exportieren Sie sie als strukturierte Punkte mit Skalaren</translation>
+    </message>
+    <message>
+        <source>its header&apos;s line SCALARS is cut off</source>
+        <translation>die Zeile SCALARS ihres Kopfes ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its header contradicts itself: %1 %2 where DIMENSIONS make %3</source>
+        <translation>ihr Kopf widerspricht sich: %1 %2, wo DIMENSIONS %3 ergeben</translation>
+    </message>
+    <message>
+        <source>it holds no image data (STRUCTURED_POINTS)</source>
+        <translation>sie enthält keine Bilddaten (STRUCTURED_POINTS)</translation>
+    </message>
+    <message>
+        <source>export the volume as image data (.vti)</source>
+        <translation>exportieren Sie das Volumen als Bilddaten (.vti)</translation>
+    </message>
+    <message>
+        <source>its array of values is damaged or cut off</source>
+        <translation>ihr Wertefeld ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it holds VTK data of the type &quot;%1&quot;, not image data</source>
+        <translation>sie enthält VTK-Daten vom Typ „%1“, keine Bilddaten</translation>
+    </message>
+    <message>
+        <source>its text is cut off or damaged</source>
+        <translation>ihr Text ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>its attribute %1 has the wrong number of numbers</source>
+        <translation>ihr Attribut %1 hat die falsche Anzahl von Zahlen</translation>
+    </message>
+    <message>
+        <source>its header has no WholeExtent</source>
+        <translation>in ihrem Kopf fehlt WholeExtent</translation>
+    </message>
+    <message>
+        <source>its compression %1 is not supported</source>
+        <translation>ihre Komprimierung %1 wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>save it with ZLib or uncompressed</source>
+        <translation>speichern Sie sie mit ZLib oder unkomprimiert</translation>
+    </message>
+    <message>
+        <source>its text is too short for the voxels that its header asks for</source>
+        <translation>ihr Text ist zu kurz für die Voxel, die ihr Kopf verlangt</translation>
+    </message>
+    <message>
+        <source>its array of values is missing</source>
+        <translation>ihr Wertefeld fehlt</translation>
+    </message>
+    <message>
+        <source>its array of values lies behind the end of the file</source>
+        <translation>ihr Wertefeld liegt hinter dem Ende der Datei</translation>
+    </message>
+    <message>
+        <source>it holds no array of values</source>
+        <translation>sie enthält kein Wertefeld</translation>
+    </message>
+    <message>
+        <source>export the volume with its scalars</source>
+        <translation>exportieren Sie das Volumen mit seinen Skalaren</translation>
+    </message>
+    <message>
+        <source>its appended data are missing</source>
+        <translation>ihre angehängten Daten fehlen</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its ending names no picture format; use .png, .tif, .jpg or .exr.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Endung nennt kein Bildformat; verwenden Sie .png, .tif, .jpg oder .exr.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the picture or its description is too large for JPEG; use .png.</source>
+        <translation>%1 kann nicht geschrieben werden: Das Bild oder seine Beschreibung ist zu groß für JPEG; verwenden Sie .png.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the picture has no pixels.</source>
+        <translation>%1 kann nicht geschrieben werden: Das Bild hat keine Pixel.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2; choose another folder, ending or size.</source>
+        <translation>%1 kann nicht geschrieben werden: %2; wählen Sie einen anderen Ordner, eine andere Endung oder Größe.</translation>
+    </message>
+    <message>
+        <source>above %1 to %2</source>
+        <translation>über %1 bis %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>any number</source>
+        <translation>eine beliebige Zahl</translation>
+    </message>
+    <message>
+        <source>%1: %2 must be a JSON object in braces.</source>
+        <translation>%1: %2 muss ein JSON-Objekt in geschweiften Klammern sein.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; %3.</source>
+        <translation>%1: „%2“ %3.</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>is %1; it must be %2</source>
+        <translation>ist %1; erlaubt ist %2</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must be a text in quotes</source>
+        <translation>muss ein Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>must be a list of three numbers</source>
+        <translation>muss eine Liste von drei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>must be a list of two numbers</source>
+        <translation>muss eine Liste von zwei Zahlen sein</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;; choose one of %2</source>
+        <translation>ist „%1“; wählen Sie eines von %2</translation>
+    </message>
+    <message>
+        <source>is not a key that Limn knows; check its spelling or remove it</source>
+        <translation>ist kein Schlüssel, den Limn kennt; prüfen Sie die Schreibung, oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>is missing, so this is not a Limn %1</source>
+        <translation>fehlt, also ist dies kein Dokument der Art „Limn %1“</translation>
+    </message>
+    <message>
+        <source>is %1; this Limn reads version 1, a newer one may read it</source>
+        <translation>ist %1; dieses Limn liest Version 1, ein neueres kann es vielleicht lesen</translation>
+    </message>
+    <message>
+        <source>it lies elsewhere than the volume</source>
+        <translation>sie liegt anderswo als das Volumen</translation>
+    </message>
+    <message>
+        <source>open the label map that belongs to this volume</source>
+        <translation>öffnen Sie die Labelkarte, die zu diesem Volumen gehört</translation>
+    </message>
+    <message>
+        <source>Pictures can be neither read nor written, because there is not enough memory for the part of Limn that does it; close other programs or allow Limn more memory.</source>
+        <translation>Bilder lassen sich weder lesen noch schreiben, weil der Speicher für den Teil von Limn nicht reicht, der es tut; schließen Sie andere Programme, oder geben Sie Limn mehr Speicher.</translation>
+    </message>
+    <message>
+        <source>Pictures can be neither read nor written, because a part of Limn cannot be loaded (%1); install Limn again.</source>
+        <translation>Bilder lassen sich weder lesen noch schreiben, weil ein Teil von Limn nicht geladen werden kann (%1); installieren Sie Limn neu.</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund angegeben</translation>
+    </message>
+    <message>
+        <source>its voxels need %1 GiB of memory and this computer has %2</source>
+        <translation>ihre Voxel brauchen %1 GiB Speicher, und dieser Rechner hat %2</translation>
+    </message>
+    <message>
+        <source>save a smaller volume</source>
+        <translation>speichern Sie ein kleineres Volumen</translation>
+    </message>
+    <message>
+        <source>its voxel spacing of %1 mm is damaged</source>
+        <translation>ihr Voxelabstand von %1 mm ist beschädigt</translation>
+    </message>
+    <message>
+        <source>give the true one with --spacing X,Y,Z</source>
+        <translation>geben Sie den wahren mit --spacing X,Y,Z an</translation>
+    </message>
+    <message>
+        <source>its header places it %1 mm away, which is damage</source>
+        <translation>ihr Kopf legt sie %1 mm weit weg, was ein Schaden ist</translation>
+    </message>
+    <message>
+        <source>its header has &quot;%1&quot; where a number is needed</source>
+        <translation>ihr Kopf enthält „%1“, wo eine Zahl gebraucht wird</translation>
+    </message>
+    <message>
+        <source>copy or export the file again</source>
+        <translation>kopieren oder exportieren Sie die Datei neu</translation>
+    </message>
+    <message>
+        <source>a list of ParaView&apos;s colour maps</source>
+        <translation>eine Liste von Farbskalen aus ParaView</translation>
+    </message>
+    <message>
+        <source>JSON of another program</source>
+        <translation>JSON eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>a preset of Limn, which shows a volume but names none</source>
+        <translation>ein Preset von Limn, das ein Volumen zeigt, aber keines nennt</translation>
+    </message>
+    <message>
+        <source>Limn&apos;s own settings</source>
+        <translation>die Einstellungen von Limn selbst</translation>
+    </message>
+    <message>
+        <source>markups of 3D Slicer</source>
+        <translation>Markierungen von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>a file of 3D Slicer (volume rendering properties)</source>
+        <translation>eine Datei von 3D Slicer (Einstellungen der Volumendarstellung)</translation>
+    </message>
+    <message>
+        <source>an empty JSON object</source>
+        <translation>ein leeres JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>JSON of another program (its first key is &quot;%1&quot;)</source>
+        <translation>JSON eines anderen Programms (sein erster Schlüssel ist „%1“)</translation>
+    </message>
+    <message>
+        <source>it is %1, not a scene or session that Limn saved</source>
+        <translation>sie ist %1, keine Szene oder Sitzung, die Limn gespeichert hat</translation>
+    </message>
+    <message>
+        <source>open the volume itself and choose a preset</source>
+        <translation>öffnen Sie das Volumen selbst, und wählen Sie ein Preset</translation>
+    </message>
+    <message>
+        <source>must be the number of a label</source>
+        <translation>muss die Nummer eines Labels sein</translation>
+    </message>
+    <message>
+        <source>The scene gives a weight to label %1, which %2 does not have; take the weight out or choose another label map.</source>
+        <translation>Die Szene gewichtet das Label %1, das %2 nicht hat; nehmen Sie das Gewicht heraus, oder wählen Sie eine andere Labelkarte.</translation>
+    </message>
+    <message>
+        <source>must be &quot;all&quot;, &quot;body&quot; or {&quot;labels&quot;: FILE, &quot;weights&quot;: {…}}</source>
+        <translation>muss „all“, „body“ oder {„labels“: DATEI, „weights“: {…}} sein</translation>
+    </message>
+    <message>
+        <source>is missing; name the file of the label map</source>
+        <translation>fehlt; nennen Sie die Datei der Labelkarte</translation>
+    </message>
+    <message>
+        <source>must name the smaller number first</source>
+        <translation>muss die kleinere Zahl zuerst nennen</translation>
+    </message>
+    <message>
+        <source>must be a list of control points</source>
+        <translation>muss eine Liste von Punkten sein</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>must be &quot;auto&quot;, &quot;max&quot;, {&quot;percentile&quot;: p} or a number in value/mm</source>
+        <translation>muss „auto“, „max“, {„percentile“: p} oder eine Zahl in Wert/mm sein</translation>
+    </message>
+    <message>
+        <source>must be &quot;headlight&quot; or a direction that is not zero</source>
+        <translation>muss „headlight“ oder eine Richtung ungleich null sein</translation>
+    </message>
+    <message>
+        <source>must be a list of {&quot;gradient&quot;, &quot;opacity&quot;}</source>
+        <translation>muss eine Liste von {„gradient“, „opacity“} sein</translation>
+    </message>
+    <message>
+        <source>must not be smaller than that of the point before</source>
+        <translation>darf nicht kleiner sein als beim Punkt davor</translation>
+    </message>
+    <message>
+        <source>must be smaller than &quot;crop.upper&quot; on every axis</source>
+        <translation>muss auf jeder Achse kleiner sein als „crop.upper“</translation>
+    </message>
+    <message>
+        <source>needs a tolerance_levels beside it</source>
+        <translation>braucht daneben ein tolerance_levels</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>is missing; name the file or folder of the volume</source>
+        <translation>fehlt; nennen Sie Datei oder Ordner des Volumens</translation>
+    </message>
+    <message>
+        <source>must be three letters, one of L and R, one of P and A, one of S and I</source>
+        <translation>muss aus drei Buchstaben bestehen: einem von L und R, einem von P und A, einem von S und I</translation>
+    </message>
+    <message>
+        <source>must ascend: background, object, brightest</source>
+        <translation>muss aufsteigen: background, object, brightest</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>settings file</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>must be a list of keys with texts</source>
+        <translation>muss eine Liste von Schlüsseln mit Texten sein</translation>
+    </message>
+    <message>
+        <source>it holds voxels without their size</source>
+        <translation>sie enthält Voxel ohne deren Größe</translation>
+    </message>
+    <message>
+        <source>open %1 instead</source>
+        <translation>öffnen Sie stattdessen %1</translation>
+    </message>
+    <message>
+        <source>it does not say the size and type of a volume in a way that Limn knows</source>
+        <translation>sie nennt Größe und Typ eines Volumens nicht so, dass Limn es versteht</translation>
+    </message>
+    <message>
+        <source>write a small MetaImage header (.mhd) that names the raw file beside it, and open that</source>
+        <translation>schreiben Sie einen kleinen MetaImage-Kopf (.mhd), der die Rohdatei daneben nennt, und öffnen Sie diesen</translation>
+    </message>
+    <message>
+        <source>it does not start as DICOM does: it is damaged or cut off</source>
+        <translation>sie beginnt nicht wie DICOM: Sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its content is of no known kind</source>
+        <translation>ihr Inhalt ist von keiner bekannten Art</translation>
+    </message>
+    <message>
+        <source>it is packed with gzip</source>
+        <translation>sie ist mit gzip gepackt</translation>
+    </message>
+    <message>
+        <source>unpack it and open the file inside</source>
+        <translation>entpacken Sie sie, und öffnen Sie die Datei darin</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM, TIFF, PNG or JPEG slices</source>
+        <translation>der Ordner enthält keine Schichten als DICOM, TIFF, PNG oder JPEG</translation>
+    </message>
+    <message>
+        <source>open the folder that holds the slices, or a volume file</source>
+        <translation>öffnen Sie den Ordner mit den Schichten oder eine Volumendatei</translation>
+    </message>
+    <message>
+        <source>Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z.</source>
+        <translation>Abstand unbekannt: Wo die Datei ihn nicht nennt, wird 1 mm angenommen; geben Sie ihn mit --spacing X,Y,Z an.</translation>
+    </message>
+    <message>
+        <source>it is no file but a device, pipe or socket</source>
+        <translation>sie ist keine Datei, sondern ein Gerät, eine Pipe oder ein Socket</translation>
+    </message>
+    <message>
+        <source>choose a file or folder</source>
+        <translation>wählen Sie eine Datei oder einen Ordner</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for it</source>
+        <translation>der Speicher reicht dafür nicht</translation>
+    </message>
+    <message>
+        <source>close other programs or save a smaller volume</source>
+        <translation>schließen Sie andere Programme, oder speichern Sie ein kleineres Volumen</translation>
+    </message>
+    <message>
+        <source>its header asks for more voxels than memory can hold</source>
+        <translation>ihr Kopf verlangt mehr Voxel, als der Speicher fasst</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>check the name</source>
+        <translation>prüfen Sie den Namen</translation>
+    </message>
+    <message>
+        <source>drawing a picture</source>
+        <translation>beim Zeichnen eines Bildes</translation>
+    </message>
+    <message>
+        <source>gradients in half floats</source>
+        <translation>Gradienten in halber Genauigkeit</translation>
+    </message>
+    <message>
+        <source>gradients in bytes</source>
+        <translation>Gradienten in Byte</translation>
+    </message>
+    <message>
+        <source>classified voxels</source>
+        <translation>klassifizierte Voxel</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>it holds %1 of the tissue</source>
+        <translation>er enthält %1 des Gewebes</translation>
+    </message>
+    <message>
+        <source>what hangs on it touches it by %1 of its surface</source>
+        <translation>was an ihm hängt, berührt ihn auf %1 seiner Oberfläche</translation>
+    </message>
+    <message>
+        <source>nothing lies beside it</source>
+        <translation>nichts liegt neben ihm</translation>
+    </message>
+    <message>
+        <source>it holds no tissue</source>
+        <translation>es enthält kein Gewebe</translation>
+    </message>
+    <message>
+        <source>It is no label map: its values are no whole numbers; open a segmentation, not the image that it was made of.</source>
+        <translation>Es ist keine Labelkarte: Ihre Werte sind keine ganzen Zahlen; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
+    </message>
+    <message>
+        <source>It is no label map: it has more than 65535 different values; open a segmentation, not the image that it was made of.</source>
+        <translation>Es ist keine Labelkarte: Sie hat mehr als 65535 verschiedene Werte; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
+    </message>
+    <message>
+        <source>The transfer function&apos;s unit distance must be a positive number of millimetres.</source>
+        <translation>Die Einheitsstrecke der Transferfunktion muss eine positive Zahl von Millimetern sein.</translation>
+    </message>
+    <message>
+        <source>A control point of the transfer function holds a number that is not finite.</source>
+        <translation>Ein Punkt der Transferfunktion enthält eine Zahl, die nicht endlich ist.</translation>
+    </message>
+    <message>
+        <source>A label map has 1 to 65536 labels; this one has %1.</source>
+        <translation>Eine Labelkarte hat 1 bis 65536 Labels; diese hat %1.</translation>
+    </message>
+    <message>
+        <source>A label map has one label for each voxel; this one has %1 for %2.</source>
+        <translation>Eine Labelkarte hat ein Label je Voxel; diese hat %1 für %2.</translation>
+    </message>
+    <message>
+        <source>A voxel&apos;s label is missing in the list of labels.</source>
+        <translation>Das Label eines Voxels fehlt in der Liste der Labels.</translation>
+    </message>
+    <message>
+        <source>Orientation unknown: the file does not say which side is left.</source>
+        <translation>Orientierung unbekannt: Die Datei sagt nicht, welche Seite links ist.</translation>
+    </message>
+    <message>
+        <source>The phantom cannot be made at this spacing; choose 0.2 to 20 mm.</source>
+        <translation>Das Phantom lässt sich mit diesem Abstand nicht erzeugen; wählen Sie 0,2 bis 20 mm.</translation>
+    </message>
+    <message>
+        <source>The volume holds no valid voxel: every value is NaN, infinite or declared padding; check that the right series was chosen.</source>
+        <translation>Das Volumen enthält kein gültiges Voxel: Jeder Wert ist NaN, unendlich oder als Füllwert erklärt; prüfen Sie, ob die richtige Serie gewählt wurde.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s values are not finite or beyond 1e300 after rescaling; its slope, its intercept or its voxels are damaged.</source>
+        <translation>Die Werte des Volumens sind nach der Skalierung nicht endlich oder über 1e300; Steigung, Achsenabschnitt oder Voxel sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The volume has no voxels along one axis.</source>
+        <translation>Das Volumen hat entlang einer Achse keine Voxel.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s voxel spacing is not a positive number; give it with --spacing X,Y,Z.</source>
+        <translation>Der Voxelabstand des Volumens ist keine positive Zahl; geben Sie ihn mit --spacing X,Y,Z an.</translation>
+    </message>
+    <message>
+        <source>The volume has %1 voxels where its dimensions ask for %2; the file is truncated or its header is wrong.</source>
+        <translation>Das Volumen hat %1 Voxel, wo seine Abmessungen %2 verlangen; die Datei ist abgeschnitten, oder ihr Kopf ist falsch.</translation>
+    </message>
+    <message>
+        <source>Slices cannot draw the projection &quot;%1&quot;, only composite and xray; use --engine gl or reference for it.</source>
+        <translation>Schnitte können die Projektion „%1“ nicht zeichnen, nur composite und xray; verwenden Sie dafür --engine gl oder reference.</translation>
+    </message>
+    <message>
+        <source>The step is so small that the volume would need more than %1 slices; it is drawn with that number.</source>
+        <translation>Die Schritte sind so klein, dass das Volumen mehr als %1 Schnitte brauchte; es wird mit dieser Zahl gezeichnet.</translation>
+    </message>
+    <message>
+        <source>drawing a picture of slices</source>
+        <translation>beim Zeichnen eines Bildes aus Schnitten</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1; %2.</source>
+        <translation>%1; %2.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -3667,6 +5446,249 @@
     <message>
         <source>change colour of point</source>
         <translation>Farbe des Punkts ändern</translation>
+    </message>
+</context>
+<context>
+    <name>limn::Preset</name>
+    <message>
+        <source>CT airways</source>
+        <translation>CT Atemwege</translation>
+    </message>
+    <message>
+        <source>Airways and bowel; air in the body: windpipe, bronchi, sinuses, bowel</source>
+        <translation>Atemwege und Darm; Luft im Körper: Trachea, Bronchien, Nebenhöhlen, Darm</translation>
+    </message>
+    <message>
+        <source>CT angiography</source>
+        <translation>CT-Angiografie</translation>
+    </message>
+    <message>
+        <source>Contrast in vessels, bone pale; 150 to 500 HU in red, bone partly transparent</source>
+        <translation>Kontrast in Gefäßen, Knochen blass; 150 bis 500 HU in Rot, Knochen teils durchsichtig</translation>
+    </message>
+    <message>
+        <source>CT aorta</source>
+        <translation>CT Aorta</translation>
+    </message>
+    <message>
+        <source>Aorta, kidneys, bone, stents; from 140 HU on: aneurysms</source>
+        <translation>Aorta, Nieren, Knochen, Stents; ab 140 HU: Aneurysmen</translation>
+    </message>
+    <message>
+        <source>CT bone</source>
+        <translation>CT Knochen</translation>
+    </message>
+    <message>
+        <source>Skull and spine alone, opaque; everything softer is left out</source>
+        <translation>Nur Schädel und Wirbelsäule, deckend; alles Weichere fehlt</translation>
+    </message>
+    <message>
+        <source>CT bone and veil</source>
+        <translation>CT Knochen, Schleier</translation>
+    </message>
+    <message>
+        <source>Bones in a thin veil of skin; muscle and fat nearly clear</source>
+        <translation>Knochen im Schleier der Haut; Muskel und Fett fast klar</translation>
+    </message>
+    <message>
+        <source>CT bone surface</source>
+        <translation>CT Knochenoberfläche</translation>
+    </message>
+    <message>
+        <source>The first surface of bone, opaque</source>
+        <translation>Die erste Knochenoberfläche, deckend</translation>
+    </message>
+    <message>
+        <source>CT chest</source>
+        <translation>CT Thorax</translation>
+    </message>
+    <message>
+        <source>Ribs and vessels in veils of lung; bones in front of and behind the lungs</source>
+        <translation>Rippen, Gefäße im Lungenschleier; Knochen vor und hinter der Lunge</translation>
+    </message>
+    <message>
+        <source>CT coronary arteries</source>
+        <translation>CT Koronarien</translation>
+    </message>
+    <message>
+        <source>Fine vessels of the heart; from 150 HU on, bright in front of it</source>
+        <translation>Feine Gefäße des Herzens; ab 150 HU, hell davor</translation>
+    </message>
+    <message>
+        <source>CT fat</source>
+        <translation>CT Fett</translation>
+    </message>
+    <message>
+        <source>Fat alone, in yellow; -140 to -40 HU</source>
+        <translation>Nur Fett, in Gelb; −140 bis −40 HU</translation>
+    </message>
+    <message>
+        <source>CT heart</source>
+        <translation>CT Herz</translation>
+    </message>
+    <message>
+        <source>Heart and great vessels; filled with contrast, muscle behind them</source>
+        <translation>Herz und große Gefäße; mit Kontrast gefüllt, dahinter Muskel</translation>
+    </message>
+    <message>
+        <source>CT liver vessels</source>
+        <translation>CT Lebergefäße</translation>
+    </message>
+    <message>
+        <source>Vessels of liver and kidneys; veins and arteries with contrast</source>
+        <translation>Gefäße von Leber und Nieren; Venen und Arterien mit Kontrast</translation>
+    </message>
+    <message>
+        <source>CT lung</source>
+        <translation>CT Lunge</translation>
+    </message>
+    <message>
+        <source>Airways, vessels of the lung; the body around it stays clear</source>
+        <translation>Atemwege, Lungengefäße; der Körper darum bleibt klar</translation>
+    </message>
+    <message>
+        <source>CT lung vessels</source>
+        <translation>CT Lungengefäße</translation>
+    </message>
+    <message>
+        <source>Vessels of the lung in red; air left out</source>
+        <translation>Lungengefäße in Rot; ohne Luft</translation>
+    </message>
+    <message>
+        <source>CT maximum (MIP)</source>
+        <translation>CT Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Densest value behind each pixel; in grey: contrast-filled vessels, stones, metal</source>
+        <translation>Dichtester Wert je Pixel; in Grau: kontrastierte Gefäße, Steine, Metall</translation>
+    </message>
+    <message>
+        <source>CT muscle</source>
+        <translation>CT Muskel</translation>
+    </message>
+    <message>
+        <source>Muscles under transparent skin; bone pale between them</source>
+        <translation>Muskeln unter klarer Haut; Knochen blass dazwischen</translation>
+    </message>
+    <message>
+        <source>CT skin</source>
+        <translation>CT Haut</translation>
+    </message>
+    <message>
+        <source>The skin as a closed surface; scars, swellings, what lies on it</source>
+        <translation>Haut als geschlossene Fläche; Narben, Schwellungen, Aufliegendes</translation>
+    </message>
+    <message>
+        <source>CT skin and bone</source>
+        <translation>CT Haut und Knochen</translation>
+    </message>
+    <message>
+        <source>Skin and muscle over the bones; a veil: compare classic and enhanced here</source>
+        <translation>Haut und Muskel über Knochen; ein Schleier: hier Klassisch und Verstärkt vergleichen</translation>
+    </message>
+    <message>
+        <source>CT soft tissue</source>
+        <translation>CT Weichteile</translation>
+    </message>
+    <message>
+        <source>Muscle and organs in colour; fat faint, bone pale behind them</source>
+        <translation>Muskeln, Organe in Farbe; Fett schwach, Knochen blass dahinter</translation>
+    </message>
+    <message>
+        <source>CT teeth and metal</source>
+        <translation>CT Zähne und Metall</translation>
+    </message>
+    <message>
+        <source>Enamel, implants and metal; bone as a shadow</source>
+        <translation>Schmelz, Implantate, Metall; Knochen als Schatten</translation>
+    </message>
+    <message>
+        <source>CT X-ray</source>
+        <translation>CT Röntgen</translation>
+    </message>
+    <message>
+        <source>How much each ray absorbs; like a radiograph</source>
+        <translation>Absorption jedes Strahls; wie ein Röntgenbild</translation>
+    </message>
+    <message>
+        <source>MR brain</source>
+        <translation>MR Gehirn</translation>
+    </message>
+    <message>
+        <source>Brains without skull; what is brighter than the scalp&apos;s edge, fitted to each series</source>
+        <translation>Gehirne ohne Schädel; was heller ist als der Rand der Kopfhaut, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR glass</source>
+        <translation>MR Glas</translation>
+    </message>
+    <message>
+        <source>Tissues as tinted glass; stretched to the brightness of each series</source>
+        <translation>Gewebe als farbiges Glas; an die Helligkeit jeder Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR head</source>
+        <translation>MR Kopf</translation>
+    </message>
+    <message>
+        <source>The head with its skin; fitted to the brightness of each series</source>
+        <translation>Der Kopf mit seiner Haut; an die Helligkeit jeder Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR maximum (MIP)</source>
+        <translation>MR Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Brightest value behind each pixel; in grey, fitted to each series</source>
+        <translation>Hellster Wert je Pixel; in Grau, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR PD head</source>
+        <translation>MR PD Kopf</translation>
+    </message>
+    <message>
+        <source>The head in proton density; with its skin, fitted to each series</source>
+        <translation>Der Kopf in Protonendichte; mit Haut, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>MR T2 head</source>
+        <translation>MR T2 Kopf</translation>
+    </message>
+    <message>
+        <source>The head in T2, fluid brightest; with its skin, fitted to each series</source>
+        <translation>Kopf in T2, Flüssigkeit hell; mit Haut, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>PET hot spots</source>
+        <translation>PET-Anreicherungen</translation>
+    </message>
+    <message>
+        <source>Uptake on a faint body; from dark red to white, fitted to each series</source>
+        <translation>Anreicherung, Körper schwach; von Dunkelrot bis Weiß, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>Closed surface</source>
+        <translation>Geschlossene Oberfläche</translation>
+    </message>
+    <message>
+        <source>One closed surface; everything brighter than the background, fitted to each series</source>
+        <translation>Eine geschlossene Fläche; alles, was heller als der Hintergrund ist, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>Ultrasound surface</source>
+        <translation>Ultraschall-Oberfläche</translation>
+    </message>
+    <message>
+        <source>Skin of an unborn child; and other boundaries in fluid, fitted to each series</source>
+        <translation>Haut eines Ungeborenen; und andere Grenzflächen in Flüssigkeit, an jede Serie angepasst</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Bright vessels in any scale; MR angiography, subtracted CT, fitted to each series</source>
+        <translation>Helle Gefäße jeder Skala; MR-Angiografie, Subtraktions-CT, an jede Serie angepasst</translation>
     </message>
 </context>
 <context>
@@ -4307,6 +6329,38 @@
     <message>
         <source>Open a volume to see its histogram</source>
         <translation>Öffnen Sie ein Volumen, um sein Histogramm zu sehen</translation>
+    </message>
+    <message>
+        <source>Delete %1 points</source>
+        <translation>%1 Punkte löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Colour and numbers…</source>
+        <translation>Farbe und Zahlen…</translation>
+    </message>
+    <message>
+        <source>Numbers…</source>
+        <translation>Zahlen…</translation>
+    </message>
+    <message>
+        <source>Add point here</source>
+        <translation>Punkt hier hinzufügen</translation>
+    </message>
+    <message>
+        <source>Select all points</source>
+        <translation>Alle Punkte wählen</translation>
+    </message>
+    <message>
+        <source>Show all values</source>
+        <translation>Alle Werte zeigen</translation>
+    </message>
+    <message>
+        <source>Remove the pin</source>
+        <translation>Anheftung entfernen</translation>
     </message>
 </context>
 <context>

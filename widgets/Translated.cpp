@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/Translated.h"
 
+#include "scene/basics/Error.h"
+#include "widgets/ValueText.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace limn {
+namespace {
+
+// In functions that return a type of another namespace lupdate takes our class by its bare name.
+QString patternInLanguage(const std::string& english) {
+  const QString translation = QCoreApplication::translate("limn::Message", english.c_str());
+  return translation != QString::fromStdString(english)
+             ? translation
+             : QCoreApplication::translate("Message", english.c_str());
+}
+
+} // namespace
 
 QString translated(const Message& message) {
   if (message.kind() == Message::Kind::verbatim)
     return QString::fromStdString(message.text());
-  if (message.kind() == Message::Kind::number) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(message.number(), 'f', message.decimals());
-  }
-  const QString pattern = QCoreApplication::translate("limn::Message", message.text().c_str());
+  if (message.kind() == Message::Kind::fixed)
+    return fixedNumber(message.number(), message.digits());
+  if (message.kind() == Message::Kind::rounded)
+    return digitsNumber(message.number(), message.digits());
+  const QString pattern = patternInLanguage(message.text());
   QString filled;
   // In one go: what stands in a place may hold a percent sign of its own.
   for (qsizetype i = 0; i < pattern.size(); ++i) {
@@ -28,6 +40,11 @@ QString translated(const Message& message) {
     ++i;
   }
   return filled;
+}
+
+QString translated(const std::exception& failure) {
+  const auto* error = dynamic_cast<const Error*>(&failure);
+  return error ? translated(error->sentence()) : QString::fromLocal8Bit(failure.what());
 }
 
 } // namespace limn

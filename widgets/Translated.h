@@ -5,10 +5,15 @@
 
 #include <QString>
 
+#include <exception>
+
 namespace limn {
 
 /// A message in the language of the window, its numbers in the user's locale. Where the language lacks the
 /// pattern, it stands in English.
 QString translated(const Message& message);
+
+/// What went wrong in that language, where it is an Error; otherwise what the library says that failed.
+QString translated(const std::exception& failure);
 
 } // namespace limn

@@ -56,8 +56,8 @@ void printText(const VolumeFacts& facts) {
   for (const SeriesSummary& series : facts.series)
     std::printf("series %-4d %s %d x %d x %d %s\n", series.number, series.modality.c_str(), series.dims.x,
                 series.dims.y, series.dims.z, series.description.c_str());
-  for (const std::string& warning : volume.info().warnings)
-    std::printf("warning     %s\n", warning.c_str());
+  for (const Message& warning : volume.info().warnings)
+    std::printf("warning     %s\n", warning.english().c_str());
 }
 
 void printDriver(const DriverFacts& driver) {
@@ -110,7 +110,8 @@ void printSystemInfo() {
     engines.problem = "There is no OpenGL.";
   }
   const EngineChoice choice = chosenEngine(engines);
-  std::printf("draws       %s: %s\n", choice.isProcessor ? "processor" : "OpenGL", choice.reason.c_str());
+  std::printf("draws       %s: %s\n", choice.isProcessor ? "processor" : "OpenGL",
+              choice.reason.english().c_str());
 }
 
 void runInfo(const InfoArguments& arguments) {

@@ -20,8 +20,8 @@ void listPresets() {
   for (const Preset& preset : own.presets)
     std::printf("%-18s %-4s own       %s\n", preset.name.c_str(), preset.modality.c_str(),
                 preset.note.c_str());
-  for (const std::string& problem : own.problems)
-    note(problem);
+  for (const Message& problem : own.problems)
+    note(problem.english());
 }
 
 void showPreset(const std::string& name) {

@@ -117,12 +117,12 @@ void runRender(const RenderArguments& arguments) {
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
     note("Shown with the preset \"" + loaded.preset + "\".");
-  for (const std::string& remark : loaded.notes)
-    note(remark);
-  for (const std::string& warning : scene.volume->info().warnings)
-    note(warning);
-  for (const std::string& remark : picture.notes)
-    note(remark);
+  for (const Message& remark : loaded.notes)
+    note(remark.english());
+  for (const Message& warning : scene.volume->info().warnings)
+    note(warning.english());
+  for (const Message& remark : picture.notes)
+    note(remark.english());
   char line[160];
   std::snprintf(line, sizeof line, "%d x %d pixels in %.0f ms (set-up included) on %s", picture.image.size.x,
                 picture.image.size.y, ms.count(), picture.engine.c_str());

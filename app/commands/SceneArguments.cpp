@@ -39,7 +39,7 @@ Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
     return scene.keep;
   const FoundRegion found = bodyOf(*scene.volume);
   if (!found.remark.empty() && !isQuiet)
-    note(found.remark);
+    note(found.remark.english());
   return found.region;
 }
 

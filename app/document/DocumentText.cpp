@@ -3,6 +3,7 @@
 
 #include "app/PrivateNames.h"
 #include "app/document/OpenDocument.h"
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 
 #include <QFileInfo>
@@ -76,12 +77,12 @@ QString volumeText(const Volume& volume) {
       .arg(QString::fromStdString(volume.info().unit));
 }
 
-QStringList remarksOn(const Volume& volume, const std::vector<std::string>& notes) {
+QStringList remarksOn(const Volume& volume, const std::vector<Message>& notes) {
   QStringList remarks;
-  for (const std::string& note : notes)
-    remarks << QString::fromStdString(note);
-  for (const std::string& warning : volume.info().warnings)
-    remarks << QString::fromStdString(warning);
+  for (const Message& note : notes)
+    remarks << translated(note);
+  for (const Message& warning : volume.info().warnings)
+    remarks << translated(warning);
   if (volume.invalidVoxels() > 0)
     remarks << QObject::tr("%L1 voxels hold no data and are shown as the smallest value.")
                    .arg(volume.invalidVoxels());

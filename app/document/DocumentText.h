@@ -23,6 +23,6 @@ QString suggestedName(const OpenDocument& document);
 QString volumeText(const Volume& volume);
 
 /// What was noteworthy in reading a volume, a sentence each.
-QStringList remarksOn(const Volume& volume, const std::vector<std::string>& notes);
+QStringList remarksOn(const Volume& volume, const std::vector<Message>& notes);
 
 } // namespace limn

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace limn {
 namespace {
@@ -18,13 +17,11 @@ bool isSoftware(const std::string& renderer) {
                              [&](const char* name) { return renderer.find(name) != std::string::npos; });
 }
 
-std::string trialSentence(const EngineTimes& times) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "In a trial on this computer a small picture took %.1f ms with OpenGL and %.1f ms with the "
-                "processor.",
-                times.openGlMs, times.processorMs);
-  return text;
+Message trialSentence(const EngineTimes& times) {
+  return Message::
+      tr("In a trial on this computer a small picture took %1 ms with OpenGL and %2 ms with the processor.")
+          .arg(Message::fixed(times.openGlMs, 1))
+          .arg(Message::fixed(times.processorMs, 1));
 }
 
 } // namespace
@@ -37,14 +34,15 @@ EngineChoice chosenEngine(const EngineFacts& facts) {
   if (!facts.problem.empty())
     return {true, false, facts.problem};
   if (facts.setting != EngineSetting::automatic)
-    return {facts.setting == EngineSetting::processor, false, "Chosen in View ▸ Engine."};
+    return {facts.setting == EngineSetting::processor, false, Message::tr("Chosen in View ▸ Engine.")};
   if (facts.times)
     return {facts.times->processorMs < facts.times->openGlMs, false, trialSentence(*facts.times)};
   if (isSoftware(facts.renderer))
     return {true, true,
-            "The graphics driver has no card and draws on the processor itself, where the CPU engine is "
-            "likely to be faster."};
-  return {false, true, "A graphics card is likely to be faster than the processor."};
+            Message::tr(
+                "The graphics driver has no card and draws on the processor itself, where the CPU engine is "
+                "likely to be faster.")};
+  return {false, true, Message::tr("A graphics card is likely to be faster than the processor.")};
 }
 
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Message.h"
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,7 +32,7 @@ std::string machineWith(const std::string& renderer);
 /// What there is to choose from.
 struct EngineFacts {
   EngineSetting setting = EngineSetting::automatic;
-  std::string problem;              ///< why there is no OpenGL, a sentence; empty where there is
+  Message problem;                  ///< why there is no OpenGL, a sentence; empty where there is
   std::string renderer;             ///< the driver's name of what draws
   std::optional<EngineTimes> times; ///< of a trial, if there was one
 };
@@ -38,7 +40,7 @@ struct EngineFacts {
 struct EngineChoice {
   bool isProcessor = false;
   bool isGuess = false; ///< a trial may decide otherwise
-  std::string reason;   ///< one sentence
+  Message reason;       ///< one sentence
 };
 
 /// The engine that draws: the one asked for where there is OpenGL, the faster where none is asked for, and

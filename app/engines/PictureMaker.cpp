@@ -30,7 +30,7 @@ MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawSce
     return {draw(scene, size), scene, by.engine, by.name, {}, false};
   const WithinTolerance found = withinTolerance(scene, size, draw, control);
   MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}, false};
-  picture.notes.push_back("The picture is " + describe(found) + ".");
+  picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
   if (!found.holds)
     picture.notes.push_back(found.sentence);
   return picture;
@@ -205,18 +205,18 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Pi
     return makeWithCpu(sitting, order);
   if (order.engine != PictureEngine::automatic)
     return makeWithGl(sitting, order, {order.textureMb, true});
-  std::string problem;
+  Message problem;
   try {
     if (!processorIsFaster(scenes.front(), order.memory))
       return makeWithGl(sitting, order, {order.textureMb, false});
   } catch (const Error& error) {
     if (error.kind() != Error::Kind::openGl || taken > 0)
       throw;
-    problem = error.what();
+    problem = error.sentence();
   }
   const TakePicture excused = [&](std::size_t index, MadePicture picture) {
     if (!problem.empty() && index == 0)
-      picture.notes.push_back(problem + " The CPU engine drew the picture instead.");
+      picture.notes.push_back(Message::tr("%1 The CPU engine drew the picture instead.").arg(problem));
     take(index, std::move(picture));
   };
   makeWithCpu({scenes, size, excused}, order);

@@ -21,10 +21,10 @@ enum class PictureEngine { automatic, gl, slices, slicesBackToFront, cpu, refere
 /// A picture and what was noteworthy about making it.
 struct MadePicture {
   Image image;
-  Scene scene;                    ///< with which it was drawn
-  PictureEngine drawnBy;          ///< never `automatic`
-  std::string engine;             ///< renderer string, or "reference (double precision)"
-  std::vector<std::string> notes; ///< one sentence each
+  Scene scene;                ///< with which it was drawn
+  PictureEngine drawnBy;      ///< never `automatic`
+  std::string engine;         ///< renderer string, or "reference (double precision)"
+  std::vector<Message> notes; ///< one sentence each
   /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
   /// (accuracy/ErrorEstimate).
   bool canBeEstimated = false;

@@ -110,8 +110,9 @@ FigureFormat figureFormatOf(const fs::path& path) {
     return FigureFormat::exr;
   if (ending == QLatin1String(".pdf"))
     return FigureFormat::pdf;
-  throw Error(Error::Kind::usage,
-              "Cannot write " + path.string() + ": a figure needs the ending .png, .tif, .exr or .pdf.");
+  throw Error(
+      Error::Kind::usage,
+      Message::tr("Cannot write %1: a figure needs the ending .png, .tif, .exr or .pdf.").arg(path.string()));
 }
 
 QImage imageOf(const MadeFigure& made) {

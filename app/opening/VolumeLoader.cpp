@@ -86,13 +86,13 @@ void VolumeLoader::run(const std::shared_ptr<Job>& job, const QString& source, c
   } catch (const Cancelled&) {
     // Whoever cancelled has already said so.
   } catch (const VolumeMissing& error) {
-    fail(QString::fromStdString(error.what()), QString::fromStdString(error.expected().string()));
+    fail(translated(error), QString::fromStdString(error.expected().string()));
   } catch (const Error& error) {
-    fail(QString::fromStdString(error.what()));
+    fail(translated(error));
   } catch (const std::bad_alloc&) {
     fail(tr("There is not enough memory for this volume; close other programs or choose a smaller one."));
   } catch (const std::exception& error) {
-    fail(tr("Reading failed unexpectedly: %1.").arg(QString::fromLocal8Bit(error.what())));
+    fail(tr("Reading failed unexpectedly: %1.").arg(translated(error)));
   }
 }
 

@@ -8,8 +8,10 @@
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/presets/PresetWords.h"
 
 #include <QInputDialog>
 
@@ -34,7 +36,7 @@ void PresetDesk::refresh() {
   showStanding();
   m_with.browser.setPresets(m_builtIn, m_own);
   if (!own.problems.empty())
-    m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(own.problems.front()));
+    m_with.messages.show(MessageBar::Kind::error, translated(own.problems.front()));
   emit listed();
 }
 
@@ -99,7 +101,7 @@ void PresetDesk::use(const QString& name) {
     return;
   if (!m_said.isEmpty() && m_with.messages.sentence() == m_said)
     m_with.messages.hide(); // it was about another preset
-  show(*preset, tr("use preset %1").arg(name));
+  show(*preset, tr("use preset %1").arg(presetWords(name)));
   if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
     offerToFit(*preset);
 }
@@ -129,18 +131,18 @@ void PresetDesk::offerToFit(const Preset& preset) {
       return;
     const Landmarks to = landmarksOf(m_with.document.histogram());
     show(fittedTo(withLandmarks(preset), m_with.document.histogram(), volume->grid()),
-         tr("fit preset %1").arg(name));
+         tr("fit preset %1").arg(presetWords(name)));
     const auto number = [](double value) { return digitsNumber(value, 4); };
     say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
            "HU), tissue begins at "
            "%4 (%5 HU), the brightest is %6 (%7 HU).")
-            .arg(name, number(to.background), number(hounsfieldLandmarks.background), number(to.object),
-                 number(hounsfieldLandmarks.object), number(to.brightest),
+            .arg(presetWords(name), number(to.background), number(hounsfieldLandmarks.background),
+                 number(to.object), number(hounsfieldLandmarks.object), number(to.brightest),
                  number(hounsfieldLandmarks.brightest)));
   };
   say(tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
          "nothing, or the wrong tissue.")
-          .arg(name),
+          .arg(presetWords(name)),
       {tr("Fit to this volume"), fit});
 }
 
@@ -216,7 +218,7 @@ void PresetDesk::remove(const QString& name) {
       m_with.settings.setFavourite(name.toStdString(), false);
     refresh();
   } catch (const Error& error) {
-    m_with.messages.show(MessageBar::Kind::error, QString::fromStdString(error.what()));
+    m_with.messages.show(MessageBar::Kind::error, translated(error.sentence()));
   }
 }
 

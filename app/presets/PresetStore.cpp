@@ -63,12 +63,15 @@ PresetStore::Contents PresetStore::read() const {
     try {
       Preset preset = presetIn(file);
       if (!taken.insert(preset.name).second)
-        throw Error(Error::Kind::input, "The preset file " + file.filename().string() +
-                                            " is left out: another preset is called \"" + preset.name +
-                                            "\"; give it a name of its own.");
+        throw Error(
+            Error::Kind::input,
+            Message::tr("The preset file %1 is left out: another preset is called \"%2\"; give it a name "
+                        "of its own.")
+                .arg(file.filename().string())
+                .arg(preset.name));
       contents.presets.push_back(std::move(preset));
     } catch (const Error& error) {
-      contents.problems.emplace_back(error.what());
+      contents.problems.push_back(error.sentence());
     }
   std::ranges::sort(contents.presets, [](const Preset& a, const Preset& b) { return a.name < b.name; });
   return contents;
@@ -96,8 +99,9 @@ std::optional<Preset> PresetStore::find(const std::string& name) const {
 void PresetStore::save(const Preset& preset) const {
   const std::filesystem::path file = fileOf(preset.name);
   if (file.filename().string().size() > longestFileName)
-    throw Error(Error::Kind::usage,
-                "Cannot save the preset: its name is too long for a file; choose a shorter one.");
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Cannot save the preset: its name is too long for a file; choose a shorter one."));
   makeFolder(m_folder);
   const std::filesystem::path before = fileHolding(preset.name);
   writeFileAtomically(file, presetToJson(preset), FilePlace::fixed);
@@ -112,7 +116,8 @@ void PresetStore::remove(const std::string& name) const {
   if (!file.empty())
     std::filesystem::remove(file, failed);
   if (failed)
-    throw Error(Error::Kind::other, "Cannot delete the preset \"" + name + "\": " + failed.message() + ".");
+    throw Error(Error::Kind::other,
+                Message::tr("Cannot delete the preset \"%1\": %2.").arg(name).arg(failed.message()));
 }
 
 std::vector<Preset> allPresets(const PresetStore& store) {
@@ -131,7 +136,8 @@ Preset presetNamed(const std::vector<Preset>& presets, const std::string& name) 
   std::string known;
   for (const Preset& preset : presets)
     known += (known.empty() ? "" : ", ") + preset.name;
-  throw Error(Error::Kind::usage, "There is no preset \"" + name + "\"; there are: " + known + ".");
+  throw Error(Error::Kind::usage,
+              Message::tr("There is no preset \"%1\"; there are: %2.").arg(name).arg(known));
 }
 
 } // namespace limn

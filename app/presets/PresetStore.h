@@ -24,7 +24,7 @@ public:
   /// What could be read, by name, and one sentence for each file that could not, or repeats a name.
   struct Contents {
     std::vector<Preset> presets;
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
   };
   Contents read() const;
 

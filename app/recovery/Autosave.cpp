@@ -2,6 +2,7 @@
 #include "app/recovery/Autosave.h"
 
 #include "io/AtomicFile.h"
+#include "widgets/Translated.h"
 
 #include <mutex>
 
@@ -49,7 +50,7 @@ struct Autosave::Shared {
       report(std::nullopt);
     } catch (const std::exception& error) {
       hasFailed = true;
-      report(QString::fromStdString(error.what()));
+      report(translated(error));
     }
     return !hasFailed;
   }

@@ -4,6 +4,7 @@
 #include "app/document/OpenDocument.h"
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -44,7 +45,7 @@ void SessionSafety::begin(const std::filesystem::path& folder) {
     connect(&m_keeper->autosave(), &Autosave::failed, this, &SessionSafety::sayUnsafe);
     connect(&m_keeper->autosave(), &Autosave::recovered, &m_places.unsafe, &QWidget::hide);
   } catch (const Error& error) {
-    m_notKept = QString::fromStdString(error.what());
+    m_notKept = translated(error.sentence());
     sayUnsafe(m_notKept);
     return;
   }
@@ -73,7 +74,7 @@ bool SessionSafety::mayLeave() {
     tellUnfinished();
     return true;
   } catch (const Error& error) {
-    return askBeforeLosing(QString::fromStdString(error.what()));
+    return askBeforeLosing(translated(error.sentence()));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/window/MessageBar.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <QFileInfo>
 #include <QStatusBar>
@@ -13,7 +14,7 @@ bool SaveNotes::attempt(const std::function<void()>& write, const QString& path)
   try {
     write();
   } catch (const Error& error) {
-    sayFailure(QString::fromStdString(error.what()));
+    sayFailure(translated(error.sentence()));
     return false;
   }
   if (!path.isEmpty())

@@ -6,6 +6,7 @@
 #include "app/suggestions/SuggestionText.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/Translated.h"
 
 #include <QAction>
 #include <QMetaObject>
@@ -107,7 +108,7 @@ void SuggestionDesk::search(const Looked& at, const std::stop_token& stop) {
   } catch (const Cancelled&) {
     return;
   } catch (const std::exception& error) {
-    problem = tr("Boundaries cannot be looked for: %1.").arg(QString::fromLocal8Bit(error.what()));
+    problem = tr("Boundaries cannot be looked for: %1.").arg(translated(error));
   }
   QMetaObject::invokeMethod(
       this, [this, at, suggestions, problem] { receive(at, suggestions, problem); }, Qt::QueuedConnection);

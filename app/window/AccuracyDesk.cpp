@@ -11,6 +11,7 @@
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 #include "widgets/accuracy/map/ErrorMapOverlay.h"
@@ -33,7 +34,7 @@ QByteArray pngOf(const QImage& picture) {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, "PNG"))
-    throw Error(Error::Kind::other, "The chart cannot be written as PNG; is there memory left?");
+    throw Error(Error::Kind::other, Message::tr("The chart cannot be written as PNG; is there memory left?"));
   return bytes;
 }
 
@@ -126,7 +127,7 @@ void AccuracyDesk::useSteps(const WithinTolerance& found) {
   setWork(AccuracyWork::none);
   m_with.session.setQuality(found.scene.quality, m_toleranceGesture);
   if (!found.holds)
-    m_with.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.sentence));
+    m_with.messages.show(MessageBar::Kind::warning, translated(found.sentence));
 }
 
 // The map is of the picture as it stands on screen, refined or not.

@@ -178,7 +178,7 @@ void AccuracyMeasurer::start(Task task) {
           task(job);
         } catch (const Cancelled&) { // nobody waits for it
         } catch (const std::exception& error) {
-          fail(sorry.arg(QString::fromUtf8(error.what())));
+          fail(sorry.arg(translated(error)));
         }
       },
       std::move(m_thread));

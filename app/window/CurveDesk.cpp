@@ -3,6 +3,7 @@
 
 #include "scene/basics/Error.h"
 #include "scene/light/GradientHistogram.h"
+#include "widgets/Translated.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/TransferFunctionEditor.h"
@@ -68,7 +69,7 @@ void CurveDesk::countGradients(const std::shared_ptr<const Volume>& volume, cons
   } catch (const Cancelled&) {
     return;
   } catch (const std::exception& error) {
-    problem = tr("The volume's gradients cannot be counted: %1.").arg(QString::fromLocal8Bit(error.what()));
+    problem = tr("The volume's gradients cannot be counted: %1.").arg(translated(error));
   }
   QMetaObject::invokeMethod(
       this,

@@ -4,6 +4,7 @@
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 
 #include <QActionGroup>
@@ -60,7 +61,7 @@ void EngineDesk::choose(EngineSetting setting) {
 
 void EngineDesk::apply() {
   const EngineChoice choice = chosenEngine(facts());
-  m_parts.view.setEngine(engineOf(choice), QString::fromStdString(choice.reason));
+  m_parts.view.setEngine(engineOf(choice), translated(choice.reason));
   showInMenu();
 }
 

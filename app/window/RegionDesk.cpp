@@ -107,9 +107,9 @@ void RegionDesk::run(const std::shared_ptr<Job>& job, const std::shared_ptr<cons
   } catch (const Cancelled&) {
     // Whoever cancelled has already said so.
   } catch (const Error& error) {
-    fail(QString::fromStdString(error.what()));
+    fail(translated(error));
   } catch (const std::exception& error) {
-    fail(tr("What is kept could not be found: %1.").arg(QString::fromLocal8Bit(error.what())));
+    fail(tr("What is kept could not be found: %1.").arg(translated(error)));
   }
 }
 
@@ -127,10 +127,10 @@ void RegionDesk::deliver(const std::shared_ptr<Job>& job, std::function<void()> 
 void RegionDesk::keep(const FoundRegion& found, const QString& gesture) {
   m_parts.session.setKeep(found.region, {nextGestureId(), gesture});
   if (!found.remark.empty() && isRestricting(found.region))
-    m_parts.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.remark), {},
+    m_parts.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
                           {tr("Show everything"), [this] { showEverything(); }});
   else if (!found.remark.empty())
-    m_parts.messages.show(MessageBar::Kind::warning, QString::fromStdString(found.remark));
+    m_parts.messages.show(MessageBar::Kind::warning, translated(found.remark));
   showScene(m_parts.session.scene());
 }
 

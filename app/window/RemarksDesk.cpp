@@ -13,7 +13,7 @@ RemarksDesk::RemarksDesk(const Parts& parts, QObject* parent) : QObject(parent),
   connect(&m_parts.session, &Session::sceneChanged, this, &RemarksDesk::followScene);
 }
 
-void RemarksDesk::show(const std::vector<std::string>& notes) {
+void RemarksDesk::show(const std::vector<Message>& notes) {
   m_notes = notes;
   m_volume = m_parts.session.scene().volume;
   say();

@@ -34,14 +34,14 @@ public:
   RemarksDesk(const Parts& parts, QObject* parent);
 
   /// What to say of the volume that is open now; `notes` come from opening it.
-  void show(const std::vector<std::string>& notes);
+  void show(const std::vector<Message>& notes);
 
 private:
   void say();
   void followScene(const Scene& scene);
 
   Parts m_parts;
-  std::vector<std::string> m_notes;
+  std::vector<Message> m_notes;
   std::shared_ptr<const Volume> m_volume; ///< of which something is said
   QString m_said;                         ///< what the bar shows of it
 };

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace limn {
@@ -233,31 +232,33 @@ bool resolvesFunction(const Scene& scene) {
   return blockSteps(blockFacts(*scene.volume), scene.transferFunction, smallest).resolvesFunction;
 }
 
-std::string levelsText(double levels) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.2g %s", levels, levels == 1.0 ? "level" : "levels");
-  return text;
+Message levelsText(double levels) {
+  return (levels == 1.0 ? Message::tr("%1 level") : Message::tr("%1 levels"))
+      .arg(Message::rounded(levels, 2));
 }
 
-std::string whyNot(double tolerance, double error, bool resolves) {
-  const std::string cannot = "The tolerance of " + levelsText(tolerance) + " cannot be kept: ";
+Message whyNot(double tolerance, double error, bool resolves) {
   if (!resolves)
-    return cannot + "a peak or valley of the transfer function is so narrow that even the finest step may "
-                    "miss it; make it wider.";
-  return cannot + "the finest step comes within about " + levelsText(error) +
-         "; make the steps of the transfer function less steep, or allow that many levels.";
+    return Message::tr(
+               "The tolerance of %1 cannot be kept: a peak or valley of the transfer function is so narrow "
+               "that even the finest step may miss it; make it wider.")
+        .arg(levelsText(tolerance));
+  return Message::
+      tr("The tolerance of %1 cannot be kept: the finest step comes within about %2; make the steps of the "
+         "transfer function less steep, or allow that many levels.")
+          .arg(levelsText(tolerance))
+          .arg(levelsText(error));
 }
 
 } // namespace
 
-std::string describe(const WithinTolerance& found) {
+Message describe(const WithinTolerance& found) {
   const Quality& quality = found.scene.quality;
-  char steps[64];
-  if (quality.fineness)
-    std::snprintf(steps, sizeof steps, "error-controlled steps of fineness %.3g", *quality.fineness);
-  else
-    std::snprintf(steps, sizeof steps, "equal steps of %.3g voxels", quality.stepVoxels);
-  return "estimated within " + levelsText(found.estimateLevels) + ", with " + steps;
+  const Message steps =
+      quality.fineness
+          ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
+          : Message::tr("equal steps of %1 voxels").arg(Message::rounded(quality.stepVoxels, 3));
+  return Message::tr("estimated within %1, with %2").arg(levelsText(found.estimateLevels)).arg(steps);
 }
 
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,

@@ -3,6 +3,7 @@
 
 #include "scene/Scene.h"
 #include "scene/basics/Image.h"
+#include "scene/basics/Message.h"
 
 #include <functional>
 #include <string>
@@ -26,7 +27,7 @@ struct WithinTolerance {
   double estimateLevels = 0.0; ///< of its 99.9th percentile (DEFINITION section 9)
   double meanLevels = 0.0;     ///< of its mean, without what early ends cost
   bool holds = false;
-  std::string sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
+  Message sentence; ///< where it does not hold: what was reached, and what to do; empty otherwise
 };
 
 /// Finds the coarsest steps that keep `scene.quality.toleranceLevels`, which must be set, for a picture of
@@ -42,6 +43,6 @@ inline bool needsSteps(const Scene& scene) {
 }
 
 /// What was found, in words: "estimated within 0.8 levels, with error-controlled steps of fineness 5".
-std::string describe(const WithinTolerance& found);
+Message describe(const WithinTolerance& found);
 
 } // namespace limn

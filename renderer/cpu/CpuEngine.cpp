@@ -37,7 +37,7 @@ public:
   int compiledPrograms() const override { return 0; }
   double memoryMb() const override { return m_renderer.memoryMb(); }
   std::string name() const override { return m_renderer.name(); }
-  std::string limitation() const override { return m_renderer.limitation(); }
+  Message limitation() const override { return m_renderer.limitation(); }
 
 private:
   CpuRenderer m_renderer;

@@ -41,7 +41,7 @@ public:
   double memoryMb() const { return m_data.memoryMb(); }
 
   /// One sentence where rays get fewer samples than asked for, otherwise empty.
-  const std::string& limitation() const { return m_limitation; }
+  const Message& limitation() const { return m_limitation; }
 
   /// Who draws: "CPU engine (AVX2, 2 threads)".
   std::string name() const;
@@ -53,7 +53,7 @@ private:
 
   int m_threads;
   cpu::SceneData m_data;
-  std::string m_limitation;
+  Message m_limitation;
 };
 
 } // namespace limn

@@ -100,10 +100,9 @@ void requireRoom(const Volume& volume) {
   const std::size_t each = canStayAsStored<T>(volume) ? sizeof(T) : sizeof(float);
   const glm::ivec3 dims = volume.grid().dims;
   if (static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) > mostSliceBytes / each)
-    throw Error(
-        Error::Kind::input,
-        "A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it "
-        "or a reduced copy.");
+    throw Error(Error::Kind::input,
+                Message::tr("A slice of the volume takes more than 4 GiB, which the CPU engine does not "
+                            "draw; draw a part of it or a reduced copy."));
 }
 
 } // namespace

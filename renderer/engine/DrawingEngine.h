@@ -95,7 +95,7 @@ public:
 
   /// A sentence each where less than the whole volume, or fewer samples than asked for, are drawn of the
   /// scene asked about last; empty otherwise.
-  virtual std::string limitation() const = 0;
+  virtual Message limitation() const = 0;
 };
 
 } // namespace limn

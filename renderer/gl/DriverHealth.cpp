@@ -39,24 +39,26 @@ bool contextIsLost() {
   return resetStatus() != GL_NO_ERROR;
 }
 
-void requireHealthyDriver(const char* doing) {
+void requireHealthyDriver(const Message& doing) {
   const GLenum error = glGetError();
   if (error != GL_NO_ERROR)
     forgetDriverErrors();
   if (error == contextLostError || contextIsLost())
-    throw DriverError(std::string("The graphics driver was reset while ") + doing +
-                          "; try again, and if it happens often, draw with a larger step, in a smaller "
-                          "picture or with --engine cpu.",
-                      "graphics reset");
+    throw DriverError(
+        Message::tr("The graphics driver was reset while %1; try again, and if it happens often, draw with a "
+                    "larger step, in a smaller picture or with --engine cpu.")
+            .arg(doing),
+        "graphics reset");
   if (error == GL_OUT_OF_MEMORY)
-    throw DriverError(std::string("The graphics driver ran out of memory while ") + doing +
-                          "; close other programs that draw, choose a smaller picture or use --engine cpu.",
+    throw DriverError(Message::tr("The graphics driver ran out of memory while %1; close other programs that "
+                                  "draw, choose a smaller picture or use --engine cpu.")
+                          .arg(doing),
                       "OpenGL error " + hexadecimal(error));
   if (error != GL_NO_ERROR)
-    throw DriverError(
-        std::string("The graphics driver refused a command while ") + doing +
-            "; update the driver or use --engine cpu, and please report it with `limn info --system`.",
-        "OpenGL error " + hexadecimal(error));
+    throw DriverError(Message::tr("The graphics driver refused a command while %1; update the driver or use "
+                                  "--engine cpu, and please report it with `limn info --system`.")
+                          .arg(doing),
+                      "OpenGL error " + hexadecimal(error));
 }
 
 } // namespace limn

@@ -28,6 +28,6 @@ bool contextIsLost();
 
 /// Throws DriverError where the context was lost, or the driver ran out of memory or refused a command since
 /// its errors were forgotten or asked for. `doing` completes "The graphics driver ran out of memory while …".
-void requireHealthyDriver(const char* doing);
+void requireHealthyDriver(const Message& doing);
 
 } // namespace limn

@@ -20,9 +20,10 @@ FloatTarget::FloatTarget(const glm::ivec2& size) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     restore();
-    throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
-                                         std::to_string(size.x) + "×" + std::to_string(size.y) +
-                                         " pixels in floats; try a smaller one or --engine cpu.");
+    throw Error(Error::Kind::openGl, Message::tr("The graphics driver cannot draw a picture of %1×%2 pixels "
+                                                 "in floats; try a smaller one or --engine cpu.")
+                                         .arg(size.x)
+                                         .arg(size.y));
   }
 }
 

@@ -9,10 +9,11 @@
 namespace limn {
 namespace {
 
-[[noreturn]] void refuse(const char* what) {
-  throw Error(Error::Kind::openGl, std::string("No OpenGL without a display: ") + what +
-                                       ". Install the packages libegl1 and libgl1-mesa-dri (or the graphics "
-                                       "card's driver), or use --engine cpu.");
+[[noreturn]] void refuse(const Message& what) {
+  throw Error(Error::Kind::openGl,
+              Message::tr("No OpenGL without a display: %1. Install the packages libegl1 and libgl1-mesa-dri "
+                          "(or the graphics card's driver), or use --engine cpu.")
+                  .arg(what));
 }
 
 // Mesa's surfaceless platform where it exists, otherwise the first EGL device (drivers of graphics cards).
@@ -36,7 +37,7 @@ EGLDisplay openDisplay() {
   const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr))
     return display;
-  refuse("no EGL display could be opened");
+  refuse(Message::tr("no EGL display could be opened"));
 }
 
 // Where it can, the driver tells of its resets instead of drawing nothing from then on.
@@ -61,20 +62,20 @@ struct HeadlessContext::Handles {
 HeadlessContext::HeadlessContext() : m_handles(std::make_unique<Handles>()) {
   m_handles->display = openDisplay();
   if (!epoxy_has_egl_extension(m_handles->display, "EGL_KHR_surfaceless_context"))
-    refuse("the driver cannot draw without a surface");
+    refuse(Message::tr("the driver cannot draw without a surface"));
   if (!eglBindAPI(EGL_OPENGL_API))
-    refuse("the driver offers OpenGL ES only");
+    refuse(Message::tr("the driver offers OpenGL ES only"));
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(m_handles->display, wanted, &config, 1, &count) || count < 1)
-    refuse("the driver has no configuration for OpenGL");
+    refuse(Message::tr("the driver has no configuration for OpenGL"));
   m_handles->context = makeContext(m_handles->display, config);
   if (m_handles->context == EGL_NO_CONTEXT)
-    refuse("the driver could not make an OpenGL context");
+    refuse(Message::tr("the driver could not make an OpenGL context"));
   if (!eglMakeCurrent(m_handles->display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_handles->context)) {
     eglDestroyContext(m_handles->display, m_handles->context);
-    refuse("the OpenGL context could not be made current");
+    refuse(Message::tr("the OpenGL context could not be made current"));
   }
 }
 

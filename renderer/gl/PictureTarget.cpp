@@ -37,10 +37,11 @@ void PictureTarget::resize(const glm::ivec2& size) {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture(), 0);
   m_size = {0, 0};
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw Error(Error::Kind::openGl, "The graphics driver cannot draw a picture of " +
-                                         std::to_string(size.x) + " × " + std::to_string(size.y) +
-                                         " pixels in 32-bit floats; make the window smaller or install a "
-                                         "driver with OpenGL 3.0 or newer.");
+    throw Error(Error::Kind::openGl,
+                Message::tr("The graphics driver cannot draw a picture of %1 × %2 pixels in 32-bit floats; "
+                            "make the window smaller or install a driver with OpenGL 3.0 or newer.")
+                    .arg(size.x)
+                    .arg(size.y));
   m_size = size;
 }
 

@@ -42,8 +42,8 @@ void requireCompiled(const ShaderObject& shader, const ShaderSource& source) {
   GLint isCompiled = GL_FALSE;
   glGetShaderiv(shader.name, GL_COMPILE_STATUS, &isCompiled);
   if (isCompiled != GL_TRUE)
-    throw DriverError("The graphics driver refused a shader; update the driver or use --engine cpu, "
-                      "and please report it with `limn info --system`.",
+    throw DriverError(Message::tr("The graphics driver refused a shader; update the driver or use --engine "
+                                  "cpu, and please report it with `limn info --system`."),
                       withFileLines(logOf(shader.name, glGetShaderiv, glGetShaderInfoLog), source));
 }
 
@@ -122,8 +122,8 @@ void ShaderProgram::finish() {
   glDetachShader(m_program.name(), m_pending->vertex.name);
   glDetachShader(m_program.name(), m_pending->fragment.name);
   if (isLinked != GL_TRUE)
-    throw DriverError("The graphics driver could not link a shader program; update the driver or use "
-                      "--engine cpu, and please report it with `limn info --system`.",
+    throw DriverError(Message::tr("The graphics driver could not link a shader program; update the driver or "
+                                  "use --engine cpu, and please report it with `limn info --system`."),
                       logOf(m_program.name(), glGetProgramiv, glGetProgramInfoLog));
   m_pending.reset();
 }

@@ -28,13 +28,17 @@ struct Target {
 };
 
 [[noreturn]] void failWriting(const Target& target, int error) {
-  const std::string advice = target.place == FilePlace::chosen
-                                 ? "choose another folder or make room"
-                                 : "make room there or allow Limn to write there";
+  const Message advice = target.place == FilePlace::chosen
+                             ? Message::tr("choose another folder or make room")
+                             : Message::tr("make room there or allow Limn to write there");
   std::error_code unknown;
   const bool isThere = fs::is_regular_file(target.path, unknown);
-  throw Error(Error::Kind::other, "Cannot write " + target.path.string() + ": " + std::strerror(error) +
-                                      "; " + advice + (isThere ? ", the old file is untouched." : "."));
+  throw Error(Error::Kind::other,
+              (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")
+                       : Message::tr("Cannot write %1: %2; %3."))
+                  .arg(target.path.string())
+                  .arg(std::strerror(error))
+                  .arg(advice));
 }
 
 const std::string prefix = ".limn-";

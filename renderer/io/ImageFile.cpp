@@ -28,8 +28,10 @@ Format formatOf(const fs::path& path) {
     return Format::jpeg;
   if (ending == ".exr")
     return Format::exr;
-  throw Error(Error::Kind::usage, "Cannot write " + path.string() +
-                                      ": its ending names no picture format; use .png, .tif, .jpg or .exr.");
+  throw Error(
+      Error::Kind::usage,
+      Message::tr("Cannot write %1: its ending names no picture format; use .png, .tif, .jpg or .exr.")
+          .arg(path.string()));
 }
 
 // Rounds to the nearest of 256 levels.
@@ -52,8 +54,10 @@ void writeAtomically(const fs::path& path, const PictureToWrite& picture) {
   replaceAtomically(path, [&](const fs::path& temporary) {
     const std::string problem = pictureLibrary().write(temporary.string(), picture);
     if (!problem.empty())
-      throw Error(Error::Kind::other, "Cannot write " + path.string() + ": " + problem +
-                                          "; choose another folder, ending or size.");
+      throw Error(Error::Kind::other,
+                  Message::tr("Cannot write %1: %2; choose another folder, ending or size.")
+                      .arg(path.string())
+                      .arg(problem));
   });
 }
 
@@ -62,8 +66,10 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
   constexpr int longestSide = 65500;
   constexpr std::size_t longestComment = 60000;
   if (size.x > longestSide || size.y > longestSide || description.size() > longestComment)
-    throw Error(Error::Kind::usage, "Cannot write " + path.string() +
-                                        ": the picture or its description is too large for JPEG; use .png.");
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Cannot write %1: the picture or its description is too large for JPEG; use .png.")
+            .arg(path.string()));
 }
 
 } // namespace
@@ -72,7 +78,8 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
                 const std::string& description) {
   const Format format = formatOf(path);
   if (image.size.x < 1 || image.size.y < 1)
-    throw Error(Error::Kind::usage, "Cannot write " + path.string() + ": the picture has no pixels.");
+    throw Error(Error::Kind::usage,
+                Message::tr("Cannot write %1: the picture has no pixels.").arg(path.string()));
   if (format == Format::jpeg)
     requireJpegCanHold(path, image.size, description);
   const std::vector<std::uint8_t> levels =
@@ -84,8 +91,9 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
 void writeBytes(const fs::path& path, const BytePicture& picture, const std::string& description) {
   const Format format = formatOf(path);
   if (format != Format::png && format != Format::tiff)
-    throw Error(Error::Kind::usage,
-                "Cannot write " + path.string() + ": this picture needs the ending .png or .tif.");
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("Cannot write %1: this picture needs the ending .png or .tif.").arg(path.string()));
   writeAtomically(path, {format, picture.size.x, picture.size.y, picture.bytes.data(), description,
                          picture.hasAlpha, picture.dotsPerInch});
 }
@@ -98,10 +106,10 @@ std::string readImageDescription(const fs::path& path) {
     std::error_code problem;
     const bool isThere = fs::exists(path, problem);
     const bool isEmpty = isThere && fs::file_size(path, problem) == 0 && !problem;
-    const char* reason = !isThere  ? "there is no such file"
-                         : isEmpty ? "the file is empty"
-                                   : "it is no picture, or a damaged one";
-    failReading(path, reason, "choose a PNG, TIFF, JPEG or EXR picture");
+    const Message reason = !isThere  ? Message::tr("there is no such file")
+                           : isEmpty ? Message::tr("the file is empty")
+                                     : Message::tr("it is no picture, or a damaged one");
+    failReading(path, reason, Message::tr("choose a PNG, TIFF, JPEG or EXR picture"));
   }
   return picture->description;
 }

@@ -27,15 +27,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t probeBytes = 4096;
 
-constexpr const char* knownFormats = "open a DICOM folder, NIfTI, NRRD, MetaImage, VTI or VTK image, a stack "
-                                     "of TIFF, PNG or JPEG pictures, or an InVesalius project";
+const Message knownFormats =
+    Message::tr("open a DICOM folder, NIfTI, NRRD, MetaImage, VTI or VTK image, a stack "
+                "of TIFF, PNG or JPEG pictures, or an InVesalius project");
 
 void requireUsable(const ReadOptions& options) {
   if (!options.spacingMm)
     return;
   for (int axis = 0; axis < 3; ++axis)
     if (!((*options.spacingMm)[axis] > 0.0) || !std::isfinite((*options.spacingMm)[axis]))
-      throw Error(Error::Kind::usage, "The spacing must be three positive numbers of millimetres.");
+      throw Error(Error::Kind::usage,
+                  Message::tr("The spacing must be three positive numbers of millimetres."));
 }
 
 // The file beside `path` that describes it: the same name with the ending of a header.
@@ -53,14 +55,16 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
 [[noreturn]] void failUnknown(const fs::path& path) {
   const std::string ending = lowerCase(path.extension().string());
   if (const auto header = headerBeside(path))
-    failReading(path, "it holds voxels without their size",
-                "open " + header->filename().string() + " instead");
+    failReading(path, Message::tr("it holds voxels without their size"),
+                Message::tr("open %1 instead").arg(header->filename().string()));
   if (ending == ".raw" || ending == ".zraw" || ending == ".dat" || ending == ".bin" || ending == ".txt")
-    failReading(path, "it does not say the size and type of a volume in a way that Limn knows",
-                "write a small MetaImage header (.mhd) that names the raw file beside it, and open that");
+    failReading(
+        path, Message::tr("it does not say the size and type of a volume in a way that Limn knows"),
+        Message::tr(
+            "write a small MetaImage header (.mhd) that names the raw file beside it, and open that"));
   if (ending == ".dcm" || ending == ".dicom" || ending == ".ima")
-    failReading(path, "it does not start as DICOM does: it is damaged or cut off", copyAgain);
-  failReading(path, "its content is of no known kind", knownFormats);
+    failReading(path, Message::tr("it does not start as DICOM does: it is damaged or cut off"), copyAgain);
+  failReading(path, Message::tr("its content is of no known kind"), knownFormats);
 }
 
 // A kind of file, told by its content.
@@ -84,11 +88,12 @@ constexpr FileKind fileKinds[] = {
 VolumeParts readFile(const fs::path& path, const Progress& progress) {
   const std::string start = firstBytes(path, probeBytes);
   if (start.empty())
-    failReading(path, "the file is empty", copyAgain);
+    failReading(path, Message::tr("the file is empty"), copyAgain);
   for (const FileKind& kind : fileKinds)
     if (kind.isKind(start)) {
       if (!kind.mayBePacked && isGzip(path))
-        failReading(path, "it is packed with gzip", "unpack it and open the file inside");
+        failReading(path, Message::tr("it is packed with gzip"),
+                    Message::tr("unpack it and open the file inside"));
       return kind.read(path, progress);
     }
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
@@ -100,8 +105,8 @@ VolumeParts readFile(const fs::path& path, const Progress& progress) {
 VolumeParts readFolder(const fs::path& path, const Progress& progress) {
   const std::vector<fs::path> pictures = picturesIn(path);
   if (pictures.empty())
-    failReading(path, "the folder holds no DICOM, TIFF, PNG or JPEG slices",
-                "open the folder that holds the slices, or a volume file");
+    failReading(path, Message::tr("the folder holds no DICOM, TIFF, PNG or JPEG slices"),
+                Message::tr("open the folder that holds the slices, or a volume file"));
   requireWholeStack(path, pictures);
   return readPictures(path, pictures, progress);
 }
@@ -115,15 +120,15 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
     info.spacingKnown = true;
   }
   if (!info.spacingKnown)
-    info.warnings.emplace_back(
-        "Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z.");
+    info.warnings.emplace_back(Message::tr(
+        "Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z."));
   // Its own name and that of the folder it lies in: "head/t1.nii".
   info.hints =
       withHintsOf(withHintsOf(info.hints, path.parent_path().filename().string()), path.filename().string());
   if (!info.orientationKnown)
     info.warnings.emplace_back(orientationUnknown);
-  for (std::string& warning : info.warnings)
-    warning = plainText(std::move(warning));
+  for (Message& warning : info.warnings)
+    warning = plainMessage(warning);
   requirePlausible(path, parts.grid);
   return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
@@ -135,7 +140,8 @@ std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptio
                                            const Progress& progress) {
   const bool isFolder = fs::is_directory(path);
   if (!isFolder && !fs::is_regular_file(path))
-    failReading(path, "it is no file but a device, pipe or socket", "choose a file or folder");
+    failReading(path, Message::tr("it is no file but a device, pipe or socket"),
+                Message::tr("choose a file or folder"));
   if (isDicom(path))
     return readDicom(path, options, progress);
   const Progress reading = part(progress, 0.0, 0.95);
@@ -149,20 +155,21 @@ auto reported(const fs::path& path, Step&& step) {
   try {
     return step();
   } catch (const Error& error) {
-    throw Error(error.kind(), plainText(error.what()));
+    throw Error(error.kind(), plainMessage(error.sentence()));
   } catch (const std::bad_alloc&) {
-    failReading(path, "there is not enough memory for it", "close other programs or save a smaller volume");
+    failReading(path, Message::tr("there is not enough memory for it"),
+                Message::tr("close other programs or save a smaller volume"));
   } catch (const std::length_error&) {
-    failReading(path, "its header asks for more voxels than memory can hold", copyAgain);
+    failReading(path, Message::tr("its header asks for more voxels than memory can hold"), copyAgain);
   } catch (const fs::filesystem_error& error) {
-    failReading(path, error.code().message(), "check the name and the right to read it");
+    failReading(path, error.code().message(), Message::tr("check the name and the right to read it"));
   }
 }
 
 void requireExisting(const fs::path& path) {
   std::error_code problem;
   if (!fs::exists(path, problem))
-    failReading(path, "there is no such file or folder", "check the name");
+    failReading(path, Message::tr("there is no such file or folder"), Message::tr("check the name"));
 }
 
 } // namespace

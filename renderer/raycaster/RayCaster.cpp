@@ -41,7 +41,7 @@ struct RayCaster::Parts {
   ProgramCache programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
-  std::string stepLimitation;
+  Message stepLimitation;
   bool skipsEmptySpace = true;
   bool compilesAllEffects = false;
   std::optional<EffectSet> leftOut;
@@ -155,7 +155,7 @@ Image RayCaster::Parts::render(const Scene& scene, Content content, const glm::i
       effort.report(1.0 * std::min(size.y, y + tileSize) / size.y);
   }
   Image image = readBack(size);
-  requireHealthyDriver("drawing a picture");
+  requireHealthyDriver(Message::tr("drawing a picture"));
   return image;
 }
 
@@ -269,8 +269,8 @@ const GradientScale& RayCaster::gradientScale() const {
   return m_parts->textures.gradientScale();
 }
 
-std::string RayCaster::limitation() const {
-  return m_parts->textures.limitation() + m_parts->stepLimitation;
+Message RayCaster::limitation() const {
+  return m_parts->textures.limitation().followedBy(" ", m_parts->stepLimitation);
 }
 
 } // namespace limn

@@ -96,7 +96,7 @@ public:
 
   /// A sentence each where the volume had to be down-sampled to fit the driver's textures and where the last
   /// picture's step would have needed too many samples; empty otherwise.
-  std::string limitation() const;
+  Message limitation() const;
 
 private:
   struct Parts;

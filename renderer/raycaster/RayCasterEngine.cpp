@@ -33,7 +33,7 @@ public:
   int compiledPrograms() const override { return m_caster.compiledPrograms(); }
   double memoryMb() const override { return m_caster.volumeMb(); }
   std::string name() const override { return m_name; }
-  std::string limitation() const override { return m_caster.limitation(); }
+  Message limitation() const override { return m_caster.limitation(); }
 
 private:
   RayCaster m_caster;

@@ -49,7 +49,7 @@ glm::vec4 inBytes(const glm::vec3& gradient, float largest) {
 StoredGradients storedGradients(const TextureVoxels& voxels, const glm::dvec3& scale, GradientFormat format) {
   const glm::vec3 scaleInFloat(scale);
   if (format == GradientFormat::halves)
-    return {VoxelTexture(voxels.size, VoxelTexture::Format::halves, "gradients in half floats",
+    return {VoxelTexture(voxels.size, VoxelTexture::Format::halves, Message::tr("gradients in half floats"),
                          [&](int k, std::vector<glm::vec4>& texels) {
                            forSlice(voxels, scaleInFloat, k, [&](std::size_t i, const glm::vec3& gradient) {
                              texels[i] = glm::vec4(halvesLift * gradient, 0.0f);
@@ -58,7 +58,7 @@ StoredGradients storedGradients(const TextureVoxels& voxels, const glm::dvec3& s
             1.0 / halvesLift};
   assert(format == GradientFormat::directions);
   const float largest = largestModulus(voxels, scaleInFloat);
-  return {VoxelTexture(voxels.size, VoxelTexture::Format::bytes, "gradients in bytes",
+  return {VoxelTexture(voxels.size, VoxelTexture::Format::bytes, Message::tr("gradients in bytes"),
                        [&](int k, std::vector<glm::vec4>& texels) {
                          forSlice(voxels, scaleInFloat, k, [&](std::size_t i, const glm::vec3& gradient) {
                            texels[i] = inBytes(gradient, largest);
@@ -75,7 +75,7 @@ VoxelTexture classifiedVolume(const TextureVoxels& voxels, const ValueRange& ran
   const double width = range.highest > range.lowest ? range.highest - range.lowest : 1.0;
   const std::size_t sliceTexels = static_cast<std::size_t>(voxels.size.x) * voxels.size.y;
   return VoxelTexture(voxels.size, isHalves ? VoxelTexture::Format::halves : VoxelTexture::Format::bytes,
-                      "classified voxels", [&](int k, std::vector<glm::vec4>& texels) {
+                      Message::tr("classified voxels"), [&](int k, std::vector<glm::vec4>& texels) {
                         const float* slice = &voxels.texels[sliceTexels * static_cast<std::size_t>(k)];
                         for (std::size_t i = 0; i < sliceTexels; ++i) {
                           const Classified at = classify(function, range.lowest + slice[i] * width);

@@ -48,12 +48,12 @@ public:
   int compiledPrograms() const override { return 0; }
   double memoryMb() const override { return 0.0; }
   std::string name() const override { return "reference (double precision)"; }
-  std::string limitation() const override { return m_limitation; }
+  Message limitation() const override { return m_limitation; }
 
 private:
   int m_threads;
   Scene m_drawn;
-  std::string m_limitation;
+  Message m_limitation;
 };
 
 } // namespace

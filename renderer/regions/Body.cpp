@@ -26,10 +26,8 @@ double shareOf(std::size_t part, std::size_t whole) {
 }
 
 // Rounded down, so that what misses a bound does not read as if it reached it.
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0f %%", std::floor(100.0 * share));
-  return text;
+Message percent(double share) {
+  return Message::tr("%1 %").arg(Message::fixed(std::floor(100.0 * share), 0));
 }
 
 // The largest piece of tissue; by how much of its surface what the ball cuts off touches it, 0 where that is
@@ -71,14 +69,16 @@ Region regionOf(const BitGrid& kept, const Effort& effort) {
 }
 
 // Why a body is not sure that leaves `beside` of the tissue out; empty where it is.
-std::string doubtAbout(double beside, double contact, bool isAlone) {
+Message doubtAbout(double beside, double contact, bool isAlone) {
   if (1.0 - beside < leastShare)
-    return "only " + percent(1.0 - beside) +
-           " of the tissue hangs together, so a part of the patient may be hidden";
+    return Message::tr("only %1 of the tissue hangs together, so a part of the patient may be hidden")
+        .arg(percent(1.0 - beside));
   if (contact > mostContact)
-    return "what lies against the body touches it by " + percent(contact) +
-           " of its surface, so a part of the table may be kept";
-  return isAlone ? "nothing lies beside it" : "";
+    return Message::tr(
+               "what lies against the body touches it by %1 of its surface, so a part of the table may "
+               "be kept")
+        .arg(percent(contact));
+  return isAlone ? Message::tr("nothing lies beside it") : Message();
 }
 
 } // namespace
@@ -88,7 +88,7 @@ BodyFinding findBody(const Volume& volume, const Effort& effort) {
   const BitGrid tissue = tissueOf(volume, threshold, partOf(effort, 0.1, 0.2));
   const std::size_t all = tissue.count();
   if (all == 0)
-    return {{}, false, false, "it holds no tissue"};
+    return {{}, false, false, Message::tr("it holds no tissue")};
   const glm::dvec3 ball = glm::max(ballMm / volume.grid().spacingMm, glm::dvec3(1.0));
   const Piece piece = largestPiece(tissue, ball, partOf(effort, 0.2, 0.6));
   const BitGrid body =
@@ -100,7 +100,7 @@ BodyFinding findBody(const Volume& volume, const Effort& effort) {
   beside -= kept;
   const double share = shareOf(beside.count(), all);
   const bool isAlone = share < worthHiding;
-  const std::string doubt = doubtAbout(share, piece.contact, isAlone);
+  const Message doubt = doubtAbout(share, piece.contact, isAlone);
   return {regionOf(kept, partOf(effort, 0.95, 1.0)), doubt.empty(), isAlone, doubt};
 }
 

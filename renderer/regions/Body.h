@@ -14,7 +14,7 @@ struct BodyFinding {
   Region region;        ///< of kind body; of kind all where there is no tissue
   bool isSure = false;  ///< it may be applied without being asked for
   bool isAlone = false; ///< nothing lies beside it that could be hidden
-  std::string doubt;    ///< why not, to follow a colon: "nothing lies beside it"; empty where it is sure
+  Message doubt;        ///< why not, to follow a colon: "nothing lies beside it"; empty where it is sure
 };
 
 /// Finds the body as DEFINITION section 10 says. What is not sure keeps everything that is connected with it,

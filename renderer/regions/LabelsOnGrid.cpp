@@ -60,8 +60,8 @@ public:
     const double value = rescale.slope * static_cast<double>(stored[voxel]) + rescale.intercept;
     const double whole = std::round(value);
     if (std::abs(value - whole) > 1e-6 || std::abs(whole) > largestValue)
-      throw Error(Error::Kind::input, "It is no label map: its values are no whole numbers; open a "
-                                      "segmentation, not the image that it was made of.");
+      throw Error(Error::Kind::input, Message::tr("It is no label map: its values are no whole numbers; open "
+                                                  "a segmentation, not the image that it was made of."));
     return static_cast<int>(whole);
   }
 
@@ -93,8 +93,9 @@ std::vector<int> valuesIn(const Volume& volume, const std::vector<T>& stored) {
       found.insert(static_cast<int>(lowest) + static_cast<int>(n));
   found.erase(0);
   if (found.size() >= mostLabels)
-    throw Error(Error::Kind::input, "It is no label map: it has more than 65535 different values; open a "
-                                    "segmentation, not the image that it was made of.");
+    throw Error(Error::Kind::input,
+                Message::tr("It is no label map: it has more than 65535 different values; open a "
+                            "segmentation, not the image that it was made of."));
   std::vector<int> all{0};
   all.insert(all.end(), found.begin(), found.end());
   return all;

@@ -27,9 +27,9 @@ std::vector<Dropped> droppedBySlices() {
 void requireSliceable(const Scene& scene) {
   requireDrawable(scene);
   if (scene.projection != Projection::composite && scene.projection != Projection::xray)
-    throw Error(Error::Kind::usage, std::string("Slices cannot draw the projection \"") +
-                                        nameOf(scene.projection) +
-                                        "\", only composite and xray; use --engine gl or reference for it.");
+    throw Error(Error::Kind::usage, Message::tr("Slices cannot draw the projection \"%1\", only composite "
+                                                "and xray; use --engine gl or reference for it.")
+                                        .arg(nameOf(scene.projection)));
 }
 
 EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {

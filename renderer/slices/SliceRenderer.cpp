@@ -79,7 +79,7 @@ struct SliceRenderer::Parts {
   std::map<EffectSet, ShaderProgram> programs;
   GlBuffer corners;
   GlVertexArray vertexArray;
-  std::string stepLimitation;
+  Message stepLimitation;
 
   explicit Parts(BlendOrder blendOrder);
   const ShaderProgram& program(EffectSet effects);
@@ -103,10 +103,12 @@ const ShaderProgram& SliceRenderer::Parts::program(EffectSet effects) {
 }
 
 void SliceRenderer::Parts::noteStepLimit(const Scene& scene, const glm::ivec2& size) {
-  stepLimitation.clear();
+  stepLimitation = {};
   if (slabsWanted(scene, size) > mostSamples)
-    stepLimitation = "The step is so small that the volume would need more than " +
-                     std::to_string(mostSamples) + " slices; it is drawn with that number.";
+    stepLimitation =
+        Message::tr("The step is so small that the volume would need more than %1 slices; it is drawn "
+                    "with that number.")
+            .arg(mostSamples);
 }
 
 void SliceRenderer::Parts::draw(const Scene& scene, const glm::ivec2& size) {
@@ -147,12 +149,12 @@ Image SliceRenderer::render(const Scene& scene, const glm::ivec2& size) {
   const FloatTarget target(size);
   m_parts->draw(scene, size);
   Image image = readBack(size);
-  requireHealthyDriver("drawing a picture of slices");
+  requireHealthyDriver(Message::tr("drawing a picture of slices"));
   return image;
 }
 
-std::string SliceRenderer::limitation() const {
-  return m_parts->textures.limitation() + m_parts->stepLimitation;
+Message SliceRenderer::limitation() const {
+  return m_parts->textures.limitation().followedBy(" ", m_parts->stepLimitation);
 }
 
 } // namespace limn

@@ -38,7 +38,7 @@ public:
 
   /// A sentence each where the volume had to be down-sampled and where the last picture's step would have
   /// needed too many slabs; empty otherwise.
-  std::string limitation() const;
+  Message limitation() const;
 
 private:
   struct Parts;

@@ -56,7 +56,7 @@ TEST_F(Tolerance, holdsOnTheAnalyticScenesWithBothRenderers) {
         const WithinTolerance found = withinTolerance(within(levels, ray.scene), {1, 1}, draw);
         const double error = 255.0 * test::largestError(ray, glm::dvec4(draw(found.scene, {1, 1}).pixels[0]));
         EXPECT_EQ(found.holds, found.sentence.empty());
-        EXPECT_TRUE(!found.holds || error <= levels) << error << ", " << describe(found);
+        EXPECT_TRUE(!found.holds || error <= levels) << error << ", " << describe(found).english();
         kept += found.holds ? 1 : 0;
         ++rays;
       }
@@ -71,8 +71,9 @@ TEST_F(Tolerance, aBandTooNarrowForAnyStepIsSaidInOneSentence) {
         {0.4 + 1e-5 * static_cast<double>(scene.transferFunction.points.size()), glm::dvec3(1.0), opacity});
   const WithinTolerance found = withinTolerance(within(1.0, scene), {1, 1}, drawPrecisely);
   EXPECT_FALSE(found.holds);
-  EXPECT_NE(found.sentence.find("narrow"), std::string::npos) << found.sentence;
-  EXPECT_EQ(std::count(found.sentence.begin(), found.sentence.end(), '.'), 1) << found.sentence;
+  EXPECT_NE(found.sentence.english().find("narrow"), std::string::npos) << found.sentence.english();
+  const std::string sentence = found.sentence.english();
+  EXPECT_EQ(std::count(sentence.begin(), sentence.end(), '.'), 1) << sentence;
 }
 
 TEST_F(Tolerance, projectionsThatDoNotIntegrateGetEqualSteps) {
@@ -81,7 +82,7 @@ TEST_F(Tolerance, projectionsThatDoNotIntegrateGetEqualSteps) {
     Scene scene = ray.scene;
     scene.projection = projection;
     const WithinTolerance found = withinTolerance(within(1.0, scene), {1, 1}, drawPrecisely);
-    EXPECT_TRUE(found.holds) << found.sentence;
+    EXPECT_TRUE(found.holds) << found.sentence.english();
     EXPECT_FALSE(found.scene.quality.toleranceLevels);
     Scene fine = scene;
     fine.quality.stepVoxels = 1.0 / 256.0;
@@ -185,9 +186,9 @@ TEST_P(ToleranceOfData, holdsAgainstTheConvergedPicture) {
         const DrawScene draw = isPrecise ? DrawScene(drawPrecisely) : gl;
         const WithinTolerance found = withinTolerance(within(levels, scene), size, draw);
         const ImageError error = imageError(draw(found.scene, size), converged.pixels);
-        std::cout << (isPrecise ? "reference" : "GLSL") << ", " << levels << ": " << describe(found)
+        std::cout << (isPrecise ? "reference" : "GLSL") << ", " << levels << ": " << describe(found).english()
                   << "; true " << error.p99_9 << "\n";
-        EXPECT_TRUE(found.holds) << found.sentence;
+        EXPECT_TRUE(found.holds) << found.sentence.english();
         EXPECT_LE(error.p99_9, levels);
         // Spent, not hoarded: percentiles of the compared pictures scatter by a tenth, three of which lie
         // between what is aimed at, 0.77 of the tolerance, and this.

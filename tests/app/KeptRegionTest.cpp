@@ -19,7 +19,8 @@ TEST(KeptRegion, ofAVolumeWithoutTissueIsEverythingWithASentence) {
   const Volume air(grid, std::vector<std::int16_t>(64, -1000), {}, std::nullopt, info);
   const FoundRegion found = bodyOf(air);
   EXPECT_EQ(found.region, Region{});
-  EXPECT_EQ(found.remark, "No body was found in the volume (it holds no tissue), so everything is kept.");
+  EXPECT_EQ(found.remark.english(),
+            "No body was found in the volume (it holds no tissue), so everything is kept.");
   EXPECT_EQ(sureBodyOf(air), Region{});
 }
 
@@ -27,7 +28,7 @@ TEST(KeptRegion, ofAHeadAloneIsItsBodyOnlyWhereAskedFor) {
   const auto phantom = phantomVolume({8.0, 0.0, 1});
   const FoundRegion asked = bodyOf(*phantom);
   EXPECT_EQ(asked.region.kind, Region::Kind::body);
-  EXPECT_EQ(asked.remark, "");
+  EXPECT_EQ(asked.remark.english(), "");
   EXPECT_EQ(sureBodyOf(*phantom), Region{}) << "there is no table to hide";
 }
 

@@ -61,7 +61,8 @@ TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
   options.read.series = 3;
   const LoadedScene loaded = loadScene(path.string(), options, {});
   ASSERT_EQ(loaded.notes.size(), 1u);
-  EXPECT_NE(loaded.notes.front().find("3 was ignored"), std::string::npos) << loaded.notes.front();
+  EXPECT_NE(loaded.notes.front().english().find("3 was ignored"), std::string::npos)
+      << loaded.notes.front().english();
 }
 
 SessionDocument sessionOfPhantom() {

@@ -53,7 +53,7 @@ void measure(const std::string& name, const Scene& scene) {
   const double error = imageError(picture, draw(finer, size)).p99_9;
   const double tolerance = *scene.quality.toleranceLevels;
   std::printf("%s, %s, %g: %s; true error %.3f, %.2f of it; search %.0f ms, picture %.0f ms, %.2f\n",
-              name.c_str(), nameOf(scene.shading.model), tolerance, describe(found).c_str(), error,
+              name.c_str(), nameOf(scene.shading.model), tolerance, describe(found).english().c_str(), error,
               error / tolerance, searched - start, drawn - searched, (searched - start) / (drawn - searched));
 }
 

@@ -96,8 +96,9 @@ inline std::string refusalAs(const std::string& name, const std::string& bytes) 
 /// Whether some warning of the volume contains the text.
 inline bool warns(const Volume& volume, const std::string& text) {
   const auto& warnings = volume.info().warnings;
-  return std::any_of(warnings.begin(), warnings.end(),
-                     [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+  return std::any_of(warnings.begin(), warnings.end(), [&](const Message& warning) {
+    return warning.english().find(text) != std::string::npos;
+  });
 }
 
 } // namespace limn::test

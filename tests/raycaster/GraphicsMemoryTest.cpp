@@ -23,12 +23,13 @@ TEST_F(GraphicsMemory, aVolumeThatMayTakeLessIsShownDownSampledAndSaysSo) {
   const Scene scene = test::headScene(phantomVolume({.spacingMm = 4.0}), ShadingModel::classic);
   RayCaster free;
   const Image whole = free.render(scene, pictureSize);
-  EXPECT_EQ(free.limitation(), "");
+  EXPECT_EQ(free.limitation().english(), "");
   RayCaster limited(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {0.25, true});
   const Image reduced = limited.render(scene, pictureSize);
   EXPECT_LE(limited.volumeMb(), 0.25);
-  EXPECT_NE(limited.limitation().find("48×58×68"), std::string::npos) << limited.limitation();
-  EXPECT_NE(limited.limitation().find("memory that it may take"), std::string::npos);
+  EXPECT_NE(limited.limitation().english().find("48×58×68"), std::string::npos)
+      << limited.limitation().english();
+  EXPECT_NE(limited.limitation().english().find("memory that it may take"), std::string::npos);
   // The same head with fewer voxels: the mean alpha agrees to a few parts in a hundred.
   double wholeAlpha = 0.0, reducedAlpha = 0.0;
   for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
@@ -62,7 +63,7 @@ TEST_F(GraphicsMemory, whatMayNotBeReducedIsRefusedWholeAndTheNextVolumeIsDrawn)
   }
   scene.volume = phantomVolume({.spacingMm = 16.0});
   EXPECT_EQ(caster.render(scene, pictureSize), RayCaster().render(scene, pictureSize));
-  EXPECT_EQ(caster.limitation(), "");
+  EXPECT_EQ(caster.limitation().english(), "");
 }
 
 // Sources that the driver refuses where they step over empty space.

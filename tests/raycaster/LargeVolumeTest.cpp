@@ -59,7 +59,7 @@ TEST_F(LargeVolume, longerThanATextureIsDownSampledAndSaysSo) {
 TEST_F(LargeVolume, thatFitsIsDrawnWholeAndSaysNothing) {
   RayCaster caster;
   caster.render(longBar(500), {32, 32});
-  EXPECT_TRUE(caster.limitation().empty()) << caster.limitation();
+  EXPECT_TRUE(caster.limitation().empty()) << caster.limitation().english();
 }
 
 } // namespace

@@ -196,11 +196,11 @@ TEST_F(PictureRules, aStepBelowTheLimitIsReported) {
   RayCaster caster;
   Scene scene = test::noisyPhantom(ShadingModel::none);
   caster.render(scene, {4, 4});
-  EXPECT_EQ(caster.limitation(), "");
+  EXPECT_EQ(caster.limitation().english(), "");
   scene.quality.stepVoxels = 1e-4;
   scene.transferFunction = {};
   caster.render(scene, {1, 1});
-  EXPECT_NE(caster.limitation().find("60000"), std::string::npos);
+  EXPECT_NE(caster.limitation().english().find("60000"), std::string::npos);
   EXPECT_FALSE(caster.facts(scene).takesAllSamples);
   scene.quality.stepVoxels = 0.5;
   EXPECT_TRUE(caster.facts(scene).takesAllSamples);

@@ -82,9 +82,9 @@ struct OnTable {
 TEST(Body, ofAHeadOnATableIsTheHead) {
   const OnTable scene(2, 0);
   const BodyFinding found = findBody(*scene.volume);
-  EXPECT_TRUE(found.isSure) << found.doubt;
+  EXPECT_TRUE(found.isSure) << found.doubt.english();
   EXPECT_FALSE(found.isAlone);
-  EXPECT_EQ(found.doubt, "");
+  EXPECT_EQ(found.doubt.english(), "");
   EXPECT_EQ(found.region.kind, Region::Kind::body);
   EXPECT_EQ(found.region.labels->dims(), scene.body.dims());
   EXPECT_EQ(dropped(found.region, scene.body), 0u);
@@ -114,7 +114,7 @@ TEST(Body, keepsTheEdgeOfTheSkin) {
 TEST(Body, aTableThatHangsOnByAThreadFallsAway) {
   const OnTable scene(2, 1);
   const BodyFinding found = findBody(*scene.volume);
-  EXPECT_TRUE(found.isSure) << found.doubt;
+  EXPECT_TRUE(found.isSure) << found.doubt.english();
   EXPECT_EQ(dropped(found.region, scene.body), 0u);
   // The thread itself stays with the head, and so may the voxels of the table that it ends in.
   EXPECT_GT(dropped(found.region, scene.table), scene.table.count() * 95 / 100);
@@ -132,7 +132,7 @@ TEST(Body, isNotSureOfWhatItTouchesBroadly) {
   const Volume volume = ctOf({90, 40, 40}, value);
   const BodyFinding found = findBody(volume);
   EXPECT_FALSE(found.isSure);
-  EXPECT_NE(found.doubt.find("touches it by"), std::string::npos) << found.doubt;
+  EXPECT_NE(found.doubt.english().find("touches it by"), std::string::npos) << found.doubt.english();
   EXPECT_EQ(dropped(found.region, tissueOf(volume, -300.0, {})), 0u) << "what is not sure is not cut";
 }
 
@@ -144,7 +144,8 @@ TEST(Body, isNotSureOfOneBodyOfTwo) {
   });
   const BodyFinding found = findBody(volume);
   EXPECT_FALSE(found.isSure);
-  EXPECT_EQ(found.doubt, "only 60 % of the tissue hangs together, so a part of the patient may be hidden");
+  EXPECT_EQ(found.doubt.english(),
+            "only 60 % of the tissue hangs together, so a part of the patient may be hidden");
   EXPECT_TRUE(isKept(found.region, {30, 15, 15}));
   EXPECT_FALSE(isKept(found.region, {90, 15, 15}));
 }
@@ -167,7 +168,7 @@ TEST(Body, withoutTissueIsNone) {
   const BodyFinding found = findBody(ctOf({20, 20, 20}, [](const glm::ivec3&) { return air; }));
   EXPECT_EQ(found.region, Region{});
   EXPECT_FALSE(found.isSure);
-  EXPECT_EQ(found.doubt, "it holds no tissue");
+  EXPECT_EQ(found.doubt.english(), "it holds no tissue");
 }
 
 // Volumes in which nothing lies beside the body: all tissue, one slice, one row, one voxel.
@@ -177,7 +178,7 @@ TEST(Body, besideWhichNothingLiesKeepsEverythingAndHidesNothing) {
     const BodyFinding found = findBody(volume);
     EXPECT_FALSE(found.isSure);
     EXPECT_TRUE(found.isAlone);
-    EXPECT_EQ(found.doubt, "nothing lies beside it");
+    EXPECT_EQ(found.doubt.english(), "nothing lies beside it");
     EXPECT_EQ(dropped(found.region, tissueOf(volume, -300.0, {})), 0u)
         << dims.x << "×" << dims.y << "×" << dims.z;
   }
@@ -202,7 +203,7 @@ TEST(Body, doesNotHoldPadding) {
     return static_cast<float>(radius(v) < 20.0 ? tissue : v.y >= 66 && v.y < 70 ? tableHu : air);
   });
   const BodyFinding found = findBody(volume);
-  EXPECT_TRUE(found.isSure) << found.doubt;
+  EXPECT_TRUE(found.isSure) << found.doubt.english();
   EXPECT_TRUE(isKept(found.region, {40, 40, 5}));
   EXPECT_FALSE(isKept(found.region, {40, 68, 5}));
   EXPECT_FALSE(isKept(found.region, {1, 1, 5}));
@@ -237,7 +238,7 @@ TEST_P(RealBody, keepsEveryVoxelOfTheLargestPieceOfTissue) {
   LIMN_NEEDS_SHARED(file);
   const auto volume = readVolume(test::sharedFolder() / file);
   const BodyFinding found = findBody(*volume);
-  EXPECT_EQ(found.isSure, GetParam().isSure) << found.doubt;
+  EXPECT_EQ(found.isSure, GetParam().isSure) << found.doubt.english();
   const BitGrid all = tissueOf(*volume, tissueThreshold(*volume, {}), {});
   const BitGrid largest = test::largestPartOf(all);
   EXPECT_EQ(dropped(found.region, largest), 0u);
@@ -246,7 +247,7 @@ TEST_P(RealBody, keepsEveryVoxelOfTheLargestPieceOfTissue) {
   // What lies around the body falls away, but for what lies inside it (teeth, phantoms) or next to it.
   EXPECT_GT(dropped(found.region, beside), beside.count() / 2);
   std::printf("%s: %zu of %zu voxels of tissue fall away; %s\n", file.c_str(), dropped(found.region, all),
-              all.count(), found.isSure ? "sure" : found.doubt.c_str());
+              all.count(), found.isSure ? "sure" : found.doubt.english().c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, RealBody,

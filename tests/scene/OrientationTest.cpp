@@ -55,7 +55,7 @@ TEST(Orientation, aVolumeOrientedByHandSharesItsVoxelsAndIsKnown) {
   EXPECT_EQ(&oriented->stored(), &volume.stored());
   EXPECT_TRUE(oriented->info().orientationKnown);
   EXPECT_EQ(oriented->info().orientationByHand, "RPS");
-  EXPECT_EQ(oriented->info().warnings, std::vector<std::string>{"Something else."});
+  EXPECT_EQ(oriented->info().warnings, std::vector<Message>{"Something else."});
   EXPECT_EQ(oriented->range(), volume.range());
   EXPECT_EQ(oriented->value({1, 0, 0}), 7.0);
   EXPECT_FALSE(volume.info().orientationKnown);

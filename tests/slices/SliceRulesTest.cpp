@@ -221,10 +221,11 @@ TEST_F(SliceRules, aStepTooSmallIsLimitedAndReported) {
   Scene scene = test::rayThrough(test::boxOf(glm::dvec3(1.0)));
   scene.transferFunction = test::constantFunction(0.5, glm::dvec3(1.0));
   slices.render(scene, {1, 1});
-  EXPECT_EQ(slices.limitation(), "");
+  EXPECT_EQ(slices.limitation().english(), "");
   scene.quality.stepVoxels = 1e-5;
   slices.render(scene, {1, 1});
-  EXPECT_NE(slices.limitation().find("60000 slices"), std::string::npos) << slices.limitation();
+  EXPECT_NE(slices.limitation().english().find("60000 slices"), std::string::npos)
+      << slices.limitation().english();
 }
 
 TEST(SlicePlan, whatBelongsToTheMarchIsDroppedWithAReason) {

@@ -3,6 +3,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetModel.h"
+#include "widgets/presets/PresetWords.h"
 
 #include <QAbstractItemView>
 #include <QPainter>
@@ -146,7 +147,7 @@ void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRe
       QFontMetrics(option.font).height() + static_cast<int>(note.size()) * QFontMetrics(small).height();
   WholeLines lines(option, {room.left(), room.center().y() - height / 2, room.width(), height});
   if (const std::optional<QRect> line = lines.next(option.font))
-    paintName(painter, option, *line, index.data(Qt::DisplayRole).toString());
+    paintName(painter, option, *line, presetWords(index.data(Qt::DisplayRole).toString()));
   painter.setFont(small);
   painter.setPen(themeColors(option.palette).secondaryText);
   for (const QString& text : note)

@@ -3,6 +3,7 @@
 
 #include "widgets/Theme.h"
 #include "widgets/curve/plot/CanvasPicture.h"
+#include "widgets/presets/PresetWords.h"
 
 #include <QObject>
 #include <QPainter>
@@ -23,7 +24,8 @@ QStandardItem* groupItem(const QString& title) {
 
 QStandardItem* presetItem(const ListedPreset& listed, const QImage& curve) {
   const QString name = QString::fromStdString(listed.preset.name);
-  const QString note = QString::fromStdString(listed.preset.note);
+  const QString shownName = presetWords(name);
+  const QString note = presetWords(QString::fromStdString(listed.preset.note));
   const QString modality = QString::fromStdString(listed.preset.modality);
   const QString folder = QString::fromStdString(listed.preset.folder);
   auto* item = new QStandardItem(name);
@@ -32,11 +34,12 @@ QStandardItem* presetItem(const ListedPreset& listed, const QImage& curve) {
   item->setData(listed.isFavourite, presetRole::isFavourite);
   item->setData(listed.isOwn && note.isEmpty() ? modality : note, presetRole::note);
   item->setData(curve, presetRole::curve);
-  item->setData(QStringList{name, modality, folder, note}.join(QLatin1Char(' ')), presetRole::searchText);
+  item->setData(QStringList{name, shownName, modality, folder, note}.join(QLatin1Char(' ')),
+                presetRole::searchText);
   item->setToolTip(
       note.isEmpty()
-          ? name
-          : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(name.toHtmlEscaped(), note.toHtmlEscaped()));
+          ? shownName
+          : QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(shownName.toHtmlEscaped(), note.toHtmlEscaped()));
   item->setStatusTip(note); // whole, however narrow the list is
   item->setEditable(false);
   return item;
@@ -51,7 +54,7 @@ void forEachPreset(QStandardItemModel& model, Work work) {
 
 // What is seen of a row is heard, too.
 void nameForScreenReaders(QStandardItem& item) {
-  QStringList parts{item.text()};
+  QStringList parts{presetWords(item.text())};
   if (item.data(presetRole::isFavourite).toBool())
     parts << QObject::tr("favourite", "a preset");
   const auto use = static_cast<PresetUse>(item.data(presetRole::use).toInt());

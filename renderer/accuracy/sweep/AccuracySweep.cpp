@@ -88,7 +88,7 @@ public:
 private:
   void tell(double fraction, const OperatingPoint& point) const {
     if (m_progress)
-      m_progress(fraction, "Measuring " + familyOf(point) + ", " + stepOf(point));
+      m_progress(fraction, Message::tr("Measuring %1, %2").arg(familyOf(point)).arg(stepOf(point)));
   }
 
   void draw(const OperatingPoint& point) const {

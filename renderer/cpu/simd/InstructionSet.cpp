@@ -31,21 +31,22 @@ std::string chosenLevel() {
   const Level* best = bestLevel();
   if (!best)
     throw Error(Error::Kind::other,
-                "The CPU engine needs a processor with SSE4; draw with OpenGL on this one.");
+                Message::tr("The CPU engine needs a processor with SSE4; draw with OpenGL on this one."));
   const char* wanted = std::getenv("LIMN_CPU_TARGET");
   if (!wanted || *wanted == '\0')
     return best->name;
   for (const Level& level : levels)
     if (std::string(wanted) == level.word) {
       if ((hwy::SupportedTargets() & level.target) == 0)
-        throw Error(Error::Kind::usage, std::string("LIMN_CPU_TARGET is \"") + wanted +
-                                            "\", which this processor does not have; unset it.");
+        throw Error(Error::Kind::usage,
+                    Message::tr("LIMN_CPU_TARGET is \"%1\", which this processor does not have; unset it.")
+                        .arg(wanted));
       // Better sets have lower bits.
       hwy::DisableTargets(level.target - 1);
       return level.name;
     }
   throw Error(Error::Kind::usage,
-              std::string("LIMN_CPU_TARGET is \"") + wanted + "\"; use sse4, avx2 or avx512, or unset it.");
+              Message::tr("LIMN_CPU_TARGET is \"%1\"; use sse4, avx2 or avx512, or unset it.").arg(wanted));
 }
 
 } // namespace

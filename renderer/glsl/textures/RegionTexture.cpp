@@ -64,8 +64,8 @@ void RegionTexture::update(const Region& region, const VolumeTexture& volume) {
   forgetDriverErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, GL_R16, size.x, size.y, size.z, 0, GL_RED, GL_UNSIGNED_SHORT, nullptr);
   if (glGetError() != GL_NO_ERROR)
-    throw Error(Error::Kind::openGl, "The graphics driver has no room for the kept region; draw all of the "
-                                     "volume, or with --engine cpu.");
+    throw Error(Error::Kind::openGl, Message::tr("The graphics driver has no room for the kept region; draw "
+                                                 "all of the volume, or with --engine cpu."));
   std::vector<std::uint16_t> plane(static_cast<std::size_t>(size.x) * size.y);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   for (int z = 0; z < size.z; ++z) {

@@ -86,7 +86,7 @@ public:
   const GradientScale& gradientScale() const { return m_gradientScale; }
 
   /// One sentence where the volume is shown down-sampled, otherwise empty.
-  std::string limitation() const { return m_volumeTexture ? m_volumeTexture->limitation() : std::string(); }
+  Message limitation() const { return m_volumeTexture ? m_volumeTexture->limitation() : Message(); }
 
   /// The unit of gradients in the shaders, value/mm: the volume's range per smallest spacing.
   double gradientUnit() const;

@@ -61,8 +61,8 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
   const glm::ivec3 reduced = reducedDims(dims, reduction);
   const int axis = reduced.x >= reduced.y && reduced.x >= reduced.z ? 0 : reduced.y >= reduced.z ? 1 : 2;
   if (reduced[axis] < 2)
-    throw Error(Error::Kind::openGl, "The graphics driver refused even a tiny 3D texture; update the driver "
-                                     "or draw with --engine cpu.");
+    throw Error(Error::Kind::openGl, Message::tr("The graphics driver refused even a tiny 3D texture; update "
+                                                 "the driver or draw with --engine cpu."));
   ++reduction[axis];
 }
 
@@ -149,20 +149,22 @@ std::size_t VolumeTexture::bytes() const {
 
 void VolumeTexture::reduce() {
   if (!m_room.mayReduce)
-    throw VolumeTooLarge(tooLarge() + '.');
+    throw VolumeTooLarge(Message::tr("%1.").arg(tooLarge()));
   reduceLongest(m_dims, m_reduction);
 }
 
-std::string VolumeTexture::tooLarge() const {
+Message VolumeTexture::tooLarge() const {
   const bool isOwnLimit = static_cast<double>(bytesOf(m_dims + 2, m_format)) > 1e6 * m_room.mostMb;
-  return "The volume of " + times(m_dims) + " voxels is too large for the graphics " +
-         (isOwnLimit ? "memory that it may take" : "driver");
+  return (isOwnLimit
+              ? Message::tr("The volume of %1 voxels is too large for the graphics memory that it may take")
+              : Message::tr("The volume of %1 voxels is too large for the graphics driver"))
+      .arg(times(m_dims));
 }
 
-std::string VolumeTexture::limitation() const {
+Message VolumeTexture::limitation() const {
   if (m_reduction == glm::ivec3(1))
     return {};
-  return tooLarge() + " and is shown with " + times(m_size - 2) + ".";
+  return Message::tr("%1 and is shown with %2.").arg(tooLarge()).arg(times(m_size - 2));
 }
 
 } // namespace limn

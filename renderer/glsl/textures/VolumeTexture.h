@@ -52,10 +52,10 @@ public:
   std::size_t bytes() const;
 
   /// One sentence where the volume was down-sampled, otherwise empty.
-  std::string limitation() const;
+  Message limitation() const;
 
 private:
-  std::string tooLarge() const;
+  Message tooLarge() const;
   void reduce();
   void allocate();
 

@@ -9,7 +9,8 @@
 
 namespace limn {
 
-VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const char* what, const FillSlice& fill) {
+VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const Message& what,
+                           const FillSlice& fill) {
   const std::size_t texels = static_cast<std::size_t>(size.x) * size.y * size.z;
   m_bytes = texels * (format == Format::halves ? 8 : 4);
   const GLint stored = format == Format::halves ? GL_RGBA16F : GL_RGBA8;
@@ -17,8 +18,10 @@ VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const char* wh
   forgetDriverErrors();
   glTexImage3D(GL_TEXTURE_3D, 0, stored, size.x, size.y, size.z, 0, GL_RGBA, GL_FLOAT, nullptr);
   if (glGetError() != GL_NO_ERROR)
-    throw Error(Error::Kind::openGl, std::string("The graphics driver has no room for ") + what + ", " +
-                                         std::to_string(m_bytes / 1000000) + " MB; draw without them.");
+    throw Error(Error::Kind::openGl,
+                Message::tr("The graphics driver has no room for %1, %2 MB; draw without them.")
+                    .arg(what)
+                    .arg(m_bytes / 1000000));
   std::vector<glm::vec4> slice(static_cast<std::size_t>(size.x) * size.y);
   for (int k = 0; k < size.z; ++k) {
     fill(k, slice);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/GlObjects.h"
+#include "scene/basics/Message.h"
 
 #include <glm/glm.hpp>
 
@@ -22,7 +23,7 @@ public:
 
   /// Uploads slice by slice, which needs no second copy of the whole. `what` names it in the Error (openGl)
   /// that is thrown where the driver has no room for it.
-  VoxelTexture(const glm::ivec3& size, Format format, const char* what, const FillSlice& fill);
+  VoxelTexture(const glm::ivec3& size, Format format, const Message& what, const FillSlice& fill);
 
   unsigned name() const { return m_texture.name(); }
   std::size_t bytes() const { return m_bytes; }

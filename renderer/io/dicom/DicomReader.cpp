@@ -20,73 +20,83 @@ std::string nameOf(const std::filesystem::path& path) {
   return path.has_filename() ? path.filename().string() : path.string();
 }
 
-std::string listed(const SeriesSummary& summary) {
-  std::string text = std::to_string(summary.number) + " (" + summary.modality;
+Message listed(const SeriesSummary& summary) {
+  std::string name = summary.modality;
   if (!summary.description.empty())
-    text += " '" + summary.description + "'";
-  return text + ", " + std::to_string(summary.dims.x) + " × " + std::to_string(summary.dims.y) + ", " +
-         std::to_string(summary.dims.z) + (summary.dims.z == 1 ? " image)" : " images)");
+    name += " '" + summary.description + "'";
+  return (summary.dims.z == 1 ? Message::tr("%1 (%2, %3 × %4, %5 image)")
+                              : Message::tr("%1 (%2, %3 × %4, %5 images)"))
+      .arg(summary.number)
+      .arg(name)
+      .arg(summary.dims.x)
+      .arg(summary.dims.y)
+      .arg(summary.dims.z);
 }
 
-std::string listed(const std::vector<DicomSeries>& all, std::size_t except) {
+Message listed(const std::vector<DicomSeries>& all, std::size_t except) {
   constexpr std::size_t mostNamed = 8;
-  std::string text;
+  Message list;
   for (std::size_t i = 0; i < std::min(all.size(), mostNamed); ++i)
     if (i != except)
-      text += (text.empty() ? "" : ", ") + listed(summaryOf(all[i], static_cast<int>(i) + 1));
-  if (all.size() > mostNamed)
-    text += " and " + std::to_string(all.size() - mostNamed) + " more";
-  return text;
+      list = list.followedBy(", ", listed(summaryOf(all[i], static_cast<int>(i) + 1)));
+  return all.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list).arg(all.size() - mostNamed) : list;
 }
 
 DicomSeries chosenSeries(const std::filesystem::path& path, const std::vector<DicomSeries>& all,
-                         const ReadOptions& options, std::vector<std::string>& warnings) {
+                         const ReadOptions& options, std::vector<Message>& warnings) {
   const int count = static_cast<int>(all.size());
   if (options.series && (*options.series < 1 || *options.series > count))
-    throw Error(Error::Kind::input, nameOf(path) + " has no series " + std::to_string(*options.series) +
-                                        "; it holds " + listed(all, all.size()) + ".");
+    throw Error(Error::Kind::input, Message::tr("%1 has no series %2; it holds %3.")
+                                        .arg(nameOf(path))
+                                        .arg(*options.series)
+                                        .arg(listed(all, all.size())));
   const auto index = static_cast<std::size_t>(options.series.value_or(1) - 1);
   if (!options.series && count > 1)
-    warnings.push_back(std::to_string(count) + " series were found and the largest is shown, " +
-                       listed(summaryOf(all[0], 1)) + "; the others are " + listed(all, 0) +
-                       ". Choose one by its number.");
+    warnings.push_back(
+        Message::tr(
+            "%1 series were found and the largest is shown, %2; the others are %3. Choose one by its number.")
+            .arg(count)
+            .arg(listed(summaryOf(all[0], 1)))
+            .arg(listed(all, 0)));
   return all[index];
 }
 
 // The first three of several names.
-std::string firstNames(const std::vector<std::string>& files) {
+Message firstNames(const std::vector<std::string>& files) {
   constexpr std::size_t mostNamed = 3;
-  std::string text;
+  Message list;
   for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
-    text += (text.empty() ? "" : ", ") + plainText(files[i], 80);
-  if (files.size() > mostNamed)
-    text += " and " + std::to_string(files.size() - mostNamed) + " more";
-  return text;
+    list = list.followedBy(", ", plainText(files[i], 80));
+  return files.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list).arg(files.size() - mostNamed)
+                                  : list;
 }
 
-void noteScan(const std::filesystem::path& path, const DicomScan& scan, std::vector<std::string>& warnings) {
+void noteScan(const std::filesystem::path& path, const DicomScan& scan, std::vector<Message>& warnings) {
   const std::size_t damaged = scan.damaged.size();
   if (damaged > 0)
-    warnings.push_back(std::to_string(damaged) + " DICOM " +
-                       (damaged == 1 ? "file is damaged or cut off and was left out ("
-                                     : "files are damaged or cut off and were left out (") +
-                       firstNames(scan.damaged) + "): slices may be missing; copy the series again.");
+    warnings.push_back((damaged == 1 ? Message::tr("%1 DICOM file is damaged or cut off and was left out "
+                                                   "(%2): slices may be missing; copy the series again.")
+                                     : Message::tr("%1 DICOM files are damaged or cut off and were left out "
+                                                   "(%2): slices may be missing; copy the series again."))
+                           .arg(damaged)
+                           .arg(firstNames(scan.damaged)));
   const bool isOneImage = !std::filesystem::is_directory(path) && scan.images.size() == 1 &&
                           scan.images.front().frames.size() == 1;
   if (isOneImage)
-    warnings.emplace_back("This is a single image; open its folder to see the whole series.");
+    warnings.emplace_back(Message::tr("This is a single image; open its folder to see the whole series."));
 }
 
 void requireImages(const std::filesystem::path& path, const DicomScan& scan) {
   if (!scan.images.empty())
     return;
-  std::string found = "no DICOM files";
+  Message found = Message::tr("no DICOM files");
   if (scan.withoutImage > 0)
-    found = "DICOM objects without images only (reports, plans or indices)";
+    found = Message::tr("DICOM objects without images only (reports, plans or indices)");
   if (!scan.damaged.empty())
-    found = "only DICOM files that are damaged or cut off (" + firstNames(scan.damaged) + ")";
-  throw Error(Error::Kind::input,
-              "The folder " + nameOf(path) + " holds " + found + "; choose the folder of an image series.");
+    found = Message::tr("only DICOM files that are damaged or cut off (%1)").arg(firstNames(scan.damaged));
+  throw Error(Error::Kind::input, Message::tr("The folder %1 holds %2; choose the folder of an image series.")
+                                      .arg(nameOf(path))
+                                      .arg(found));
 }
 
 void requireSeries(const DicomSeries& series) {
@@ -102,9 +112,14 @@ void requireSeries(const DicomSeries& series) {
 
 void requireRoom(const std::filesystem::path& path, const glm::ivec3& dims) {
   if (static_cast<double>(dims.x) * dims.y * dims.z > mostVoxels)
-    throw Error(Error::Kind::input, nameOf(path) + " makes a volume of " + std::to_string(dims.x) + " × " +
-                                        std::to_string(dims.y) + " × " + std::to_string(dims.z) +
-                                        " voxels, more than can be shown; choose a smaller series.");
+    throw Error(
+        Error::Kind::input,
+        Message::tr(
+            "%1 makes a volume of %2 × %3 × %4 voxels, more than can be shown; choose a smaller series.")
+            .arg(nameOf(path))
+            .arg(dims.x)
+            .arg(dims.y)
+            .arg(dims.z));
   requireMemory(path, static_cast<double>(dims.x) * dims.y * dims.z);
 }
 
@@ -116,7 +131,7 @@ void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
 }
 
 VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
-                  const std::vector<std::string>& warnings) {
+                  const std::vector<Message>& warnings) {
   const DicomHeader& first = *series.front().header;
   VolumeInfo info;
   info.format = "DICOM";
@@ -125,15 +140,15 @@ VolumeInfo infoOf(const DicomSeries& series, const DicomGeometry& geometry,
   info.hints = first.hints;
   info.orientationKnown = geometry.orientationKnown;
   info.spacingKnown = geometry.spacingKnown;
-  for (const std::string& warning : warnings)
-    info.warnings.push_back(plainText(warning));
+  for (const Message& warning : warnings)
+    info.warnings.push_back(plainMessage(warning));
   info.patient = first.patient;
   return info;
 }
 
 std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const DicomSeries& series,
                                        const ReadOptions& options, const Progress& progress,
-                                       std::vector<std::string> warnings) {
+                                       std::vector<Message> warnings) {
   DicomGeometry geometry =
       naming(path, [&] { return geometryOf(series, options.spacingMm.has_value(), warnings); });
   const DicomHeader& first = *series.front().header;
@@ -179,7 +194,7 @@ std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const
                                         const Progress& progress) {
   const DicomScan scan = scanDicom(path, part(progress, 0.0, 0.3));
   requireImages(path, scan);
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   noteScan(path, scan, warnings);
   DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
   series = withoutCopies(std::move(series), warnings);

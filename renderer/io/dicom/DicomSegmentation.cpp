@@ -64,12 +64,13 @@ SegmentPixels SegmentationFile::pixelsOf() const {
   pixels.isFractional = textOf(data, tag::segmentationType) == "FRACTIONAL";
   pixels.half = (unsignedOf(data, tag::maximumFractionalValue).value_or(255) + 1) / 2;
   if (!m_file.pixels)
-    failReading(m_path, "it holds no segments", copyAgain);
+    failReading(m_path, Message::tr("it holds no segments"), copyAgain);
   if (m_file.pixels->isEncapsulated)
-    failReading(m_path, "its segments are compressed", "export the segmentation uncompressed");
+    failReading(m_path, Message::tr("its segments are compressed"),
+                Message::tr("export the segmentation uncompressed"));
   const auto bits = unsignedOf(data, tag::bitsAllocated).value_or(0);
   if (pixels.perFrame() == 0 || bits != (pixels.isFractional ? 8u : 1u))
-    failReading(m_path, "its header contradicts itself about its pixels", copyAgain);
+    failReading(m_path, Message::tr("its header contradicts itself about its pixels"), copyAgain);
   return pixels;
 }
 
@@ -87,7 +88,7 @@ std::vector<SegmentFrame> SegmentationFile::framesOf(const SegmentPixels& pixels
       std::min(place.length, place.streamLength - std::min(place.offset, place.streamLength));
   if (!(announced >= 1.0) ||
       announced * static_cast<double>(pixels.bitsPerFrame()) > 8.0 * static_cast<double>(present))
-    failReading(m_path, "it is too short for the frames that it announces", copyAgain);
+    failReading(m_path, Message::tr("it is too short for the frames that it announces"), copyAgain);
   const int count = static_cast<int>(announced);
   const std::vector<DicomFrame> places = limn::framesOf(data, count);
   m_first = places.front();
@@ -101,12 +102,13 @@ std::vector<SegmentFrame> SegmentationFile::framesOf(const SegmentPixels& pixels
       segment = segmentOf(firstItemOf(data, tag::sharedFunctionalGroups));
     const auto& position = places[static_cast<std::size_t>(n)].positionMm;
     if (segment == 0 || segment > 65535 || !position)
-      failReading(m_path, "it does not say where its frames lie and which segment each shows",
-                  "export it again");
+      failReading(m_path, Message::tr("it does not say where its frames lie and which segment each shows"),
+                  Message::tr("export it again"));
     frames.push_back({segment, *position});
   }
   if (!m_first.axes || !m_first.pixelSpacingMm)
-    failReading(m_path, "it does not say how its frames lie in the patient", "export it again");
+    failReading(m_path, Message::tr("it does not say how its frames lie in the patient"),
+                Message::tr("export it again"));
   return frames;
 }
 
@@ -130,13 +132,14 @@ Grid SegmentationFile::gridOf(const SegmentPixels& pixels, const std::vector<Seg
     step = m_first.thicknessMm.value_or(std::min(spacing.x, spacing.y));
   const double slices = std::round((heights.back() - heights.front()) / step) + 1.0;
   if (slices > mostSlices)
-    failReading(m_path, "its planes lie too far apart for one volume", copyAgain);
+    failReading(m_path, Message::tr("its planes lie too far apart for one volume"), copyAgain);
   for (const SegmentFrame& frame : frames) {
     const glm::dvec3 from = frame.positionMm - lowest.positionMm;
     const double planes = glm::dot(from, normal) / step;
     const double aside = glm::length(from - glm::dot(from, normal) * normal);
     if (std::abs(planes - std::round(planes)) > 0.1 || aside > 0.1 * std::min(spacing.x, spacing.y))
-      failReading(m_path, "its planes make no even stack", "export the segmentation as NRRD or NIfTI");
+      failReading(m_path, Message::tr("its planes make no even stack"),
+                  Message::tr("export the segmentation as NRRD or NIfTI"));
   }
   Grid grid;
   grid.dims = {pixels.columns, pixels.rows, static_cast<int>(slices)};
@@ -164,7 +167,7 @@ std::vector<std::uint16_t> SegmentationFile::numbersOn(const Grid& grid, const S
     stream->clear();
     stream->seekg(static_cast<std::streamoff>(m_file.pixels->offset + from));
     if (!stream->read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-      failReading(m_path, "it is cut off within its segments", copyAgain);
+      failReading(m_path, Message::tr("it is cut off within its segments"), copyAgain);
     if (m_file.pixels->isWordSwapped)
       for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
         std::swap(bytes[i], bytes[i + 1]);

@@ -121,10 +121,8 @@ DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, 
   return {std::move(values), Rescale{}, std::nullopt};
 }
 
-std::string ratioText(const std::optional<double>& ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, " (%.3g : 1)", ratio.value_or(0.0));
-  return ratio ? text : "";
+Message ratioText(const std::optional<double>& ratio) {
+  return ratio ? Message::tr(" (%1 : 1)").arg(Message::rounded(*ratio, 3)) : Message();
 }
 
 bool holdsMoreThanAnnounced(const DicomSlice& slice) {
@@ -133,32 +131,35 @@ bool holdsMoreThanAnnounced(const DicomSlice& slice) {
          header.pixels->length >= frameBytes(header) * (header.announcedFrames + 1);
 }
 
-void noteFormat(const DicomSeries& series, std::vector<std::string>& warnings) {
+void noteFormat(const DicomSeries& series, std::vector<Message>& warnings) {
   const DicomHeader& first = *series.front().header;
   const auto lossy =
       std::ranges::find_if(series, [](const DicomSlice& slice) { return slice.header->isLossy; });
   if (lossy != series.end())
-    warnings.push_back("The images were compressed with loss" + ratioText(lossy->header->lossyRatio) +
-                       ": fine detail differs from what the scanner measured.");
+    warnings.push_back(
+        Message::tr(
+            "The images were compressed with loss%1: fine detail differs from what the scanner measured.")
+            .arg(ratioText(lossy->header->lossyRatio)));
   if (std::ranges::any_of(series, holdsMoreThanAnnounced))
-    warnings.emplace_back("The file holds more pixels than its header announces; the rest is not shown.");
-  if (first.format.photometric == "MONOCHROME1")
     warnings.emplace_back(
-        "The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.");
+        Message::tr("The file holds more pixels than its header announces; the rest is not shown."));
+  if (first.format.photometric == "MONOCHROME1")
+    warnings.emplace_back(Message::tr(
+        "The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are."));
   if (first.format.samples > 1 || isPalette(first))
-    warnings.emplace_back("The images are coloured; their luminance is shown.");
+    warnings.emplace_back(Message::tr("The images are coloured; their luminance is shown."));
 }
 
 } // namespace
 
-DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
-                       std::vector<std::string>& warnings) {
+DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress, std::vector<Message>& warnings) {
   const DicomHeader& first = *series.front().header;
   for (const DicomSlice& slice : series)
     if (!isUsable(rescaleOf(slice)))
-      throw Error(Error::Kind::input, "The DICOM file " + slice.header->path.string() +
-                                          " gives a rescale slope of 0 or none that is a number, which "
-                                          "leaves no values; its header is damaged.");
+      throw Error(Error::Kind::input,
+                  Message::tr("The DICOM file %1 gives a rescale slope of 0 or none that is a number, which "
+                              "leaves no values; its header is damaged.")
+                      .arg(slice.header->path.string()));
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
   DicomUnpackNotes notes;
   noteFormat(series, warnings);
@@ -166,7 +167,7 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
                                                  : readModalityValues(series, perSlice, progress, notes);
   if (notes.ignoredBits)
     warnings.emplace_back(
-        "Some pixels have bits set beyond those that hold the value; these bits were ignored.");
+        Message::tr("Some pixels have bits set beyond those that hold the value; these bits were ignored."));
   return voxels;
 }
 

@@ -18,8 +18,7 @@ struct DicomVoxels {
 /// all slices share rescale, padding and format; otherwise, and through a modality look-up table, the values
 /// become float with padding as NaN. Colour becomes luminance. What was changed is stated in `warnings`.
 /// Reports fractions 0..1. Throws Error (input); Cancelled.
-DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress,
-                       std::vector<std::string>& warnings);
+DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress, std::vector<Message>& warnings);
 
 /// Resamples slices onto the grid of `geometry`: each shifted in its plane (bilinear), planes between two of
 /// them mixed linearly. Where one of the voxels to mix is padding, the nearest is taken instead; what no

@@ -17,15 +17,17 @@ std::string written(double number) {
   return text.str();
 }
 
-std::string described(const Limits& limits) {
+Message described(const Limits& limits) {
   const bool below = limits.lowest > std::numeric_limits<double>::lowest();
   const bool above = limits.highest < std::numeric_limits<double>::max();
   if (below && above)
-    return (limits.openBelow ? "above " : "from ") + written(limits.lowest) + " to " +
-           written(limits.highest);
+    return (limits.openBelow ? Message::tr("above %1 to %2") : Message::tr("from %1 to %2"))
+        .arg(written(limits.lowest))
+        .arg(written(limits.highest));
   if (below)
-    return (limits.openBelow ? "above " : "at least ") + written(limits.lowest);
-  return above ? "at most " + written(limits.highest) : "any number";
+    return (limits.openBelow ? Message::tr("above %1") : Message::tr("at least %1"))
+        .arg(written(limits.lowest));
+  return above ? Message::tr("at most %1").arg(written(limits.highest)) : Message::tr("any number");
 }
 
 } // namespace
@@ -33,13 +35,15 @@ std::string described(const Limits& limits) {
 JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::string where)
     : m_object(object), m_document(std::move(document)), m_where(std::move(where)) {
   if (!m_object.is_object())
-    throw Error(Error::Kind::input, m_document + ": " +
-                                        (m_where.empty() ? "the file" : "\"" + m_where + "\"") +
-                                        " must be a JSON object in braces.");
+    throw Error(Error::Kind::input,
+                Message::tr("%1: %2 must be a JSON object in braces.")
+                    .arg(m_document)
+                    .arg(m_where.empty() ? Message::tr("the file") : Message("\"" + m_where + "\"")));
 }
 
-void JsonFields::fail(const std::string& key, const std::string& problem) const {
-  throw Error(Error::Kind::input, m_document + ": \"" + pathOf(key) + "\" " + problem + ".");
+void JsonFields::fail(const std::string& key, const Message& problem) const {
+  throw Error(Error::Kind::input,
+              Message::tr("%1: \"%2\" %3.").arg(m_document).arg(pathOf(key)).arg(problem));
 }
 
 bool JsonFields::has(const std::string& key) {
@@ -54,11 +58,11 @@ const nlohmann::json& JsonFields::child(const std::string& key) {
 
 double JsonFields::numberIn(const nlohmann::json& value, const std::string& key, const Limits& limits) const {
   if (!value.is_number())
-    fail(key, "must be a number");
+    fail(key, Message::tr("must be a number"));
   const double number = value.get<double>();
   const bool tooLow = limits.openBelow ? !(number > limits.lowest) : !(number >= limits.lowest);
   if (tooLow || !(number <= limits.highest) || !std::isfinite(number))
-    fail(key, "is " + written(number) + "; it must be " + described(limits));
+    fail(key, Message::tr("is %1; it must be %2").arg(written(number)).arg(described(limits)));
   return number;
 }
 
@@ -73,7 +77,7 @@ bool JsonFields::integer(const std::string& key, int& target, int lowest, int hi
   if (!has(key))
     return false;
   if (!m_object.at(key).is_number_integer())
-    fail(key, "must be a whole number");
+    fail(key, Message::tr("must be a whole number"));
   target = static_cast<int>(
       numberIn(m_object.at(key), key, {static_cast<double>(lowest), static_cast<double>(highest)}));
   return true;
@@ -83,7 +87,7 @@ bool JsonFields::boolean(const std::string& key, bool& target) {
   if (!has(key))
     return false;
   if (!m_object.at(key).is_boolean())
-    fail(key, "must be true or false");
+    fail(key, Message::tr("must be true or false"));
   target = m_object.at(key).get<bool>();
   return true;
 }
@@ -92,7 +96,7 @@ bool JsonFields::text(const std::string& key, std::string& target) {
   if (!has(key))
     return false;
   if (!m_object.at(key).is_string())
-    fail(key, "must be a text in quotes");
+    fail(key, Message::tr("must be a text in quotes"));
   target = m_object.at(key).get<std::string>();
   return true;
 }
@@ -102,7 +106,7 @@ bool JsonFields::vector(const std::string& key, glm::dvec3& target, const Limits
     return false;
   const nlohmann::json& value = m_object.at(key);
   if (!value.is_array() || value.size() != 3)
-    fail(key, "must be a list of three numbers");
+    fail(key, Message::tr("must be a list of three numbers"));
   for (int axis = 0; axis < 3; ++axis)
     target[axis] = numberIn(value[static_cast<std::size_t>(axis)], key, limits);
   return true;
@@ -113,7 +117,7 @@ bool JsonFields::pair(const std::string& key, double& first, double& second, con
     return false;
   const nlohmann::json& value = m_object.at(key);
   if (!value.is_array() || value.size() != 2)
-    fail(key, "must be a list of two numbers");
+    fail(key, Message::tr("must be a list of two numbers"));
   first = numberIn(value[0], key, limits);
   second = numberIn(value[1], key, limits);
   return true;
@@ -128,34 +132,37 @@ std::optional<std::size_t> JsonFields::choice(const std::string& key, std::span<
       return i;
     known += (known.empty() ? "" : ", ") + std::string(words[i]);
   }
-  fail(key, "is \"" + word + "\"; choose one of " + known);
+  fail(key, Message::tr("is \"%1\"; choose one of %2").arg(word).arg(known));
 }
 
 void JsonFields::finish() const {
   for (const auto& [key, value] : m_object.items())
     if (!m_known.contains(key))
-      fail(key, "is not a key that Limn knows; check its spelling or remove it");
+      fail(key, Message::tr("is not a key that Limn knows; check its spelling or remove it"));
 }
 
-void requireVersion(JsonFields& fields, const std::string& key, const std::string& what) {
+void requireVersion(JsonFields& fields, const std::string& key, const Message& what) {
   int version = 0;
   if (!fields.integer(key, version, 1, 1000000))
-    fields.fail(key, "is missing, so this is not a Limn " + what);
+    fields.fail(key, Message::tr("is missing, so this is not a Limn %1").arg(what));
   if (version != 1)
-    fields.fail(key,
-                "is " + std::to_string(version) + "; this Limn reads version 1, a newer one may read it");
+    fields.fail(key, Message::tr("is %1; this Limn reads version 1, a newer one may read it").arg(version));
 }
 
 nlohmann::json parsedJson(std::string_view text, const std::string& name) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    throw Error(Error::Kind::input, name + " is not valid JSON (the mistake is near byte " +
-                                        std::to_string(error.byte) +
-                                        "); open it in a text editor to repair it.");
+    throw Error(
+        Error::Kind::input,
+        Message::tr(
+            "%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.")
+            .arg(name)
+            .arg(error.byte));
   } catch (const nlohmann::json::out_of_range&) {
     throw Error(Error::Kind::input,
-                name + " holds a number too large to be one; open it in a text editor to repair it.");
+                Message::tr("%1 holds a number too large to be one; open it in a text editor to repair it.")
+                    .arg(name));
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Message.h"
+
 #include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 
@@ -76,7 +78,7 @@ public:
   /// Refuses every field that no method asked for, by name.
   void finish() const;
 
-  [[noreturn]] void fail(const std::string& key, const std::string& problem) const;
+  [[noreturn]] void fail(const std::string& key, const Message& problem) const;
   const std::string& document() const { return m_document; }
 
 private:
@@ -91,7 +93,7 @@ private:
 };
 
 /// Refuses a document whose `key` is not the version that this program reads; `what` it would be otherwise.
-void requireVersion(JsonFields& fields, const std::string& key, const std::string& what);
+void requireVersion(JsonFields& fields, const std::string& key, const Message& what);
 
 /// The text as JSON. Throws Error (input) calling the file `name`.
 nlohmann::json parsedJson(std::string_view text, const std::string& name);

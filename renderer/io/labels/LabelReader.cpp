@@ -52,7 +52,8 @@ Region readLabels(const fs::path& path, const Grid& grid, const Progress& progre
   const LabelVolume labels = readLabelVolume(path, part(progress, 0.0, 0.6));
   const Grid& own = labels.volume->grid();
   if (!overlaps(own, grid) && !overlaps(grid, own))
-    failReading(path, "it lies elsewhere than the volume", "open the label map that belongs to this volume");
+    failReading(path, Message::tr("it lies elsewhere than the volume"),
+                Message::tr("open the label map that belongs to this volume"));
   return naming(path, [&] {
     const auto map = labelsOnGrid(*labels.volume, labels.described, grid,
                                   effortOf(part(progress, 0.6, 1.0), Message::tr("Placing labels")));

@@ -24,17 +24,17 @@ bool hasRoomForLibrary() {
 // Found beside the program: its RUNPATH names the folder.
 const PictureLibrary* loaded() {
   if (!hasRoomForLibrary())
-    throw Error(Error::Kind::other,
-                "Pictures can be neither read nor written, because there is not enough memory "
-                "for the part of Limn that does it; close other programs or allow Limn more "
-                "memory.");
+    throw Error(
+        Error::Kind::other,
+        Message::tr("Pictures can be neither read nor written, because there is not enough memory for the "
+                    "part of Limn that does it; close other programs or allow Limn more memory."));
   void* module = dlopen("liblimn_picture_files.so", RTLD_NOW | RTLD_LOCAL);
   const void* found = module ? dlsym(module, "limnPictureLibrary") : nullptr;
   if (!found) {
     const char* reason = dlerror();
-    throw Error(Error::Kind::other, std::string("Pictures can be neither read nor written, because a part of "
-                                                "Limn cannot be loaded (") +
-                                        (reason ? reason : "no reason given") + "); install Limn again.");
+    throw Error(Error::Kind::other, Message::tr("Pictures can be neither read nor written, because a part of "
+                                                "Limn cannot be loaded (%1); install Limn again.")
+                                        .arg(reason ? Message(reason) : Message::tr("no reason given")));
   }
   return static_cast<const PictureLibrary*>(found);
 }

@@ -14,24 +14,25 @@ void requireMemory(const std::filesystem::path& path, double bytes) {
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (bytes <= present)
     return;
-  char text[160];
-  std::snprintf(text, sizeof text, "its voxels need %.1f GiB of memory and this computer has %.1f",
-                bytes / (1 << 30), present / (1 << 30));
-  failReading(path, text, "save a smaller volume");
+  failReading(path,
+              Message::tr("its voxels need %1 GiB of memory and this computer has %2")
+                  .arg(Message::fixed(bytes / (1 << 30), 1))
+                  .arg(Message::fixed(present / (1 << 30), 1)),
+              Message::tr("save a smaller volume"));
 }
 
 void requirePlausible(const std::filesystem::path& path, const Grid& grid) {
-  char text[160];
   for (int axis = 0; axis < 3; ++axis)
-    if (!(grid.spacingMm[axis] >= 1e-7) || !(grid.spacingMm[axis] <= 1e6)) {
-      std::snprintf(text, sizeof text, "its voxel spacing of %g mm is damaged", grid.spacingMm[axis]);
-      failReading(path, text, "give the true one with --spacing X,Y,Z");
-    }
+    if (!(grid.spacingMm[axis] >= 1e-7) || !(grid.spacingMm[axis] <= 1e6))
+      failReading(
+          path,
+          Message::tr("its voxel spacing of %1 mm is damaged").arg(Message::rounded(grid.spacingMm[axis], 6)),
+          Message::tr("give the true one with --spacing X,Y,Z"));
   const double away = glm::length(grid.originMm);
-  if (!(away <= 1e9)) {
-    std::snprintf(text, sizeof text, "its header places it %g mm away, which is damage", away);
-    failReading(path, text, "export it again");
-  }
+  if (!(away <= 1e9))
+    failReading(
+        path, Message::tr("its header places it %1 mm away, which is damage").arg(Message::rounded(away, 6)),
+        Message::tr("export it again"));
 }
 
 } // namespace limn

@@ -56,9 +56,10 @@ std::optional<double> numberIn(std::string_view text) {
 double number(const std::filesystem::path& file, std::string_view text) {
   const auto value = numberIn(trimmed(text));
   if (!value)
-    failReading(
-        file, "its header has \"" + std::string(trimmed(text).substr(0, 40)) + "\" where a number is needed",
-        copyAgain);
+    failReading(file,
+                Message::tr("its header has \"%1\" where a number is needed")
+                    .arg(std::string(trimmed(text).substr(0, 40))),
+                copyAgain);
   return *value;
 }
 

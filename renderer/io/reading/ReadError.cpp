@@ -4,8 +4,8 @@
 namespace limn {
 namespace {
 
-std::string sentence(const std::filesystem::path& file, const std::string& rest) {
-  return "Cannot read " + plainText(file.string()) + ": " + rest;
+Message sentence(const std::filesystem::path& file, const Message& rest) {
+  return Message::tr("Cannot read %1: %2").arg(plainText(file.string())).arg(rest);
 }
 
 } // namespace
@@ -21,13 +21,18 @@ std::string plainText(std::string text, std::size_t most) {
   return text.substr(0, most) + "…";
 }
 
-void failReading(const std::filesystem::path& file, const std::string& reason, const std::string& wayOut) {
-  constexpr std::size_t longestReason = 300;
-  throw Error(Error::Kind::input, sentence(file, plainText(reason, longestReason) + "; " + wayOut + "."));
+Message plainMessage(const Message& message, std::size_t most) {
+  return message.withVerbatim([most](const std::string& text) { return plainText(text, most); });
+}
+
+void failReading(const std::filesystem::path& file, const Message& reason, const Message& wayOut) {
+  constexpr std::size_t longestPart = 200;
+  throw Error(Error::Kind::input,
+              sentence(file, Message::tr("%1; %2.").arg(plainMessage(reason, longestPart)).arg(wayOut)));
 }
 
 void failReading(const std::filesystem::path& file, const Error& cause) {
-  throw Error(cause.kind(), sentence(file, cause.what()));
+  throw Error(cause.kind(), sentence(file, cause.sentence()));
 }
 
 } // namespace limn

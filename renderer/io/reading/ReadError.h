@@ -12,11 +12,14 @@ namespace limn {
 /// it ends after `most` bytes.
 std::string plainText(std::string text, std::size_t most = std::string::npos);
 
+/// A message of which every part that came out of a file is such a text.
+Message plainMessage(const Message& message, std::size_t most = std::string::npos);
+
 /// Throws Error (input) with the one sentence of a file that cannot be read. `reason` continues "Cannot read
 /// FILE: " and `wayOut` is an instruction without a full stop. What a damaged header put into the reason
 /// becomes plain text of some length.
-[[noreturn]] void failReading(const std::filesystem::path& file, const std::string& reason,
-                              const std::string& wayOut);
+[[noreturn]] void failReading(const std::filesystem::path& file, const Message& reason,
+                              const Message& wayOut);
 
 /// Throws an error of the same kind whose sentence says which file was being read.
 [[noreturn]] void failReading(const std::filesystem::path& file, const Error& cause);
@@ -32,6 +35,6 @@ auto naming(const std::filesystem::path& file, Step&& step) {
 }
 
 /// The way out where a file ends early or its header lies.
-inline constexpr const char* copyAgain = "copy or export the file again";
+inline const Message copyAgain = Message::tr("copy or export the file again");
 
 } // namespace limn

@@ -16,6 +16,13 @@
 namespace limn {
 namespace {
 
+std::vector<std::string> warningsOf(const Volume& volume) {
+  std::vector<std::string> warnings;
+  for (const Message& warning : volume.info().warnings)
+    warnings.push_back(warning.english());
+  return warnings;
+}
+
 using Json = nlohmann::ordered_json;
 
 Json toJson(const glm::dvec3& v) {
@@ -163,7 +170,7 @@ std::string volumeJson(const VolumeFacts& facts) {
                  {"invalid_voxels", volume.invalidVoxels()},
                  {"gradient", {{"max", facts.gradientMax}, {"p99_5", facts.gradientPercentile}}},
                  {"series", series},
-                 {"warnings", volume.info().warnings}});
+                 {"warnings", warningsOf(volume)}});
 }
 
 std::string effectsJson(const std::string& renderer, const std::vector<EffectRow>& rows,

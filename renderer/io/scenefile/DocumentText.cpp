@@ -13,13 +13,14 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t limit) {
   std::error_code failed;
   const auto size = std::filesystem::file_size(path, failed);
   if (failed)
-    failReading(name, "there is no such file", "check the path");
+    failReading(name, Message::tr("there is no such file"), Message::tr("check the path"));
   if (size > limit)
-    failReading(name, "it is far larger than any file of this kind", "choose another file");
+    failReading(name, Message::tr("it is far larger than any file of this kind"),
+                Message::tr("choose another file"));
   std::ifstream file(path, std::ios::binary);
   std::string text(size, '\0');
   if (!file.read(text.data(), static_cast<std::streamsize>(size)))
-    failReading(name, "it cannot be opened", "check that you may read it");
+    failReading(name, Message::tr("it cannot be opened"), Message::tr("check that you may read it"));
   return text;
 }
 

@@ -33,23 +33,23 @@ bool isOfParaView(const json& text) {
 }
 
 // What it is, as in "it is …"; empty where it may be a scene or session.
-std::string kindOf(const json& text) {
+Message kindOf(const json& text) {
   if (text.is_object() && hasAny(text, {"limn_scene", "limn_session", "volume", "transfer_function"}))
     return {};
   if (isOfParaView(text))
-    return "a list of ParaView's colour maps";
+    return Message::tr("a list of ParaView's colour maps");
   if (!text.is_object())
-    return "JSON of another program";
+    return Message::tr("JSON of another program");
   if (text.contains("limn_preset"))
-    return "a preset of Limn, which shows a volume but names none";
+    return Message::tr("a preset of Limn, which shows a volume but names none");
   if (text.contains("limn_settings"))
-    return "Limn's own settings";
+    return Message::tr("Limn's own settings");
   if (isOfSlicer(text) || text.contains("volumeProperties"))
-    return text.contains("markups") ? "markups of 3D Slicer"
-                                    : "a file of 3D Slicer (volume rendering properties)";
-  return text.empty()
-             ? "an empty JSON object"
-             : "JSON of another program (its first key is \"" + text.begin().key().substr(0, 40) + "\")";
+    return text.contains("markups") ? Message::tr("markups of 3D Slicer")
+                                    : Message::tr("a file of 3D Slicer (volume rendering properties)");
+  return text.empty() ? Message::tr("an empty JSON object")
+                      : Message::tr("JSON of another program (its first key is \"%1\")")
+                            .arg(text.begin().key().substr(0, 40));
 }
 
 } // namespace
@@ -58,9 +58,9 @@ void refuseForeignJson(std::string_view text, const std::string& name) {
   const json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded())
     return;
-  if (const std::string kind = kindOf(parsed); !kind.empty())
-    failReading(name, "it is " + kind + ", not a scene or session that Limn saved",
-                "open the volume itself and choose a preset");
+  if (const Message kind = kindOf(parsed); !kind.empty())
+    failReading(name, Message::tr("it is %1, not a scene or session that Limn saved").arg(kind),
+                Message::tr("open the volume itself and choose a preset"));
 }
 
 } // namespace limn

@@ -15,7 +15,7 @@ int labelNamed(const JsonFields& weights, const std::string& key) {
   int value = 0;
   const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), value);
   if (failed != std::errc() || end != key.data() + key.size())
-    weights.fail(key, "must be the number of a label");
+    weights.fail(key, Message::tr("must be the number of a label"));
   return value;
 }
 
@@ -40,9 +40,10 @@ std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<i
     left.erase(label.value);
   }
   if (!left.empty())
-    throw Error(Error::Kind::input, "The scene gives a weight to label " +
-                                        std::to_string(left.begin()->first) + ", which " + labelMap +
-                                        " does not have; take the weight out or choose another label map.");
+    throw Error(Error::Kind::input, Message::tr("The scene gives a weight to label %1, which %2 does not "
+                                                "have; take the weight out or choose another label map.")
+                                        .arg(left.begin()->first)
+                                        .arg(labelMap));
   return inOrder;
 }
 
@@ -51,14 +52,14 @@ KeptPart readKeptPart(JsonFields& scene) {
   KeptPart part;
   if (!value.is_object()) {
     if (value != "all" && value != "body")
-      scene.fail("keep", R"(must be "all", "body" or {"labels": FILE, "weights": {…}})");
+      scene.fail("keep", Message::tr("must be \"all\", \"body\" or {\"labels\": FILE, \"weights\": {…}}"));
     part.kind = value == "body" ? Region::Kind::body : Region::Kind::all;
     return part;
   }
   part.kind = Region::Kind::labels;
   JsonFields fields = scene.object("keep");
   if (!fields.text("labels", part.labels) || part.labels.empty())
-    fields.fail("labels", "is missing; name the file of the label map");
+    fields.fail("labels", Message::tr("is missing; name the file of the label map"));
   if (fields.has("weights")) {
     JsonFields weights = fields.object("weights");
     for (const auto& [key, ignored] : fields.child("weights").items())

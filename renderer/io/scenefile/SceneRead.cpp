@@ -18,7 +18,7 @@ constexpr Limits coefficientLimits{0.0, 8.0};
 
 void readRange(JsonFields& fields, const std::string& key, CoefficientRange& range, const Limits& limits) {
   if (fields.pair(key, range.atFlat, range.atBoundary, limits) && range.atFlat > range.atBoundary)
-    fields.fail(key, "must name the smaller number first");
+    fields.fail(key, Message::tr("must name the smaller number first"));
 }
 
 Camera readCamera(JsonFields fields) {
@@ -44,12 +44,12 @@ TransferFunction readTransferFunction(JsonFields fields) {
   if (fields.has("points")) {
     const nlohmann::json& points = fields.child("points");
     if (!points.is_array())
-      fields.fail("points", "must be a list of control points");
+      fields.fail("points", Message::tr("must be a list of control points"));
     for (const nlohmann::json& item : points) {
       JsonFields point(item, fields.document(), placeIn("transfer_function.points", function.points.size()));
       ControlPoint control;
       if (!point.number("value", control.value))
-        point.fail("value", "is missing");
+        point.fail("value", Message::tr("is missing"));
       point.vector("color", control.color, fraction);
       point.number("opacity", control.opacity, fraction);
       point.finish();
@@ -70,14 +70,14 @@ GradientReference readGradientReference(JsonFields& shading) {
     PercentileReference reference;
     JsonFields fields = shading.object("gradient_reference");
     if (!fields.number("percentile", reference.percent, {0.0, 100.0, true}))
-      fields.fail("percentile", "is missing");
+      fields.fail("percentile", Message::tr("is missing"));
     fields.finish();
     return reference;
   }
   FixedReference reference;
   if (!value.is_number())
     shading.fail("gradient_reference",
-                 "must be \"auto\", \"max\", {\"percentile\": p} or a number in value/mm");
+                 Message::tr("must be \"auto\", \"max\", {\"percentile\": p} or a number in value/mm"));
   shading.number("gradient_reference", reference.valuePerMm, positive);
   return reference;
 }
@@ -104,7 +104,7 @@ void readLightDirection(JsonFields& fields, Shading& shading) {
   fields.vector("light_direction", direction);
   // However short, a direction is one; the square of its length may be 0.
   if (direction == glm::dvec3(0.0))
-    fields.fail("light_direction", "must be \"headlight\" or a direction that is not zero");
+    fields.fail("light_direction", Message::tr("must be \"headlight\" or a direction that is not zero"));
   shading.lightDirection = direction;
 }
 
@@ -116,7 +116,7 @@ void readRobustFields(JsonFields& fields, Shading& shading) {
     if (!fields.child("significance").is_null()) {
       fields.pair("significance", window.low, window.high, fraction);
       if (!(window.low < window.high))
-        fields.fail("significance", "must name the smaller number first");
+        fields.fail("significance", Message::tr("must name the smaller number first"));
       shading.significance = window;
     }
   }
@@ -160,16 +160,16 @@ std::optional<GradientOpacity> readGradientOpacity(JsonFields& parent) {
   JsonFields fields = parent.object("gradient_opacity");
   GradientOpacity curve;
   if (!fields.has("points") || !fields.child("points").is_array())
-    fields.fail("points", "must be a list of {\"gradient\", \"opacity\"}");
+    fields.fail("points", Message::tr("must be a list of {\"gradient\", \"opacity\"}"));
   for (const nlohmann::json& item : fields.child("points")) {
     JsonFields point(item, fields.document(), placeIn("gradient_opacity.points", curve.points.size()));
     GradientOpacityPoint control;
     if (!point.number("gradient", control.gradient, notNegative))
-      point.fail("gradient", "is missing");
+      point.fail("gradient", Message::tr("is missing"));
     point.number("opacity", control.opacity, fraction);
     point.finish();
     if (!curve.points.empty() && control.gradient < curve.points.back().gradient)
-      point.fail("gradient", "must not be smaller than that of the point before");
+      point.fail("gradient", Message::tr("must not be smaller than that of the point before"));
     curve.points.push_back(control);
   }
   fields.finish();
@@ -193,7 +193,7 @@ CropBox readCrop(JsonFields fields) {
   fields.vector("upper", crop.upper, fraction);
   for (int axis = 0; axis < 3; ++axis)
     if (!(crop.lower[axis] < crop.upper[axis]))
-      fields.fail("lower", "must be smaller than \"crop.upper\" on every axis");
+      fields.fail("lower", Message::tr("must be smaller than \"crop.upper\" on every axis"));
   fields.finish();
   return crop;
 }
@@ -209,7 +209,7 @@ void readTolerance(JsonFields& fields, Quality& quality) {
   if (!fields.has("fineness"))
     return;
   if (!quality.toleranceLevels)
-    fields.fail("fineness", "needs a tolerance_levels beside it");
+    fields.fail("fineness", Message::tr("needs a tolerance_levels beside it"));
   fields.number("fineness", quality.fineness.emplace(), {Fineness::least, Fineness::most});
 }
 
@@ -245,13 +245,14 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
 } // namespace
 
 SceneDocument readScene(JsonFields fields) {
-  requireVersion(fields, "limn_scene", "scene");
+  requireVersion(fields, "limn_scene", Message::tr("scene"));
   SceneDocument document;
   Scene& scene = document.scene;
   if (!fields.text("volume", document.volume) || document.volume.empty())
-    fields.fail("volume", "is missing; name the file or folder of the volume");
+    fields.fail("volume", Message::tr("is missing; name the file or folder of the volume"));
   if (fields.text("orientation", document.orientation) && !areAxisLetters(document.orientation))
-    fields.fail("orientation", "must be three letters, one of L and R, one of P and A, one of S and I");
+    fields.fail("orientation",
+                Message::tr("must be three letters, one of L and R, one of P and A, one of S and I"));
   document.hasCamera = fields.has("camera");
   if (document.hasCamera)
     scene.camera = readCamera(fields.object("camera"));
@@ -308,26 +309,26 @@ static Landmarks readLandmarks(JsonFields& fields) {
   values.number("brightest", landmarks.brightest);
   values.finish();
   if (!(landmarks.background < landmarks.object && landmarks.object < landmarks.brightest))
-    fields.fail("landmarks", "must ascend: background, object, brightest");
+    fields.fail("landmarks", Message::tr("must ascend: background, object, brightest"));
   return landmarks;
 }
 
 Preset parsePreset(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
-  requireVersion(fields, "limn_preset", "preset");
+  requireVersion(fields, "limn_preset", Message::tr("preset"));
   return readPreset(fields);
 }
 
 Preset readPreset(JsonFields& fields) {
   Preset preset;
   if (!fields.text("name", preset.name) || preset.name.empty())
-    fields.fail("name", "is missing");
+    fields.fail("name", Message::tr("is missing"));
   fields.text("modality", preset.modality);
   fields.text("note", preset.note);
   fields.text("folder", preset.folder);
   if (!fields.has("transfer_function"))
-    fields.fail("transfer_function", "is missing");
+    fields.fail("transfer_function", Message::tr("is missing"));
   preset.transferFunction = readTransferFunction(fields.object("transfer_function"));
   if (fields.has("gradient_opacity"))
     preset.gradientOpacity = readGradientOpacity(fields);

@@ -57,10 +57,10 @@ bool looksLikeSession(std::string_view text) {
 SessionDocument parseSession(std::string_view text, const std::string& name) {
   const nlohmann::json json = parsedJson(text, name);
   JsonFields fields(json, name, "");
-  requireVersion(fields, "limn_session", "session");
+  requireVersion(fields, "limn_session", Message::tr("session"));
   SessionDocument session;
   if (!fields.has("scene"))
-    fields.fail("scene", "is missing");
+    fields.fail("scene", Message::tr("is missing"));
   session.scene = readScene(fields.object("scene"));
   readVolumeOptions(fields, session);
   if (fields.has("compare"))

@@ -8,11 +8,10 @@ namespace limn {
 namespace {
 
 // In the C locale, whatever the window system sets.
-std::string fixed(double number, int decimals) {
-  std::array<char, 400> digits; // 1e308 has 309
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed, decimals);
-  return {digits.data(), end.ptr};
+std::string inDigits(double number, std::chars_format format, int digits) {
+  std::array<char, 400> text; // 1e308 has 309
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, format, digits);
+  return {text.data(), end.ptr};
 }
 
 } // namespace
@@ -29,12 +28,20 @@ Message Message::arg(const Message& message) const {
   return filled;
 }
 
-Message Message::arg(double number, int decimals) const {
-  Message digits(fixed(number, decimals));
-  digits.m_kind = Kind::number;
-  digits.m_number = number;
-  digits.m_decimals = decimals;
-  return arg(digits);
+Message Message::fixed(double number, int decimals) {
+  Message message(inDigits(number, std::chars_format::fixed, decimals));
+  message.m_kind = Kind::fixed;
+  message.m_number = number;
+  message.m_digits = decimals;
+  return message;
+}
+
+Message Message::rounded(double number, int digits) {
+  Message message(inDigits(number, std::chars_format::general, digits));
+  message.m_kind = Kind::rounded;
+  message.m_number = number;
+  message.m_digits = digits;
+  return message;
 }
 
 Message Message::followedBy(const char* separator, const Message& next) const {
@@ -43,6 +50,15 @@ Message Message::followedBy(const char* separator, const Message& next) const {
   Message both("%1" + std::string(separator) + "%2"); // which no list of words needs to hold
   both.m_kind = Kind::pattern;
   return both.arg(*this).arg(next);
+}
+
+Message Message::withVerbatim(const std::function<std::string(const std::string&)>& changed) const {
+  Message result = *this;
+  if (m_kind == Kind::verbatim)
+    result.m_text = changed(m_text);
+  for (Message& argument : result.m_arguments)
+    argument = argument.withVerbatim(changed);
+  return result;
 }
 
 std::string Message::english() const {

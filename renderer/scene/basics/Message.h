@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <concepts>
+#include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace limn {
@@ -20,23 +21,32 @@ public:
   /// A pattern that `translations` holds in other languages: lupdate finds what stands here as a literal.
   static Message tr(const char* pattern);
 
-  /// This with the next place filled. Counts stand in digits, other numbers with `decimals` behind the point,
-  /// which is a comma where the user's language has one.
+  /// A number with `decimals` behind the point, which is a comma where the user's language has one.
+  static Message fixed(double number, int decimals);
+  /// A number of so many digits that count, without trailing zeros.
+  static Message rounded(double number, int digits);
+
+  /// This with the next place filled. Counts stand in digits.
   Message arg(const Message& message) const;
-  Message arg(std::integral auto count) const { return arg(Message(std::to_string(count))); }
-  Message arg(double number, int decimals) const;
+  template <class Count, std::enable_if_t<std::is_integral_v<Count>, int> = 0> // moc does not know concepts
+  Message arg(Count count) const {
+    return arg(Message(std::to_string(count)));
+  }
 
   /// This, what separates, and another; one of them alone where the other is empty.
   Message followedBy(const char* separator, const Message& next) const;
 
+  /// This with every text that no language changes put through a function.
+  Message withVerbatim(const std::function<std::string(const std::string&)>& changed) const;
+
   bool empty() const { return m_text.empty(); }
   std::string english() const;
 
-  enum class Kind { verbatim, number, pattern };
+  enum class Kind { verbatim, fixed, rounded, pattern };
   Kind kind() const { return m_kind; }
   const std::string& text() const { return m_text; } ///< the pattern, or the text itself
   double number() const { return m_number; }
-  int decimals() const { return m_decimals; }
+  int digits() const { return m_digits; } ///< behind the point, or those that count
   const std::vector<Message>& arguments() const { return m_arguments; }
 
   bool operator==(const Message&) const = default;
@@ -45,7 +55,7 @@ private:
   Kind m_kind = Kind::verbatim;
   std::string m_text;
   double m_number = 0.0;
-  int m_decimals = 0;
+  int m_digits = 0;
   std::vector<Message> m_arguments;
 };
 

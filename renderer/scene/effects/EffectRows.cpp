@@ -122,7 +122,7 @@ Message costText(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
   if (size <= cost.spreadMs || size < 0.05)
     return Message::tr("no measurable cost");
-  const Message time = Message::tr("%1 ms").arg(size, size < 10.0 ? 1 : 0);
+  const Message time = Message::tr("%1 ms").arg(Message::fixed(size, size < 10.0 ? 1 : 0));
   return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
 }
 

@@ -52,12 +52,13 @@ double extinctionPerMm(double opacity, double unitDistanceMm) {
 
 TransferFunction normalised(TransferFunction function) {
   if (!(function.unitDistanceMm > 0.0) || !std::isfinite(function.unitDistanceMm))
-    throw Error(Error::Kind::input,
-                "The transfer function's unit distance must be a positive number of millimetres.");
+    throw Error(
+        Error::Kind::input,
+        Message::tr("The transfer function's unit distance must be a positive number of millimetres."));
   for (ControlPoint& point : function.points) {
     if (!isFinite(point))
       throw Error(Error::Kind::input,
-                  "A control point of the transfer function holds a number that is not finite.");
+                  Message::tr("A control point of the transfer function holds a number that is not finite."));
     point.color = glm::clamp(point.color, 0.0, 1.0);
     point.opacity = std::clamp(point.opacity, 0.0, 1.0);
   }

@@ -11,16 +11,17 @@ LabelMap::LabelMap(const glm::ivec3& dims, Places places, std::vector<Label> lab
     : m_dims(dims), m_places(std::move(places)), m_labels(std::move(labels)) {
   if (m_labels.empty() || m_labels.size() > 65536)
     throw Error(Error::Kind::input,
-                "A label map has 1 to 65536 labels; this one has " + std::to_string(m_labels.size()) + ".");
+                Message::tr("A label map has 1 to 65536 labels; this one has %1.").arg(m_labels.size()));
   const auto voxels = static_cast<std::size_t>(dims.x) * dims.y * dims.z;
   std::visit(
       [&](const auto& all) {
         if (all.size() != voxels)
-          throw Error(Error::Kind::input, "A label map has one label for each voxel; this one has " +
-                                              std::to_string(all.size()) + " for " + std::to_string(voxels) +
-                                              ".");
+          throw Error(Error::Kind::input,
+                      Message::tr("A label map has one label for each voxel; this one has %1 for %2.")
+                          .arg(all.size())
+                          .arg(voxels));
         if (!all.empty() && *std::max_element(all.begin(), all.end()) >= m_labels.size())
-          throw Error(Error::Kind::input, "A voxel's label is missing in the list of labels.");
+          throw Error(Error::Kind::input, Message::tr("A voxel's label is missing in the list of labels."));
       },
       m_places);
 }

@@ -11,8 +11,8 @@
 namespace limn {
 
 /// What a reader says of a volume whose file tells no directions.
-inline constexpr const char* orientationUnknown =
-    "Orientation unknown: the file does not say which side is left.";
+inline const Message orientationUnknown =
+    Message::tr("Orientation unknown: the file does not say which side is left.");
 
 /// The axis of the patient (0 left, 1 back, 2 head) that each grid axis follows, of all ways to hand them out
 /// the best; each occurs once. `direction` is orthonormal.

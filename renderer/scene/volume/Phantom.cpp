@@ -54,7 +54,8 @@ double gaussian(std::uint64_t seed, std::uint64_t voxel) {
 
 Grid gridOf(const PhantomSpec& spec) {
   const auto refuse = [] {
-    throw Error(Error::Kind::usage, "The phantom cannot be made at this spacing; choose 0.2 to 20 mm.");
+    throw Error(Error::Kind::usage,
+                Message::tr("The phantom cannot be made at this spacing; choose 0.2 to 20 mm."));
   };
   if (!(spec.spacingMm >= 0.2 && spec.spacingMm <= 20.0))
     refuse();

@@ -144,8 +144,9 @@ ValidVoxels sanitisedAs(std::vector<T>& stored, const Rescale& rescale,
   else
     extremes = extremesOf(stored, padding, effort);
   if (extremes.invalid == stored.size())
-    throw Error(Error::Kind::input, "The volume holds no valid voxel: every value is NaN, infinite or "
-                                    "declared padding; check that the right series was chosen.");
+    throw Error(Error::Kind::input,
+                Message::tr("The volume holds no valid voxel: every value is NaN, infinite or declared "
+                            "padding; check that the right series was chosen."));
   result.smallest = static_cast<double>(extremes.smallest);
   result.largest = static_cast<double>(extremes.largest);
   result.invalidVoxels = extremes.invalid;

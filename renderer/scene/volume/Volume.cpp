@@ -19,24 +19,27 @@ ValueRange rangeOf(const ValidVoxels& voxels, const Rescale& rescale) {
   const double b = rescale.slope * voxels.largest + rescale.intercept;
   const ValueRange range = rescale.slope >= 0.0 ? ValueRange{a, b} : ValueRange{b, a};
   if (!(range.lowest >= -largestScalar && range.highest <= largestScalar))
-    throw Error(Error::Kind::input, "The volume's values are not finite or beyond 1e300 after rescaling; its "
-                                    "slope, its intercept or its voxels are damaged.");
+    throw Error(Error::Kind::input,
+                Message::tr("The volume's values are not finite or beyond 1e300 after rescaling; its slope, "
+                            "its intercept or its voxels are damaged."));
   return range;
 }
 
 void requireUsableGrid(const Grid& grid, std::size_t voxels) {
   for (int axis = 0; axis < 3; ++axis) {
     if (grid.dims[axis] < 1)
-      throw Error(Error::Kind::input, "The volume has no voxels along one axis.");
+      throw Error(Error::Kind::input, Message::tr("The volume has no voxels along one axis."));
     if (!(grid.spacingMm[axis] > 0.0) || !std::isfinite(grid.spacingMm[axis]))
-      throw Error(Error::Kind::input,
-                  "The volume's voxel spacing is not a positive number; give it with --spacing X,Y,Z.");
+      throw Error(
+          Error::Kind::input,
+          Message::tr("The volume's voxel spacing is not a positive number; give it with --spacing X,Y,Z."));
   }
   const auto expected = static_cast<std::size_t>(grid.dims.x) * grid.dims.y * grid.dims.z;
   if (expected != voxels)
-    throw Error(Error::Kind::input, "The volume has " + std::to_string(voxels) +
-                                        " voxels where its dimensions ask for " + std::to_string(expected) +
-                                        "; the file is truncated or its header is wrong.");
+    throw Error(Error::Kind::input, Message::tr("The volume has %1 voxels where its dimensions ask for %2; "
+                                                "the file is truncated or its header is wrong.")
+                                        .arg(voxels)
+                                        .arg(expected));
 }
 
 } // namespace

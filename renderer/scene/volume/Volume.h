@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Message.h"
 #include "scene/volume/Grid.h"
 #include "scene/volume/ScanHints.h"
 #include "scene/volume/VoxelMask.h"
@@ -66,7 +67,7 @@ struct VolumeInfo {
       orientationByHand; ///< the axes' letters that a person gave (Orientation.h), empty: the file told
   std::optional<Grid> gridOfFile; ///< where a person gave them: what the file alone says
   bool spacingKnown = true;
-  std::vector<std::string> warnings; ///< one sentence each, without patient data
+  std::vector<Message> warnings; ///< one sentence each, without patient data
   PatientLabel patient;
 };
 

@@ -24,7 +24,7 @@ TEST(EngineChoice, withoutOpenGlTheProcessorDrawsWhateverIsSet) {
     const EngineChoice choice = chosenEngine({setting, "There is no OpenGL.", {}, std::nullopt});
     EXPECT_TRUE(choice.isProcessor);
     EXPECT_FALSE(choice.isGuess) << "nothing is left to be tried";
-    EXPECT_EQ(choice.reason, "There is no OpenGL.");
+    EXPECT_EQ(choice.reason.english(), "There is no OpenGL.");
   }
 }
 
@@ -42,7 +42,7 @@ TEST(EngineChoice, aTrialDecidesWhatIsLeftOpenAndIsTheReason) {
   facts.times = {10.0, 50.0};
   EXPECT_FALSE(chosenEngine(facts).isProcessor);
   EXPECT_FALSE(chosenEngine(facts).isGuess);
-  EXPECT_NE(chosenEngine(facts).reason.find("10.0 ms with OpenGL and 50.0 ms"), std::string::npos);
+  EXPECT_NE(chosenEngine(facts).reason.english().find("10.0 ms with OpenGL and 50.0 ms"), std::string::npos);
 }
 
 TEST(EngineChoice, beforeATrialADriverWithoutACardYieldsToTheProcessor) {

@@ -24,8 +24,8 @@ std::string saidOf(const fs::path& folder) {
   try {
     const auto volume = readDicom(folder, {}, {});
     std::string said;
-    for (const std::string& warning : volume->info().warnings)
-      said += warning + "\n";
+    for (const Message& warning : volume->info().warnings)
+      said += warning.english() + "\n";
     return said;
   } catch (const Error& error) {
     return error.what();

@@ -85,8 +85,8 @@ void read(const std::filesystem::path& path, const std::function<void(const std:
     facts << 'V' << dims.x << ' ' << dims.y << ' ' << dims.z << ' ' << isGoodVoxels(*volume) << ' ' << bytes
           << '\n';
     say(facts.str());
-    for (const std::string& warning : volume->info().warnings)
-      say(line('W', warning));
+    for (const Message& warning : volume->info().warnings)
+      say(line('W', warning.english()));
   } catch (const Error& error) {
     say(line(error.kind() == Error::Kind::input ? 'R' : 'X', error.what()));
   } catch (const std::exception& error) {

@@ -105,7 +105,7 @@ public:
   int compiledPrograms() const override { return m_engine->compiledPrograms(); }
   double memoryMb() const override { return m_engine->memoryMb(); }
   std::string name() const override { return m_engine->name(); }
-  std::string limitation() const override { return m_engine->limitation(); }
+  Message limitation() const override { return m_engine->limitation(); }
 
 private:
   std::unique_ptr<DrawingEngine> m_engine = makeCpuEngine();

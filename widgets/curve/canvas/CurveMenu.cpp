@@ -8,20 +8,18 @@
 namespace limn {
 namespace {
 
-QString inMenu(const char* text) {
-  return TransferFunctionCanvas::tr(text);
-}
-
 void addPointActions(QMenu& menu, TransferFunctionCanvas& canvas, std::size_t index) {
   if (!contains(canvas.selected(), index))
     canvas.selectPoints({index});
   const std::size_t count = canvas.selected().size();
-  QAction* deletion =
-      menu.addAction(count > 1 ? inMenu("Delete %1 points").arg(count) : inMenu("Delete"), &canvas,
-                     [&canvas] { canvas.apply(withoutSelected(canvas.plot(), canvas.shownDecimals())); });
+  QAction* deletion = menu.addAction(
+      count > 1 ? TransferFunctionCanvas::tr("Delete %1 points").arg(count)
+                : TransferFunctionCanvas::tr("Delete"),
+      &canvas, [&canvas] { canvas.apply(withoutSelected(canvas.plot(), canvas.shownDecimals())); });
   deletion->setEnabled(canvas.transferFunction().points.size() > 1);
-  menu.addAction(hasColors(canvas.subject()) ? inMenu("Colour and numbers…") : inMenu("Numbers…"), &canvas,
-                 [&canvas, index] { emit canvas.pointDetailsRequested(index); });
+  menu.addAction(hasColors(canvas.subject()) ? TransferFunctionCanvas::tr("Colour and numbers…")
+                                             : TransferFunctionCanvas::tr("Numbers…"),
+                 &canvas, [&canvas, index] { emit canvas.pointDetailsRequested(index); });
 }
 
 } // namespace
@@ -33,13 +31,15 @@ void openCurveMenu(TransferFunctionCanvas& canvas, const QPointF& position) {
   if (hit.part == CurveHit::Part::point)
     addPointActions(*menu, canvas, hit.index);
   else
-    menu->addAction(inMenu("Add point here"), &canvas, [&canvas, position] { canvas.addPoint(position); });
+    menu->addAction(TransferFunctionCanvas::tr("Add point here"), &canvas,
+                    [&canvas, position] { canvas.addPoint(position); });
   menu->addSeparator();
-  menu->addAction(inMenu("Select all points"), &canvas,
+  menu->addAction(TransferFunctionCanvas::tr("Select all points"), &canvas,
                   [&canvas] { canvas.selectPoints(allPoints(canvas.transferFunction())); });
-  menu->addAction(inMenu("Show all values"), &canvas, &TransferFunctionCanvas::resetView);
+  menu->addAction(TransferFunctionCanvas::tr("Show all values"), &canvas, &TransferFunctionCanvas::resetView);
   if (canvas.hasPin())
-    menu->addAction(inMenu("Remove the pin"), &canvas, [&canvas] { canvas.setPinnedValue(std::nullopt); });
+    menu->addAction(TransferFunctionCanvas::tr("Remove the pin"), &canvas,
+                    [&canvas] { canvas.setPinnedValue(std::nullopt); });
   menu->popup(canvas.mapToGlobal(position.toPoint()));
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/DrawingEngine.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 #include "widgets/view/pictures/MemoryScreen.h"
 
 #include <utility>
@@ -89,7 +90,7 @@ void PictureWorker::guard(const PictureContext::Work& work) {
   } catch (const std::exception& error) {
     m_canDraw = false;
     m_loop.stop();
-    emit failed(QString::fromStdString(error.what()));
+    emit failed(translated(error));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
+#include "widgets/Translated.h"
 
 #include <QTimer>
 
@@ -14,23 +15,23 @@ void DriverRecovery::guard(const std::function<void()>& work) {
   try {
     forgetDriverErrors(); // those of Qt's painter
     work();
-    requireHealthyDriver("drawing the picture");
+    requireHealthyDriver(Message::tr("drawing the picture"));
   } catch (const VolumeTooLarge& error) {
-    m_sentence = QString::fromStdString(error.what());
+    m_sentence = translated(error);
     emit stopped();
     QTimer::singleShot(0, this, [this] {
       if (hasFailed()) // otherwise something else is to be shown
         emit tooLarge();
     });
   } catch (const DriverError& error) {
-    failDriver(QString::fromStdString(error.what()), QString::fromStdString(error.details()));
+    failDriver(translated(error), QString::fromStdString(error.details()));
   } catch (const Error& error) {
     if (error.kind() == Error::Kind::openGl)
-      failDriver(QString::fromStdString(error.what()), {});
+      failDriver(translated(error), {});
     else
-      fail(QString::fromStdString(error.what()));
+      fail(translated(error));
   } catch (const std::exception& error) {
-    fail(QString::fromStdString(error.what()));
+    fail(translated(error));
   }
 }
 

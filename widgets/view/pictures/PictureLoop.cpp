@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/PictureLoop.h"
 
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <exception>
 
@@ -210,7 +211,7 @@ void PictureLoop::probeError() {
     // Something else is to be shown.
   } catch (const std::exception& error) {
     // The picture stays; only the estimate of its error is missing.
-    emit restFailed(QString::fromStdString(error.what()));
+    emit restFailed(translated(error));
   }
   m_context.doneCurrent();
   updateState();
@@ -247,7 +248,7 @@ RestTurn PictureLoop::restTurn() {
   } catch (const std::exception& error) {
     // The picture is complete: it stays, only what was to be measured or refined is missing.
     m_pictures->giveUpRefinement();
-    emit restFailed(QString::fromStdString(error.what()));
+    emit restFailed(translated(error));
   }
   m_context.doneCurrent();
   return turn;

@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/Pictures.h"
 
 #include "engine/DrawingEngine.h"
+#include "widgets/Translated.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,7 +38,7 @@ void Pictures::noteShown() {
     shown.push_back(m_sides[i].shownScene());
     m_isResolved[i] = isResolved(*m_engine, shown.back());
   }
-  m_limitation = QString::fromStdString(m_engine->limitation());
+  m_limitation = translated(m_engine->limitation());
   if (m_count > 0)
     m_probe.want(shown, m_sides[0].size());
 }

@@ -36,8 +36,11 @@ public:
         m_window(1 << 18) {
     while (fill())
       if (m_begin + m_held > mostBytes)
-        throw Error(Error::Kind::input, "The deflated DICOM file " + m_file +
-                                            " inflates to more than 1 GiB; decompress it with another tool.");
+        throw Error(
+            Error::Kind::input,
+            Message::tr(
+                "The deflated DICOM file %1 inflates to more than 1 GiB; decompress it with another tool.")
+                .arg(m_file));
     m_length = m_begin + m_held;
     restart();
   }
@@ -101,8 +104,10 @@ private:
     // A buffer error is the end of the input before the end of the data: what uses it checks its lengths.
     m_isEnded = status != Z_OK;
     if (m_isEnded && status != Z_STREAM_END && status != Z_BUF_ERROR)
-      throw Error(Error::Kind::input, "The deflated DICOM file " + m_file +
-                                          " is damaged: its data cannot be inflated; copy it again.");
+      throw Error(
+          Error::Kind::input,
+          Message::tr("The deflated DICOM file %1 is damaged: its data cannot be inflated; copy it again.")
+              .arg(m_file));
   }
 
   std::unique_ptr<std::istream> m_in;

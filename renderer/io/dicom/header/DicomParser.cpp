@@ -58,14 +58,18 @@ public:
   std::uint64_t end() const { return m_end; }
   void moveTo(std::uint64_t position) { m_position = position; }
 
-  [[noreturn]] void fail(const std::string& why) const {
-    throw Error(Error::Kind::input, "The DICOM header of " + m_file + " " + why +
-                                        ": the file is damaged or cut off; copy it again from its source.");
+  [[noreturn]] void fail(const Message& why) const {
+    throw Error(
+        Error::Kind::input,
+        Message::tr(
+            "The DICOM header of %1 %2: the file is damaged or cut off; copy it again from its source.")
+            .arg(m_file)
+            .arg(why));
   }
 
   std::string bytes(std::uint64_t count) {
     if (count > m_end - m_position)
-      fail("names a value longer than the file");
+      fail(Message::tr("names a value longer than the file"));
     if (count > m_window.size()) {
       std::string value(count, '\0');
       load(value.data(), count);
@@ -84,7 +88,7 @@ public:
 
   void skip(std::uint64_t count) {
     if (count > m_end - m_position)
-      fail("names a value longer than the file");
+      fail(Message::tr("names a value longer than the file"));
     moveTo(m_position + count);
   }
 
@@ -98,7 +102,7 @@ public:
 
   ElementHeader element(const Encoding& encoding) {
     if (++m_elements > mostElements)
-      fail("holds more than any header");
+      fail(Message::tr("holds more than any header"));
     ElementHeader header;
     header.tag = number(2, encoding.bigEndian) << 16;
     header.tag |= number(2, encoding.bigEndian);
@@ -124,7 +128,7 @@ public:
     DicomDataset result;
     result.bigEndian = encoding.bigEndian;
     if (depth > deepestNesting)
-      fail("nests sequences too deeply");
+      fail(Message::tr("nests sequences too deeply"));
     while (m_position + 8 <= last) {
       const ElementHeader header = element(encoding);
       if (header.tag == itemEnd)
@@ -146,7 +150,7 @@ private:
     m_in.clear();
     m_in.seekg(static_cast<std::streamoff>(m_position));
     if (count > 0 && !m_in.read(to, static_cast<std::streamsize>(count)))
-      fail("cannot be read to its end");
+      fail(Message::tr("cannot be read to its end"));
   }
 
   DicomPixelLocation located(const ElementHeader& header, const Encoding& encoding) const {
@@ -183,7 +187,7 @@ private:
   void keep(std::uint64_t count) {
     m_kept += count + placeOfValue;
     if (m_kept > mostKept)
-      fail("holds more than any header");
+      fail(Message::tr("holds more than any header"));
   }
 
   void skipFragments(const Encoding& encoding) {
@@ -192,7 +196,7 @@ private:
       if (header.tag == sequenceEnd)
         return;
       if (header.tag != itemStart)
-        fail("has a broken fragment");
+        fail(Message::tr("has a broken fragment"));
       skip(header.length);
     }
   }
@@ -201,16 +205,16 @@ private:
   std::vector<DicomDataset> sequence(std::uint32_t length, const Encoding& encoding, int depth, bool isKept) {
     std::vector<DicomDataset> items;
     if (length != undefinedLength && length > m_end - m_position)
-      fail("names a sequence longer than the file");
+      fail(Message::tr("names a sequence longer than the file"));
     const std::uint64_t last = length == undefinedLength ? m_end : m_position + length;
     while (m_position + 8 <= last) {
       const ElementHeader header = element(encoding);
       if (header.tag == sequenceEnd)
         return items;
       if (header.tag != itemStart)
-        fail("has a sequence with a broken item");
+        fail(Message::tr("has a sequence with a broken item"));
       if (header.length != undefinedLength && header.length > last - m_position)
-        fail("has an item longer than its sequence");
+        fail(Message::tr("has an item longer than its sequence"));
       const std::uint64_t itemLast = header.length == undefinedLength ? last : m_position + header.length;
       DicomDataset item = dataset(encoding, itemLast, depth + 1, nullptr);
       if (!isKept)
@@ -319,9 +323,10 @@ DicomFile parseDicom(const std::filesystem::path& path) {
   Parser parser(*in, path.string());
   const auto start = startOfElements(parser);
   if (!start)
-    throw Error(Error::Kind::input, "The file " + path.string() +
-                                        " does not start as DICOM does; if it was an image, it is "
-                                        "damaged or cut off, so copy it again from its source.");
+    throw Error(Error::Kind::input,
+                Message::tr("The file %1 does not start as DICOM does; if it was an image, it is damaged or "
+                            "cut off, so copy it again from its source.")
+                    .arg(path.string()));
   parser.moveTo(*start);
   const DicomDataset meta = metaInformation(parser);
   file.transferSyntax = textOf(meta, tag::transferSyntax);
@@ -344,8 +349,9 @@ DicomFile parseDicom(const std::filesystem::path& path) {
 std::unique_ptr<std::istream> openDicomStream(const std::filesystem::path& path, std::uint64_t deflatedFrom) {
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in)
-    throw Error(Error::Kind::input, "The file " + path.string() +
-                                        " cannot be opened; check that it exists and that you may read it.");
+    throw Error(Error::Kind::input,
+                Message::tr("The file %1 cannot be opened; check that it exists and that you may read it.")
+                    .arg(path.string()));
   if (deflatedFrom == 0)
     return in;
   in->seekg(static_cast<std::streamoff>(deflatedFrom));

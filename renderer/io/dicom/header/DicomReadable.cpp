@@ -41,70 +41,83 @@ std::string quoted(const std::string& text) {
   return result.append(plainText(text, 40)).append(1, '\'');
 }
 
-[[noreturn]] void refuse(const DicomHeader& header, const std::string& why) {
-  throw Error(Error::Kind::input, "The DICOM file " + header.path.string() + " " + why);
+[[noreturn]] void refuse(const DicomHeader& header, const Message& why) {
+  throw Error(Error::Kind::input, Message::tr("The DICOM file %1 %2").arg(header.path.string()).arg(why));
 }
 
 void requirePicture(const DicomHeader& header) {
   if (header.sopClass == "1.2.840.10008.1.3.10")
-    refuse(header, "is the index of a medium (DICOMDIR) and no image; open the folder that holds it.");
+    refuse(header,
+           Message::tr("is the index of a medium (DICOMDIR) and no image; open the folder that holds it."));
   if (hasLostPicture(header))
-    refuse(header, "is cut off before its picture; copy it again from its source.");
+    refuse(header, Message::tr("is cut off before its picture; copy it again from its source."));
   if (!header.pixels)
     refuse(header,
-           "holds no image" +
-               (header.modality.empty() ? std::string() : " (its kind is " + quoted(header.modality) + ")") +
-               "; open the folder of an image series instead.");
+           Message::tr("holds no image%1; open the folder of an image series instead.")
+               .arg(header.modality.empty() ? Message()
+                                            : Message::tr(" (its kind is %1)").arg(quoted(header.modality))));
   if (header.pixels->isFloatingPoint)
-    refuse(header, "stores its pixels as floating-point numbers, which this program does not read from "
-                   "DICOM; convert it to NIfTI.");
+    refuse(header, Message::tr("stores its pixels as floating-point numbers, which this program does not "
+                               "read from DICOM; convert it to NIfTI."));
   if (header.isMosaic)
-    refuse(header, "is a mosaic: many slices tiled in one picture; convert it with dcm2niix first.");
-  if (!header.frameCountFlaw.empty())
     refuse(header,
-           "gives " + quoted(header.frameCountFlaw) + " as its number of frames; its header is damaged.");
+           Message::tr("is a mosaic: many slices tiled in one picture; convert it with dcm2niix first."));
+  if (!header.frameCountFlaw.empty())
+    refuse(header, Message::tr("gives %1 as its number of frames; its header is damaged.")
+                       .arg(quoted(header.frameCountFlaw)));
   if (header.isFilm)
     refuse(header,
-           "is a film: its frames follow each other in time and not in space, so they make no volume.");
+           Message::tr(
+               "is a film: its frames follow each other in time and not in space, so they make no volume."));
   const std::string compressed = "1.2.840.10008.1.2.4.";
   if (header.transferSyntax.rfind(compressed + "10", 0) == 0)
-    refuse(header, "is a video, whose frames make no volume; export the series as single images.");
+    refuse(header,
+           Message::tr("is a video, whose frames make no volume; export the series as single images."));
   if (header.transferSyntax == compressed + "94" || header.transferSyntax == compressed + "95")
-    refuse(header, "only names a server that holds its pixels (JPIP); export the images themselves.");
+    refuse(header,
+           Message::tr("only names a server that holds its pixels (JPIP); export the images themselves."));
 }
 
 void requireFormat(const DicomHeader& header) {
   const DicomPixelFormat& format = header.format;
   if (header.columns == 0 || header.rows == 0)
-    refuse(header, "says its picture is " + std::to_string(header.columns) + " × " +
-                       std::to_string(header.rows) + " pixels; its header is damaged.");
+    refuse(header, Message::tr("says its picture is %1 × %2 pixels; its header is damaged.")
+                       .arg(header.columns)
+                       .arg(header.rows));
   const int bits = format.bitsAllocated;
   if (bits != 8 && bits != 16 && bits != 32)
-    refuse(header, "stores " + std::to_string(bits) +
-                       " bits per pixel, which this program does not read; convert it to 8, 16 or 32 bits.");
+    refuse(header,
+           Message::tr(
+               "stores %1 bits per pixel, which this program does not read; convert it to 8, 16 or 32 bits.")
+               .arg(bits));
   if (format.bitsStored < 1 || format.bitsStored > bits || format.highBit < format.bitsStored - 1 ||
       format.highBit >= bits)
-    refuse(header, "contradicts itself: " + std::to_string(format.bitsStored) + " bits up to bit " +
-                       std::to_string(format.highBit) + " stored in " + std::to_string(bits) +
-                       "; its header is damaged.");
+    refuse(header,
+           Message::tr("contradicts itself: %1 bits up to bit %2 stored in %3; its header is damaged.")
+               .arg(format.bitsStored)
+               .arg(format.highBit)
+               .arg(bits));
   if (format.samples != 1 && format.samples != 3)
-    refuse(header, "has " + std::to_string(format.samples) +
-                       " samples per pixel; only grey (1) and colour (3) can be opened.");
+    refuse(header, Message::tr("has %1 samples per pixel; only grey (1) and colour (3) can be opened.")
+                       .arg(format.samples));
   static constexpr std::array<std::string_view, 4> grey = {"", "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR"};
   static constexpr std::array<std::string_view, 5> colour = {"RGB", "YBR_FULL", "YBR_FULL_422", "YBR_ICT",
                                                              "YBR_RCT"};
   const bool isKnown = format.samples == 1 ? std::ranges::find(grey, format.photometric) != grey.end()
                                            : std::ranges::find(colour, format.photometric) != colour.end();
   if (!isKnown)
-    refuse(header, "says its " + std::to_string(format.samples) + " samples per pixel mean " +
-                       quoted(format.photometric) +
-                       ", which this program does not know; export it as grey values.");
+    refuse(header, Message::tr("says its %1 samples per pixel mean %2, which this program does not know; "
+                               "export it as grey values.")
+                       .arg(format.samples)
+                       .arg(quoted(format.photometric)));
   if (format.photometric == "PALETTE COLOR" && !header.palette)
-    refuse(header, "is coloured by a palette this program cannot read; export it as grey values.");
+    refuse(header,
+           Message::tr("is coloured by a palette this program cannot read; export it as grey values."));
   if (!header.pixels->isEncapsulated && format.photometric.rfind("YBR_", 0) == 0 &&
       format.photometric != "YBR_FULL")
-    refuse(header, "stores uncompressed colour with reduced resolution (" + format.photometric +
-                       "), which this program does not read; export it as grey values.");
+    refuse(header, Message::tr("stores uncompressed colour with reduced resolution (%1), which this program "
+                               "does not read; export it as grey values.")
+                       .arg(format.photometric));
 }
 
 } // namespace
@@ -123,17 +136,22 @@ void requireWhole(const DicomHeader& header) {
   if (pixels.isEncapsulated) {
     if (needed / largestCompression(header.transferSyntax) > present ||
         header.announcedFrames > roomForFrames(header))
-      refuse(header, "is too short for the " + std::to_string(header.announcedFrames) + " pictures of " +
-                         std::to_string(header.columns) + " × " + std::to_string(header.rows) +
-                         " pixels it announces; it is damaged or cut off, so copy it again from its source.");
+      refuse(header, Message::tr("is too short for the %1 pictures of %2 × %3 pixels it announces; it is "
+                                 "damaged or cut off, so copy it again from its source.")
+                         .arg(header.announcedFrames)
+                         .arg(header.columns)
+                         .arg(header.rows));
     return;
   }
   if (present >= needed && header.announcedFrames > mostFramesOfVolume)
-    refuse(header, "announces " + std::to_string(header.announcedFrames) +
-                       " pictures, more than any volume has; export it again.");
+    refuse(header, Message::tr("announces %1 pictures, more than any volume has; export it again.")
+                       .arg(header.announcedFrames));
   if (present < needed)
-    refuse(header, "is cut off: its pixels need " + std::to_string(needed) + " bytes, and it holds " +
-                       std::to_string(present) + "; copy it again from its source.");
+    refuse(
+        header,
+        Message::tr("is cut off: its pixels need %1 bytes, and it holds %2; copy it again from its source.")
+            .arg(needed)
+            .arg(present));
 }
 
 void requireSupported(const DicomHeader& header) {

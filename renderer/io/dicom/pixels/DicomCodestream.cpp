@@ -15,10 +15,13 @@
 namespace limn {
 namespace {
 
-[[noreturn]] void fail(const DicomHeader& header, const std::string& why) {
-  throw Error(Error::Kind::input, "The compressed pixels of " + header.path.string() + " " + why +
-                                      " (transfer syntax " + header.transferSyntax +
-                                      "); export the series uncompressed.");
+[[noreturn]] void fail(const DicomHeader& header, const Message& why) {
+  throw Error(
+      Error::Kind::input,
+      Message::tr("The compressed pixels of %1 %2 (transfer syntax %3); export the series uncompressed.")
+          .arg(header.path.string())
+          .arg(why)
+          .arg(header.transferSyntax));
 }
 
 int word(const DicomCodestream& stream, std::size_t at) {
@@ -65,17 +68,21 @@ std::optional<CodestreamFacts> jpeg2000Facts(const DicomCodestream& stream) {
 CodestreamFacts agreedFacts(const DicomHeader& header, const DicomCodestream& stream) {
   const auto facts = factsOf(stream);
   if (!facts)
-    fail(header, "are damaged or in a form this program does not read");
+    fail(header, Message::tr("are damaged or in a form this program does not read"));
   if (facts->columns != header.columns || facts->rows != header.rows)
-    fail(header, "make a picture of " + std::to_string(facts->columns) + " × " + std::to_string(facts->rows) +
-                     " pixels where the header says " + std::to_string(header.columns) + " × " +
-                     std::to_string(header.rows));
+    fail(header, Message::tr("make a picture of %1 × %2 pixels where the header says %3 × %4")
+                     .arg(facts->columns)
+                     .arg(facts->rows)
+                     .arg(header.columns)
+                     .arg(header.rows));
   if (facts->components != header.format.samples)
-    fail(header, "have " + std::to_string(facts->components) + " samples per pixel where the header says " +
-                     std::to_string(header.format.samples));
+    fail(header, Message::tr("have %1 samples per pixel where the header says %2")
+                     .arg(facts->components)
+                     .arg(header.format.samples));
   if ((facts->bits + 7) / 8 * 8 != header.format.bitsAllocated)
-    fail(header, "have " + std::to_string(facts->bits) + " bits where the header says " +
-                     std::to_string(header.format.bitsAllocated));
+    fail(header, Message::tr("have %1 bits where the header says %2")
+                     .arg(facts->bits)
+                     .arg(header.format.bitsAllocated));
   return *facts;
 }
 
@@ -134,7 +141,7 @@ DicomRawFrame decodedJpeg(const DicomHeader& header, const DicomCodestream& stre
     const bool isYbr = header.format.samples == 3 && picture.isMarkedYbr;
     return {std::move(picture.bytes), isYbr ? "YBR_FULL" : header.format.photometric};
   } catch (const JpegDamage& damage) {
-    fail(header, std::string("are damaged or cut off (") + damage.what() + ")");
+    fail(header, Message::tr("are damaged or cut off (%1)").arg(damage.what()));
   }
 }
 
@@ -144,10 +151,11 @@ DicomRawFrame decodedByImage(const DicomHeader& header, const DicomCodestream& s
   image.SetDataElement(encapsulated(stream));
   DicomRawFrame frame;
   if (image.GetBufferLength() != frameBytes(header))
-    fail(header, "do not fill the picture");
+    fail(header, Message::tr("do not fill the picture"));
   frame.bytes.resize(frameBytes(header));
   if (!image.GetBuffer(reinterpret_cast<char*>(frame.bytes.data())))
-    fail(header, "cannot be decoded, for they are damaged or in a form this program does not read");
+    fail(header,
+         Message::tr("cannot be decoded, for they are damaged or in a form this program does not read"));
   frame.photometric = image.GetPhotometricInterpretation().GetString();
   return frame;
 }
@@ -178,10 +186,10 @@ DicomRawFrame decoded(const DicomHeader& header, const DicomCodestream& stream) 
     return {decodedRunLengths(header, stream), header.format.photometric};
   const auto syntax = gdcm::TransferSyntax::GetTSType(header.transferSyntax.c_str());
   if (syntax == gdcm::TransferSyntax::TS_END)
-    fail(header, "are in a form this program does not read");
+    fail(header, Message::tr("are in a form this program does not read"));
   const CodestreamFacts facts = agreedFacts(header, stream);
   if (!isClosed(stream))
-    fail(header, "are cut off");
+    fail(header, Message::tr("are cut off"));
   silenceGdcm();
   DicomRawFrame frame;
   try {
@@ -189,10 +197,10 @@ DicomRawFrame decoded(const DicomHeader& header, const DicomCodestream& stream) 
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    fail(header, std::string("cannot be decoded: ") + error.what());
+    fail(header, Message::tr("cannot be decoded: %1").arg(error.what()));
   }
   if (frame.bytes.size() != frameBytes(header))
-    fail(header, "do not fill the picture");
+    fail(header, Message::tr("do not fill the picture"));
   return frame;
 }
 

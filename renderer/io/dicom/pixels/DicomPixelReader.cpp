@@ -42,20 +42,22 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header)
     findFragments();
 }
 
-void DicomPixelReader::fail(const std::string& why) const {
-  throw Error(Error::Kind::input, "The pixels of the DICOM file " + m_header->path.string() + " " + why +
-                                      "; the file is damaged or cut off, so copy it again from its source.");
+void DicomPixelReader::fail(const Message& why) const {
+  throw Error(Error::Kind::input, Message::tr("The pixels of the DICOM file %1 %2; the file is damaged or "
+                                              "cut off, so copy it again from its source.")
+                                      .arg(m_header->path.string())
+                                      .arg(why));
 }
 
 std::vector<unsigned char> DicomPixelReader::bytesAt(std::uint64_t offset, std::uint64_t length) {
   const std::uint64_t end = m_header->pixels->streamLength;
   if (offset > end || length > end - offset)
-    fail("end early");
+    fail(Message::tr("end early"));
   std::vector<unsigned char> bytes(length);
   m_stream->clear();
   m_stream->seekg(static_cast<std::streamoff>(offset));
   if (!m_stream->read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(length)))
-    fail("end early");
+    fail(Message::tr("end early"));
   return bytes;
 }
 
@@ -70,7 +72,7 @@ void DicomPixelReader::findFragments() {
     if (number(item, 0) == fragmentsEnd)
       break;
     if (number(item, 0) != fragmentStart)
-      fail("have a broken fragment");
+      fail(Message::tr("have a broken fragment"));
     const Fragment fragment{at + 8, number(item, 4)};
     if (isTable) {
       const std::vector<unsigned char> table = bytesAt(fragment.offset, fragment.length);
@@ -101,8 +103,7 @@ void DicomPixelReader::assignFragments(const std::vector<Fragment>& fragments,
                                        const std::vector<std::uint32_t>& offsets) {
   const std::size_t frames = m_header->frames.size();
   if (fragments.size() < frames)
-    fail("hold " + std::to_string(fragments.size()) + " compressed pieces for " + std::to_string(frames) +
-         " frames");
+    fail(Message::tr("hold %1 compressed pieces for %2 frames").arg(fragments.size()).arg(frames));
   const bool useTable = offsets.size() == frames;
   const std::unordered_set<std::uint64_t> starts(offsets.begin(), offsets.end());
   for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -114,7 +115,7 @@ void DicomPixelReader::assignFragments(const std::vector<Fragment>& fragments,
     m_frames.back().push_back(fragments[i]);
   }
   if (m_frames.size() != frames)
-    fail("hold " + std::to_string(m_frames.size()) + " pictures for " + std::to_string(frames) + " frames");
+    fail(Message::tr("hold %1 pictures for %2 frames").arg(m_frames.size()).arg(frames));
 }
 
 std::vector<unsigned char> DicomPixelReader::uncompressed(int index) {

@@ -25,7 +25,7 @@ private:
   bool startsFrame(const Fragment& fragment);
   std::vector<unsigned char> bytesAt(std::uint64_t offset, std::uint64_t length);
   std::vector<unsigned char> uncompressed(int index);
-  [[noreturn]] void fail(const std::string& why) const;
+  [[noreturn]] void fail(const Message& why) const;
 
   const DicomHeader* m_header;
   std::unique_ptr<std::istream> m_stream;

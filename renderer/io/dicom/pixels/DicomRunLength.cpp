@@ -8,8 +8,11 @@ namespace {
 constexpr std::size_t headerBytes = 64;
 
 [[noreturn]] void fail(const DicomHeader& header) {
-  throw Error(Error::Kind::input, "The run-length encoded pixels of " + header.path.string() +
-                                      " are damaged or cut off; copy the file again from its source.");
+  throw Error(
+      Error::Kind::input,
+      Message::tr(
+          "The run-length encoded pixels of %1 are damaged or cut off; copy the file again from its source.")
+          .arg(header.path.string()));
 }
 
 std::uint32_t lengthAt(const DicomCodestream& stream, std::size_t at) {

@@ -18,10 +18,8 @@ constexpr double unnoticed = 0.1;           // pixels a slice may be shifted sid
 constexpr double straight = 0.5;            // pixels: up to here stacked with a warning, beyond resampled
 constexpr std::size_t mostRefinement = 4;   // how many planes may be made of one slice
 
-std::string decimal(double value, int digits = 3) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
+Message decimal(double value, int digits = 3) {
+  return Message::fixed(value, digits);
 }
 
 struct Spacing {
@@ -47,20 +45,22 @@ double displacement(const std::vector<double>& heights, double spacing) {
 void refuseGap(const std::vector<double>& gaps, double usual) {
   const auto widest = std::max_element(gaps.begin(), gaps.end());
   if (*widest > largestBridge * usual)
-    throw Error(Error::Kind::input, "The DICOM series has a gap of " + decimal(*widest) + " mm after slice " +
-                                        std::to_string(widest - gaps.begin() + 1) +
-                                        ", where its slices usually lie " + decimal(usual) +
-                                        " mm apart: slices are missing; copy the whole series again.");
+    throw Error(Error::Kind::input,
+                Message::tr("The DICOM series has a gap of %1 mm after slice %2, where its slices usually "
+                            "lie %3 mm apart: slices are missing; copy the whole series again.")
+                    .arg(decimal(*widest))
+                    .arg(widest - gaps.begin() + 1)
+                    .arg(decimal(usual)));
 }
 
 // Says where slices must be missing: in gaps that are whole multiples of the usual distance. Empty where
 // no gap is.
-std::string missingSlices(const std::vector<double>& heights, double usual) {
+Message missingSlices(const std::vector<double>& heights, double usual) {
   constexpr double wholeness = 0.15; // of the distance: as even as slices of a complete series commonly are
   constexpr std::size_t mostNamed = 3;
   std::size_t missing = 0;
   std::size_t places = 0;
-  std::string where;
+  Message where;
   for (std::size_t k = 1; k < heights.size(); ++k) {
     const double steps = (heights[k] - heights[k - 1]) / usual;
     const double whole = std::round(steps);
@@ -68,19 +68,21 @@ std::string missingSlices(const std::vector<double>& heights, double usual) {
       continue;
     missing += static_cast<std::size_t>(whole) - 1;
     if (++places <= mostNamed)
-      where +=
-          (places == 1 ? "" : ", ") + decimal(heights[k - 1], 1) + " and " + decimal(heights[k], 1) + " mm";
+      where = where.followedBy(
+          ", ", Message::tr("%1 and %2 mm").arg(decimal(heights[k - 1], 1)).arg(decimal(heights[k], 1)));
   }
   if (places == 0)
     return {};
   if (places > mostNamed)
-    where += " and in " + std::to_string(places - mostNamed) + " more places";
-  return std::to_string(missing) + (missing == 1 ? " slice seems" : " slices seem") +
-         " to be missing between " + where + " from the first";
+    where = Message::tr("%1 and in %2 more places").arg(where).arg(places - mostNamed);
+  return (missing == 1 ? Message::tr("%1 slice seems to be missing between %2 from the first")
+                       : Message::tr("%1 slices seem to be missing between %2 from the first"))
+      .arg(missing)
+      .arg(where);
 }
 
 // Chooses the distance of the grid's planes for slices at the given heights (ascending from 0).
-Spacing planeSpacing(const std::vector<double>& heights, std::vector<std::string>& warnings) {
+Spacing planeSpacing(const std::vector<double>& heights, std::vector<Message>& warnings) {
   const auto slices = heights.size();
   std::vector<double> gaps;
   for (std::size_t k = 1; k < slices; ++k)
@@ -91,22 +93,28 @@ Spacing planeSpacing(const std::vector<double>& heights, std::vector<std::string
   const double mean = heights.back() / static_cast<double>(slices - 1);
   const double unevenness = std::max(widest - usual, usual - smallest) / usual;
   const double moved = displacement(heights, mean);
-  const std::string range = decimal(smallest) + " to " + decimal(widest) + " mm";
+  const Message range = Message::tr("%1 to %2 mm").arg(decimal(smallest)).arg(decimal(widest));
   if (unevenness <= largestEvenness && moved <= largestDisplacement * mean) {
     if (unevenness > smallestUnevenness)
-      warnings.push_back("The slices lie " + range + " apart; " + decimal(mean) +
-                         " mm is used for all, which moves a slice by " + decimal(moved) + " mm at most.");
+      warnings.push_back(
+          Message::tr("The slices lie %1 apart; %2 mm is used for all, which moves a slice by %3 mm at most.")
+              .arg(range)
+              .arg(decimal(mean))
+              .arg(decimal(moved)));
     return {mean, static_cast<int>(slices), true};
   }
   refuseGap(gaps, usual);
   const bool refines = heights.back() / smallest < static_cast<double>(mostRefinement * slices);
   const int planes = static_cast<int>(std::lround(heights.back() / (refines ? smallest : usual))) + 1;
   const double spacing = heights.back() / (planes - 1);
-  const std::string missing = missingSlices(heights, usual);
-  warnings.push_back(
-      "The slices lie unequally, " + range + " apart: " + std::to_string(planes) + " planes every " +
-      decimal(spacing) + " mm were interpolated between them, some of which " +
-      (missing.empty() ? "may bridge missing slices." : "bridge missing slices: " + missing + "."));
+  const Message missing = missingSlices(heights, usual);
+  warnings.push_back(Message::tr("The slices lie unequally, %1 apart: %2 planes every %3 mm were "
+                                 "interpolated between them, some of which %4")
+                         .arg(range)
+                         .arg(planes)
+                         .arg(decimal(spacing))
+                         .arg(missing.empty() ? Message::tr("may bridge missing slices.")
+                                              : Message::tr("bridge missing slices: %1.").arg(missing)));
   return {spacing, planes, false};
 }
 
@@ -125,7 +133,7 @@ std::vector<DicomPlacement> placementsOf(const DicomSeries& series, const glm::d
 }
 
 // Widens the grid by whole pixels until it holds every shifted slice.
-void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnings) {
+void holdShiftedSlices(DicomGeometry& geometry, std::vector<Message>& warnings) {
   Grid& grid = geometry.grid;
   glm::dvec2 lowest(0.0);
   glm::dvec2 highest(0.0);
@@ -136,25 +144,27 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
   const double sideways = std::max({highest.x, -lowest.x, highest.y, -lowest.y});
   if (sideways <= straight) {
     if (sideways > unnoticed)
-      warnings.push_back("The slices are stacked straight although they lie up to " +
-                         decimal(sideways * std::max(grid.spacingMm.x, grid.spacingMm.y)) +
-                         " mm sideways of each other.");
+      warnings.push_back(
+          Message::tr("The slices are stacked straight although they lie up to %1 mm sideways of each other.")
+              .arg(decimal(sideways * std::max(grid.spacingMm.x, grid.spacingMm.y))));
     for (DicomPlacement& placement : geometry.placements)
       placement.shift = glm::dvec2(0.0);
     return;
   }
   const glm::dvec2 widening = glm::ceil(highest) - glm::floor(lowest);
   if (!(widening.x <= grid.dims.x) || !(widening.y <= grid.dims.y))
-    throw Error(Error::Kind::input, "The slices of the DICOM series lie beside each other rather than on "
-                                    "each other, so they make no volume; choose another series.");
+    throw Error(Error::Kind::input,
+                Message::tr("The slices of the DICOM series lie beside each other rather than on each other, "
+                            "so they make no volume; choose another series."));
   const DicomPlacement& last = geometry.placements.back();
   const glm::dvec2 drift = last.shift * glm::dvec2(grid.spacingMm);
   const double angle = glm::degrees(std::atan2(glm::length(drift), last.heightMm));
   const glm::ivec2 start(glm::floor(lowest));
   const glm::ivec2 extra(widening);
-  warnings.push_back("The slices do not lie straight on each other (slant of " + decimal(angle, 1) +
-                     "°, as of a tilted gantry): they were resampled onto an upright grid, whose added "
-                     "corners hold no data.");
+  warnings.push_back(
+      Message::tr("The slices do not lie straight on each other (slant of %1°, as of a tilted gantry): they "
+                  "were resampled onto an upright grid, whose added corners hold no data.")
+          .arg(decimal(angle, 1)));
   grid.dims += glm::ivec3(extra, 0);
   grid.originMm += grid.direction * (grid.spacingMm * glm::dvec3(start, 0.0));
   for (DicomPlacement& placement : geometry.placements)
@@ -164,42 +174,43 @@ void holdShiftedSlices(DicomGeometry& geometry, std::vector<std::string>& warnin
 
 // The distance between planes where no positions tell it.
 double statedSpacing(const DicomSeries& series, DicomGeometry& geometry, bool isGiven,
-                     std::vector<std::string>& warnings) {
+                     std::vector<Message>& warnings) {
   const DicomFrame& frame = series.front().frame();
   const auto stated = series.size() == 1
                           ? (frame.thicknessMm ? frame.thicknessMm : frame.betweenSlicesMm)
                           : (frame.betweenSlicesMm ? frame.betweenSlicesMm : frame.thicknessMm);
   if (!stated && !isGiven) {
     geometry.spacingKnown = false;
-    warnings.emplace_back("The series does not say how thick its slices are; 1 mm is assumed.");
+    warnings.emplace_back(Message::tr("The series does not say how thick its slices are; 1 mm is assumed."));
   }
   return stated.value_or(1.0);
 }
 
 void readPixelSpacing(const DicomSeries& series, DicomGeometry& geometry, bool isGiven,
-                      std::vector<std::string>& warnings) {
+                      std::vector<Message>& warnings) {
   const auto spacing = series.front().frame().pixelSpacingMm;
   if (!spacing && !isGiven) {
     geometry.spacingKnown = false;
-    warnings.emplace_back("The series does not say how large its pixels are; 1 mm is assumed.");
+    warnings.emplace_back(Message::tr("The series does not say how large its pixels are; 1 mm is assumed."));
   }
   geometry.grid.spacingMm = glm::dvec3(spacing.value_or(glm::dvec2(1.0)), 1.0);
 }
 
 DicomGeometry unplaced(DicomGeometry geometry, const DicomSeries& series, bool isGiven,
-                       std::vector<std::string>& warnings) {
+                       std::vector<Message>& warnings) {
   geometry.orientationKnown = false;
   geometry.grid.spacingMm.z = statedSpacing(series, geometry, isGiven, warnings);
   warnings.emplace_back(
-      series.size() == 1 ? "The image does not say where it lies in the patient; its orientation is unknown."
-                         : "The images do not say where they lie in the patient: they are stacked in the "
-                           "order of their numbers, and the orientation is unknown.");
+      series.size() == 1
+          ? Message::tr("The image does not say where it lies in the patient; its orientation is unknown.")
+          : Message::tr("The images do not say where they lie in the patient: they are stacked in the order "
+                        "of their numbers, and the orientation is unknown."));
   return geometry;
 }
 
 } // namespace
 
-DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<std::string>& warnings) {
+DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<Message>& warnings) {
   const DicomHeader& header = *series.front().header;
   DicomGeometry geometry;
   geometry.grid.dims = {header.columns, header.rows, static_cast<int>(series.size())};

@@ -27,6 +27,6 @@ struct DicomGeometry {
 /// slices are stacked, orientation unknown, with a warning. A
 /// spacing that nobody states is 1 mm, with a warning unless the caller gives one.
 /// Throws Error (input) where a gap is too large to bridge or the slices form no stack.
-DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<std::string>& warnings);
+DicomGeometry geometryOf(const DicomSeries& series, bool spacingIsGiven, std::vector<Message>& warnings);
 
 } // namespace limn

@@ -14,20 +14,20 @@ using Station = std::vector<DicomSlice>;
 
 struct PhaseName {
   DicomPhase phase;
-  const char* name;
+  Message name;
   bool isTime; // differs from slice to slice, so that only its order at a position means something
 };
 
-constexpr PhaseName phaseNames[dicomPhaseCount] = {
-    {DicomPhase::temporalPosition, "temporal position", false},
-    {DicomPhase::triggerTime, "trigger time", true},
-    {DicomPhase::cardiacDelay, "delay after the heart beat", true},
-    {DicomPhase::echoTime, "echo time", false},
-    {DicomPhase::diffusionBValue, "diffusion b-value", false},
-    {DicomPhase::imageType, "image type", false},
-    {DicomPhase::acquisitionNumber, "acquisition number", false},
-    {DicomPhase::acquisitionTime, "acquisition time", true},
-    {DicomPhase::contentTime, "content time", true}};
+const PhaseName phaseNames[dicomPhaseCount] = {
+    {DicomPhase::temporalPosition, Message::tr("temporal position"), false},
+    {DicomPhase::triggerTime, Message::tr("trigger time"), true},
+    {DicomPhase::cardiacDelay, Message::tr("delay after the heart beat"), true},
+    {DicomPhase::echoTime, Message::tr("echo time"), false},
+    {DicomPhase::diffusionBValue, Message::tr("diffusion b-value"), false},
+    {DicomPhase::imageType, Message::tr("image type"), false},
+    {DicomPhase::acquisitionNumber, Message::tr("acquisition number"), false},
+    {DicomPhase::acquisitionTime, Message::tr("acquisition time"), true},
+    {DicomPhase::contentTime, Message::tr("content time"), true}};
 
 const std::string& phaseOf(const DicomSlice& slice, DicomPhase phase) {
   return slice.frame().phase[static_cast<std::size_t>(phase)];
@@ -94,7 +94,7 @@ void keepValue(Station& station, DicomPhase phase, const std::string& value) {
 
 // Keeps the value that most positions show; of times, which differ from slice to slice, each position's
 // first.
-void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<std::string>& chosen) {
+void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<Message>& chosen) {
   const auto counts = coverage(stations, name.phase);
   const auto most = std::max_element(counts.begin(), counts.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -106,26 +106,28 @@ void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<s
     keepValue(station, name.phase,
               name.isTime && !isShared ? std::string(phaseOf(*first, name.phase)) : most->first);
   }
-  chosen.push_back(isShared ? name.name + (" " + (most->first.empty() ? std::string("unset") : most->first)) +
-                                  " of " + std::to_string(counts.size())
-                            : std::string("the first ") + name.name + " at each position");
+  const Message value = most->first.empty() ? Message::tr("unset") : Message(most->first);
+  chosen.push_back(isShared ? Message::tr("%1 %2 of %3").arg(name.name).arg(value).arg(counts.size())
+                            : Message::tr("the first %1 at each position").arg(name.name));
 }
 
 } // namespace
 
-DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings) {
+DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings) {
   std::set<std::pair<std::string, int>> seen;
   const auto copies = std::erase_if(series, [&](const DicomSlice& slice) {
     return !slice.header->sopInstance.empty() &&
            !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
   });
   if (copies > 0)
-    warnings.push_back(std::to_string(copies) + (copies == 1 ? " image is a copy" : " images are copies") +
-                       " of another of the series and left out.");
+    warnings.push_back((copies == 1
+                            ? Message::tr("%1 image is a copy of another of the series and left out.")
+                            : Message::tr("%1 images are copies of another of the series and left out."))
+                           .arg(copies));
   return series;
 }
 
-DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings) {
+DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings) {
   std::vector<Station> stations = stationsOf(series);
   const auto repeated = static_cast<std::size_t>(
       std::count_if(stations.begin(), stations.end(), [](const Station& s) { return s.size() > 1; }));
@@ -134,21 +136,24 @@ DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnin
     images += station.size();
   const std::size_t leftOut = images - stations.size();
 
-  std::vector<std::string> chosen;
+  std::vector<Message> chosen;
   for (const PhaseName& name : phaseNames)
     if (!isSettled(stations) && tellsSlicesApart(stations, name.phase))
       settle(stations, name, chosen);
   if (!isSettled(stations))
-    chosen.emplace_back("the lowest image number at each position");
+    chosen.push_back(Message::tr("the lowest image number at each position"));
 
   if (leftOut > 0) {
-    std::string text = 2 * repeated >= stations.size() ? "The series holds several phases"
-                                                       : "The series repeats some positions";
-    text += " (" + std::to_string(images) + " images at " + std::to_string(stations.size()) +
-            " positions); shown is: " + chosen.front();
+    Message shown = chosen.front();
     for (std::size_t i = 1; i < chosen.size(); ++i)
-      text += ", " + chosen[i];
-    warnings.push_back(text + ".");
+      shown = shown.followedBy(", ", chosen[i]);
+    warnings.push_back(
+        (2 * repeated >= stations.size()
+             ? Message::tr("The series holds several phases (%1 images at %2 positions); shown is: %3.")
+             : Message::tr("The series repeats some positions (%1 images at %2 positions); shown is: %3."))
+            .arg(images)
+            .arg(stations.size())
+            .arg(shown));
   }
   DicomSeries result;
   for (const Station& station : stations)

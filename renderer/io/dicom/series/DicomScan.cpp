@@ -83,12 +83,13 @@ std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folde
     if (entry->is_regular_file(ignored))
       files.push_back(entry->path());
     if (files.size() > mostFiles)
-      throw Error(Error::Kind::input, "The folder " + folder.string() + " holds more than " +
-                                          std::to_string(mostFiles) +
-                                          " files; open the folder of one study instead.");
+      throw Error(Error::Kind::input,
+                  Message::tr("The folder %1 holds more than %2 files; open the folder of one study instead.")
+                      .arg(folder.string())
+                      .arg(mostFiles));
   }
   if (error)
-    failReading(folder, error.message(), "check the name and the right to read it");
+    failReading(folder, error.message(), Message::tr("check the name and the right to read it"));
   std::sort(files.begin(), files.end());
   return files;
 }

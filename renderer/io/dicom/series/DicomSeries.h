@@ -38,10 +38,10 @@ double sameDistanceMm(const DicomSeries& series);
 DicomSeries sorted(DicomSeries series);
 
 /// Drops images found more than once (one SOP instance UID), with a warning.
-DicomSeries withoutCopies(DicomSeries series, std::vector<std::string>& warnings);
+DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings);
 
 /// Leaves one slice at each position of a placed, sorted series: of several phases (temporal position,
 /// trigger time, echo …) one is kept, with a warning. Returns them sorted.
-DicomSeries onePhase(const DicomSeries& series, std::vector<std::string>& warnings);
+DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings);
 
 } // namespace limn

@@ -32,8 +32,8 @@ std::vector<double> listOf(const fs::path& file, const pugi::xml_node& array) {
   for (const pugi::xml_node& item : array.children())
     values.push_back(number(file, item.text().as_string()));
   if (values.size() != 3)
-    failReading(file, "its project list names no volume of three dimensions",
-                "open it in InVesalius and save it again");
+    failReading(file, Message::tr("its project list names no volume of three dimensions"),
+                Message::tr("open it in InVesalius and save it again"));
   return values;
 }
 
@@ -42,15 +42,15 @@ pugi::xml_document mainList(const fs::path& file) {
   pugi::xml_document document;
   const bool found = withTarEntry(file, "main.plist", [&](std::uint64_t size, const ByteReader& bytes) {
     if (size > longestPlist)
-      failReading(file, "its project list is too long", copyAgain);
+      failReading(file, Message::tr("its project list is too long"), copyAgain);
     std::string text(size, '\0');
     text.resize(bytes(reinterpret_cast<unsigned char*>(text.data()), text.size()));
     if (!document.load_buffer(text.data(), text.size()))
-      failReading(file, "its project list is damaged", copyAgain);
+      failReading(file, Message::tr("its project list is damaged"), copyAgain);
   });
   if (!found)
-    failReading(file, "it is an archive but no InVesalius 3 project (it has no main.plist)",
-                "unpack it and open the volume inside");
+    failReading(file, Message::tr("it is an archive but no InVesalius 3 project (it has no main.plist)"),
+                Message::tr("unpack it and open the volume inside"));
   return document;
 }
 
@@ -62,8 +62,8 @@ VoxelType typeOf(const fs::path& file, const std::string& name) {
   };
   const auto found = types.find(name);
   if (found == types.end())
-    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
-                "open it in InVesalius and save it again");
+    failReading(file, Message::tr("its voxels are of the type \"%1\", which is not supported").arg(name),
+                Message::tr("open it in InVesalius and save it again"));
   return found->second;
 }
 
@@ -112,14 +112,14 @@ VolumeParts readInVesalius(const fs::path& path, const Progress& progress) {
   layout.count = voxelCount(path, dims);
   const bool found = withTarEntry(path, name, [&](std::uint64_t size, const ByteReader& bytes) {
     if (size != bytesOf(layout))
-      failReading(path,
-                  "its matrix has " + std::to_string(size) + " bytes where the project asks for " +
-                      std::to_string(bytesOf(layout)),
-                  copyAgain);
+      failReading(
+          path,
+          Message::tr("its matrix has %1 bytes where the project asks for %2").arg(size).arg(bytesOf(layout)),
+          copyAgain);
     parts.stored = readVoxels(path, bytes, layout, progress);
   });
   if (!found)
-    failReading(path, "its matrix \"" + name + "\" is missing", copyAgain);
+    failReading(path, Message::tr("its matrix \"%1\" is missing").arg(name), copyAgain);
   return parts;
 }
 

@@ -22,7 +22,7 @@ constexpr int mostEntries = 10000;
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
 
 [[noreturn]] void failDamagedArchive(const std::filesystem::path& file) {
-  failReading(file, "its archive is damaged or cut off", copyAgain);
+  failReading(file, Message::tr("its archive is damaged or cut off"), copyAgain);
 }
 
 Archive openArchive(const std::filesystem::path& file) {
@@ -44,8 +44,8 @@ void passOver(const std::filesystem::path& file, archive* opened, std::uint64_t&
     passed += size;
     if (passed > mostPassed ||
         (passed > leastSuspicious && passed / largestRatio > std::filesystem::file_size(file)))
-      failReading(file, "its archive holds gigabytes before the project",
-                  "open it in InVesalius and save it again");
+      failReading(file, Message::tr("its archive holds gigabytes before the project"),
+                  Message::tr("open it in InVesalius and save it again"));
   }
   if (status != ARCHIVE_EOF)
     failDamagedArchive(file);

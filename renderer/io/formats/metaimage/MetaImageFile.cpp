@@ -70,7 +70,7 @@ std::vector<double> listOf(const fs::path& file, const Header& header,
                            std::initializer_list<const char*> names, std::size_t least) {
   const std::vector<double> values = numbers(file, header.field(names));
   if (!values.empty() && values.size() < least)
-    failReading(file, std::string("its header's field ") + *names.begin() + " has too few numbers",
+    failReading(file, Message::tr("its header's field %1 has too few numbers").arg(*names.begin()),
                 copyAgain);
   return values;
 }
@@ -85,11 +85,12 @@ Shape shapeOf(const fs::path& file, const Header& header) {
   Shape shape;
   const double dimensions = number(file, header.field({"ndims"}));
   if (dimensions != 2.0 && dimensions != 3.0 && dimensions != 4.0)
-    failReading(file, "it does not have 2 to 4 dimensions", "save one volume of it");
+    failReading(file, Message::tr("it does not have 2 to 4 dimensions"),
+                Message::tr("save one volume of it"));
   shape.dimensions = static_cast<std::size_t>(dimensions);
   const std::vector<double> sizes = listOf(file, header, {"dimsize"}, shape.dimensions);
   if (sizes.empty())
-    failReading(file, "its header has no DimSize", copyAgain);
+    failReading(file, Message::tr("its header has no DimSize"), copyAgain);
   for (std::size_t axis = 0; axis < std::min<std::size_t>(3, shape.dimensions); ++axis)
     shape.dims[static_cast<int>(axis)] = dimension(file, sizes[axis]);
   if (shape.dimensions == 4)
@@ -132,7 +133,7 @@ Rescale rescaleOf(const fs::path& file, const Header& header) {
 ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_t bytes) {
   const std::string name = header.field({"elementdatafile"});
   if (name.empty())
-    failReading(path, "its header names no ElementDataFile", copyAgain);
+    failReading(path, Message::tr("its header names no ElementDataFile"), copyAgain);
   const bool isLocal = name == "LOCAL" || name == "Local" || name == "local";
   ByteLocation location;
   location.file = isLocal ? path : detachedFile(path, name);
@@ -145,7 +146,8 @@ ByteLocation locationOf(const fs::path& path, const Header& header, std::uint64_
   } else if (headerSize == -1.0 && location.encoding == Encoding::raw) {
     moveToLast(bytes, location);
   } else if (headerSize != 0.0) {
-    failReading(path, "its header's HeaderSize is not supported", "save it as one .mha file");
+    failReading(path, Message::tr("its header's HeaderSize is not supported"),
+                Message::tr("save it as one .mha file"));
   }
   return location;
 }
@@ -187,7 +189,8 @@ VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
   const std::string binary = header.field({"binarydata"});
   const bool isText = !binary.empty() && !header.isTrue({"binarydata"});
   if (isText && location.encoding != Encoding::raw)
-    failReading(path, "it holds compressed text", "save it uncompressed or as binary data");
+    failReading(path, Message::tr("it holds compressed text"),
+                Message::tr("save it uncompressed or as binary data"));
   parts.stored = isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
                         : readVoxels(location, layout, progress, parts.info.warnings);
   return parts;

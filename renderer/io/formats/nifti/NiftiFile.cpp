@@ -31,10 +31,11 @@ constexpr Sample sampleTypes[] = {
 const Sample& sampleOf(const fs::path& file, int datatype) {
   const auto found = std::ranges::find(sampleTypes, datatype, &Sample::datatype);
   if (found == std::end(sampleTypes))
-    failReading(file,
-                "its voxels are of NIfTI type " + std::to_string(datatype) +
-                    " (binary, complex or 128-bit numbers are not supported)",
-                "convert it to integers or floats first");
+    failReading(
+        file,
+        Message::tr("its voxels are of NIfTI type %1 (binary, complex or 128-bit numbers are not supported)")
+            .arg(datatype),
+        Message::tr("convert it to integers or floats first"));
   return *found;
 }
 
@@ -51,8 +52,8 @@ fs::path partner(const fs::path& path, const std::string& ending) {
     if (fs::is_regular_file(candidate, problem))
       return candidate;
   }
-  failReading(path, "its other half " + stem.string() + ending + " is missing",
-              "copy both files of the pair into one folder");
+  failReading(path, Message::tr("its other half %1%2 is missing").arg(stem.string()).arg(ending),
+              Message::tr("copy both files of the pair into one folder"));
 }
 
 bool isVoxelFile(const fs::path& path) {
@@ -65,14 +66,14 @@ NiftiHeader headerOf(const fs::path& file) {
   if (const auto header = parseNiftiHeader(bytes))
     return *header;
   if (isAnalyzeHeader(bytes))
-    failReading(file, "it is an Analyze 7.5 file, which does not say which side is left",
-                "convert it to NIfTI (.nii) first");
-  failReading(file, "its NIfTI header is cut off or damaged", copyAgain);
+    failReading(file, Message::tr("it is an Analyze 7.5 file, which does not say which side is left"),
+                Message::tr("convert it to NIfTI (.nii) first"));
+  failReading(file, Message::tr("its NIfTI header is cut off or damaged"), copyAgain);
 }
 
 glm::ivec3 dimsOf(const fs::path& file, const NiftiHeader& header) {
   if (!(header.dim[0] >= 2.0 && header.dim[0] <= 7.0))
-    failReading(file, "its header does not give 2 to 7 dimensions", copyAgain);
+    failReading(file, Message::tr("its header does not give 2 to 7 dimensions"), copyAgain);
   glm::ivec3 dims(1);
   for (int axis = 0; axis < 3 && axis < header.dim[0]; ++axis)
     dims[axis] = dimension(file, header.dim[static_cast<std::size_t>(axis) + 1]);
@@ -85,7 +86,7 @@ std::uint64_t volumesOf(const fs::path& file, const NiftiHeader& header) {
   for (std::size_t i = 4; i <= 7 && static_cast<double>(i) <= header.dim[0]; ++i)
     volumes *= std::max(header.dim[i], 1.0);
   if (volumes > mostNiftiVolumes)
-    failReading(file, "its header gives more volumes than any file holds", copyAgain);
+    failReading(file, Message::tr("its header gives more volumes than any file holds"), copyAgain);
   return static_cast<std::uint64_t>(volumes);
 }
 
@@ -94,8 +95,9 @@ void requireOneType(const fs::path& file, const NiftiHeader& header, const Sampl
   const auto bits = static_cast<int>(8 * bytesPerVoxel(sample.type)) * sample.components;
   if (header.bitsPerVoxel != 0 && header.bitsPerVoxel != bits)
     failReading(file,
-                "its header contradicts itself: voxels of " + std::to_string(header.bitsPerVoxel) +
-                    " bits, and of a type that has " + std::to_string(bits),
+                Message::tr("its header contradicts itself: voxels of %1 bits, and of a type that has %2")
+                    .arg(header.bitsPerVoxel)
+                    .arg(bits),
                 copyAgain);
 }
 
@@ -106,7 +108,7 @@ ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
       header.singleFile && header.voxelOffset == 0.0 ? headerBytes + 4.0 : header.voxelOffset;
   const double least = header.singleFile ? headerBytes : 0.0;
   if (!(offset >= least) || offset > farthestOffset || offset != std::floor(offset))
-    failReading(voxelFile, "its header places the voxels at an impossible offset", copyAgain);
+    failReading(voxelFile, Message::tr("its header places the voxels at an impossible offset"), copyAgain);
   ByteLocation location;
   location.file = voxelFile;
   location.encoding = isGzip(voxelFile) ? Encoding::deflated : Encoding::raw;
@@ -115,13 +117,14 @@ ByteLocation locationOf(const fs::path& voxelFile, const NiftiHeader& header) {
 }
 
 // Writers that do not scale leave slope and intercept 0, or NaN.
-Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<std::string>& warnings) {
+Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<Message>& warnings) {
   const bool isAbsent = header.slope == 0.0 || (std::isnan(header.slope) && std::isnan(header.intercept));
   if (components > 1 || isAbsent)
     return {};
   if (std::isfinite(header.slope) && std::isfinite(header.intercept))
     return {header.slope, header.intercept};
-  warnings.emplace_back("The file's scaling is damaged: the values are those stored, in no known unit.");
+  warnings.emplace_back(
+      Message::tr("The file's scaling is damaged: the values are those stored, in no known unit."));
   return {};
 }
 

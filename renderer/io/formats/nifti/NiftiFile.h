@@ -18,7 +18,7 @@ struct NiftiPlacement {
   glm::dvec3 originMm{0.0};
   bool orientationKnown = true;
   bool spacingKnown = true;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
 };
 
 /// Decides the placement from the header alone: a valid sform (code > 0), else the qform (code > 0), else

@@ -107,20 +107,17 @@ NiftiPlacement placementOf(const NiftiHeader& header) {
   if (isValid(header.sformCode, sform)) {
     NiftiPlacement placement = placed(sform, millimetres);
     const double apart = largestCornerDistance(sform, qform, header) * millimetres;
-    if (qformIsValid && apart > 0.5 * glm::length(placement.stepsMm[0])) {
-      char text[128];
-      std::snprintf(text, sizeof text,
-                    "The file's two placements (sform, qform) differ by up to %.1f mm; the sform is used.",
-                    apart);
-      placement.warnings.emplace_back(text);
-    }
+    if (qformIsValid && apart > 0.5 * glm::length(placement.stepsMm[0]))
+      placement.warnings.push_back(
+          Message::tr("The file's two placements (sform, qform) differ by up to %1 mm; the sform is used.")
+              .arg(Message::fixed(apart, 1)));
     return placement;
   }
   NiftiPlacement placement = qformIsValid ? placed(qform, millimetres) : spacingOnly(header, millimetres);
   if (header.sformCode > 0)
-    placement.warnings.emplace_back("The file's placement (sform) is damaged and was left out.");
+    placement.warnings.emplace_back(Message::tr("The file's placement (sform) is damaged and was left out."));
   if (header.qformCode > 0 && !qformIsValid)
-    placement.warnings.emplace_back("The file's placement (qform) is damaged and was left out.");
+    placement.warnings.emplace_back(Message::tr("The file's placement (qform) is damaged and was left out."));
   return placement;
 }
 

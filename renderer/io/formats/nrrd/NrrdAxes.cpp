@@ -62,15 +62,15 @@ std::vector<std::optional<glm::dvec3>> vectors(const fs::path& file, const std::
     }
     const std::size_t end = text.find(')', at);
     if (text[at] != '(' || end == std::string::npos)
-      failReading(file, "its header has a damaged list of vectors", copyAgain);
+      failReading(file, Message::tr("its header has a damaged list of vectors"), copyAgain);
     std::string inside = text.substr(at + 1, end - at - 1);
     for (char& c : inside)
       if (c == ',')
         c = ' ';
     const std::vector<double> parts = numbers(file, inside);
     if (parts.size() < 2 || parts.size() > 3)
-      failReading(file, "its space does not have two or three dimensions",
-                  "convert it to a 3-D volume first");
+      failReading(file, Message::tr("its space does not have two or three dimensions"),
+                  Message::tr("convert it to a 3-D volume first"));
     result.emplace_back(glm::dvec3(parts[0], parts[1], parts.size() == 3 ? parts[2] : 0.0));
     at = end + 1;
   }
@@ -79,7 +79,7 @@ std::vector<std::optional<glm::dvec3>> vectors(const fs::path& file, const std::
 
 void requireCount(const fs::path& file, const char* field, std::size_t count, std::size_t dimension) {
   if (count != 0 && count != dimension)
-    failReading(file, std::string("its header's field \"") + field + "\" does not fit its dimension",
+    failReading(file, Message::tr("its header's field \"%1\" does not fit its dimension").arg(field),
                 copyAgain);
 }
 
@@ -89,7 +89,7 @@ std::vector<Axis> axesOf(const fs::path& file, const NrrdHeader& header) {
   const std::vector<double> spacings = numbers(file, header.field("spacings"));
   const std::vector<std::string> kinds = words(header.field("kinds"));
   if (sizes.empty() || static_cast<double>(sizes.size()) != number(file, header.field("dimension")))
-    failReading(file, "its header's dimension and sizes do not agree", copyAgain);
+    failReading(file, Message::tr("its header's dimension and sizes do not agree"), copyAgain);
   requireCount(file, "space directions", directions.size(), sizes.size());
   requireCount(file, "spacings", spacings.size(), sizes.size());
   requireCount(file, "kinds", kinds.size(), sizes.size());
@@ -174,8 +174,8 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
     const bool doubtful =
         axes.size() > 3 && axes[i].kind.empty() && !axes[i].stepFile && !axes[i].hasNoDirection;
     if (doubtful)
-      failReading(file, "its header does not say which of its axes are spatial",
-                  "add the field \"kinds\" to the header or save one volume");
+      failReading(file, Message::tr("its header does not say which of its axes are spatial"),
+                  Message::tr("add the field \"kinds\" to the header or save one volume"));
     if (isSpatial(axes[i]) && !volumeIsFull) {
       spatial.push_back(axes[i]);
     } else if (spatial.empty() && i == 0 && isColor(axes[i])) {
@@ -183,18 +183,20 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
     } else if (volumeIsFull) {
       const auto size = static_cast<std::uint64_t>(axes[i].size);
       if (result.volumes > mostNrrdVolumes / size)
-        failReading(file, "its header gives more volumes than any file holds", copyAgain);
+        failReading(file, Message::tr("its header gives more volumes than any file holds"), copyAgain);
       result.volumes *= size;
     } else {
       failReading(file,
-                  "its axis " + std::to_string(i + 1) + " holds " + std::to_string(axes[i].size) +
-                      " values per voxel (" + (axes[i].kind.empty() ? "no kind" : axes[i].kind) +
-                      "), and a volume needs one",
-                  "save one component or one time step as a volume of its own");
+                  Message::tr("its axis %1 holds %2 values per voxel (%3), and a volume needs one")
+                      .arg(i + 1)
+                      .arg(axes[i].size)
+                      .arg(axes[i].kind.empty() ? Message::tr("no kind") : Message(axes[i].kind)),
+                  Message::tr("save one component or one time step as a volume of its own"));
     }
   }
   if (spatial.size() < 2 || result.components > 4)
-    failReading(file, "its axes are not those of one volume", "save one scalar volume");
+    failReading(file, Message::tr("its axes are not those of one volume"),
+                Message::tr("save one scalar volume"));
   for (std::size_t i = 0; i < spatial.size(); ++i)
     result.dims[static_cast<int>(i)] = spatial[i].size;
   if (spatial.front().stepFile)

@@ -45,7 +45,8 @@ VoxelType typeOf(const fs::path& file, const NrrdHeader& header) {
 bool isBigEndian(const fs::path& file, const NrrdHeader& header, VoxelType type, bool isText) {
   const std::string endian = lowerCase(header.field("endian"));
   if (endian != "big" && endian != "little" && bytesPerVoxel(type) > 1 && !isText)
-    failReading(file, "its header does not name the byte order", "add \"endian: little\" or \"endian: big\"");
+    failReading(file, Message::tr("its header does not name the byte order"),
+                Message::tr("add \"endian: little\" or \"endian: big\""));
   return endian == "big";
 }
 
@@ -61,7 +62,7 @@ void skipLines(ByteLocation& location, double lines) {
   for (double line = 0.0; line < lines && stream; ++line)
     stream.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   if (!stream)
-    failReading(location.file, "it ends before its voxels start", copyAgain);
+    failReading(location.file, Message::tr("it ends before its voxels start"), copyAgain);
   location.offset = static_cast<std::uint64_t>(stream.tellg());
 }
 
@@ -80,7 +81,8 @@ ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding
   } else if (skip >= 0.0 && skip < farthestSkip && skip == std::floor(skip)) {
     location.skip = static_cast<std::uint64_t>(skip);
   } else {
-    failReading(path, "its header's byte skip is not supported", "save it as one .nrrd file");
+    failReading(path, Message::tr("its header's byte skip is not supported"),
+                Message::tr("save it as one .nrrd file"));
   }
   return location;
 }
@@ -94,8 +96,8 @@ VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
   const bool isText = encoding == "txt" || encoding == "text" || encoding == "ascii";
   const bool isGzipped = encoding == "gz" || encoding == "gzip";
   if (!isText && !isGzipped && encoding != "raw")
-    failReading(path, "its encoding \"" + header.field("encoding") + "\" is not supported",
-                "save it with the encoding raw or gzip");
+    failReading(path, Message::tr("its encoding \"%1\" is not supported").arg(header.field("encoding")),
+                Message::tr("save it with the encoding raw or gzip"));
 
   VolumeParts parts;
   parts.grid = gridFromAxes(path, axes.dims, axes.stepsMm, axes.originMm);
@@ -110,7 +112,7 @@ VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
   layout.volumes = axes.volumes;
   noteLayout(layout, parts.info.warnings);
   if (axes.volumes > mostBytes / bytesOf(layout))
-    failReading(path, "its header gives more volumes than any file holds", copyAgain);
+    failReading(path, Message::tr("its header gives more volumes than any file holds"), copyAgain);
   const std::uint64_t allBytes = bytesOf(layout) * axes.volumes;
   const ByteLocation location =
       locationOf(path, header, isGzipped ? Encoding::deflated : Encoding::raw, allBytes);

@@ -60,7 +60,7 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& file) {
   }
   header.end = text.size();
   if (header.field("data file").empty())
-    failReading(file, "its NRRD header has no end", copyAgain);
+    failReading(file, Message::tr("its NRRD header has no end"), copyAgain);
   return header;
 }
 

@@ -19,7 +19,7 @@ constexpr int mostSegments = 4096;
 constexpr int mostChunks = 1 << 20;
 
 [[noreturn]] void failDamagedPicture(const fs::path& file) {
-  failReading(file, "the picture is damaged or cut off", copyAgain);
+  failReading(file, Message::tr("the picture is damaged or cut off"), copyAgain);
 }
 
 VoxelType typeOfSample(const fs::path& file, StoredPicture::Sample stored) {
@@ -31,7 +31,8 @@ VoxelType typeOfSample(const fs::path& file, StoredPicture::Sample stored) {
   case StoredPicture::Sample::other:
     break;
   }
-  failReading(file, "its samples are of a type that is not supported", "convert it to 8 or 16 bits first");
+  failReading(file, Message::tr("its samples are of a type that is not supported"),
+              Message::tr("convert it to 8 or 16 bits first"));
 }
 
 // Walks the segments of a JPEG file up to its pixels. Throws where there are more than any camera writes, or
@@ -60,7 +61,7 @@ void requireSoundJpeg(const fs::path& file) {
   stream.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(stream.tellg()) - tailBytes));
   const std::string tail{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (tail.rfind("\xff\xd9"sv) == std::string::npos)
-    failReading(file, "the picture is cut off", copyAgain);
+    failReading(file, Message::tr("the picture is cut off"), copyAgain);
 }
 
 // Walks the chunks of a PNG file to its end, so that a picture that is cut off never reaches the decoder,
@@ -77,7 +78,7 @@ void requireWholePng(const fs::path& file) {
       length = length << 8 | static_cast<unsigned char>(head[static_cast<std::size_t>(i)]);
     stream.seekg(static_cast<std::streamoff>(length) + 4, std::ios::cur);
   }
-  failReading(file, "the picture is cut off", copyAgain);
+  failReading(file, Message::tr("the picture is cut off"), copyAgain);
 }
 
 bool isJpeg(const fs::path& file) {
@@ -93,7 +94,7 @@ void requireRoom(const fs::path& file, const PictureShape& shape) {
   const bool hasPixels = shape.width >= 1 && shape.height >= 1 && shape.channels >= 1;
   if (!hasPixels ||
       rowBytes(shape) * static_cast<std::uint64_t>(shape.height) / largestRatio > fs::file_size(file))
-    failReading(file, "its header asks for more pixels than the file can hold", copyAgain);
+    failReading(file, Message::tr("its header asks for more pixels than the file can hold"), copyAgain);
 }
 
 Picture openPicture(const fs::path& file) {

@@ -65,9 +65,10 @@ public:
       start(picture.shape, expectedSlices);
     else if (picture.shape != m_shape)
       failReading(m_path,
-                  "its picture " + file.filename().string() + " (page " + std::to_string(page + 1) +
-                      ") has another size or type than the first",
-                  "keep only the slices of one stack in the folder");
+                  Message::tr("its picture %1 (page %2) has another size or type than the first")
+                      .arg(file.filename().string())
+                      .arg(page + 1),
+                  Message::tr("keep only the slices of one stack in the folder"));
     withStoredType(m_shape.type, [&](auto value) { append<decltype(value)>(picture); });
     ++m_slices;
   }
@@ -189,10 +190,11 @@ void requireWholeStack(const fs::path& folder, const std::vector<fs::path>& pict
   const fs::path& first = *lost.begin();
   std::error_code ignored;
   failReading(first,
-              (fs::file_size(first, ignored) == 0 ? std::string("the file is empty")
-                                                  : std::string("it does not start as a picture does")) +
-                  ", so that a slice is missing from the stack",
-              "copy it again, or take it out of the folder if it is no slice");
+              Message::tr("%1, so that a slice is missing from the stack")
+                  .arg(fs::file_size(first, ignored) == 0
+                           ? Message::tr("the file is empty")
+                           : Message::tr("it does not start as a picture does")),
+              Message::tr("copy it again, or take it out of the folder if it is no slice"));
 }
 
 VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const Progress& progress) {
@@ -203,17 +205,17 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
     kinds.insert(kind);
     const int pages = kind == "TIFF" ? tiffPages(files[i]) : 1;
     if (files.size() > 1 && pages > 1)
-      failReading(path, "its picture " + files[i].filename().string() + " has several pages",
-                  "open that file by itself");
+      failReading(path, Message::tr("its picture %1 has several pages").arg(files[i].filename().string()),
+                  Message::tr("open that file by itself"));
     if (files.size() == 1 && pages == 1)
-      failReading(files[i], "it is a single picture, and a volume needs a stack of slices",
-                  "open the folder that holds all slices, or a TIFF file with several pages");
+      failReading(files[i], Message::tr("it is a single picture, and a volume needs a stack of slices"),
+                  Message::tr("open the folder that holds all slices, or a TIFF file with several pages"));
     const std::size_t slices = std::max(files.size(), static_cast<std::size_t>(pages));
     int page = 0;
     const auto add = [&](const Picture& picture) {
       reportOrStop(progress,
                    static_cast<double>(i + static_cast<std::size_t>(page)) / static_cast<double>(slices),
-                   "Reading slices");
+                   Message::tr("Reading slices"));
       stack.add(picture, files[i], page++, slices);
     };
     if (kind == "TIFF")
@@ -222,14 +224,16 @@ VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& file
       add(openPicture(files[i]));
   }
   if (kinds.size() > 1)
-    failReading(path, "it holds pictures of several kinds",
-                "keep only the slices of one stack in the folder");
+    failReading(path, Message::tr("it holds pictures of several kinds"),
+                Message::tr("keep only the slices of one stack in the folder"));
   VolumeParts parts = std::move(stack).parts();
   parts.info.format = *kinds.begin() + " stack";
   if (kinds.contains("JPEG"))
-    parts.info.warnings.emplace_back("JPEG compression is lossy: the values are not the original ones.");
+    parts.info.warnings.emplace_back(
+        Message::tr("JPEG compression is lossy: the values are not the original ones."));
   if (!numbersAreEven(files))
-    parts.info.warnings.emplace_back("The numbers in the file names are uneven: slices may be missing.");
+    parts.info.warnings.emplace_back(
+        Message::tr("The numbers in the file names are uneven: slices may be missing."));
   return parts;
 }
 

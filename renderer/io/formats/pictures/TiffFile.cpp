@@ -27,7 +27,9 @@ struct Tiff {
   std::unique_ptr<TIFF, decltype(&TIFFClose)> handle{nullptr, &TIFFClose};
 
   [[noreturn]] void fail() const {
-    failReading(file, "the picture is damaged" + (complaint.empty() ? complaint : " (" + complaint + ")"),
+    failReading(file,
+                complaint.empty() ? Message::tr("the picture is damaged")
+                                  : Message::tr("the picture is damaged (%1)").arg(complaint),
                 copyAgain);
   }
 };
@@ -115,8 +117,8 @@ VoxelType typeOf(const Tiff& tiff, const Layout& layout) {
     return isSigned ? VoxelType::int32 : VoxelType::uint32;
   if (isWhole && layout.bits == 64)
     return isSigned ? VoxelType::int64 : VoxelType::uint64;
-  failReading(tiff.file, "its samples are of a type that is not supported",
-              "convert it to 8 or 16 bits first");
+  failReading(tiff.file, Message::tr("its samples are of a type that is not supported"),
+              Message::tr("convert it to 8 or 16 bits first"));
 }
 
 PictureShape shapeOf(const Tiff& tiff, const Layout& layout) {
@@ -132,10 +134,10 @@ PictureShape shapeOf(const Tiff& tiff, const Layout& layout) {
       layout.meaning == PHOTOMETRIC_RGB && (layout.samples == 3 || layout.samples == 4) && layout.bits >= 8;
   if (!(isGrey && layout.samples <= 2 && (layout.bits >= 8 || layout.samples == 1)) && !isPalette &&
       !isColour)
-    failReading(tiff.file,
-                "it holds " + std::to_string(layout.samples) +
-                    " values per pixel of a kind that is not supported",
-                "convert it to grey or RGB first");
+    failReading(
+        tiff.file,
+        Message::tr("it holds %1 values per pixel of a kind that is not supported").arg(layout.samples),
+        Message::tr("convert it to grey or RGB first"));
   shape.channels = isPalette ? 3 : layout.samples;
   requireRoom(tiff.file, shape);
   return shape;
@@ -264,7 +266,7 @@ void convertRow(const Layout& layout, const PictureShape& shape, const unsigned 
 
 Picture pageOf(const Tiff& tiff) {
   if (tiff.isMended)
-    failReading(tiff.file, "its pages are damaged or cut off", copyAgain);
+    failReading(tiff.file, Message::tr("its pages are damaged or cut off"), copyAgain);
   const Layout layout = layoutOf(tiff);
   Picture picture;
   picture.shape = shapeOf(tiff, layout);

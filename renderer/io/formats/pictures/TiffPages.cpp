@@ -70,7 +70,9 @@ public:
     return number(offset + head + entries * entryBytes, m_wide);
   }
 
-  [[noreturn]] void failCutOff() const { failReading(m_file, "its pages are damaged or cut off", copyAgain); }
+  [[noreturn]] void failCutOff() const {
+    failReading(m_file, Message::tr("its pages are damaged or cut off"), copyAgain);
+  }
 
 private:
   void requireInside(std::uint64_t offset, std::uint64_t bytes) const {

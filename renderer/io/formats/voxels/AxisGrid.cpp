@@ -41,17 +41,18 @@ Grid gridFromAxes(const std::filesystem::path& file, const glm::ivec3& dims, con
   const bool originIsFinite =
       std::isfinite(originMm.x) && std::isfinite(originMm.y) && std::isfinite(originMm.z);
   if (!isUsable(stepsMm) || !originIsFinite)
-    failReading(file, "its header places the voxels with numbers that span no volume",
-                "export the file again with a valid orientation");
+    failReading(file, Message::tr("its header places the voxels with numbers that span no volume"),
+                Message::tr("export the file again with a valid orientation"));
   const glm::dmat3 axes = unitColumns(stepsMm);
   const double shear = std::max({std::abs(glm::dot(axes[0], axes[1])), std::abs(glm::dot(axes[0], axes[2])),
                                  std::abs(glm::dot(axes[1], axes[2]))});
   if (shear > largestCosine) {
     const double degrees = std::abs(90.0 - glm::degrees(std::acos(shear)));
-    failReading(file,
-                "its axes are sheared (" + std::to_string(degrees).substr(0, 5) +
-                    " degrees off the right angle), which would be drawn distorted",
-                "resample it to a rectangular grid first, e.g. with 3D Slicer or FSL");
+    failReading(
+        file,
+        Message::tr("its axes are sheared (%1 degrees off the right angle), which would be drawn distorted")
+            .arg(Message::rounded(degrees, 4)),
+        Message::tr("resample it to a rectangular grid first, e.g. with 3D Slicer or FSL"));
   }
   const glm::dvec3 x = axes[0];
   const glm::dvec3 y = unit(axes[1] - glm::dot(x, axes[1]) * x);

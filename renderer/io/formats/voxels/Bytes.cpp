@@ -25,10 +25,10 @@ constexpr std::uint64_t largestDeflateRatio = 1032;
 std::ifstream openFile(const fs::path& file) {
   std::error_code problem;
   if (fs::is_directory(file, problem))
-    failReading(file, "it is a folder where a file is needed", "choose a file");
+    failReading(file, Message::tr("it is a folder where a file is needed"), Message::tr("choose a file"));
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    failReading(file, std::strerror(errno), "check the name and the right to read it");
+    failReading(file, std::strerror(errno), Message::tr("check the name and the right to read it"));
   return stream;
 }
 
@@ -36,7 +36,7 @@ std::uint64_t sizeOf(const fs::path& file) {
   std::error_code problem;
   const auto size = fs::file_size(file, problem);
   if (problem)
-    failReading(file, problem.message(), "check the name and the right to read it");
+    failReading(file, problem.message(), Message::tr("check the name and the right to read it"));
   return size;
 }
 
@@ -73,7 +73,7 @@ private:
     else if (status == Z_BUF_ERROR && m_zlib.avail_in == 0)
       m_ended = true;
     else if (status != Z_OK)
-      failReading(m_file, "its compressed data are damaged", copyAgain);
+      failReading(m_file, Message::tr("its compressed data are damaged"), copyAgain);
   }
 
   void refill() {
@@ -131,9 +131,10 @@ void requireRoom(const ByteLocation& location, std::uint64_t needed) {
       location.encoding == Encoding::raw ? wanted <= held : wanted / largestDeflateRatio <= held;
   if (!fits)
     failReading(location.file,
-                "its header asks for " + std::to_string(wanted) +
-                    " bytes of voxels, but the file holds only " + std::to_string(held) +
-                    (location.encoding == Encoding::raw ? "" : " compressed ones"),
+                Message::tr("its header asks for %1 bytes of voxels, but the file holds only %2%3")
+                    .arg(wanted)
+                    .arg(held)
+                    .arg(location.encoding == Encoding::raw ? Message() : Message::tr(" compressed ones")),
                 copyAgain);
 }
 
@@ -155,7 +156,7 @@ ByteReader openBytes(const ByteLocation& location, std::uint64_t needed) {
 void moveToLast(std::uint64_t bytes, ByteLocation& location) {
   const std::uint64_t size = sizeOf(location.file);
   if (size < location.offset || size - location.offset < bytes)
-    failReading(location.file, "its voxels end early", copyAgain);
+    failReading(location.file, Message::tr("its voxels end early"), copyAgain);
   location.offset = size - bytes;
 }
 
@@ -178,24 +179,27 @@ bool isGzip(const fs::path& file) {
 
 fs::path detachedFile(const fs::path& header, const std::string& name) {
   if (name.starts_with("LIST") || name.find('%') != std::string::npos)
-    failReading(header, "its voxels are spread over several files", "save it as one file");
+    failReading(header, Message::tr("its voxels are spread over several files"),
+                Message::tr("save it as one file"));
   const fs::path relative(name);
   const fs::path normal = relative.lexically_normal();
   if (name.empty() || relative.is_absolute() || normal.empty() || *normal.begin() == "..")
-    failReading(header, "it names its voxel file \"" + name + "\", which is not in the folder of the header",
-                "put both files into one folder and name the voxel file without a path");
+    failReading(
+        header,
+        Message::tr("it names its voxel file \"%1\", which is not in the folder of the header").arg(name),
+        Message::tr("put both files into one folder and name the voxel file without a path"));
   const fs::path file = header.parent_path() / normal;
   std::error_code problem;
   if (!fs::is_regular_file(file, problem))
-    failReading(header, "its voxel file " + file.string() + " is missing",
-                "copy that file beside the header");
+    failReading(header, Message::tr("its voxel file %1 is missing").arg(file.string()),
+                Message::tr("copy that file beside the header"));
   if (fs::equivalent(header, file))
-    failReading(header, "it names itself as its voxel file", copyAgain);
+    failReading(header, Message::tr("it names itself as its voxel file"), copyAgain);
   const fs::path inside =
       fs::canonical(file).lexically_relative(fs::canonical(absolute(header).parent_path()));
   if (inside.empty() || *inside.begin() == "..")
-    failReading(header, "its voxel file \"" + name + "\" is a link that leads out of the folder",
-                "replace the link by the file itself");
+    failReading(header, Message::tr("its voxel file \"%1\" is a link that leads out of the folder").arg(name),
+                Message::tr("replace the link by the file itself"));
   return file;
 }
 

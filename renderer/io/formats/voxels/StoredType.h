@@ -57,7 +57,7 @@ Kept<Stored> keptValue(const Stored* samples, int components) {
 [[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
 
 /// The warning of a file that holds more than its header asks for.
-inline constexpr const char* surplusWarning =
-    "The file holds more data than its header asks for: its dimensions may be wrong.";
+inline const Message surplusWarning =
+    Message::tr("The file holds more data than its header asks for: its dimensions may be wrong.");
 
 } // namespace limn

@@ -75,7 +75,8 @@ Stored numberIn(const fs::path& file, std::string_view word) {
   Stored value{};
   const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (problem != std::errc{} || end != word.data() + word.size())
-    failReading(file, "a voxel's text is not a number of the type that the header names", copyAgain);
+    failReading(file, Message::tr("a voxel's text is not a number of the type that the header names"),
+                copyAgain);
   return value;
 }
 
@@ -91,7 +92,7 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, Words& words, const Voxel
     voxels.push_back(static_cast<Kept<Stored>>(numberIn<Stored>(file, word)));
     if (voxels.size() % voxelsPerReport == 0)
       reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
-                   "Reading voxels");
+                   Message::tr("Reading voxels"));
   }
   return voxels;
 }
@@ -99,9 +100,10 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, Words& words, const Voxel
 } // namespace
 
 VoxelArray readTextVoxels(const fs::path& file, const ByteReader& text, const VoxelLayout& layout,
-                          const Progress& progress, bool mayBeCut, std::vector<std::string>& warnings) {
+                          const Progress& progress, bool mayBeCut, std::vector<Message>& warnings) {
   if (layout.components != 1)
-    failReading(file, "it holds colours as text", "convert it to a binary encoding");
+    failReading(file, Message::tr("it holds colours as text"),
+                Message::tr("convert it to a binary encoding"));
   requireMemory(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)));
   Words words(file, text);
   VoxelArray voxels = withStoredType(layout.type, [&](auto value) -> VoxelArray {
@@ -111,12 +113,12 @@ VoxelArray readTextVoxels(const fs::path& file, const ByteReader& text, const Vo
   if (isFollowed && layout.volumes == 1 && layout.endsFile)
     warnings.emplace_back(surplusWarning);
   if (mayBeCut && !isFollowed && words.touchesEnd())
-    warnings.emplace_back("The text ends right behind its last number, which may be cut off.");
+    warnings.emplace_back(Message::tr("The text ends right behind its last number, which may be cut off."));
   return voxels;
 }
 
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                          std::vector<std::string>& warnings) {
+                          std::vector<Message>& warnings) {
   // The shortest voxel is a digit, and white space parts it from the next.
   return readTextVoxels(location.file, openBytes(location, 2 * layout.count - 1), layout, progress, true,
                         warnings);

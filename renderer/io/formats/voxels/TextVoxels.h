@@ -11,10 +11,10 @@ namespace limn {
 /// word is no number of the layout's type; Cancelled.
 VoxelArray readTextVoxels(const std::filesystem::path& file, const ByteReader& text,
                           const VoxelLayout& layout, const Progress& progress, bool mayBeCut,
-                          std::vector<std::string>& warnings);
+                          std::vector<Message>& warnings);
 
 /// The same from a place in a file, which must not be compressed.
 VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                          std::vector<std::string>& warnings);
+                          std::vector<Message>& warnings);
 
 } // namespace limn

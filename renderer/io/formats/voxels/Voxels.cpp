@@ -74,7 +74,7 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
 
 // Whether the bytes behind the first volume are as many as the header says.
 void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool moreFollows,
-                 std::vector<std::string>& warnings) {
+                 std::vector<Message>& warnings) {
   if (layout.volumes == 1 && layout.endsFile && moreFollows)
     warnings.emplace_back(surplusWarning);
   if (layout.volumes == 1 || location.encoding != Encoding::raw)
@@ -82,7 +82,7 @@ void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool m
   const std::uint64_t held = fs::file_size(location.file) - location.offset - location.skip;
   const std::uint64_t bytes = bytesOf(layout);
   if (held / bytes < layout.volumes)
-    warnings.emplace_back("The file ends before the last of its volumes: it may be cut off.");
+    warnings.emplace_back(Message::tr("The file ends before the last of its volumes: it may be cut off."));
   else if (held > bytes * layout.volumes)
     warnings.emplace_back(surplusWarning);
 }
@@ -91,8 +91,7 @@ void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool m
 
 void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
   failReading(file,
-              "its voxels end after " + std::to_string(got) + " of the " + std::to_string(wanted) +
-                  " that its header asks for",
+              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got).arg(wanted),
               copyAgain);
 }
 
@@ -108,13 +107,15 @@ std::uint64_t voxelCount(const fs::path& file, const glm::ivec3& dims) {
   constexpr std::uint64_t most = std::uint64_t{1} << 40;
   std::uint64_t count = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string given = "its header gives the dimensions " + std::to_string(dims.x) + " x " +
-                              std::to_string(dims.y) + " x " + std::to_string(dims.z);
+    const Message given =
+        Message::tr("its header gives the dimensions %1 x %2 x %3").arg(dims.x).arg(dims.y).arg(dims.z);
     if (dims[axis] < 1)
-      failReading(file, given + ", which leave no voxels", copyAgain);
+      failReading(file, Message::tr("%1, which leave no voxels").arg(given), copyAgain);
     if (count > most / static_cast<std::uint64_t>(dims[axis]))
-      failReading(file, given + ", which is too large for any computer",
-                  "if they are right, save a smaller part of the volume; otherwise export the file again");
+      failReading(
+          file, Message::tr("%1, which is too large for any computer").arg(given),
+          Message::tr(
+              "if they are right, save a smaller part of the volume; otherwise export the file again"));
     count *= static_cast<std::uint64_t>(dims[axis]);
   }
   return count;
@@ -122,7 +123,8 @@ std::uint64_t voxelCount(const fs::path& file, const glm::ivec3& dims) {
 
 int dimension(const fs::path& file, double value) {
   if (!(value >= 1.0) || value > 2147483647.0 || value != std::floor(value))
-    failReading(file, "its header gives a dimension that is not a positive whole number", copyAgain);
+    failReading(file, Message::tr("its header gives a dimension that is not a positive whole number"),
+                copyAgain);
   return static_cast<int>(value);
 }
 
@@ -130,22 +132,22 @@ VoxelType typeNamed(const fs::path& file, const std::string& name,
                     const std::map<std::string, VoxelType>& types) {
   const auto found = types.find(name);
   if (found == types.end())
-    failReading(file, "its voxels are of the type \"" + name + "\", which is not supported",
-                "convert it to integers or floats first");
+    failReading(file, Message::tr("its voxels are of the type \"%1\", which is not supported").arg(name),
+                Message::tr("convert it to integers or floats first"));
   return found->second;
 }
 
 int componentCount(const fs::path& file, const std::string& text) {
   const double count = text.empty() ? 1.0 : number(file, text);
   if (count != 1.0 && count != 3.0 && count != 4.0)
-    failReading(file, "it holds " + text + " values per voxel, and a volume needs one",
-                "save one component as a volume of its own");
+    failReading(file, Message::tr("it holds %1 values per voxel, and a volume needs one").arg(text),
+                Message::tr("save one component as a volume of its own"));
   return static_cast<int>(count);
 }
 
-void noteLayout(const VoxelLayout& layout, std::vector<std::string>& warnings) {
+void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings) {
   if (layout.volumes > 1)
-    warnings.push_back("The file holds " + std::to_string(layout.volumes) + " volumes; the first is shown.");
+    warnings.push_back(Message::tr("The file holds %1 volumes; the first is shown.").arg(layout.volumes));
   if (layout.components > 1)
     warnings.emplace_back(colorWarning);
 }
@@ -159,7 +161,7 @@ VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const Voxel
 }
 
 VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                      std::vector<std::string>& warnings) {
+                      std::vector<Message>& warnings) {
   const ByteReader bytes = openBytes(location, bytesOf(layout));
   const bool isChecked = location.encoding == Encoding::raw;
   VoxelArray voxels = readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);

@@ -44,7 +44,7 @@ VoxelType typeNamed(const std::filesystem::path& file, const std::string& name,
 int componentCount(const std::filesystem::path& file, const std::string& text);
 
 /// Says where only the first of several volumes is shown, and where colours become luminance.
-void noteLayout(const VoxelLayout& layout, std::vector<std::string>& warnings);
+void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings);
 
 /// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
 /// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end
@@ -55,12 +55,12 @@ VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes
 /// Opens `location` and reads exactly the voxels that `layout` describes. Warns where the file holds more
 /// than its header asks for, which then is likely wrong, or ends within the volumes behind the first.
 VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                      std::vector<std::string>& warnings);
+                      std::vector<Message>& warnings);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);
 
 /// The sentence for a volume whose colours became luminance.
-inline constexpr const char* colorWarning = "The file holds colours; their luminance is shown.";
+inline const Message colorWarning = Message::tr("The file holds colours; their luminance is shown.");
 
 } // namespace limn

@@ -29,7 +29,7 @@ struct Header {
     if (found == lines.end())
       return otherwise;
     if (found->second.size() < 3)
-      failReading(file, "its header's line " + word + " has too few numbers", copyAgain);
+      failReading(file, Message::tr("its header's line %1 has too few numbers").arg(word), copyAgain);
     return {number(file, found->second[0]), number(file, found->second[1]), number(file, found->second[2])};
   }
 };
@@ -75,8 +75,8 @@ Header parseHeader(const fs::path& file, std::string_view text) {
       header.end = at;
     return header;
   }
-  failReading(file, "its header names no SCALARS among its first lines",
-              "export it as structured points with scalars");
+  failReading(file, Message::tr("its header names no SCALARS among its first lines"),
+              Message::tr("export it as structured points with scalars"));
 }
 
 VoxelType typeOfScalars(const fs::path& file, const std::string& name) {
@@ -91,7 +91,7 @@ VoxelType typeOfScalars(const fs::path& file, const std::string& name) {
 VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec3& dims) {
   const std::vector<std::string>& scalars = header.lines.at("SCALARS");
   if (scalars.size() < 2)
-    failReading(file, "its header's line SCALARS is cut off", copyAgain);
+    failReading(file, Message::tr("its header's line SCALARS is cut off"), copyAgain);
   VoxelLayout layout;
   layout.type = typeOfScalars(file, scalars[1]);
   layout.bigEndian = true;
@@ -108,8 +108,10 @@ void requireOneSize(const fs::path& file, const Header& header, std::uint64_t vo
   const bool isGiven = found != header.lines.end() && !found->second.empty();
   if (isGiven && number(file, found->second.front()) != static_cast<double>(voxels))
     failReading(file,
-                "its header contradicts itself: " + word + " " + found->second.front() +
-                    " where DIMENSIONS make " + std::to_string(voxels),
+                Message::tr("its header contradicts itself: %1 %2 where DIMENSIONS make %3")
+                    .arg(word)
+                    .arg(found->second.front())
+                    .arg(voxels),
                 copyAgain);
 }
 
@@ -124,7 +126,8 @@ VolumeParts readVtkLegacy(const fs::path& path, const Progress& progress) {
   const auto dataset = header.lines.find("DATASET");
   if (dataset == header.lines.end() || dataset->second.empty() ||
       upperCase(dataset->second.front()) != "STRUCTURED_POINTS")
-    failReading(path, "it holds no image data (STRUCTURED_POINTS)", "export the volume as image data (.vti)");
+    failReading(path, Message::tr("it holds no image data (STRUCTURED_POINTS)"),
+                Message::tr("export the volume as image data (.vti)"));
   const glm::dvec3 points = header.triple(path, "DIMENSIONS", glm::dvec3(0.0));
   const glm::dvec3 spacing =
       header.triple(path, "SPACING", header.triple(path, "ASPECT_RATIO", glm::dvec3(0.0)));

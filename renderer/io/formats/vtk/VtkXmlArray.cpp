@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void failDamagedArray(const fs::path& file) {
-  failReading(file, "its array of values is damaged or cut off", copyAgain);
+  failReading(file, Message::tr("its array of values is damaged or cut off"), copyAgain);
 }
 
 // The six bits of a base64 letter; nothing where it is none.

@@ -35,10 +35,10 @@ Document parse(const fs::path& file) {
       document.xml.load_buffer(document.text.xml.data(), document.text.xml.size());
   const std::string type = document.root().attribute("type").as_string();
   if (type != "ImageData")
-    failReading(file, "it holds VTK data of the type \"" + type + "\", not image data",
-                "export the volume as image data (.vti)");
+    failReading(file, Message::tr("it holds VTK data of the type \"%1\", not image data").arg(type),
+                Message::tr("export the volume as image data (.vti)"));
   if (document.text.appended == 0 && !result)
-    failReading(file, "its text is cut off or damaged", copyAgain);
+    failReading(file, Message::tr("its text is cut off or damaged"), copyAgain);
   return document;
 }
 
@@ -46,7 +46,7 @@ std::vector<double> listOf(const fs::path& file, const pugi::xml_node& node, con
                            std::size_t count) {
   const std::vector<double> values = numbers(file, node.attribute(name).as_string());
   if (!values.empty() && values.size() != count)
-    failReading(file, std::string("its attribute ") + name + " has the wrong number of numbers", copyAgain);
+    failReading(file, Message::tr("its attribute %1 has the wrong number of numbers").arg(name), copyAgain);
   return values;
 }
 
@@ -64,7 +64,7 @@ Points pointsOf(const fs::path& file, const pugi::xml_node& image) {
   const std::vector<double> origin = listOf(file, image, "Origin", 3);
   const std::vector<double> direction = listOf(file, image, "Direction", 9);
   if (extent.empty())
-    failReading(file, "its header has no WholeExtent", copyAgain);
+    failReading(file, Message::tr("its header has no WholeExtent"), copyAgain);
   Points points;
   points.spacingKnown = !spacing.empty();
   for (int axis = 0; axis < 3; ++axis) {
@@ -82,9 +82,9 @@ Points pointsOf(const fs::path& file, const pugi::xml_node& image) {
 pugi::xml_node pieceOf(const fs::path& file, const pugi::xml_node& image) {
   const pugi::xml_node piece = image.child("Piece");
   if (!piece || piece.next_sibling("Piece"))
-    failReading(file, "it does not hold exactly one piece", "save it as one piece");
+    failReading(file, Message::tr("it does not hold exactly one piece"), Message::tr("save it as one piece"));
   if (numbers(file, piece.attribute("Extent").as_string()) != listOf(file, image, "WholeExtent", 6))
-    failReading(file, "its piece does not fill its extent", copyAgain);
+    failReading(file, Message::tr("its piece does not fill its extent"), copyAgain);
   return piece;
 }
 
@@ -112,8 +112,8 @@ VoxelLayout layoutOf(const fs::path& file, const Document& document, const pugi:
 VtkXmlEncoding encodingOf(const fs::path& file, const Document& document) {
   const std::string compressor = document.root().attribute("compressor").as_string();
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    failReading(file, "its compression " + compressor + " is not supported",
-                "save it with ZLib or uncompressed");
+    failReading(file, Message::tr("its compression %1 is not supported").arg(compressor),
+                Message::tr("save it with ZLib or uncompressed"));
   VtkXmlEncoding encoding;
   encoding.bigEndian = std::string(document.root().attribute("byte_order").as_string()) == "BigEndian";
   encoding.bytesPerLength =
@@ -129,25 +129,26 @@ ByteReader codedBytes(const fs::path& file, const Document& document, const pugi
   if (format != "appended") {
     const VtkXmlRun run = runOf(array.text().as_string());
     if (run.length < least)
-      failReading(file, "its text is too short for the voxels that its header asks for", copyAgain);
+      failReading(file, Message::tr("its text is too short for the voxels that its header asks for"),
+                  copyAgain);
     return bytesOfRun(file, run);
   }
   if (document.text.appended == 0)
-    failReading(file, "its array of values is missing", copyAgain);
+    failReading(file, Message::tr("its array of values is missing"), copyAgain);
   const double offset = number(file, array.attribute("offset").as_string());
   if (!(offset >= 0.0) || offset > static_cast<double>(fs::file_size(file)))
-    failReading(file, "its array of values lies behind the end of the file", copyAgain);
+    failReading(file, Message::tr("its array of values lies behind the end of the file"), copyAgain);
   return openBytes({file, document.text.appended + static_cast<std::uint64_t>(offset)}, least);
 }
 
 VoxelArray voxelsOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
-                    const VoxelLayout& layout, const Progress& progress, std::vector<std::string>& warnings) {
+                    const VoxelLayout& layout, const Progress& progress, std::vector<Message>& warnings) {
   const std::string format = array.attribute("format").as_string("ascii");
   if (format == "ascii")
     return readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, progress,
                           false, warnings);
   if (format != "binary" && format != "appended")
-    failReading(file, "its array of values is missing", copyAgain);
+    failReading(file, Message::tr("its array of values is missing"), copyAgain);
   VtkXmlEncoding encoding = encodingOf(file, document);
   encoding.isBase64 = format == "binary" || document.text.appendedIsBase64;
   const std::uint64_t bytes = bytesOf(layout);
@@ -169,7 +170,8 @@ VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
   const pugi::xml_node ofPoints = arrayIn(piece.child("PointData"));
   const pugi::xml_node array = ofPoints ? ofPoints : arrayIn(piece.child("CellData"));
   if (!array)
-    failReading(path, "it holds no array of values", "export the volume with its scalars");
+    failReading(path, Message::tr("it holds no array of values"),
+                Message::tr("export the volume with its scalars"));
 
   VolumeParts parts;
   parts.info.format = "VTI";

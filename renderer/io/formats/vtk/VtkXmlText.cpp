@@ -46,7 +46,9 @@ public:
 private:
   static constexpr int end = std::char_traits<char>::eof();
 
-  [[noreturn]] void failDamaged() const { failReading(m_file, "its text is cut off or damaged", copyAgain); }
+  [[noreturn]] void failDamaged() const {
+    failReading(m_file, Message::tr("its text is cut off or damaged"), copyAgain);
+  }
 
   int take() {
     const int c = m_stream.rdbuf()->sbumpc();
@@ -94,7 +96,7 @@ private:
     while (c != end && c != '_')
       c = take();
     if (c == end)
-      failReading(m_file, "its appended data are missing", copyAgain);
+      failReading(m_file, Message::tr("its appended data are missing"), copyAgain);
     m_result.appended = m_position;
     m_result.appendedIsBase64 = tag.find("\"raw\"") == std::string::npos;
   }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/language/InGerman.h"
+#include "translations/Words.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QMenuBar>
+#include <QSet>
+
+// The program's window in German.
+namespace limn::test {
+namespace {
+
+class GermanWindow : private InGerman, public WindowHarness {};
+
+// The letter behind the mark; nothing where there is none.
+QString mnemonicOf(QString text) {
+  text.remove(QStringLiteral("&&"));
+  const qsizetype mark = text.indexOf(QLatin1Char('&'));
+  return mark < 0 ? QString() : text.mid(mark + 1, 1).toLower();
+}
+
+void expectOwnMnemonics(const QString& menu, const QList<QAction*>& actions) {
+  QSet<QString> taken;
+  for (const QAction* action : actions) {
+    const QString letter = mnemonicOf(action->text());
+    EXPECT_FALSE(!letter.isEmpty() && taken.contains(letter))
+        << menu.toStdString() << ": two have the letter of \"" << action->text().toStdString() << '"';
+    taken.insert(letter);
+    if (action->menu())
+      expectOwnMnemonics(action->text(), action->menu()->actions());
+  }
+}
+
+// English texts that German has another text for, as they stand in widgets.
+const QSet<QString>& leftInEnglish() {
+  static const QSet<QString> texts = [] {
+    QSet<QString> english;
+    for (const Word& word : germanWords())
+      english.insert(QString(word.source).remove(QLatin1Char('&')));
+    for (const Word& word : germanWords())
+      english.remove(QString(word.translation).remove(QLatin1Char('&')));
+    return english;
+  }();
+  return texts;
+}
+
+void expectGerman(const QString& text, const QObject& of) {
+  EXPECT_FALSE(leftInEnglish().contains(QString(text).remove(QLatin1Char('&'))))
+      << of.metaObject()->className() << " says \"" << text.toStdString() << '"';
+}
+
+TEST_F(GermanWindow, hasGermanMenus) {
+  QStringList menus;
+  for (const QAction* menu : window->menuBar()->actions())
+    menus << menu->text();
+  EXPECT_EQ(menus,
+            QStringList({QStringLiteral("&Datei"), QStringLiteral("&Bearbeiten"), QStringLiteral("&Ansicht"),
+                         QStringLiteral("&Preset"), QStringLiteral("&Hilfe")}));
+  EXPECT_NE(action(QStringLiteral("&DICOM-Ordner öffnen…")), nullptr);
+}
+
+TEST_F(GermanWindow, givesEachEntryOfAMenuALetterOfItsOwn) {
+  expectOwnMnemonics(QStringLiteral("menu bar"), window->menuBar()->actions());
+}
+
+TEST_F(GermanWindow, saysNothingInEnglishOfWhichTheGermanIsKnown) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(rest());
+  for (const QAction* action : window->findChildren<QAction*>()) {
+    expectGerman(action->text(), *action);
+    expectGerman(action->toolTip(), *action);
+  }
+  for (const QWidget* widget : window->findChildren<QWidget*>()) {
+    for (const QString& text : {widget->toolTip(), widget->accessibleName(), widget->windowTitle()})
+      expectGerman(text, *widget);
+    if (const auto* label = qobject_cast<const QLabel*>(widget))
+      expectGerman(label->text(), *widget);
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+      expectGerman(button->text(), *widget);
+    if (const auto* box = qobject_cast<const QComboBox*>(widget))
+      for (int i = 0; i < box->count(); ++i)
+        expectGerman(box->itemText(i), *widget);
+  }
+}
+
+TEST_F(GermanWindow, theLanguageIsChosenInTheMenuForTheNextTime) {
+  QAction* english = window->findChild<QAction*>(QStringLiteral("language-en"));
+  ASSERT_NE(english, nullptr);
+  EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("language-system"))->isChecked());
+  english->trigger();
+  EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).language(), QStringLiteral("en"));
+  EXPECT_TRUE(english->isChecked());
+}
+
+} // namespace
+} // namespace limn::test
