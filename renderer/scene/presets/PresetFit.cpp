@@ -153,12 +153,13 @@ Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, con
   automatic.modality = volume.info().modality;
   automatic.note = "Transparent background, brighter values more opaque";
   automatic.transferFunction = automaticRamp(histogram, volume.grid());
-  // Opaque surfaces would lose their shape in full highlights.
+  // Opaque surfaces would lose their shape in full highlights, and their colour in light that adds up to
+  // more than 1.
   automatic.shading = Shading{};
-  automatic.shading->specular = 0.35;
+  automatic.shading->specular = 0.2;
   automatic.shading->exponent = 24.0;
-  automatic.shading->ambientIntensity = 0.3;
-  automatic.shading->lightIntensity = 0.8;
+  automatic.shading->ambientIntensity = 0.28;
+  automatic.shading->lightIntensity = 0.7;
   return automatic;
 }
 
