@@ -66,6 +66,7 @@ void PlaneDesk::showScene(const Scene& scene) {
   m_content.function = scene.transferFunction;
   m_content.emphasisedPoint.reset();
   m_content.keep = scene.keep;
+  m_content.crop = scene.crop;
   if (scene.volume != before) {
     const bool hasSameVoxels = scene.volume && before && &scene.volume->stored() == &before->stored();
     if (scene.volume && !hasSameVoxels)

@@ -67,7 +67,7 @@ std::optional<Ray> RayDesk::ray() const {
   const Scene& scene = m_parts.view.scene();
   const PlaneSettings& planes = m_parts.session.planes();
   const glm::dvec3 atFirst =
-      hasSlices(planes) ? crosshairOf({scene.volume, {}, {}, planes, {}}) : scene.camera.target;
+      hasSlices(planes) ? crosshairOf({scene.volume, {}, {}, {}, planes, {}}) : scene.camera.target;
   return rayThroughPlace(scene.camera, m_through.value_or(atFirst));
 }
 

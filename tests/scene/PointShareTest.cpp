@@ -68,6 +68,13 @@ TEST(PointShare, emphasisKeepsThePointAndFadesTheRest) {
               0.4 * 0.92 / 4.0 / 64.0 + 1e-12);
 }
 
+TEST(PointShare, emphasisShowsWhatIsFaintAndNothingThatIsTransparent) {
+  const TransferFunction faint{1.0, {{0, {}, 0.0}, {100, {}, 0.01}, {200, {}, 1.0}}};
+  EXPECT_EQ(classify(withPointEmphasised(faint, 1), 100.0).opacity, 0.25);
+  EXPECT_EQ(classify(withPointEmphasised(faint, 0), -50.0).opacity, 0.0);
+  EXPECT_EQ(classify(withPointEmphasised(faint, 0), 0.0).opacity, 0.0);
+}
+
 TEST(PointShare, emphasisOfAStepKeepsTheStep) {
   const TransferFunction step{1.0, {{0, {}, 0.0}, {100, {}, 0.1}, {100, {}, 0.9}, {200, {}, 1.0}}};
   const TransferFunction lit = withPointEmphasised(step, 2);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/HistogramButton.h"
 
+#include "widgets/Icons.h"
+
+#include <QEvent>
 #include <QMenu>
 
 namespace limn {
 
 HistogramButton::HistogramButton(QWidget* parent) : QToolButton(parent) {
   setObjectName(QStringLiteral("histogramButton"));
-  setText(tr("Histogram"));
+  showIcon();
   setPopupMode(QToolButton::InstantPopup);
   setFocusPolicy(Qt::TabFocus);
   setMenu(new QMenu(this));
@@ -27,6 +30,16 @@ HistogramButton::HistogramButton(QWidget* parent) : QToolButton(parent) {
             tr("Of what is kept, voxels count to whose value the curve gives opacity, even where others hide "
                "them from the camera."));
   setView({});
+}
+
+void HistogramButton::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange)
+    showIcon();
+  QToolButton::changeEvent(event);
+}
+
+void HistogramButton::showIcon() {
+  setIcon(themedIcon(QStringLiteral("histogram"), palette()));
 }
 
 void HistogramButton::addHeading(const QString& text) {

@@ -19,10 +19,15 @@ public:
 signals:
   void viewChosen(const limn::HistogramView& view);
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
   template <class Choice>
   void addChoice(Choice choice, Choice HistogramView::*part, const QString& text, const QString& help);
   void addHeading(const QString& text);
+
+  void showIcon();
 
   HistogramView m_view;
 };

@@ -198,6 +198,7 @@ void TransferFunctionEditor::showSelection() {
 void TransferFunctionEditor::showPinOrPoints() {
   m_fields->setVisible(m_isEditable && !m_pinIsLatest);
   m_tissue->setVisible(m_isEditable && m_pinIsLatest);
+  hideWhatHasNoRoom();
 }
 
 void TransferFunctionEditor::openDetails(std::size_t index) {
@@ -220,16 +221,24 @@ void TransferFunctionEditor::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
+// The last first: the bar above the plot shifts too, dragging all points does nearly what the opacity does.
 void TransferFunctionEditor::hideWhatHasNoRoom() {
-  int room = width();
-  const auto take = [&](int i) { room -= m_row->itemAt(i)->widget()->sizeHint().width() + m_row->spacing(); };
+  const auto widthOf = [this](const QWidget* widget) {
+    return widget->sizeHint().width() + m_row->spacing();
+  };
+  const QMargins margins = layout()->contentsMargins();
+  // Of all selections as wide as the widest so far, so that nothing comes and goes as points are selected.
+  m_numbersWidth =
+      std::max(m_numbersWidth, widthOf(m_pinIsLatest ? static_cast<QWidget*>(m_tissue) : m_fields));
+  int room = width() - margins.left() - margins.right() - m_numbersWidth - widthOf(m_showAll);
   for (int i = 0; i < m_leading; ++i)
-    take(i);
+    room -= widthOf(m_row->itemAt(i)->widget());
   for (int i = 0; i < m_trailing; ++i)
-    take(m_row->count() - 2 - i);
-  m_shift->setVisible(room >= 900);   // the bar above the plot shifts too
-  m_opacity->setVisible(room >= 640); // dragging all points does nearly the same
-  m_fine->setVisible(room >= 480);
+    room -= widthOf(m_row->itemAt(m_row->count() - 2 - i)->widget());
+  for (QWidget* control : std::initializer_list<QWidget*>{m_fine, m_opacity, m_shift}) {
+    room -= widthOf(control);
+    control->setVisible(room >= 0);
+  }
 }
 
 void TransferFunctionEditor::showIcons() {

@@ -90,6 +90,7 @@ private:
   QBoxLayout* m_row = nullptr;
   int m_leading = 0;  ///< controls before the numbers
   int m_trailing = 0; ///< controls before the last one
+  int m_numbersWidth = 0;
   QAbstractButton* m_fine;
   QAbstractButton* m_showAll;
   TransferFunction m_pullBase;

@@ -164,7 +164,7 @@ QToolButton* PlaneBar::makeMoreButton() {
       addSwitch("plane-interpolate", tr("Interpolate between voxels"), [](PlaneSettings& s, bool on) {
         s.interpolation = on ? PlaneInterpolation::linear : PlaneInterpolation::nearest;
       });
-  QAction* outline = addSwitch("plane-outline", tr("Outline the kept region"),
+  QAction* outline = addSwitch("plane-outline", tr("Outline kept region and crop box"),
                                [](PlaneSettings& s, bool on) { s.outlinesRegion = on; });
   menu->addSeparator();
   menu->addAction(tr("Crosshair to the middle"), this,

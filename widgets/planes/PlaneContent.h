@@ -11,6 +11,7 @@ struct PlaneContent {
   std::shared_ptr<const Volume> volume; ///< null: nothing is open
   TransferFunction function;
   Region keep;
+  CropBox crop;
   PlaneSettings settings;
   GreyWindow firstWindow;                                    ///< where the settings have none
   std::optional<std::size_t> emphasisedPoint = std::nullopt; ///< of the function: what it governs lights up

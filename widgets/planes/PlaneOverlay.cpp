@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/planes/PlaneOverlay.h"
 
+#include "planes/CropOutline.h"
 #include "widgets/planes/PlaneText.h"
 #include "widgets/view/overlay/OverlayRows.h"
 
@@ -15,6 +16,7 @@ namespace {
 const QColor shadowColor(0, 0, 0, 160);
 const QColor lineColor(77, 163, 255);
 const QColor distanceColor(255, 255, 255);
+const QColor cropColor(255, 255, 255);
 
 // Free of lines around the crosshair, so that the tissue there is seen, logical pixels.
 constexpr double openPixels = 8.0;
@@ -113,6 +115,17 @@ void paintCrosshair(QPainter& painter, const QPointF& at, const QRectF& view) {
   line({at.x(), at.y() + openPixels}, {at.x(), view.bottom()});
 }
 
+void paintCrop(QPainter& painter, const QPolygonF& outline) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(shadowColor, 3.0));
+  painter.drawPolygon(outline);
+  painter.setPen(QPen(cropColor, 1.5, Qt::DashLine));
+  painter.drawPolygon(outline);
+  painter.restore();
+}
+
 void paintDistance(QPainter& painter, const PlaneOverlay::Distance& distance) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -134,6 +147,9 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   overlay.view = QRectF({0.0, 0.0}, size);
   overlay.font = font;
   overlay.crosshair = pointOf(frame, crosshairOf(content));
+  if (content.settings.outlinesRegion)
+    for (const glm::dvec3& corner : cropOutline(content.volume->grid(), content.crop, frame.grid))
+      overlay.crop << pointOf(frame, corner);
   overlay.notes = notesOf(content, plane, overlay.view, font);
   overlay.scale = scaleOf(content, frame, overlay.view, font);
   if (overlay.scale && overlay.scale->plate.intersects(overlay.notes.back().plate))
@@ -156,6 +172,8 @@ bool isInSlice(const PlaneContent& content, PatientPlane plane, const MeasuredDi
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay) {
   painter.setFont(overlay.font);
   painter.setRenderHint(QPainter::TextAntialiasing);
+  if (!overlay.crop.empty())
+    paintCrop(painter, overlay.crop);
   paintCrosshair(painter, overlay.crosshair, overlay.view);
   if (overlay.distance)
     paintDistance(painter, *overlay.distance);

@@ -6,6 +6,8 @@
 #include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/OverlayParts.h"
 
+#include <QPolygonF>
+
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct PlaneOverlay {
   QRectF view;
   QFont font;
   QPointF crosshair;
+  QPolygonF crop;          ///< where the crop box is cut; empty: nowhere
   std::vector<Note> notes; ///< title and place first
   std::optional<ScaleMark> scale;
   std::optional<LetterMarks> letters; ///< none where sides are unknown

@@ -19,6 +19,7 @@ PlaneContent withoutPlaces(PlaneContent content) {
   kept.isTinted = settings.isTinted;
   kept.outlinesRegion = settings.outlinesRegion;
   content.settings = kept;
+  content.crop = {}; // stands above the picture
   content.firstWindow = {};
   if (!kept.isTinted && !content.emphasisedPoint)
     content.function = {};
@@ -35,14 +36,22 @@ QImage imageOf(const std::vector<std::uint32_t>& pixels, const glm::ivec2& size)
 
 } // namespace
 
+PlaneReading readingOf(const PlaneContent& content, const PlaneGrid& plane) {
+  return {content.volume, plane, {content.settings.interpolation, content.settings.slab}};
+}
+
 const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGrid& plane, int outlinePixels) {
-  const Read wanted{content.volume, plane, {content.settings.interpolation, content.settings.slab}};
+  const PlaneReading wanted = readingOf(content, plane);
   const PlaneContent painted = withoutPlaces(content);
   const bool isRead = wanted == m_read;
   if (isRead && painted == m_painted)
     return m_picture;
-  if (!isRead)
-    read(content, wanted);
+  if (!isRead) {
+    const auto start = std::chrono::steady_clock::now();
+    PlaneImage values = reformatted(*wanted.volume, wanted.plane, wanted.sampling);
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    keep(wanted, std::move(values), taken.count());
+  }
   const bool weighs = isRestricting(content.keep) && (content.settings.isTinted || content.emphasisedPoint ||
                                                       content.settings.outlinesRegion);
   if (weighs)
@@ -66,7 +75,7 @@ const QImage& PlanePictures::picture(const PlaneContent& content, const PlaneGri
 }
 
 int PlanePictures::coarseness(const PlaneContent& content, const PlaneGrid& plane, double mostMs) const {
-  Read wanted{content.volume, plane, {content.settings.interpolation, content.settings.slab}};
+  PlaneReading wanted = readingOf(content, plane);
   if (wanted == m_read)
     return 1;
   wanted.plane = m_read.plane;
@@ -74,13 +83,12 @@ int PlanePictures::coarseness(const PlaneContent& content, const PlaneGrid& plan
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(ms / mostMs) - 1e-9)));
 }
 
-void PlanePictures::read(const PlaneContent& content, const Read& wanted) {
-  const auto start = std::chrono::steady_clock::now();
-  m_values = reformatted(*content.volume, wanted.plane, wanted.sampling);
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-  m_msPerPixel = taken.count() / std::max(1, wanted.plane.size.x * wanted.plane.size.y);
-  m_read = wanted;
+void PlanePictures::keep(const PlaneReading& read, PlaneImage values, double ms) {
+  m_msPerPixel = ms / std::max(1, read.plane.size.x * read.plane.size.y);
+  m_values = std::move(values);
+  m_read = read;
   m_weights = {};
+  m_painted = {};
   ++m_readings;
 }
 

@@ -3,10 +3,14 @@
 
 #include "planes/PlanePixels.h"
 #include "widgets/planes/PlaneContent.h"
+#include "widgets/planes/PlaneReader.h"
 
 #include <QImage>
 
 namespace limn {
+
+/// What is read for the picture of a slice on a plane; there is a volume.
+PlaneReading readingOf(const PlaneContent& content, const PlaneGrid& plane);
 
 /// Makes the picture of one slice, and keeps what it read: another window or tint reads no voxel again, and
 /// the same slice nothing at all.
@@ -21,21 +25,17 @@ public:
   /// this is the slice that was read.
   int coarseness(const PlaneContent& content, const PlaneGrid& plane, double mostMs) const;
 
+  /// Takes what somebody else has read, in `ms`, in the place of what was read before.
+  void take(const PlaneReading& read, const PlaneImage& values, double ms) { keep(read, values, ms); }
+
   /// How often voxels were read.
   int readings() const { return m_readings; }
 
 private:
-  struct Read {
-    std::shared_ptr<const Volume> volume;
-    PlaneGrid plane;
-    PlaneSampling sampling;
-    bool operator==(const Read&) const = default;
-  };
-
-  void read(const PlaneContent& content, const Read& wanted);
+  void keep(const PlaneReading& read, PlaneImage values, double ms);
   void weigh(const PlaneContent& content, const PlaneGrid& plane);
 
-  Read m_read;
+  PlaneReading m_read;
   PlaneImage m_values;
   Region m_region; ///< whose weights were read
   PlaneImage m_weights;

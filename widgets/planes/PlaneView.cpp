@@ -43,10 +43,21 @@ PlaneView::PlaneView(PatientPlane plane, QWidget* parent) : QWidget(parent), m_p
   new FocusRing(this);
   m_rest.setSingleShot(true);
   m_rest.setInterval(restMs);
-  connect(&m_rest, &QTimer::timeout, this, [this] {
-    m_showsAllPixels = true;
-    update();
-  });
+  connect(&m_rest, &QTimer::timeout, this, &PlaneView::readAllPixels);
+  connect(&m_reader, &PlaneReader::done, this, &PlaneView::takeAllPixels);
+}
+
+void PlaneView::readAllPixels() {
+  if (m_content.volume)
+    m_reader.read(readingOf(m_content, frame().grid));
+}
+
+// Of what is shown no longer they are of no use.
+void PlaneView::takeAllPixels(const PlaneReading& of, const PlaneImage& values, double ms) {
+  if (!m_content.volume || of != readingOf(m_content, frame().grid))
+    return;
+  m_pictures.take(of, values, ms);
+  update();
 }
 
 void PlaneView::setContent(const PlaneContent& content) {
@@ -63,7 +74,7 @@ void PlaneView::setContent(const PlaneContent& content) {
 
 // At something else, or from elsewhere.
 void PlaneView::look() {
-  m_showsAllPixels = false;
+  m_reader.cancel();
   update();
 }
 
@@ -104,7 +115,7 @@ void PlaneView::paintEvent(QPaintEvent*) {
   if (!m_content.volume)
     return;
   const PlaneFrame shown = frame();
-  const int coarseness = m_showsAllPixels ? 1 : m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
+  const int coarseness = m_pictures.coarseness(m_content, shown.grid, mostMovingMs);
   if (coarseness > 1)
     m_rest.start();
   const int linePixels = std::max(1, static_cast<int>(std::lround(shown.pixelRatio / coarseness)));

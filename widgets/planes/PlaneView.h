@@ -64,6 +64,8 @@ private:
   void zoom(const QPointF& about, double factor);
   void showCursor(const QPointF& point);
   void look();
+  void readAllPixels();
+  void takeAllPixels(const PlaneReading& of, const PlaneImage& values, double ms);
   void describe();
 
   PatientPlane m_plane;
@@ -73,8 +75,8 @@ private:
   std::optional<PlaneDrag> m_drag;
   int m_turned = 0; ///< of the wheel, less than a notch
   PlanePictures m_pictures;
-  QTimer m_rest;                 ///< runs while what is shown is coarse
-  bool m_showsAllPixels = false; ///< however long that takes: nothing moves
+  QTimer m_rest; ///< runs while what is shown is coarse
+  PlaneReader m_reader{this};
 };
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/function/PointShare.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace limn {
@@ -8,6 +9,9 @@ namespace {
 
 // What is left of the opacity of everything else.
 constexpr double faintest = 0.08;
+
+// What a point governs is at least so opaque, over the unit distance, where the point is not transparent.
+constexpr double wellLit = 0.25;
 
 // Opacity times share is no straight line between two points, but nearly so over an eighth of the way.
 constexpr int partsBetweenPoints = 8;
@@ -17,9 +21,9 @@ glm::dvec3 greyOfColor(const glm::dvec3& color) {
   return glm::dvec3(glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)));
 }
 
-ControlPoint emphasised(ControlPoint point, double share) {
+ControlPoint emphasised(ControlPoint point, double share, double least) {
   point.color = glm::mix(greyOfColor(point.color), emphasisColor, share);
-  point.opacity *= glm::mix(faintest, 1.0, share);
+  point.opacity = glm::mix(faintest * point.opacity, std::max(point.opacity, least), share);
   return point;
 }
 
@@ -46,15 +50,17 @@ double shareOfPoint(const TransferFunction& function, std::size_t point, double 
 TransferFunction withPointEmphasised(const TransferFunction& function, std::size_t point) {
   assert(point < function.points.size());
   TransferFunction result{function.unitDistanceMm, {}};
+  const double least = function.points[point].opacity > 0.0 ? wellLit : 0.0;
   for (std::size_t i = 0; i < function.points.size(); ++i) {
     const ControlPoint& here = function.points[i];
-    result.points.push_back(emphasised(here, i == point ? 1.0 : 0.0));
+    result.points.push_back(emphasised(here, i == point ? 1.0 : 0.0, least));
     const bool isBeside = i == point || i + 1 == point;
     if (!isBeside || i + 1 == function.points.size() || function.points[i + 1].value == here.value)
       continue;
     for (int part = 1; part < partsBetweenPoints; ++part) {
       const double t = static_cast<double>(part) / partsBetweenPoints;
-      result.points.push_back(emphasised(between(here, function.points[i + 1], t), i == point ? 1.0 - t : t));
+      result.points.push_back(
+          emphasised(between(here, function.points[i + 1], t), i == point ? 1.0 - t : t, least));
     }
   }
   return result;

@@ -14,7 +14,8 @@ inline constexpr glm::dvec3 emphasisColor{0.2, 0.95, 0.4};
 double shareOfPoint(const TransferFunction& function, std::size_t point, double value);
 
 /// The function with what a point governs in the colour of emphasis, by its share, and everything else grey
-/// and so faint that it hides nothing; what is transparent stays so.
+/// and so faint that it hides nothing. What a faint point governs is drawn well seen; what a transparent one
+/// governs stays so.
 TransferFunction withPointEmphasised(const TransferFunction& function, std::size_t point);
 
 } // namespace limn

@@ -131,6 +131,25 @@ TEST(PlaneOverlay, hasItsSidesAndTextsInsideAndClearOfEachOther) {
     }
 }
 
+TEST(PlaneOverlay, outlinesTheCropBoxUnlessItIsNotAsked) {
+  PlaneContent content = test::contentOf(test::countingVolume({40, 40, 20}, glm::dvec3(1.0)));
+  const PlaneFrame frame =
+      planeFrame(content.volume->grid(), PatientPlane::axial, crosshairOf(content), {300, 300}, 1.0, {});
+  const auto outline = [&] {
+    return planeOverlay(content, PatientPlane::axial, frame, {300, 300}, QFont()).crop;
+  };
+  EXPECT_TRUE(outline().empty()) << "nothing is cut";
+  content.crop = {{0.25, 0.0, 0.0}, {0.75, 0.5, 1.0}};
+  ASSERT_EQ(outline().size(), 4);
+  // 20 × 20 mm of it, from 9.5 to 29.5 and from -0.5 to 19.5.
+  const QRectF box = outline().boundingRect();
+  EXPECT_NEAR(box.width(), 20.0 / mmPerLogicalPixel(frame), 1e-9);
+  EXPECT_NEAR(box.left(), pointOf(frame, {9.5, 0.0, 0.0}).x(), 1e-9);
+  EXPECT_NEAR(box.bottom(), pointOf(frame, {0.0, 19.5, 0.0}).y(), 1e-9);
+  content.settings.outlinesRegion = false;
+  EXPECT_TRUE(outline().empty());
+}
+
 TEST(PlaneDeck, placesFillTheRoomAndDoNotOverlap) {
   for (const PlaneLayout layout : planeLayouts)
     for (const PatientPlane large : patientPlanes)

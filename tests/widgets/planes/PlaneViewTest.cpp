@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PlaneHost.h"
 
+#include "support/Waiting.h"
 #include "widgets/planes/PlaneView.h"
 
 #include <QAccessible>
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdio>
 
 namespace limn {
 namespace {
@@ -251,6 +255,62 @@ TEST_F(PlaneViewTest, volumesOfOneAndTwoSlicesAndObliqueOnesCanBeWalked) {
   turnWheel(oblique.widget, {100, 100}, 12000);
   turnWheel(oblique.widget, {100, 100}, -120000);
   EXPECT_FALSE(oblique.widget.grab().isNull());
+}
+
+// A slab through a volume that lies askew is coarse while slices change, and then read beside the event loop.
+TEST_F(PlaneViewTest, whatTakesTooLongIsReadAtEveryPixelBesideTheEventLoop) {
+  Grid grid = test::countingVolume({90, 90, 90}, glm::dvec3(1.0))->grid();
+  const double root = std::sqrt(0.5);
+  grid.direction = glm::dmat3(root, root, 0.0, -root, root, 0.0, 0.0, 0.0, 1.0);
+  const auto plain = test::countingVolume({90, 90, 90}, glm::dvec3(1.0));
+  PlaneContent content = test::contentOf(std::make_shared<const Volume>(plain->placed(grid, plain->info())));
+  content.settings.slab.thicknessMm = 100.0;
+  test::PlaneHost<PlaneView> slow(content, PatientPlane::coronal);
+  PlaneView& slowView = slow.widget;
+  slowView.resize(700, 600);
+  QSignalSpy done(slowView.findChild<PlaneReader*>(), &PlaneReader::done);
+  slowView.grab(); // tells how long it takes
+  turnWheel(slowView, {350, 300}, 120);
+  const QImage coarse = slowView.grab().toImage();
+  const int readings = slowView.readings();
+  ASSERT_TRUE(test::waitUntil([&] { return done.count() > 0; })) << "it was not slow enough to be coarse";
+  EXPECT_EQ(slowView.readings(), readings + 1);
+  const auto start = std::chrono::steady_clock::now();
+  const QImage fine = slowView.grab().toImage();
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  const double readingMs = done.front().at(2).toDouble();
+  std::printf("time: read beside the event loop in %.0f ms, painted in %.0f\n", readingMs, taken.count());
+  EXPECT_LT(taken.count(), readingMs / 2.0);
+  EXPECT_EQ(slowView.readings(), readings + 1) << "nothing is read as it is painted";
+  EXPECT_NE(fine, coarse);
+  PlanePictures direct;
+  const QImage& expected = direct.picture(slow.content, slowView.frame().grid);
+  for (int x = 110; x < 600; x += 50) // below the texts, beside the crosshair
+    EXPECT_EQ(fine.pixelColor(x, 400), expected.pixelColor(x, 400)) << x;
+}
+
+TEST_F(PlaneViewTest, aVeryLargeSliceWithOblongPixelsCanBeWalked) {
+  Grid grid;
+  grid.dims = {4096, 4096, 1};
+  grid.spacingMm = {0.1, 0.2, 3.0};
+  std::vector<std::uint8_t> stored(std::size_t{4096} * 4096);
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    stored[i] = static_cast<std::uint8_t>(i % 251);
+  const PlaneContent content = test::contentOf(
+      std::make_shared<const Volume>(grid, std::move(stored), Rescale{}, std::nullopt, VolumeInfo{}));
+  for (const PatientPlane plane : patientPlanes) {
+    test::PlaneHost<PlaneView> large(content, plane);
+    large.widget.resize(400, 300);
+    turnWheel(large.widget, {200, 150}, 1200);
+    QTest::mouseClick(&large.widget, Qt::LeftButton, {}, {200, 151});
+    EXPECT_TRUE(valueUnderCrosshair(large.content));
+    EXPECT_FALSE(large.widget.grab().isNull());
+    const double ratio = mmPerLogicalPixel(large.widget.frame());
+    const double widthMm = plane == PatientPlane::sagittal ? 819.2 : 409.6;
+    EXPECT_NEAR(std::max(widthMm / ratio / 400.0, plane == PatientPlane::axial ? 819.2 / ratio / 300.0 : 0.0),
+                1.0, 0.15)
+        << "all of it is seen";
+  }
 }
 
 TEST_F(PlaneViewTest, assistiveTechnologyReadsAndMovesTheSlice) {
