@@ -31,6 +31,8 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
     settings.setRefinesAtRest(false);
     settings.setPatientIsShown(false);
     settings.setMovingMs(16.5);
+    EXPECT_FALSE(settings.presetsAreGallery());
+    settings.setPresetsAreGallery(true);
     settings.setWindow(QByteArray("\0\xff", 2), "state");
   }
   const Settings settings(file());
@@ -38,6 +40,7 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
   EXPECT_FALSE(settings.refinesAtRest());
   EXPECT_EQ(settings.patientIsShown(), false);
   EXPECT_EQ(settings.movingMs(), 16.5);
+  EXPECT_TRUE(settings.presetsAreGallery());
   EXPECT_EQ(settings.windowGeometry(), QByteArray("\0\xff", 2));
   EXPECT_EQ(settings.windowState(), "state");
 }
