@@ -43,6 +43,10 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
       {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
       {QObject::tr("F11, double click"), QObject::tr("picture and curve only")},
+      {{}, QObject::tr("Presets")},
+      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
+      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
+      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
   };
 }
 
