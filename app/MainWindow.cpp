@@ -262,6 +262,9 @@ void MainWindow::connectSettings() {
   m_settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
   m_actions.refineAtRest->setChecked(m_settings.refinesAtRest());
   connect(m_actions.refineAtRest, &QAction::toggled, &m_accuracy, &AccuracyDesk::setRefinesAtRest);
+  m_panels.presets->setGallery(m_settings.presetsAreGallery());
+  connect(m_panels.presets, &PresetBrowser::galleryChosen, this,
+          [this](bool isGallery) { m_settings.setPresetsAreGallery(isGallery); });
   checkOnly(*m_actions.themes, m_settings.theme());
   connect(m_actions.themes, &QActionGroup::triggered, this, [this](const QAction* chosen) {
     const QString theme = chosen->data().toString();

@@ -30,6 +30,7 @@ const std::string histogramPartKey = "histogramPart";
 const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
+const std::string galleryKey = "presetGallery";
 const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
@@ -345,6 +346,14 @@ void Settings::setEngine(EngineSetting engine) {
   for (const auto& [setting, name] : engineWords)
     if (setting == engine)
       set(engineKey, QLatin1String(name));
+}
+
+bool Settings::presetsAreGallery() const {
+  return text(galleryKey) == written(true);
+}
+
+void Settings::setPresetsAreGallery(bool areGallery) {
+  set(galleryKey, written(areGallery));
 }
 
 std::set<std::string> Settings::favourites() {

@@ -90,6 +90,10 @@ public:
   EngineSetting engine() const;
   void setEngine(EngineSetting engine);
 
+  /// Whether presets are shown as a gallery; false at first.
+  bool presetsAreGallery() const;
+  void setPresetsAreGallery(bool areGallery);
+
   /// The presets, by name, that are listed first; those of other windows too.
   std::set<std::string> favourites();
   void setFavourite(const std::string& preset, bool isFavourite);

@@ -47,6 +47,10 @@ QList<HelpRow> pictureRows() {
       {{}, QObject::tr("Window")},
       {QObject::tr("F6, Shift+F6"), QObject::tr("the keyboard goes to the next panel, the one before")},
       {QObject::tr("Ctrl+F"), QObject::tr("find a preset; Enter uses it and goes on to the picture")},
+      {{}, QObject::tr("Presets")},
+      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
+      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
+      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
   };
 }
 

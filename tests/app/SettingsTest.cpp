@@ -33,6 +33,8 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
     settings.setMovingMs(16.5);
     EXPECT_EQ(settings.histogramView(), HistogramView{});
     settings.setHistogramView({HistogramScale::percentile, HistogramPart::visible});
+    EXPECT_FALSE(settings.presetsAreGallery());
+    settings.setPresetsAreGallery(true);
     settings.setWindow(QByteArray("\0\xff", 2), "state");
   }
   const Settings settings(file());
@@ -41,6 +43,7 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
   EXPECT_EQ(settings.patientIsShown(), false);
   EXPECT_EQ(settings.movingMs(), 16.5);
   EXPECT_EQ(settings.histogramView(), (HistogramView{HistogramScale::percentile, HistogramPart::visible}));
+  EXPECT_TRUE(settings.presetsAreGallery());
   EXPECT_EQ(settings.windowGeometry(), QByteArray("\0\xff", 2));
   EXPECT_EQ(settings.windowState(), "state");
 }

@@ -12,6 +12,7 @@
 #include <QContextMenuEvent>
 #include <QImage>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -41,6 +42,9 @@ protected:
     QObject::connect(&m_browser, &PresetBrowser::previewRequested, &m_browser,
                      [this](const QString& name) { m_previewed << name; });
   }
+
+  // Its last words would reach what is gone by then.
+  ~PresetBrowserTest() override { m_browser.disconnect(); }
 
   QTreeView* list() const { return m_browser.findChild<QTreeView*>(); }
   QLineEdit* search() const { return m_browser.findChild<QLineEdit*>(); }
@@ -221,6 +225,38 @@ TEST_F(PresetBrowserTest, fourHundredPresetsAreListedAndFound) {
   EXPECT_EQ(presetNames(m_browser).size(), 400 + static_cast<int>(samplePresets().size()));
   QTest::keyClicks(search(), QStringLiteral("folder 3 1003"));
   EXPECT_EQ(presetNames(m_browser), QStringList{"Mine 1003"});
+}
+
+TEST_F(PresetBrowserTest, theGalleryHasTheSameOrderAndDoesWhatTheListDoes) {
+  QSignalSpy chosen(&m_browser, &PresetBrowser::galleryChosen);
+  QTest::mouseClick(widgetNamed<QToolButton>(m_browser, "Large pictures"), Qt::LeftButton);
+  EXPECT_EQ(chosen.front(), QVariantList{true});
+  QListView& gallery = *m_browser.findChild<QListView*>();
+  ASSERT_TRUE(gallery.isVisible());
+  const auto names = [&] {
+    QStringList shown;
+    for (int row = 0; row < gallery.model()->rowCount(); ++row)
+      shown << gallery.model()->index(row, 0).data().toString();
+    return shown;
+  };
+  EXPECT_EQ(names(), m_browser.presets());
+  const auto place = [&](int row) { return gallery.visualRect(gallery.model()->index(row, 0)); };
+  ASSERT_TRUE(test::waitUntil([&] { return place(1).top() == place(0).top(); })) << "two beside each other";
+  const auto clickTile = [&](int row) {
+    QTest::mouseClick(gallery.viewport(), Qt::LeftButton, {}, place(row).center());
+  };
+  clickTile(2);
+  EXPECT_EQ(m_chosen, QStringList{names()[2]});
+  EXPECT_EQ(marked(), names()[2]);
+  QTest::keyClick(&gallery, Qt::Key_Right);
+  ASSERT_TRUE(test::waitUntil([this] { return !m_previewed.empty(); }));
+  EXPECT_EQ(m_previewed.back(), names()[3]);
+  QTest::keyClick(&gallery, Qt::Key_Return);
+  EXPECT_EQ(m_chosen.back(), names()[3]);
+  QTest::keyClicks(search(), QStringLiteral("lung"));
+  EXPECT_EQ(names(), QStringList{"CT lung"});
+  QTest::keyClick(search(), Qt::Key_Down);
+  EXPECT_EQ(gallery.currentIndex().data().toString(), QStringLiteral("CT lung"));
 }
 
 TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {

@@ -47,6 +47,13 @@ TEST(PresetOrder, beginsWithWhatFitsTheVolumeBest) {
             (QStringList{"MR: MR head", "Any data: Surface", "CT, for Hounsfield units: CT bone, CT lung"}));
 }
 
+TEST(PresetOrder, takesTheModalityOfThePresetThatAVolumeOpensWithWhereItsFileHasNone) {
+  PresetStanding standing;
+  standing.fit = {"", "MR head", false};
+  EXPECT_EQ(listed(standing).mid(3),
+            (QStringList{"MR: MR head", "Any data: Surface", "CT, for Hounsfield units: CT bone, CT lung"}));
+}
+
 TEST(PresetOrder, hasFavouritesFirstAndOnce) {
   PresetStanding standing;
   standing.favourites = {"CT lung", "C", "gone"};

@@ -3,11 +3,13 @@
 
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
+#include "widgets/presets/FlatPresets.h"
 #include "widgets/presets/PresetDelegate.h"
 #include "widgets/presets/PresetFilter.h"
 #include "widgets/presets/PresetMenu.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/presets/PresetPointer.h"
+#include "widgets/presets/PresetTile.h"
 
 #include <QContextMenuEvent>
 #include <QEvent>
@@ -15,9 +17,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QStackedWidget>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <QTreeView>
@@ -26,22 +30,32 @@
 namespace limn {
 
 PresetBrowser::PresetBrowser(QWidget* parent)
-    : QWidget(parent), m_search(new QLineEdit), m_list(new QTreeView), m_delegate(new PresetDelegate(m_list)),
+    : QWidget(parent), m_search(new QLineEdit), m_views(new QStackedWidget), m_list(new QTreeView),
+      m_gallery(new QListView), m_switch(new QToolButton), m_delegate(new PresetDelegate(m_list)),
       m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
       m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
-      m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)) {
+      m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)), m_flat(new FlatPresets(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   auto* top = new QHBoxLayout;
   top->setContentsMargins(8, 4, 8, 4);
-  top->addWidget(m_search);
+  top->setSpacing(4);
+  top->addWidget(m_search, 1);
+  top->addWidget(m_switch);
   layout->addLayout(top);
   layout->addWidget(m_nothing);
-  layout->addWidget(m_list, 1);
+  layout->addWidget(m_views, 1);
+  m_views->addWidget(m_list);
+  m_views->addWidget(m_gallery);
   layout->addWidget(makeButtons());
   makeList();
+  makeGallery();
   setFocusProxy(m_list);
+  connect(m_switch, &QAbstractButton::clicked, this, [this] {
+    setGallery(m_switch->isChecked());
+    emit galleryChosen(m_switch->isChecked());
+  });
 
   m_nothing->setAlignment(Qt::AlignCenter);
   m_nothing->setForegroundRole(QPalette::PlaceholderText);
@@ -70,15 +84,49 @@ void PresetBrowser::makeList() {
   m_list->setMouseTracking(true);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_list->setAccessibleName(tr("Presets"));
-  m_list->installEventFilter(this);
-  m_list->viewport()->installEventFilter(this);
-  connect(new PresetPointer(*m_list), &PresetPointer::pointedAt, this, &PresetBrowser::previewRequested);
   // Lines that the edge cut are painted once they are whole: to move the pixels is not enough.
   connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, m_list->viewport(),
           qOverload<>(&QWidget::update));
-  connect(m_list, &QAbstractItemView::clicked, this, &PresetBrowser::choose);
-  connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &PresetBrowser::showButtons);
+  watch(*m_list);
+}
+
+void PresetBrowser::makeGallery() {
+  m_flat->setSourceModel(m_filtered);
+  m_gallery->setModel(m_flat);
+  m_gallery->setItemDelegate(new PresetTile(m_gallery));
+  m_gallery->setObjectName(QStringLiteral("presetGallery"));
+  m_gallery->setViewMode(QListView::IconMode);
+  m_gallery->setResizeMode(QListView::Adjust);
+  m_gallery->setMovement(QListView::Static);
+  m_gallery->setMouseTracking(true);
+  m_gallery->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_gallery->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_gallery->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // tiles share a width that does not change
+  watch(*m_gallery);
+  m_switch->setCheckable(true);
+  m_switch->setAutoRaise(true);
+  m_switch->setAccessibleName(tr("Large pictures"));
+  m_switch->setToolTip(tr("Shows the presets as large pictures instead of a list"));
+}
+
+void PresetBrowser::watch(QAbstractItemView& view) {
+  view.setAccessibleName(tr("Presets"));
+  view.installEventFilter(this);
+  view.viewport()->installEventFilter(this);
+  connect(new PresetPointer(view), &PresetPointer::pointedAt, this, &PresetBrowser::previewRequested);
+  connect(&view, &QAbstractItemView::clicked, this, &PresetBrowser::choose);
+  connect(view.selectionModel(), &QItemSelectionModel::currentChanged, this, &PresetBrowser::showButtons);
+}
+
+QAbstractItemView& PresetBrowser::view() const {
+  return static_cast<QAbstractItemView&>(*m_views->currentWidget());
+}
+
+void PresetBrowser::setGallery(bool isGallery) {
+  m_switch->setChecked(isGallery);
+  m_views->setCurrentWidget(isGallery ? static_cast<QWidget*>(m_gallery) : m_list);
+  setFocusProxy(m_views->currentWidget());
+  mark();
 }
 
 QWidget* PresetBrowser::makeButtons() {
@@ -122,6 +170,7 @@ void PresetBrowser::refill() {
   search(m_search->text());
   mark();
   m_searchIcon->setIcon(themedIcon(QStringLiteral("search"), palette()));
+  m_switch->setIcon(themedIcon(QStringLiteral("view-names"), palette()));
   m_save->setIcon(themedIcon(QStringLiteral("preset-save"), palette()));
   m_delete->setIcon(themedIcon(QStringLiteral("delete"), palette()));
   showButtons();
@@ -167,7 +216,9 @@ void PresetBrowser::mark() {
   markPresetUse(*m_model, m_current, m_isModified ? PresetUse::modified : PresetUse::shown);
   const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, m_current, 1,
                                                   Qt::MatchExactly | Qt::MatchRecursive);
-  m_list->setCurrentIndex(m_current.isEmpty() || found.isEmpty() ? QModelIndex() : found.front());
+  const QModelIndex current = m_current.isEmpty() || found.isEmpty() ? QModelIndex() : found.front();
+  m_list->setCurrentIndex(current);
+  m_gallery->setCurrentIndex(m_flat->mapFromSource(current));
   showButtons();
 }
 
@@ -186,7 +237,7 @@ void PresetBrowser::choose(const QModelIndex& index) {
 }
 
 QString PresetBrowser::ownPresetInHand() const {
-  const QModelIndex index = m_list->currentIndex();
+  const QModelIndex index = view().currentIndex();
   return index.data(presetRole::isOwn).toBool() ? index.data().toString() : QString();
 }
 
@@ -227,14 +278,14 @@ void PresetBrowser::showButtons() {
 }
 
 bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_list->viewport()) {
+  if (watched == m_list->viewport() || watched == m_gallery->viewport()) {
     if (event->type() == QEvent::Resize)
-      m_delegate->layOutAgain();
+      layOutAgain();
     return handleRightClick(*event);
   }
-  if (event->type() == QEvent::ContextMenu && watched == m_list) {
-    const QModelIndex index = m_list->currentIndex();
-    offerMenu(index, m_list->viewport()->mapToGlobal(m_list->visualRect(index).center()));
+  if (event->type() == QEvent::ContextMenu && watched == &view()) {
+    const QModelIndex index = view().currentIndex();
+    offerMenu(index, view().viewport()->mapToGlobal(view().visualRect(index).center()));
     return true;
   }
   if (event->type() != QEvent::KeyPress)
@@ -245,12 +296,19 @@ bool PresetBrowser::eventFilter(QObject* watched, QEvent* event) {
   return handleListKey(key);
 }
 
+// Rows and tiles follow the room that there is.
+void PresetBrowser::layOutAgain() {
+  m_delegate->layOutAgain();
+  QMetaObject::invokeMethod(
+      m_gallery, [this] { m_gallery->doItemsLayout(); }, Qt::QueuedConnection);
+}
+
 bool PresetBrowser::handleListKey(int key) {
   const QString own = ownPresetInHand();
   if (key == Qt::Key_Return || key == Qt::Key_Enter)
-    choose(m_list->currentIndex());
+    choose(view().currentIndex());
   else if (key == Qt::Key_F)
-    toggleFavourite(m_list->currentIndex());
+    toggleFavourite(view().currentIndex());
   else if (key == Qt::Key_Delete && !own.isEmpty())
     emit deleteRequested(own);
   else if (key == Qt::Key_F2 && !own.isEmpty())
@@ -269,7 +327,7 @@ void PresetBrowser::toggleFavourite(const QModelIndex& index) {
 bool PresetBrowser::handleRightClick(const QEvent& event) {
   if (event.type() == QEvent::ContextMenu) {
     const auto& asked = static_cast<const QContextMenuEvent&>(event);
-    offerMenu(m_list->indexAt(asked.pos()), asked.globalPos());
+    offerMenu(view().indexAt(asked.pos()), asked.globalPos());
     return true;
   }
   const bool isButton =
@@ -278,18 +336,20 @@ bool PresetBrowser::handleRightClick(const QEvent& event) {
 }
 
 bool PresetBrowser::handleSearchKey(int key) {
-  const QModelIndex first = m_filtered->index(0, 0, m_filtered->index(0, 0));
+  const bool isGallery = &view() == m_gallery;
+  const QModelIndex first =
+      isGallery ? m_flat->index(0, 0) : m_filtered->index(0, 0, m_filtered->index(0, 0));
   if (key == Qt::Key_Escape && !m_search->text().isEmpty()) {
     m_search->clear();
     return true;
   }
   if (key == Qt::Key_Down && first.isValid()) {
-    m_list->setCurrentIndex(first);
-    m_list->setFocus(Qt::TabFocusReason);
+    view().setCurrentIndex(first);
+    view().setFocus(Qt::TabFocusReason);
     return true;
   }
   if ((key == Qt::Key_Return || key == Qt::Key_Enter) && first.isValid()) {
-    m_list->setCurrentIndex(first);
+    view().setCurrentIndex(first);
     choose(first);
     emit searchEnded();
     return true;

@@ -8,23 +8,27 @@
 #include <map>
 #include <vector>
 
+class QAbstractItemView;
 class QLabel;
 class QLineEdit;
+class QListView;
 class QPushButton;
+class QStackedWidget;
 class QStandardItemModel;
 class QToolButton;
 class QTreeView;
 
 namespace limn {
 
+class FlatPresets;
 class PresetDelegate;
 class PresetFilter;
 struct PresetPicture;
 
-/// The presets as a searchable list, in groups (PresetOrder). A click or Enter chooses, a right click opens a
-/// menu and selects nothing; F makes a favourite, F2 renames, Delete deletes; names are unique over both
-/// lists. The frame marks the preset that is shown, wherever the keyboard is. It saves and deletes nothing
-/// itself.
+/// The presets, searchable, as a list in groups (PresetOrder) or a gallery of large pictures in the same
+/// order. A click or Enter chooses, a right click opens a menu and selects nothing; F makes a favourite, F2
+/// renames, Delete deletes; names are unique over both lists. The frame marks the preset that is shown,
+/// wherever the keyboard is. It saves and deletes nothing itself.
 class PresetBrowser : public QWidget {
   Q_OBJECT
 
@@ -51,12 +55,16 @@ public:
   /// Shows all presets by their curves again.
   void clearPictures();
 
+  /// Whether they are shown as a gallery; as a list at first.
+  void setGallery(bool isGallery);
+
   /// Puts the keyboard into the search field.
   void focusSearch();
 
   QSize sizeHint() const override { return {232, 480}; }
 
 signals:
+  void galleryChosen(bool isGallery);
   void presetChosen(const QString& name);
   /// The pointer rests on a preset, or the keyboard went to it: it is to be seen for a while. Empty: no more.
   void previewRequested(const QString& name);
@@ -81,6 +89,9 @@ protected:
 
 private:
   void makeList();
+  void makeGallery();
+  void watch(QAbstractItemView& view);
+  QAbstractItemView& view() const; ///< the one that is seen
   QWidget* makeButtons();
   void refill();
   void search(const QString& text);
@@ -92,6 +103,7 @@ private:
   void showButtons();
   bool handleSearchKey(int key);
   bool handleListKey(int key);
+  void layOutAgain();
   bool handleRightClick(const QEvent& event);
 
   std::vector<Preset> m_builtIn;
@@ -101,7 +113,10 @@ private:
   QString m_current; ///< the preset in use
   bool m_isModified = false;
   QLineEdit* m_search;
+  QStackedWidget* m_views;
   QTreeView* m_list;
+  QListView* m_gallery;
+  QToolButton* m_switch;
   PresetDelegate* m_delegate;
   QLabel* m_nothing;
   QPushButton* m_save;
@@ -109,6 +124,7 @@ private:
   QAction* m_searchIcon;
   QStandardItemModel* m_model;
   PresetFilter* m_filtered;
+  FlatPresets* m_flat; ///< for the gallery
 };
 
 } // namespace limn

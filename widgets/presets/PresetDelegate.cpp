@@ -3,16 +3,14 @@
 
 #include "widgets/Theme.h"
 #include "widgets/presets/PresetModel.h"
+#include "widgets/presets/PresetPainting.h"
 #include "widgets/presets/PresetWords.h"
 
 #include <QAbstractItemView>
 #include <QPainter>
-#include <QPainterPath>
 #include <QTextLayout>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace limn {
@@ -111,26 +109,6 @@ void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QSt
     painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, title);
 }
 
-void paintPicture(QPainter& painter, const QRectF& place, const QImage& picture) {
-  QPainterPath frame;
-  frame.addRoundedRect(place, 4.0, 4.0);
-  painter.save();
-  painter.setClipPath(frame);
-  // Fill the frame without distorting the picture.
-  const QSizeF filled = QSizeF(picture.size()).scaled(place.size(), Qt::KeepAspectRatioByExpanding);
-  QRectF target(QPointF(0.0, 0.0), filled);
-  target.moveCenter(place.center());
-  painter.drawImage(target, picture);
-  painter.restore();
-}
-
-// What it makes of the volume, where that is known and there is something to see; otherwise its curve.
-QImage pictureOf(const QModelIndex& index) {
-  const auto picture = index.data(presetRole::picture).value<QImage>();
-  const bool hasOnlyCurve = picture.isNull() || index.data(presetRole::showsNothing).toBool();
-  return hasOnlyCurve ? index.data(presetRole::curve).value<QImage>() : picture;
-}
-
 void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line,
                const QString& name) {
   painter.setFont(option.font);
@@ -155,22 +133,6 @@ void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRe
       painter.drawText(*line, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
-// Of a favourite, in a corner of its picture; it stands out from any.
-void paintStar(QPainter& painter, const QPointF& centre, const ThemeColors& colors) {
-  constexpr double outer = 6.0;
-  constexpr double inner = 2.6;
-  QPolygonF star;
-  for (int corner = 0; corner < 10; ++corner) {
-    const double angle = std::numbers::pi * (corner / 5.0 - 0.5);
-    star << centre + (corner % 2 ? inner : outer) * QPointF(std::cos(angle), std::sin(angle));
-  }
-  painter.setPen(QPen(QColor(0, 0, 0, 200), 2.0));
-  painter.setBrush(colors.accent);
-  painter.drawPolygon(star);
-  painter.setPen(Qt::NoPen);
-  painter.drawPolygon(star);
-}
-
 } // namespace
 
 void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -182,26 +144,13 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->restore();
     return;
   }
-  const ThemeColors colors = themeColors(option.palette);
-  const auto use = static_cast<PresetUse>(index.data(presetRole::use).toInt());
-  const bool hovered = option.state & QStyle::State_MouseOver;
-  const bool hasKeyboard = option.state & QStyle::State_HasFocus;
-  const QRectF card = QRectF(option.rect).adjusted(4.0, 1.0, -4.0, -1.0);
-  if (use != PresetUse::none || hovered || hasKeyboard) {
-    painter->setPen(use != PresetUse::none ? QPen(colors.accent, 1.5)
-                    : hasKeyboard          ? QPen(colors.secondaryText, 1.0, Qt::DashLine)
-                                           : QPen(Qt::NoPen));
-    painter->setBrush(use != PresetUse::none || hovered ? QBrush(colors.hover) : QBrush(Qt::NoBrush));
-    painter->drawRoundedRect(card.adjusted(0.75, 0.75, -0.75, -0.75), 6.0, 6.0);
-  }
+  paintPresetCard(*painter, option, index, QRectF(option.rect).adjusted(4.0, 1.0, -4.0, -1.0));
   const QRect picture(option.rect.left() + margin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
                       thumbnailWidth, thumbnailHeight);
-  paintPicture(*painter, picture, pictureOf(index));
+  paintPresetPicture(*painter, option, index, picture);
   const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
   paintTexts(*painter, option, texts, index);
-  if (index.data(presetRole::isFavourite).toBool())
-    paintStar(*painter, QPointF(picture.right() - 7.0, picture.top() + 8.0), colors);
   painter->restore();
 }
 

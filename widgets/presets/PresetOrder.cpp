@@ -36,6 +36,15 @@ QString titleOf(const Preset& preset, const PresetStanding& standing) {
   return fits(preset, standing) ? modality : QObject::tr("%1, for Hounsfield units").arg(modality);
 }
 
+// What a volume opens with tells its modality where its file does not.
+PresetStanding withModality(PresetStanding standing, const std::vector<Preset>& builtIn) {
+  if (standing.fit && standing.fit->modality.empty())
+    for (const Preset& preset : builtIn)
+      if (preset.name == standing.fit->firstLook)
+        standing.fit->modality = preset.modality;
+  return standing;
+}
+
 class Groups {
 public:
   void add(const QString& title, const ListedPreset& preset) {
@@ -53,7 +62,8 @@ private:
 } // namespace
 
 std::vector<PresetGroup> groupedPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own,
-                                        const PresetStanding& standing) {
+                                        const PresetStanding& asked) {
+  const PresetStanding standing = withModality(asked, builtIn);
   std::vector<Preset> ranked = builtIn;
   const auto isFirstLook = [&](const Preset& preset) {
     return standing.fit && preset.name == standing.fit->firstLook;

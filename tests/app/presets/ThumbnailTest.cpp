@@ -9,6 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
+#include <pthread.h>
+
 namespace limn {
 namespace {
 
@@ -108,6 +113,41 @@ TEST(Thumbnail, allBuiltInPresetsTakeLittleTime) {
   worker.draw(0, wanted, {96, 72});
   test::judgeMs("thumbnails of all built-in presets", static_cast<double>(clock.elapsed()), 3000.0);
   EXPECT_EQ(drawn, static_cast<int>(builtInPresets().size()));
+}
+
+double msOf(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+// A drag must not wait for them: what is still computed after the word, in processor time.
+TEST(Thumbnail, anOrderEndsWithinAMoment) {
+  const std::vector<Thumbnail> wanted(1000, {QStringLiteral("head"), phantomSceneOf(2.0)});
+  ThumbnailWorker worker;
+  std::atomic<int> drawn = 0;
+  QObject::connect(
+      &worker, &ThumbnailWorker::drawn, &worker, [&] { ++drawn; }, Qt::DirectConnection);
+  double longest = 0.0;
+  for (int order = 1; order <= 20; ++order) {
+    drawn = 0;
+    worker.end(order);
+    double atEndMs = 0.0;
+    std::thread thread([&] {
+      worker.draw(order, wanted, {192, 144});
+      atEndMs = test::threadMs();
+    });
+    clockid_t clock{};
+    pthread_getcpuclockid(thread.native_handle(), &clock);
+    while (drawn < 1)
+      std::this_thread::yield();
+    const double atWordMs = msOf(clock);
+    worker.end(-1);
+    thread.join();
+    longest = std::max(longest, atEndMs - atWordMs);
+    EXPECT_LT(drawn, static_cast<int>(wanted.size()));
+  }
+  test::judgeMs("thumbnails until they have ended, the longest of 20", longest, 10.0);
 }
 
 TEST(Thumbnail, isNotDrawnAnewForASmallTurn) {

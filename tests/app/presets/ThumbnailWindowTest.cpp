@@ -108,5 +108,20 @@ TEST_F(ThumbnailWindow, aPresetThatHidesEverythingSaysSo) {
   EXPECT_FALSE(row("CT bone").data(presetRole::showsNothing).toBool());
 }
 
+TEST_F(ThumbnailWindow, fourHundredPresetsOfTheUsersOwnAreAllSeen) {
+  const UserFolders folders = UserFolders::below(folder.path());
+  Preset preset = builtInPresets().front();
+  for (int i = 0; i < 400; ++i) {
+    preset.name = "Mine " + std::to_string(i);
+    PresetStore(folders.presets).save(preset);
+  }
+  window = std::make_unique<MainWindow>(folders);
+  window->view().setRefinesAtRest(false);
+  window->show();
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(complete());
+  EXPECT_EQ(pictures(), 400 + static_cast<int>(builtInPresets().size()));
+}
+
 } // namespace
 } // namespace limn
