@@ -6,6 +6,7 @@
 #include "app/actions/Actions.h"
 #include "app/actions/Menus.h"
 #include "app/document/OpenDocument.h"
+#include "app/figure/FigureDesk.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
@@ -15,6 +16,7 @@
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
 #include "app/suggestions/SuggestionDesk.h"
+#include "app/turntable/TurntableDesk.h"
 #include "app/window/AccuracyDesk.h"
 #include "app/window/Centre.h"
 #include "app/window/ComparisonDesk.h"
@@ -117,6 +119,8 @@ private:
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
   SavingDesk m_saving;
+  FigureDesk m_figures;
+  TurntableDesk m_turntables;
   SessionSafety m_safety;
   OpeningDesk m_opening;
   RemarksDesk m_remarks;

@@ -91,11 +91,18 @@ Scene withStepDivided(Scene scene, double parts) {
 } // namespace
 
 MadeFigure makeFigure(const Figure& figure, const PictureOrder& order, FigurePixels pixels) {
-  MadeFigure made{figure, figureLayout(figure), {}, {}, {}, {}};
+  const FigureLayout layout = figureLayout(figure);
+  MadeFigure made = drawPanels(figure, layout.pictureSize(), order, pixels);
+  made.layout = layout;
+  return made;
+}
+
+MadeFigure drawPanels(const Figure& figure, const QSize& size, const PictureOrder& order,
+                      FigurePixels pixels) {
+  MadeFigure made{figure, {}, {}, {}, {}, {}};
   made.pictures.resize(figure.panels.size());
   if (pixels == FigurePixels::floats)
     made.floats.resize(figure.panels.size());
-  const QSize size = made.layout.pictureSize();
   const bool isTransparent = figure.settings.page == FigureSettings::Page::transparent;
   for (std::size_t i = 0; i < figure.panels.size(); ++i)
     if (figure.panels[i].plane) {

@@ -24,6 +24,11 @@ enum class FigurePixels {
   floats ///< beside them, for EXR
 };
 
+/// Draws the pictures of a figure's panels in so many pixels each, with one renderer; leaves the layout open.
+/// Tells and asks `order.effort`. Throws Error and Cancelled.
+MadeFigure drawPanels(const Figure& figure, const QSize& size, const PictureOrder& order,
+                      FigurePixels pixels = FigurePixels::bytes);
+
 /// Draws every picture of a figure in the size that its layout gives them, with one renderer, as `limn
 /// render` does: the same bits. Tells and asks `order.effort`. Throws Error and Cancelled.
 MadeFigure makeFigure(const Figure& figure, const PictureOrder& order,
