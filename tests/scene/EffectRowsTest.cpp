@@ -135,8 +135,8 @@ TEST(EffectCosts, areToldInWords) {
   EXPECT_EQ(costText({12.3, 1.0}), "12 ms");
   EXPECT_EQ(costText({1.26, 0.1}), "1.3 ms");
   EXPECT_EQ(costText({-210.4, 3.0}), "saves 210 ms");
-  EXPECT_EQ(costText({2.0, 2.5}), "no measurable cost");
-  EXPECT_EQ(costText({-0.01, 0.0}), "no measurable cost");
+  EXPECT_EQ(costText({2.0, 2.5}), "≈ 0 ms");
+  EXPECT_EQ(costText({-0.01, 0.0}), "≈ 0 ms");
 }
 
 } // namespace

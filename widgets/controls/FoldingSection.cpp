@@ -17,6 +17,7 @@ FoldingSection::FoldingSection(const QString& title, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_header);
   layout->addWidget(m_body);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // room left over stays below all sections
   m_contents->setContentsMargins(12, 4, 12, 12);
   m_contents->setSpacing(8);
   connect(m_header, &QAbstractButton::clicked, this, [this](bool open) {
@@ -50,8 +51,10 @@ void stackSections(QScrollArea& panel, const std::vector<QWidget*>& sections) {
   panel.setWidgetResizable(true);
   panel.setFrameShape(QFrame::NoFrame);
   panel.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // Nothing may hide under the scroll bar.
-  panel.setMinimumWidth(content->minimumSizeHint().width() + panel.verticalScrollBar()->sizeHint().width());
+  // Nothing may hide under the scroll bar, nor beyond the frame that shows the focus.
+  constexpr int focusFrame = 1;
+  panel.setMinimumWidth(content->minimumSizeHint().width() + panel.verticalScrollBar()->sizeHint().width() +
+                        2 * focusFrame);
 }
 
 } // namespace limn

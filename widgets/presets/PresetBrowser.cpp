@@ -103,6 +103,11 @@ void PresetBrowser::setPresets(const std::vector<Preset>& builtIn, const std::ve
   refill();
 }
 
+void PresetBrowser::setVolumeOpen(bool isOpen) {
+  m_list->setEnabled(isOpen);
+  m_save->setEnabled(isOpen);
+}
+
 void PresetBrowser::refill() {
   fillPresetModel(*m_model, m_builtIn, m_own, lookOf(palette()));
   search(m_search->text());

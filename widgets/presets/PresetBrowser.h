@@ -28,6 +28,9 @@ class PresetBrowser : public QWidget {
 public:
   explicit PresetBrowser(QWidget* parent = nullptr);
 
+  /// Whether there is a volume; without one presets are only to be read.
+  void setVolumeOpen(bool isOpen);
+
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
 
   /// Marks a preset by name, without choosing it, as the one that the picture was made from, changed since or

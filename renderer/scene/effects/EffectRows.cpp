@@ -104,7 +104,7 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
 std::string costText(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
   if (size <= cost.spreadMs || size < 0.05)
-    return "no measurable cost";
+    return "≈ 0 ms";
   char number[32];
   std::snprintf(number, sizeof number, size < 10.0 ? "%.1f ms" : "%.0f ms", size);
   return cost.ms < 0.0 ? std::string("saves ") + number : number;
