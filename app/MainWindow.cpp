@@ -290,6 +290,7 @@ void MainWindow::showScene(const Scene& scene) {
   m_comparison.show();
   m_actions.orthographic->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   m_actions.setVolumeOpen(scene.volume != nullptr);
+  m_panels.presets->setVolumeOpen(scene.volume != nullptr);
 }
 
 void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogram, const Request& request) {

@@ -3,6 +3,7 @@
 
 #include "app/MainWindow.h"
 #include "scene/basics/Error.h"
+#include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/SurfaceFormat.h"
@@ -77,6 +78,7 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   const QString theme =
       arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
   applyTheme(application, themeNamed(theme));
+  QApplication::setWindowIcon(programIcon());
   MainWindow window;
   window.show();
   if (arguments.screenshot.empty())

@@ -17,6 +17,7 @@ namespace limn {
 
 CurveDesk::CurveDesk(CurvePanel& panel) : m_panel(panel) {
   connect(&panel, &CurvePanel::gradientShown, this, &CurveDesk::measureGradients);
+  panel.setVolumeOpen(false);
 }
 
 void CurveDesk::showScene(const Scene& scene) {
@@ -29,6 +30,7 @@ void CurveDesk::showScene(const Scene& scene) {
 
 void CurveDesk::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_volume = volume;
+  m_panel.setVolumeOpen(volume != nullptr);
   TransferFunctionEditor* editor = m_panel.valueEditor();
   editor->setHistogram(histogram);
   editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());

@@ -10,6 +10,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QStyledItemDelegate>
 #include <QUndoView>
 
 #include <algorithm>
@@ -24,6 +25,18 @@ public:
   using QWidget::QWidget;
   QSize sizeHint() const override { return {0, 0}; }
   QSize minimumSizeHint() const override { return {0, 0}; }
+};
+
+// Edits are named as undo says them, "move point"; a list of them begins each with a capital.
+class CapitalDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QString displayText(const QVariant& value, const QLocale& locale) const override {
+    QString text = QStyledItemDelegate::displayText(value, locale);
+    if (!text.isEmpty())
+      text[0] = text[0].toUpper();
+    return text;
+  }
 };
 
 void showTitle(QDockWidget& dock, bool isShown) {
@@ -43,26 +56,27 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
-  m_right[0] = add(tr("Properties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
+  m_presets = add(tr("P&resets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
+  m_right[0] = add(tr("Prop&erties"), "shadingDock", panels.properties, Qt::RightDockWidgetArea);
   panels.history = new QUndoView(&window);
   panels.history->setEmptyLabel(tr("As opened"));
   panels.history->setAccessibleName(tr("History"));
   panels.history->setSpacing(2);
+  panels.history->setItemDelegate(new CapitalDelegate(panels.history));
   // Where it lies on top the presets must not become narrower than they can be.
   panels.history->setMinimumWidth(panels.presets->minimumSizeHint().width());
-  m_history = add(tr("History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
+  m_history = add(tr("&History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
   window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   window.tabifyDockWidget(m_presets, m_history);
   m_presets->raise();
   panels.effects = new EffectsPanel(&window);
-  m_right[1] = add(tr("Effects"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
+  m_right[1] = add(tr("Effec&ts"), "effectsDock", panels.effects, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[0], m_right[1]);
   panels.accuracy = new AccuracyPanel(&window);
-  m_right[2] = add(tr("Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
+  m_right[2] = add(tr("&Accuracy"), "accuracyDock", panels.accuracy, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[1], m_right[2]);
   m_right[0]->raise();
-  m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
+  m_curve = add(tr("Transfer f&unction"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
   window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
   window.resizeDocks({m_curve}, {296}, Qt::Vertical);
@@ -89,9 +103,10 @@ void Docks::showTitles() {
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, &m_window);
+  auto* dock = new QDockWidget(QString(title).remove(QLatin1Char('&')), &m_window);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
+  dock->toggleViewAction()->setText(title); // with its letter, which a tab has no use for
   m_window.addDockWidget(area, dock);
   connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles);
   // Of a dock behind another one that is hidden, its visibility tells nothing.
@@ -112,7 +127,7 @@ QList<QAction*> Docks::toggleActions() const {
 
 // Docks without a title cannot be torn off by it.
 void Docks::makeFloatingMenu() {
-  m_floating = new QMenu(tr("In a &window of its own"), &m_window);
+  m_floating = new QMenu(tr("Se&parate windows"), &m_window);
   for (QDockWidget* dock : all()) {
     QAction* action = m_floating->addAction(dock->windowTitle());
     action->setObjectName(QStringLiteral("float-") + dock->objectName());
