@@ -309,6 +309,7 @@ void MainWindow::showScene(const Scene& scene) {
   m_comparison.show();
   m_actions.orthographic->setChecked(scene.camera.projection == Camera::Projection::orthographic);
   m_actions.setVolumeOpen(scene.volume != nullptr);
+  m_panels.presets->setVolumeOpen(scene.volume != nullptr);
 }
 
 // The session's own scene ends it.

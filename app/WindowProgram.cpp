@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 #include "app/language/Language.h"
 #include "scene/basics/Error.h"
+#include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/view/CompareView.h"
 #include "widgets/view/SurfaceFormat.h"
@@ -84,6 +85,7 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   useLanguage(application, arguments.language.empty() ? Settings().language()
                                                       : QString::fromStdString(arguments.language));
   applyTheme(application, themeNamed(theme));
+  QApplication::setWindowIcon(programIcon());
   MainWindow window;
   window.show();
   if (arguments.screenshot.empty())

@@ -49,16 +49,24 @@ private:
   ThemeColors m_colors;
 };
 
-} // namespace
-
-QIcon themedIcon(const QString& name, const QPalette& palette) {
+QIcon iconIn(const QString& path, const QPalette& palette) {
   loadWidgetResources();
-  QFile file(QStringLiteral(":/limn/icons/%1.svg").arg(name));
+  QFile file(path);
   const bool opened = file.open(QIODevice::ReadOnly);
   assert(opened && "no such icon");
   if (!opened)
     return {};
   return QIcon(new ThemedIconEngine(file.readAll(), themeColors(palette)));
+}
+
+} // namespace
+
+QIcon themedIcon(const QString& name, const QPalette& palette) {
+  return iconIn(QStringLiteral(":/limn/icons/%1.svg").arg(name), palette);
+}
+
+QIcon programIcon() {
+  return iconIn(QStringLiteral(":/limn/limn.svg"), {});
 }
 
 } // namespace limn

@@ -12,4 +12,7 @@ namespace limn {
 /// anew when the palette changes (QEvent::PaletteChange).
 QIcon themedIcon(const QString& name, const QPalette& palette);
 
+/// The program's own, in colours that no theme changes.
+QIcon programIcon();
+
 } // namespace limn

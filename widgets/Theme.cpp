@@ -28,7 +28,8 @@ double relativeLuminance(const QColor& color) {
 }
 
 void setDisabled(QPalette& palette, const ThemeColors& colors) {
-  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText,
+                          QPalette::PlaceholderText})
     palette.setColor(QPalette::Disabled, role, colors.disabledText);
   palette.setColor(QPalette::Disabled, QPalette::Highlight, colors.border);
   palette.setColor(QPalette::Disabled, QPalette::HighlightedText, colors.disabledText);

@@ -71,12 +71,17 @@ void Actions::makeFileActions() {
   openLabels = made("openLabels", {.text = tr("Open &labels…"),
                                    .toolTip = tr("Opens a segmentation of the volume: each label can be "
                                                  "shown, hidden or faded.")});
-  saveSession = made("saveSession",
-                     {.text = tr("&Save session"),
-                      .shortcut = QKeySequence::Save,
-                      .toolTip = tr("Saves everything but the volume itself: scene, comparison and panel.")});
+  saveSession =
+      made("saveSession",
+           {.text = tr("&Save session"),
+            .shortcut = QKeySequence::Save,
+            .toolTip = tr("Saves all of your work but the volume itself: look and camera, comparison, "
+                          "slices and panels.")});
   saveSessionAs = made("saveSessionAs", {.text = tr("Save session &as…")});
-  saveScene = made("saveScene", {.text = tr("Save s&cene…")});
+  saveScene =
+      made("saveScene", {.text = tr("Save look and camera (s&cene)…"),
+                         .toolTip = tr("Saves how the volume is shown: curve, light, camera, crop. For "
+                                       "another volume, or for the command line.")});
   savePicture = made("savePicture",
                      {.text = tr("Save &picture…"),
                       .shortcut = tr("Ctrl+Shift+S"),
@@ -111,10 +116,10 @@ void Actions::makeLayouts() {
     addChoice(*layouts, QStringLiteral("layout-") + QLatin1String(nameOf(layout)), static_cast<int>(layout),
               {.text = text, .toolTip = tip, .icon = icon, .isCheckable = true});
   };
-  add(CompareLayout::single, tr("Single"), "single", tr("One picture with the chosen model."));
-  add(CompareLayout::sideBySide, tr("Side by side"), "side-by-side", tr("Two models beside each other."));
-  add(CompareLayout::wipe, tr("Wipe"), "wipe", tr("Two models over each other with a border to drag."));
-  add(CompareLayout::difference, tr("Difference"), "difference",
+  add(CompareLayout::single, tr("Si&ngle"), "single", tr("One picture with the chosen model."));
+  add(CompareLayout::sideBySide, tr("Side b&y side"), "side-by-side", tr("Two models beside each other."));
+  add(CompareLayout::wipe, tr("&Wipe"), "wipe", tr("Two models over each other with a border to drag."));
+  add(CompareLayout::difference, tr("&Difference"), "difference",
       tr("Where the two models differ, amplified."));
 }
 
@@ -125,10 +130,10 @@ void Actions::makePlaneLayouts() {
     addChoice(*planeLayouts, QLatin1String(name), static_cast<int>(layout),
               {.text = text, .toolTip = tip, .icon = name.constData(), .isCheckable = true});
   };
-  add(PlaneLayout::pictureOnly, tr("3D only"), tr("The picture without slices."));
-  add(PlaneLayout::pictureAndThree, tr("3D and slices"),
+  add(PlaneLayout::pictureOnly, tr("&3D only"), tr("The picture without slices."));
+  add(PlaneLayout::pictureAndThree, tr("3D &and slices"),
       tr("Axial, coronal and sagittal slices beside the picture."));
-  add(PlaneLayout::oneLarge, tr("One slice large"),
+  add(PlaneLayout::oneLarge, tr("&One slice large"),
       tr("One slice large, the picture and the other slices beside it; a double click on a slice chooses "
          "it."));
 }
@@ -199,17 +204,18 @@ void Actions::makeViewActions() {
                                              "else lies beside it."),
                                .isCheckable = true});
   refineAtRest = made("refineAtRest",
-                      {.text = tr("Refine at &rest"),
+                      {.text = tr("Sharpen while nothing &moves"),
                        .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller "
                                      "steps until it lies within half a level of the exact one."),
                        .isCheckable = true});
   pictureAndCurveOnly =
       made("pictureAndCurveOnly",
-           {.text = tr("&Picture and curve only"), .shortcut = Qt::Key_F11, .isCheckable = true});
+           {.text = tr("Picture and cur&ve only"), .shortcut = Qt::Key_F11, .isCheckable = true});
   nextPanel = made("nextPanel", {.text = tr("&Next panel"), .shortcut = Qt::Key_F6});
   previousPanel = made("previousPanel",
-                       {.text = tr("Pre&vious panel"), .shortcut = QKeySequence(Qt::SHIFT | Qt::Key_F6)});
-  patientInTitle = made("patientInTitle", {.text = tr("Patient in the title &bar"), .isCheckable = true});
+                       {.text = tr("Previous pane&l"), .shortcut = QKeySequence(Qt::SHIFT | Qt::Key_F6)});
+  patientInTitle =
+      made("patientInTitle", {.text = tr("Show the patient's &name in the title bar"), .isCheckable = true});
 }
 
 void Actions::makeThemes() {
@@ -283,7 +289,7 @@ void Actions::setVolumeOpen(bool isOpen) const {
        {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture, saveFigure, saveTurntable,
         closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest, takeSnapshot})
     action->setEnabled(isOpen);
-  for (const QActionGroup* group : {views, tools, planeLayouts})
+  for (const QActionGroup* group : {views, tools, layouts, planeLayouts, models[0], models[1]})
     for (QAction* action : group->actions())
       action->setEnabled(isOpen);
 }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/HelpBoxes.h"
 
+#include "app/actions/Actions.h"
+#include "widgets/Icons.h"
+
 #include <QDialog>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QList>
@@ -12,33 +16,35 @@
 namespace limn {
 namespace {
 
-void showBox(QWidget* parent, const QString& title, const QString& text) {
-  auto* box = new QMessageBox(QMessageBox::NoIcon, title, text, QMessageBox::Close, parent);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setWindowModality(Qt::NonModal);
-  box->show();
-}
-
 struct HelpRow {
   QString gesture; ///< empty: `effect` is a heading
   QString effect;
 };
 
+// Keys that stand for one thing each, apart: "A · P".
+QString keys(std::initializer_list<const char*> names) {
+  QStringList apart;
+  for (const char* name : names)
+    apart << QString::fromUtf8(name);
+  return apart.join(QStringLiteral(" · "));
+}
+
 QList<HelpRow> pictureRows() {
   return {
       {{}, QObject::tr("Picture")},
       {QObject::tr("Left drag"), QObject::tr("rotate, or what the chosen tool does")},
-      {QObject::tr("[ M Z W"), QObject::tr("tools: rotate, pan, zoom, window and level")},
+      {keys({"[", "M", "Z", "W"}), QObject::tr("tools: rotate, pan, zoom, window and level")},
       {QObject::tr("Esc"), QObject::tr("cancel a drag; otherwise rotate again")},
       {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
       {QObject::tr("Right drag, wheel, + −"), QObject::tr("zoom")},
       {QObject::tr("Ctrl+left drag"), QObject::tr("roll")},
       {QObject::tr("Alt+left drag"), QObject::tr("window and level; with Ctrl: opacity")},
       {QObject::tr("Arrows"), QObject::tr("rotate")},
-      {QObject::tr("Shift+move, Shift+click"),
-       QObject::tr("value under the pointer, pin it in the curve: less or more of it")},
-      {QObject::tr("Shift+move, View ▸ Ray"), QObject::tr("value, opacity and light along the ray below it")},
-      {QObject::tr("A P L S I, End PgDn Home"), QObject::tr("standard views; with Shift the opposite ones")},
+      {QObject::tr("Shift+move"), QObject::tr("value under the pointer; View ▸ Ray: along the ray below it")},
+      {QObject::tr("Shift+click"),
+       QObject::tr("keep that value: buttons make its tissue more or less opaque")},
+      {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
+      {keys({"End", "PgDn", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
       {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
@@ -54,7 +60,7 @@ QList<HelpRow> pictureRows() {
   };
 }
 
-QList<HelpRow> otherRows() {
+QList<HelpRow> sliceRows() {
   return {
       {{}, QObject::tr("Slices")},
       {QObject::tr("Left drag"), QObject::tr("crosshair, or what the chosen tool does")},
@@ -63,12 +69,17 @@ QList<HelpRow> otherRows() {
       {QObject::tr("0, 1 2 3 4"), QObject::tr("full range; soft tissue, lung, bone, brain")},
       {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
       {QObject::tr("Ctrl+wheel, + −, F"), QObject::tr("zoom, show all of the slice")},
-      {QObject::tr("C W D, Esc"),
-       QObject::tr("tools: crosshair, window and level, distance; the crosshair again")},
+      {keys({"C", "W", "D"}), QObject::tr("tools: crosshair, window and level, distance")},
+      {QObject::tr("Esc"), QObject::tr("the crosshair again")},
       {QObject::tr("Arrows, Home"), QObject::tr("move the crosshair; to the middle")},
       {QObject::tr("Del"), QObject::tr("remove the distance")},
       {QObject::tr("Double click"), QObject::tr("one slice large, and back")},
       {QObject::tr("Shift+click the picture"), QObject::tr("the crosshair goes to that place")},
+  };
+}
+
+QList<HelpRow> curveRows() {
+  return {
       {{}, QObject::tr("Curve")},
       {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
       {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt is fine")},
@@ -84,43 +95,87 @@ QList<HelpRow> otherRows() {
   };
 }
 
-// One table, so that its columns stand under each other.
-QString tableOf(const QList<HelpRow>& rows) {
-  QString html = QStringLiteral("<table cellspacing=6>");
-  for (const HelpRow& row : rows)
-    html += row.gesture.isEmpty()
-                ? QStringLiteral("<tr><td colspan=2><h3>%1</h3></td></tr>").arg(row.effect)
-                : QStringLiteral("<tr><td>%1</td><td>%2</td></tr>").arg(row.gesture, row.effect);
-  return html + QStringLiteral("</table>");
+// As the menus have them, so that both always say the same.
+QList<HelpRow> menuRows(const Actions& actions) {
+  QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
+  for (const QAction* action :
+       {actions.openFile, actions.openFolder, actions.saveSession, actions.savePicture, actions.copyPicture,
+        actions.undo, actions.redo, actions.findPreset, actions.settings, actions.shortcuts,
+        actions.closeVolume, actions.quit}) {
+    // Undo also says what it would undo.
+    QString does = action == actions.undo   ? QObject::tr("Undo")
+                   : action == actions.redo ? QObject::tr("Redo")
+                                            : action->text();
+    does.remove(QLatin1Char('&')).remove(QChar(0x2026));
+    rows << HelpRow{action->shortcut().toString(QKeySequence::NativeText), does};
+  }
+  return rows;
+}
+
+// One grid for all that stands below each other, so that its columns do, too.
+void addRows(QGridLayout& grid, const QList<HelpRow>& rows) {
+  for (const HelpRow& row : rows) {
+    const int line = grid.rowCount();
+    auto* effect = new QLabel(row.effect);
+    if (row.gesture.isEmpty()) {
+      QFont bold = effect->font();
+      bold.setWeight(QFont::DemiBold);
+      effect->setFont(bold);
+      effect->setContentsMargins(0, line > 1 ? 12 : 0, 0, 2);
+      grid.addWidget(effect, line, 0, 1, 2);
+      continue;
+    }
+    effect->setForegroundRole(QPalette::PlaceholderText);
+    grid.addWidget(new QLabel(row.gesture), line, 0);
+    grid.addWidget(effect, line, 1);
+  }
+}
+
+QGridLayout* columnOf(const QList<QList<HelpRow>>& groups) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(20);
+  grid->setVerticalSpacing(3);
+  grid->setColumnStretch(1, 1);
+  for (const QList<HelpRow>& rows : groups)
+    addRows(*grid, rows);
+  grid->setRowStretch(grid->rowCount(), 1);
+  return grid;
 }
 
 } // namespace
 
 // Side by side, because one below the other they are higher than a small screen.
-void showShortcuts(QWidget* parent) {
+void showShortcuts(const Actions& actions, QWidget* parent) {
   auto* dialog = new QDialog(parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(QObject::tr("Mouse and keys"));
-  auto* tables = new QHBoxLayout;
-  tables->setSpacing(24);
-  for (const QList<HelpRow>& rows : {pictureRows(), otherRows()})
-    tables->addWidget(new QLabel(tableOf(rows), dialog), 1, Qt::AlignTop);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(40);
+  columns->addLayout(columnOf({pictureRows(), curveRows()}), 1);
+  columns->addLayout(columnOf({sliceRows(), menuRows(actions)}), 1);
   auto* close = new QPushButton(QObject::tr("Close"), dialog);
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::close);
-  auto* column = new QVBoxLayout(dialog);
-  column->addLayout(tables);
-  column->addWidget(close, 0, Qt::AlignRight);
+  auto* all = new QVBoxLayout(dialog);
+  all->setContentsMargins(16, 12, 16, 12);
+  all->setSpacing(12);
+  all->addLayout(columns);
+  all->addWidget(close, 0, Qt::AlignRight);
   dialog->show();
 }
 
 void showAbout(QWidget* parent) {
-  const QString text = QObject::tr("<h3>Limn %1</h3><p>Transfer functions for CT and MR volumes, classic and "
-                                   "gradient-enhanced Blinn-Phong side by "
-                                   "side.</p><p><b>Not for diagnosis.</b></p><p>Free software under the GNU "
-                                   "General Public License, version 3 or "
-                                   "later.</p>")
-                           .arg(QStringLiteral(LIMN_VERSION));
-  showBox(parent, QObject::tr("About Limn"), text);
+  const QString text =
+      QObject::tr("<h3>Limn %1</h3><p>Shows CT and MR volumes in three dimensions: you shape which tissue is "
+                  "seen, in which colour and how solid, and compare ways of lighting it side by "
+                  "side.</p><p><b>Not for diagnosis.</b></p><p>Free software under the GNU General Public "
+                  "License, version 3 or later.</p>")
+          .arg(QStringLiteral(LIMN_VERSION));
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, QObject::tr("About Limn"), text, QMessageBox::Close, parent);
+  box->setIconPixmap(programIcon().pixmap(QSize(64, 64), parent->devicePixelRatioF()));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowModality(Qt::NonModal);
+  box->show();
 }
 
 } // namespace limn

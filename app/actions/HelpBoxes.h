@@ -5,8 +5,10 @@ class QWidget;
 
 namespace limn {
 
-/// Lists what mouse and keys do, in a box that blocks nothing.
-void showShortcuts(QWidget* parent);
+class Actions;
+
+/// Lists what mouse and keys do, and the keys of the menus' actions, in a box that blocks nothing.
+void showShortcuts(const Actions& actions, QWidget* parent);
 
 /// Says what Limn is, in a box that blocks nothing.
 void showAbout(QWidget* parent);

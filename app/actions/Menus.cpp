@@ -23,9 +23,10 @@ ChangingMenus makeFileMenu(QMenuBar& bar, const Actions& actions) {
   menus.unsavedSessions->setToolTip(QObject::tr("Sessions that were left with unsaved changes."));
   menus.file->addSeparator();
   menus.file->addActions({actions.saveSession, actions.saveSessionAs, actions.saveScene, actions.savePicture,
-                          actions.saveFigure, actions.saveTurntable, actions.closeVolume});
+                          actions.saveFigure, actions.saveTurntable});
   menus.file->addSeparator();
-  menus.file->addAction(actions.quit);
+  menus.file->addActions({actions.closeVolume, actions.quit});
+  menus.file->setToolTipsVisible(true);
   return menus;
 }
 
@@ -52,25 +53,16 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   menu->addSeparator();
   menu->addMenu(QObject::tr("&Slices"))->addActions(actions.planeLayouts->actions());
   shared.models = new ModelMenus(actions.models, *menu);
-  menu->addMenu(QObject::tr("Left &drag"))->addActions(actions.tools->actions());
+  menu->addMenu(QObject::tr("Left dra&g"))->addActions(actions.tools->actions());
   QMenu* views = shared.views = menu->addMenu(QObject::tr("&Look from"));
   views->addActions(actions.views->actions());
   views->addSeparator();
   views->addAction(actions.resetCamera);
   views->addAction(actions.setOrientation);
-  menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly, actions.refineAtRest});
+  menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly});
   menu->addSeparator();
   menu->addActions(panels);
   menu->addActions({actions.pictureAndCurveOnly, actions.nextPanel, actions.previousPanel});
-  menu->addSeparator();
-  QMenu* engines = menu->addMenu(QObject::tr("&Engine"));
-  engines->addActions(actions.engines->actions());
-  engines->setToolTipsVisible(true);
-  menu->addAction(actions.patientInTitle);
-  menu->addMenu(QObject::tr("&Theme"))->addActions(actions.themes->actions());
-  QMenu* languages = menu->addMenu(QObject::tr("La&nguage"));
-  languages->addActions(actions.languages->actions());
-  languages->setToolTipsVisible(true);
 }
 
 void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& shared) {
@@ -90,17 +82,19 @@ void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& share
   bar->addSeparator();
   bar->addActions(actions.tools->actions());
   bar->addSeparator();
-  shared.models->addTo(*bar);
-  bar->addSeparator();
   bar->addActions(actions.layouts->actions());
   bar->addSeparator();
   bar->addActions(actions.planeLayouts->actions());
   bar->addSeparator();
   bar->addAction(actions.cropBox);
   QToolButton* look = addMenuButton(*bar, shared.views, QToolButton::InstantPopup);
-  look->setText(QObject::tr("Views"));
+  look->setText(QObject::tr("Look from"));
   actions.icons.give(*look, QStringLiteral("compass"));
+  QObject::connect(actions.resetCamera, &QAction::enabledChanged, look,
+                   &QWidget::setEnabled); // without a volume
   bar->addWidget(look);
+  bar->addSeparator();
+  shared.models->addTo(*bar); // last: they come, go and change their width with the layout, and move nothing
   auto* stretch = new QWidget(bar);
   stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(stretch);

@@ -25,6 +25,8 @@ void ModelMenus::addTo(QToolBar& bar) {
     button->setObjectName(QLatin1String(names[side]));
     m_sides[side].button = button;
     m_sides[side].place = bar.addWidget(button);
+    const QAction* choice = m_sides[side].group->actions().front(); // enabled as all of its group are
+    connect(choice, &QAction::enabledChanged, button, &QWidget::setEnabled);
   }
 }
 

@@ -34,7 +34,7 @@ EngineChoice chosenEngine(const EngineFacts& facts) {
   if (!facts.problem.empty())
     return {true, false, facts.problem};
   if (facts.setting != EngineSetting::automatic)
-    return {facts.setting == EngineSetting::processor, false, Message::tr("Chosen in View ▸ Engine.")};
+    return {facts.setting == EngineSetting::processor, false, Message::tr("Chosen in the settings.")};
   if (facts.times)
     return {facts.times->processorMs < facts.times->openGlMs, false, trialSentence(*facts.times)};
   if (isSoftware(facts.renderer))

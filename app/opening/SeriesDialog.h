@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-class QListWidget;
+class QTreeWidget;
 
 namespace limn {
 
@@ -21,10 +21,11 @@ signals:
   void seriesChosen(int number);
 
 private:
+  void makeTable();
   void choose();
 
   std::vector<SeriesSummary> m_series;
-  QListWidget* m_list;
+  QTreeWidget* m_list;
 };
 
 } // namespace limn

@@ -13,7 +13,9 @@
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/presets/PresetWords.h"
 
+#include <QDialogButtonBox>
 #include <QInputDialog>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -167,7 +169,12 @@ void PresetDesk::useNumber(int number) {
 void PresetDesk::askForName() {
   if (!m_with.session.scene().volume)
     return;
-  ask(tr("Save as preset"), tr("Name (a preset of the same name is replaced):"), {},
+  const QString inUse = QString::fromStdString(m_with.document.presetInUse().name);
+  const std::vector<Preset> own = m_store.read().presets;
+  const QString proposed = inUse.isEmpty()                  ? tr("My preset")
+                           : named(own, inUse) != own.end() ? inUse
+                                                            : tr("My %1").arg(inUse);
+  ask(tr("Save as preset"), tr("Name (a preset of the same name is replaced):"), proposed,
       [this](const QString& name) { save(name); });
 }
 
@@ -179,6 +186,10 @@ void PresetDesk::ask(const QString& title, const QString& label, const QString& 
   dialog->setLabelText(label);
   dialog->setTextValue(name);
   dialog->setOkButtonText(tr("Save"));
+  const auto* buttons = dialog->findChild<QDialogButtonBox*>();
+  connect(dialog, &QInputDialog::textValueChanged, buttons, [buttons](const QString& entered) {
+    buttons->button(QDialogButtonBox::Ok)->setEnabled(!entered.trimmed().isEmpty());
+  });
   connect(dialog, &QInputDialog::textValueSelected, this,
           [answer](const QString& entered) { answer(entered.trimmed()); });
   dialog->open();

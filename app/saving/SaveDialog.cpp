@@ -26,19 +26,29 @@ QStringList endingsOf(const QString& filter) {
   return endings;
 }
 
-bool isTyped(const QString& ending, const QStringList& offered) {
+// The longest of these endings that a path has, without its dot: "head.limn.json" → "limn.json".
+QString endingAmong(const QStringList& offered, const QString& path) {
+  QString found;
+  for (const QString& ending : offered)
+    if (ending.size() > found.size() && path.endsWith(QLatin1Char('.') + ending, Qt::CaseInsensitive))
+      found = ending;
+  return found;
+}
+
+bool isTyped(const QString& path, const QStringList& offered) {
+  const QString ending = QFileInfo(path).suffix();
   const bool isLetters =
       !ending.isEmpty() && std::ranges::all_of(ending, [](QChar character) { return character.isLetter(); });
-  return offered.contains(ending, Qt::CaseInsensitive) || (offered.size() > 1 && isLetters);
+  return !endingAmong(offered, path).isEmpty() || (offered.size() > 1 && isLetters);
 }
 
 // Another kind of file gets another ending.
 void followFilter(QFileDialog& dialog, const QStringList& offered) {
   QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog, offered](const QString& filter) {
     const QFileInfo file(dialog.selectedFiles().value(0));
-    if (!file.isDir() && offered.contains(file.suffix(), Qt::CaseInsensitive))
-      dialog.selectFile(file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') +
-                        endingsOf(filter).value(0));
+    const QString former = endingAmong(offered, file.filePath());
+    if (!file.isDir() && !former.isEmpty())
+      dialog.selectFile(file.filePath().chopped(former.size()) + endingsOf(filter).value(0));
   });
 }
 
@@ -59,7 +69,7 @@ QString withEnding(const QString& path, const QStringList& filters, const QStrin
   QStringList offered;
   for (const QString& filter : filters)
     offered << endingsOf(filter);
-  if (path.isEmpty() || isTyped(QFileInfo(path).suffix(), offered))
+  if (path.isEmpty() || isTyped(path, offered))
     return path;
   return path + (path.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral(".")) +
          endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);

@@ -27,18 +27,22 @@ void SavingDesk::saveSession() {
 
 void SavingDesk::saveSessionAs() {
   const QString suggested = m_document.sessionFile().isEmpty()
-                                ? suggestedName(m_document) + QStringLiteral("-session.json")
+                                ? suggestedName(m_document) + QStringLiteral("-session.limn.json")
                                 : m_document.sessionFile();
   const QString path = askWhereToSave(
-      &m_window, {tr("Save the session"), suggested, {tr("Limn session (*.json)")}}, m_settings);
+      &m_window,
+      {tr("Save the session"), suggested, {tr("Limn session (*.limn.json)"), tr("Any JSON file (*.json)")}},
+      m_settings);
   if (!path.isEmpty())
     writeSession(path);
 }
 
 void SavingDesk::saveScene() {
-  const QString suggested = suggestedName(m_document) + QStringLiteral(".json");
-  const QString path =
-      askWhereToSave(&m_window, {tr("Save the scene"), suggested, {tr("Limn scene (*.json)")}}, m_settings);
+  const QString suggested = suggestedName(m_document) + QStringLiteral(".limn.json");
+  const QString path = askWhereToSave(
+      &m_window,
+      {tr("Save look and camera"), suggested, {tr("Limn scene (*.limn.json)"), tr("Any JSON file (*.json)")}},
+      m_settings);
   if (!path.isEmpty())
     writeScene(path);
 }

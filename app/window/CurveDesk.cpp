@@ -20,6 +20,7 @@ CurveDesk::CurveDesk(CurvePanel& panel, Settings& settings)
     : m_panel(panel), m_histograms(*panel.valueEditor(), settings) {
   connect(&m_histograms, &HistogramDesk::failed, this, &CurveDesk::failed);
   connect(&panel, &CurvePanel::gradientShown, this, &CurveDesk::measureGradients);
+  panel.setVolumeOpen(false);
 }
 
 void CurveDesk::showScene(const Scene& scene) {
@@ -33,6 +34,7 @@ void CurveDesk::showScene(const Scene& scene) {
 
 void CurveDesk::showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& histogram) {
   m_volume = volume;
+  m_panel.setVolumeOpen(volume != nullptr);
   TransferFunctionEditor* editor = m_panel.valueEditor();
   m_histograms.showVolume(volume, histogram);
   editor->setUnit(volume ? QString::fromStdString(volume->info().unit) : QString());

@@ -12,7 +12,7 @@ namespace limn {
 
 DialogDesk::DialogDesk(const Actions& actions, QString reports, QWidget& window)
     : QObject(&window), m_actions(actions), m_reports(std::move(reports)), m_window(window) {
-  connect(actions.shortcuts, &QAction::triggered, this, [this] { showShortcuts(&m_window); });
+  connect(actions.shortcuts, &QAction::triggered, this, [this] { showShortcuts(m_actions, &m_window); });
   connect(actions.about, &QAction::triggered, this, [this] { showAbout(&m_window); });
   connect(actions.settings, &QAction::triggered, this, &DialogDesk::showSettings);
   connect(actions.stability, &QAction::triggered, this, &DialogDesk::showStability);

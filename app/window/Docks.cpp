@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QStyledItemDelegate>
 #include <QUndoView>
 
 #include <algorithm>
@@ -28,6 +29,18 @@ public:
   using QWidget::QWidget;
   QSize sizeHint() const override { return {0, 0}; }
   QSize minimumSizeHint() const override { return {0, 0}; }
+};
+
+// Edits are named as undo says them, "move point"; a list of them begins each with a capital.
+class CapitalDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QString displayText(const QVariant& value, const QLocale& locale) const override {
+    QString text = QStyledItemDelegate::displayText(value, locale);
+    if (!text.isEmpty())
+      text[0] = text[0].toUpper();
+    return text;
+  }
 };
 
 void showTitle(QDockWidget& dock, bool isShown) {
@@ -47,30 +60,31 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  m_presets = add(tr("Presets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
+  m_presets = add(tr("P&resets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
   const auto sharers = std::make_shared<QList<const QWidget*>>();
   const auto addRight = [&](const QString& title, const char* name, QWidget* panel) {
     return add(title, name, new SharedPlace(*panel, sharers), Qt::RightDockWidgetArea);
   };
-  m_right[0] = addRight(tr("Properties"), "shadingDock", panels.properties);
+  m_right[0] = addRight(tr("Prop&erties"), "shadingDock", panels.properties);
   panels.history = new QUndoView(&window);
   panels.history->setEmptyLabel(tr("As opened"));
   panels.history->setAccessibleName(tr("History"));
   panels.history->setSpacing(2);
+  panels.history->setItemDelegate(new CapitalDelegate(panels.history));
   // Where it lies on top the presets must not become narrower than they can be.
   panels.history->setMinimumWidth(panels.presets->minimumSizeHint().width());
-  m_history = add(tr("History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
+  m_history = add(tr("&History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
   window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
   window.tabifyDockWidget(m_presets, m_history);
   m_presets->raise();
   panels.effects = new EffectsPanel(&window);
-  m_right[1] = addRight(tr("Effects"), "effectsDock", panels.effects);
+  m_right[1] = addRight(tr("Effec&ts"), "effectsDock", panels.effects);
   window.tabifyDockWidget(m_right[0], m_right[1]);
   panels.accuracy = new AccuracyPanel(&window);
-  m_right[2] = addRight(tr("Accuracy"), "accuracyDock", panels.accuracy);
+  m_right[2] = addRight(tr("&Accuracy"), "accuracyDock", panels.accuracy);
   window.tabifyDockWidget(m_right[1], m_right[2]);
   panels.ray = new RayPanel(&window);
-  m_ray = add(tr("Ray"), "rayDock", panels.ray, Qt::RightDockWidgetArea);
+  m_ray = add(tr("Ra&y"), "rayDock", panels.ray, Qt::RightDockWidgetArea);
   window.tabifyDockWidget(m_right[2], m_ray);
   m_ray->hide();
   connect(m_ray->toggleViewAction(), &QAction::triggered, m_ray, [this](bool isShown) {
@@ -81,7 +95,7 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
     m_ray->raise();
   });
   m_right[0]->raise();
-  m_curve = add(tr("Transfer function"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
+  m_curve = add(tr("Transfer f&unction"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
   window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
   window.resizeDocks({m_curve}, {296}, Qt::Vertical);
@@ -109,9 +123,10 @@ void Docks::showTitles() {
 }
 
 QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, &m_window);
+  auto* dock = new QDockWidget(QString(title).remove(QLatin1Char('&')), &m_window);
   dock->setObjectName(QLatin1String(name));
   dock->setWidget(content);
+  dock->toggleViewAction()->setText(title); // with its letter, which a tab has no use for
   m_window.addDockWidget(area, dock);
   connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles);
   // Of a dock behind another one that is hidden, its visibility tells nothing.
@@ -136,7 +151,7 @@ QList<QAction*> Docks::toggleActions() const {
 
 // Docks without a title cannot be torn off by it.
 void Docks::makeFloatingMenu() {
-  m_floating = new QMenu(tr("In a &window of its own"), &m_window);
+  m_floating = new QMenu(tr("Se&parate windows"), &m_window);
   for (QDockWidget* dock : all()) {
     QAction* action = m_floating->addAction(dock->windowTitle());
     action->setObjectName(QStringLiteral("float-") + dock->objectName());

@@ -67,6 +67,9 @@ void OrientationDesk::ask() {
     m_dialog = new OrientationDialog(axisLettersOf(m_volume->grid()), &m_parts.window);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(m_dialog, &OrientationDialog::lettersChosen, this, &OrientationDesk::orient);
+    connect(m_dialog, &QDialog::rejected, this, &OrientationDesk::takeBack);
+    m_asFound = m_volume;
+    m_answered.reset();
   }
   m_dialog->show();
   m_dialog->raise();
@@ -76,9 +79,18 @@ void OrientationDesk::orient(const std::string& letters) {
   if (!m_volume || m_volume->info().orientationByHand == letters)
     return;
   Scene next = m_parts.session.scene();
-  next.volume = orientedByHand(*m_volume, letters);
+  next.volume = m_answered = orientedByHand(*m_volume, letters);
   m_parts.session.edit(next,
                        {nextGestureId(), tr("set orientation %1").arg(QString::fromStdString(letters))});
+}
+
+// Whatever was shown on trial goes, unless something else has taken its place.
+void OrientationDesk::takeBack() {
+  if (!m_answered || m_parts.session.scene().volume != m_answered)
+    return;
+  Scene next = m_parts.session.scene();
+  next.volume = m_asFound;
+  m_parts.session.edit(next, {nextGestureId(), tr("take back the orientation")});
 }
 
 } // namespace limn

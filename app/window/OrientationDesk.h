@@ -35,10 +35,13 @@ public:
 private:
   void showScene(const Scene& scene);
   void orient(const std::string& letters);
+  void takeBack();
 
   Parts m_parts;
   std::shared_ptr<const Volume> m_volume;
-  QStringList m_viewNames; ///< of the standard views where the sides are known
+  std::shared_ptr<const Volume> m_asFound;  ///< when the dialog was opened
+  std::shared_ptr<const Volume> m_answered; ///< as the dialog turned it; null before its first answer
+  QStringList m_viewNames;                  ///< of the standard views where the sides are known
   QPointer<OrientationDialog> m_dialog;
 };
 

@@ -69,8 +69,8 @@ OrientationDialog::OrientationDialog(const std::string& letters, QWidget* parent
   }
   column->addLayout(grid);
   auto* buttons = new QDialogButtonBox(this);
-  auto* use = buttons->addButton(tr("Use as shown"), QDialogButtonBox::AcceptRole);
-  buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+  auto* use = buttons->addButton(tr("Keep"), QDialogButtonBox::AcceptRole);
+  buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
   column->addWidget(buttons);
   connect(use, &QPushButton::clicked, this, [this] { emit lettersChosen(m_letters); });
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -6,7 +6,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
@@ -36,25 +37,35 @@ void showChoice(QComboBox& box, const QActionGroup& group) {
 
 SettingsDialog::SettingsDialog(const Actions& actions, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Settings"));
-  auto* rows = new QFormLayout(this);
-  rows->addRow(tr("Theme"), choiceOf(*actions.themes, tr("Theme")));
-  rows->addRow(tr("Language"), choiceOf(*actions.languages, tr("Language")));
-  rows->addRow(tr("Engine"), choiceOf(*actions.engines, tr("Engine")));
+  auto* rows = new QGridLayout(this); // boxes of one width
+  rows->setColumnStretch(1, 1);
+  const auto addChoice = [&](const QString& name, QActionGroup& group) {
+    auto* label = new QLabel(name);
+    QComboBox* box = choiceOf(group, name);
+    label->setBuddy(box);
+    rows->addWidget(label, rows->rowCount(), 0);
+    rows->addWidget(box, rows->rowCount() - 1, 1);
+  };
+  const auto addWhole = [&](QWidget* widget) { rows->addWidget(widget, rows->rowCount(), 0, 1, 2); };
+  addChoice(tr("Theme"), *actions.themes);
+  addChoice(tr("Language"), *actions.languages);
+  addChoice(tr("Draw with"), *actions.engines);
   for (QAction* action : {actions.refineAtRest, actions.patientInTitle})
-    rows->addRow(switchOf(*action));
-  auto* clear = new QPushButton(tr("Forget what was opened before"));
+    addWhole(switchOf(*action));
+  auto* clear = new QPushButton(tr("Clear recent files"));
   clear->setAutoDefault(false);
   clear->setToolTip(tr("Empties the list of recent files, and with it where volumes lie and dialogs open."));
   connect(clear, &QPushButton::clicked, this, &SettingsDialog::clearRecentRequested);
-  rows->addRow(clear);
+  addWhole(clear);
   auto* buttons = new QDialogButtonBox;
   buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  rows->addRow(buttons);
+  addWhole(buttons);
 }
 
 QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
   auto* box = new QComboBox;
+  box->setMinimumWidth(220); // all alike
   box->setAccessibleName(name);
   box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   showChoice(*box, group);

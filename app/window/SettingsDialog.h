@@ -12,8 +12,7 @@ namespace limn {
 
 class Actions;
 
-/// What menus hold that stays from run to run, in one place. It shows and triggers the menus' own actions, so
-/// that both always say the same.
+/// What stays from run to run, whatever is open: its only place. It shows and triggers the window's actions.
 class SettingsDialog : public QDialog {
   Q_OBJECT
 

@@ -28,8 +28,8 @@ StabilityDialog::StabilityDialog(const QString& program, const QString& folder, 
   m_text->setMinimumWidth(420);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_text->setText(
-      tr("Draws situations in which volume renderers are known to fail, with the driver of this computer, "
-         "and compares them with what must come out. It takes some minutes; you can go on working."));
+      tr("Checks the graphics driver of this computer with pictures whose right result is known. Takes some "
+         "minutes; you can go on working."));
   m_bar->setRange(0, 0);
   m_bar->setTextVisible(false);
   m_bar->setAccessibleName(tr("Checking"));
@@ -37,12 +37,17 @@ StabilityDialog::StabilityDialog(const QString& program, const QString& folder, 
   row->addStretch();
   for (QPushButton* button : {m_open, m_stop, m_start})
     row->addWidget(button);
+  auto* close = new QPushButton(tr("Close"), this);
+  close->setToolTip(tr("Checks that run go on."));
+  row->addWidget(close);
+  m_start->setDefault(true);
   auto* column = new QVBoxLayout(this);
   column->addWidget(m_text);
   column->addWidget(m_bar);
   column->addLayout(row);
   showRunning(false);
   m_open->hide();
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(m_start, &QPushButton::clicked, this, &StabilityDialog::start);
   connect(m_stop, &QPushButton::clicked, &m_process, &QProcess::kill);
   connect(m_open, &QPushButton::clicked, this, [this] {

@@ -143,7 +143,7 @@ protected:
   void clickTool(const QString& text) {
     QToolBar* bar = window->findChild<QToolBar*>();
     for (QAction* action : bar->actions())
-      if (action->text() == text)
+      if (action->iconText() == text || action->text() == text)
         return QTest::mouseClick(bar->widgetForAction(action), Qt::LeftButton);
     FAIL() << "no button " << text.toStdString();
   }

@@ -136,8 +136,8 @@ TEST(EffectCosts, areToldInWords) {
   EXPECT_EQ(costText({12.3, 1.0}).english(), "12 ms");
   EXPECT_EQ(costText({1.26, 0.1}).english(), "1.3 ms");
   EXPECT_EQ(costText({-210.4, 3.0}).english(), "saves 210 ms");
-  EXPECT_EQ(costText({2.0, 2.5}).english(), "no measurable cost");
-  EXPECT_EQ(costText({-0.01, 0.0}).english(), "no measurable cost");
+  EXPECT_EQ(costText({2.0, 2.5}).english(), "≈ 0 ms");
+  EXPECT_EQ(costText({-0.01, 0.0}).english(), "≈ 0 ms");
 }
 
 } // namespace

@@ -3,8 +3,10 @@
 
 #include "scene/volume/Phantom.h"
 #include "widgets/FindWidget.h"
+#include "widgets/controls/FoldingHeader.h"
 #include "widgets/labels/LabelTable.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
@@ -65,6 +67,20 @@ TEST_F(LabelSectionTest, listsNameColourAndWeight) {
   EXPECT_EQ(swatch.pixelColor(swatch.rect().center()), QColor(Qt::red));
   EXPECT_EQ(at(1, 0, Qt::CheckStateRole).toInt(), Qt::Checked);
   EXPECT_EQ(at(1, 1), QStringLiteral("100 %"));
+}
+
+TEST_F(LabelSectionTest, theHeadingSaysHowManyAreNotShownWhole) {
+  const auto heading = [this] {
+    return section.findChild<FoldingHeader*>()->findChildren<QLabel*>().last()->text();
+  };
+  EXPECT_EQ(heading(), QStringLiteral("3 shown"));
+  EXPECT_GE(table().sizeHintForRow(0), 24) << "marks stand clear of each other";
+  scene.keep.weights = {1.0, 0.4, 0.0};
+  section.setScene(scene);
+  EXPECT_EQ(heading(), QStringLiteral("2 of 3 hidden or faded"));
+  scene.keep = Region{.kind = Region::Kind::body, .source = {}, .labels = nullptr, .weights = {}};
+  section.setScene(scene);
+  EXPECT_EQ(heading(), QStringLiteral("none")) << "a hidden table is no label";
 }
 
 TEST_F(LabelSectionTest, hidesAndShowsByKeyboard) {

@@ -8,6 +8,9 @@
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 
+#include <QCoreApplication>
+#include <QEvent>
+#include <QScrollBar>
 #include <QTimer>
 
 #include <utility>
@@ -76,10 +79,10 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
 
 void AccuracyPanel::setWork(AccuracyWork work) {
   m_work = work;
-  showProgress(0.0, {});
+  showProgress(0.0, tr("Preparing…"));
   showScene();
   if (work == AccuracyWork::measuring)
-    bringIntoView(m_chart->work());
+    bringIntoView(m_chart);
   if (work == AccuracyWork::comparing)
     bringIntoView(m_map);
 }
@@ -111,9 +114,15 @@ void AccuracyPanel::showChartWhole() {
   bringIntoView(m_chart);
 }
 
-// What was begun or found is seen, once it has its place.
-void AccuracyPanel::bringIntoView(QWidget* part) {
-  QTimer::singleShot(0, part, [this, part] { ensureWidgetVisible(part); });
+// What was begun or found is seen from its heading on, once all has its place: nothing is cut above it.
+void AccuracyPanel::bringIntoView(QWidget* section) {
+  QTimer::singleShot(0, section, [this, section] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    const int top = section->mapTo(widget(), QPoint()).y();
+    const int shown = verticalScrollBar()->value();
+    if (top < shown || top + section->height() > shown + viewport()->height())
+      verticalScrollBar()->setValue(top);
+  });
 }
 
 void AccuracyPanel::showScene() {

@@ -36,13 +36,13 @@ ChoiceRow::ChoiceRow(const QString& label, const QString& help, const QStringLis
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  layout->addWidget(m_label, 1);
-  layout->addWidget(m_box);
+  layout->addWidget(m_label);
+  layout->addWidget(m_box, 1);
+  m_label->setFixedWidth(labelColumn);
+  m_label->setWordWrap(true);
   m_box->addItems(choices);
-  // Boxes stand in a column of equal widths unless a choice needs more.
-  m_box->setMinimumWidth(148);
   m_box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  m_box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  m_box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   m_box->setAccessibleName(label);
   m_label->setBuddy(m_box);
   setUnavailable({});

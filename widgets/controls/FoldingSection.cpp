@@ -17,6 +17,7 @@ FoldingSection::FoldingSection(const QString& title, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_header);
   layout->addWidget(m_body);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // room left over stays below all sections
   m_contents->setContentsMargins(12, 4, 12, 12);
   m_contents->setSpacing(8);
   connect(m_header, &QAbstractButton::clicked, this, [this](bool open) {

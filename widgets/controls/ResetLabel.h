@@ -6,6 +6,9 @@
 
 namespace limn {
 
+/// How wide the names in a panel are: behind them tracks and boxes begin, all at one place.
+inline constexpr int labelColumn = 116;
+
 /// The name of a control; a double click asks for the default.
 class ResetLabel : public QLabel {
   Q_OBJECT

@@ -7,6 +7,9 @@
 
 namespace limn {
 
+// Of the style sheet, pixels.
+static constexpr int focusFrame = 1;
+
 SectionPanel::SectionPanel(QWidget* parent) : QScrollArea(parent) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
@@ -24,11 +27,12 @@ void SectionPanel::stack(const std::vector<QWidget*>& sections) {
   setWidget(content);
 }
 
-// Nothing may hide under the scroll bar.
+// Nothing may hide under the scroll bar, nor beyond the frame that shows the focus.
 QSize SectionPanel::minimumSizeHint() const {
   QSize size = QScrollArea::minimumSizeHint();
   if (widget())
-    size.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+    size.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width() +
+                  2 * focusFrame);
   return size;
 }
 

@@ -34,6 +34,12 @@ CurvePanel::CurvePanel(QWidget* parent)
   showGradient(false);
 }
 
+void CurvePanel::setVolumeOpen(bool isOpen) {
+  m_value->setEditable(isOpen);
+  for (const Switch& pair : m_switches)
+    pair.value->parentWidget()->setEnabled(isOpen);
+}
+
 QWidget* CurvePanel::makeSwitch(Switch& made) {
   auto* row = new QWidget;
   row->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
@@ -81,9 +87,11 @@ void CurvePanel::setGradientState(GradientState state) {
       tr("<p>How much of the opacity is left by how fast the value changes, so that boundaries stay.</p>");
   const QString unused = tr("<p>This projection does not add up opacities along its rays; tissue does.</p>");
   for (const Switch& pair : m_switches) {
-    pair.gradient->setText(state == GradientState::off  ? tr("Gradient: off")
-                           : state == GradientState::on ? tr("Gradient: on")
-                                                        : tr("Gradient: unused"));
+    const bool isBesideItsTick = &pair == &m_switches[1]; // which says whether the curve is used
+    pair.gradient->setText(state == GradientState::unused ? tr("Gradient: unused")
+                           : isBesideItsTick              ? tr("Gradient")
+                           : state == GradientState::off  ? tr("Gradient: off")
+                                                          : tr("Gradient: on"));
     pair.gradient->setToolTip(state == GradientState::unused ? help + unused : help);
   }
 }

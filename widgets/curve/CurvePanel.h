@@ -24,6 +24,9 @@ public:
   TransferFunctionEditor* valueEditor() const { return m_value; }
   GradientOpacityEditor* gradientEditor() const { return m_gradient; }
 
+  /// Whether there is a volume; without one nothing here can be changed.
+  void setVolumeOpen(bool isOpen);
+
   void showGradient(bool shown);
   bool gradientIsShown() const { return currentIndex() == 1; }
 

@@ -73,7 +73,7 @@ QWidget* TransferFunctionEditor::makeControlRow() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(16);
+  layout->setSpacing(12);
   m_row = layout;
   layout->addWidget(m_fields);
   layout->addWidget(m_tissue);
@@ -170,11 +170,13 @@ void TransferFunctionEditor::setTransferFunction(const TransferFunction& functio
 void TransferFunctionEditor::setHistogram(const Histogram& histogram) {
   m_range = histogram.range;
   m_canvas->setHistogram(histogram);
+  m_shift->showNumber();
   showSelection();
 }
 
 void TransferFunctionEditor::setUnit(const QString& unit) {
   m_canvas->setUnit(unit);
+  m_shift->showNumber();
   showSelection();
 }
 

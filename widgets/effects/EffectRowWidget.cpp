@@ -70,6 +70,10 @@ void EffectRowWidget::setCost(const std::optional<EffectCost>& cost) {
   describe();
 }
 
+bool EffectRowWidget::showsCost() const {
+  return !m_cost->text().isEmpty();
+}
+
 // What a screen reader says.
 void EffectRowWidget::describe() {
   setAccessibleName(tr("%1: %2").arg(m_title->text(), m_row.isOn ? tr("on") : tr("off")));

@@ -20,6 +20,7 @@ public:
 
   void setRow(const EffectRow& row);
   void setCost(const std::optional<EffectCost>& cost);
+  bool showsCost() const;
 
 protected:
   void paintEvent(QPaintEvent* event) override;

@@ -18,10 +18,20 @@ namespace {
 
 constexpr int mostRowsShown = 8;
 
-// Edits percents.
-class PercentDelegate : public QStyledItemDelegate {
+// Rows in which marks stand clear of each other.
+class RowDelegate : public QStyledItemDelegate {
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, 24});
+  }
+};
+
+// Edits percents.
+class PercentDelegate : public RowDelegate {
+public:
+  using RowDelegate::RowDelegate;
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* field = new QSpinBox(parent);
@@ -33,13 +43,12 @@ public:
 };
 
 QString summaryOf(const Region& region) {
-  if (region.kind == Region::Kind::body)
-    return LabelSection::tr("body only");
-  if (region.kind == Region::Kind::all)
+  if (region.kind != Region::Kind::labels)
     return LabelSection::tr("none");
   const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
                                      [](double weight) { return weight != 1.0; });
-  return LabelSection::tr("%1 of %2 reduced").arg(weighed).arg(region.weights.size());
+  return weighed == 0 ? LabelSection::tr("%1 shown").arg(region.weights.size())
+                      : LabelSection::tr("%1 of %2 hidden or faded").arg(weighed).arg(region.weights.size());
 }
 
 } // namespace
@@ -48,6 +57,7 @@ LabelSection::LabelSection(QWidget* parent)
     : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)), m_table(new QTreeView),
       m_open(new QPushButton(tr("Open labels…"))), m_showAll(new QPushButton(tr("Show all"))) {
   m_table->setModel(m_labels);
+  m_table->setItemDelegate(new RowDelegate(m_table));
   m_table->setItemDelegateForColumn(LabelTable::weightColumn, new PercentDelegate(m_table));
   m_table->setAccessibleName(tr("Labels"));
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

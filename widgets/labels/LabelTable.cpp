@@ -109,6 +109,8 @@ QVariant LabelTable::weightData(std::size_t place, int role) const {
 }
 
 QVariant LabelTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == weightColumn)
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter); // over its numbers
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
     return {};
   return section == nameColumn ? tr("Label") : tr("Shown");

@@ -34,7 +34,8 @@ PresetBrowser::PresetBrowser(QWidget* parent)
       m_gallery(new QListView), m_switch(new QToolButton), m_delegate(new PresetDelegate(m_list)),
       m_nothing(new QLabel(tr("No preset matches"))), m_save(new QPushButton(tr("Save as preset…"))),
       m_delete(new QToolButton), m_searchIcon(m_search->addAction(QIcon(), QLineEdit::LeadingPosition)),
-      m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)), m_flat(new FlatPresets(this)) {
+      m_model(new QStandardItemModel(this)), m_filtered(new PresetFilter(this)),
+      m_flat(new FlatPresets(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -160,6 +161,11 @@ void PresetBrowser::setPicture(const QString& name, const QImage& picture, bool 
 void PresetBrowser::clearPictures() {
   m_pictures.clear();
   refill();
+}
+
+void PresetBrowser::setVolumeOpen(bool isOpen) {
+  m_views->setEnabled(isOpen);
+  m_save->setEnabled(isOpen);
 }
 
 void PresetBrowser::refill() {

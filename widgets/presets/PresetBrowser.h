@@ -36,6 +36,9 @@ public:
   explicit PresetBrowser(QWidget* parent = nullptr);
   ~PresetBrowser() override;
 
+  /// Whether there is a volume; without one presets are only to be read.
+  void setVolumeOpen(bool isOpen);
+
   void setPresets(const std::vector<Preset>& builtIn, const std::vector<Preset>& own);
 
   /// Lists them in another order.

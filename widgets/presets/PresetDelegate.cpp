@@ -117,6 +117,17 @@ void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRec
                    QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width()));
 }
 
+// "CT bone" below "CT" is "Bone".
+QString nameUnderHeading(const QModelIndex& index) {
+  QString name = presetWords(index.data(Qt::DisplayRole).toString());
+  const QString heading = index.parent().data(Qt::DisplayRole).toString() + QLatin1Char(' ');
+  if (!name.startsWith(heading))
+    return name;
+  name.remove(0, heading.size());
+  name[0] = name[0].toUpper();
+  return name;
+}
+
 void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRect& room,
                 const QModelIndex& index) {
   const QFont small = noteFont(option.font);
@@ -125,7 +136,7 @@ void paintTexts(QPainter& painter, const QStyleOptionViewItem& option, const QRe
       QFontMetrics(option.font).height() + static_cast<int>(note.size()) * QFontMetrics(small).height();
   WholeLines lines(option, {room.left(), room.center().y() - height / 2, room.width(), height});
   if (const std::optional<QRect> line = lines.next(option.font))
-    paintName(painter, option, *line, presetWords(index.data(Qt::DisplayRole).toString()));
+    paintName(painter, option, *line, nameUnderHeading(index));
   painter.setFont(small);
   painter.setPen(themeColors(option.palette).secondaryText);
   for (const QString& text : note)
@@ -139,6 +150,7 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
                            const QModelIndex& index) const {
   painter->save();
   painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  painter->setOpacity(option.state & QStyle::State_Enabled ? 1.0 : 0.45);
   if (index.data(presetRole::isGroup).toBool()) {
     paintGroup(*painter, option, index.data(Qt::DisplayRole).toString());
     painter->restore();

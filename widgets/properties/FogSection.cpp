@@ -56,8 +56,8 @@ NumberSpec endSpec(double farthest) {
 FogSection::FogSection(QWidget* parent)
     : FoldingSection(tr("Fog"), parent),
       m_mode(new ChoiceRow(
-          tr("Fades"), tr("How the picture fades to the fog's colour with the distance from the eye."),
-          {tr("Not at all"), tr("Evenly (linear)"), tr("Gradually (exp)"), tr("Late, then fast (exp2)")},
+          tr("Kind"), tr("How the picture fades to the fog's colour with the distance from the eye."),
+          {tr("Off"), tr("Evenly (linear)"), tr("Gradually (exp)"), tr("Late, then fast (exp2)")},
           static_cast<int>(Fog::Mode::none))),
       m_colorRow(new QWidget), m_color(new ColorButton(tr("change colour of fog"))) {
   contents()->addWidget(m_mode);

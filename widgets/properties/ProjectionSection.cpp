@@ -22,12 +22,13 @@ QStringList projectionNames() {
           ProjectionSection::tr("Average"),
           ProjectionSection::tr("X-ray"),
           ProjectionSection::tr("Surface (isosurface)"),
-          ProjectionSection::tr("Surface and tissue (hybrid)")};
+          ProjectionSection::tr("Surface and tissue")};
 }
 
 // In the order of Projection.
 QStringList projectionMeanings() {
-  return {ProjectionSection::tr("Tissue as the opacity curve shows it, lit, the near in front of the far."),
+  return {ProjectionSection::tr("Tissue as the opacity curve shows it, lit; what is near hides what lies "
+                                "behind it."),
           ProjectionSection::tr(
               "The largest value along each ray: contrast-filled vessels, calcium, metal. Depth is lost."),
           ProjectionSection::tr("The smallest value along each ray: airways, air trapping. Black where the "
@@ -37,7 +38,8 @@ QStringList projectionMeanings() {
           ProjectionSection::tr("White where much is opaque along the ray, as on a radiograph. Lower the "
                                 "overall opacity where all is white."),
           ProjectionSection::tr("The first surface at the value below, solid and lit."),
-          ProjectionSection::tr("A solid surface at the value below, seen through the tissue before it.")};
+          ProjectionSection::tr("Hybrid: a solid surface at the value below, seen through the tissue before "
+                                "it.")};
 }
 
 NumberSpec isovalueSpec(const Volume* volume) {

@@ -42,6 +42,7 @@ void PropertiesPanel::connectSections() {
 void PropertiesPanel::setScene(const Scene& scene) {
   const bool otherProjection = scene.projection != m_scene.projection;
   m_scene = scene;
+  widget()->setEnabled(scene.volume != nullptr); // of nothing there is nothing to set
   setShading(scene.shading);
   setQuality(scene.quality);
   m_projection->setScene(scene);

@@ -37,7 +37,7 @@ NumberSpec percentSpec() {
 }
 
 NumberSpec fixedSpec() {
-  return {.label = GradientSection::tr("Strongest boundary"),
+  return {.label = GradientSection::tr("At a change of"),
           .help = GradientSection::tr("The change of value per millimetre that counts as the strongest "
                                       "boundary; smaller numbers emphasise weaker boundaries."),
           .unit = GradientSection::tr("per mm"),
@@ -50,7 +50,7 @@ NumberSpec fixedSpec() {
 
 NumberSpec curveSpec() {
   return {
-      .label = GradientSection::tr("Curve strength"),
+      .label = GradientSection::tr("Strength of it"),
       .help = GradientSection::tr(
           "How strongly the curve bends: the exponent of the gamma curve, the base of the logarithmic one."),
       .scale = {0.1, 100.0, true},
@@ -92,10 +92,11 @@ QString GradientSection::unusedBecause() const {
 }
 
 void GradientSection::addReference() {
-  m_reference = new ChoiceRow(tr("Full strength at"),
-                              tr("Which boundary counts as the strongest; \"automatic\" is the largest for "
-                                 "enhanced and the 99.5th percentile for robust."),
-                              {tr("Automatic"), tr("Largest"), tr("Percentile"), tr("Number")}, automatic);
+  m_reference =
+      new ChoiceRow(tr("Full effect at"),
+                    tr("Which boundary counts as the strongest; \"automatic\" is the largest for "
+                       "enhanced and the 99.5th percentile for robust."),
+                    {tr("Automatic"), tr("Strongest boundary"), tr("Percentile"), tr("Number")}, automatic);
   m_percent = new ValueSlider(percentSpec());
   m_fixed = new ValueSlider(fixedSpec());
   for (QWidget* control : std::initializer_list<QWidget*>{m_reference, m_percent, m_fixed})
@@ -113,7 +114,7 @@ void GradientSection::addReference() {
 
 void GradientSection::addCurve() {
   m_curve = new ChoiceRow(
-      tr("Curve"),
+      tr("Weighting"),
       tr("How boundary strength is weighed; gamma below 1 and logarithmic lift weak boundaries."),
       {tr("Linear"), tr("Gamma"), tr("Logarithmic")}, static_cast<int>(GradientCurve::Type::linear));
   m_curveParameter = new ValueSlider(curveSpec());
@@ -134,7 +135,7 @@ void GradientSection::addRobustExtras() {
   contents()->addWidget(heading);
   m_energyHelp = tr("<p>Dims broad highlights so that sharp and broad ones carry the same light.</p><p>On or "
                     "off, default on.</p>");
-  m_energy = addSwitch(tr("Balance highlight energy"), m_energyHelp, &Shading::energyFactor);
+  m_energy = addSwitch(tr("Dim broad highlights"), m_energyHelp, &Shading::energyFactor);
   m_significanceHelp = tr("<p>Keeps highlights to clear boundaries, so that noise does not sparkle.</p><p>On "
                           "or off, default on.</p>");
   m_significanceOn = new QCheckBox(tr("Highlights only at boundaries"));

@@ -5,6 +5,7 @@
 #include "widgets/shading/LightAngles.h"
 
 #include <QCheckBox>
+#include <QLabel>
 
 namespace limn {
 namespace {
@@ -19,6 +20,12 @@ NumberSpec angleSpec(const QString& label, const QString& help, double limit) {
           .unit = QStringLiteral("°"),
           .scale = {-limit, limit, false},
           .decimals = 1};
+}
+
+QLabel* headingOf(const QString& text) {
+  auto* heading = new QLabel(text);
+  heading->setForegroundRole(QPalette::PlaceholderText);
+  return heading;
 }
 
 } // namespace
@@ -41,6 +48,7 @@ void LightSection::addStrengths() {
   const auto add = [this](const QString& label, const QString& help, double start, double Shading::*member) {
     m_numbers.emplace_back(addNumber(strengthSpec(label, help, start), member), member);
   };
+  contents()->addWidget(headingOf(tr("Tissue reflects")));
   add(tr("Ambient (ka)"),
       tr("How much of the light from everywhere tissue gives back: it lifts the shadows."), initial.ambient,
       &Shading::ambient);
@@ -48,9 +56,10 @@ void LightSection::addStrengths() {
       initial.diffuse, &Shading::diffuse);
   add(tr("Highlights (ks)"), tr("How bright the highlights are; 0 makes every surface dull."),
       initial.specular, &Shading::specular);
-  add(tr("Ambient light (Ia)"), tr("The light that comes from everywhere and casts no form."),
+  contents()->addWidget(headingOf(tr("Light sends")));
+  add(tr("From all sides (Ia)"), tr("The light that comes from everywhere and casts no form."),
       initial.ambientIntensity, &Shading::ambientIntensity);
-  add(tr("Lamp light (Id)"), tr("The strength of the lamp that makes form and highlights."),
+  add(tr("From the lamp (Id)"), tr("The strength of the lamp that makes form and highlights."),
       initial.lightIntensity, &Shading::lightIntensity);
 }
 

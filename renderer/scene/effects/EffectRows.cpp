@@ -121,7 +121,7 @@ std::vector<EffectRow> effectRows(const Scene& scene, const EffectPlan& plan) {
 Message costText(const EffectCost& cost) {
   const double size = std::abs(cost.ms);
   if (size <= cost.spreadMs || size < 0.05)
-    return Message::tr("no measurable cost");
+    return Message::tr("≈ 0 ms");
   const Message time = Message::tr("%1 ms").arg(Message::fixed(size, size < 10.0 ? 1 : 0));
   return cost.ms < 0.0 ? Message::tr("saves %1").arg(time) : time;
 }

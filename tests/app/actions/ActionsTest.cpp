@@ -2,8 +2,12 @@
 #include "app/actions/Actions.h"
 
 #include "app/actions/Menus.h"
+#include "app/actions/ModelMenus.h"
+#include "app/window/SettingsDialog.h"
 #include "scene/view/CompareLayout.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -11,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 // The actions by themselves: no picture and no document behind them.
@@ -44,9 +49,10 @@ TEST_F(ActionsTest, eachHasANameATextAndShortcutsOfItsOwn) {
 TEST_F(ActionsTest, withoutAVolumeWhatNeedsOneIsDisabled) {
   actions.setVolumeOpen(false);
   for (const QAction* action : {actions.saveSession, actions.savePicture, actions.closeVolume,
-                                actions.cropBox, actions.views->actions().front(), actions.savePreset})
+                                actions.cropBox, actions.views->actions().front(), actions.savePreset,
+                                actions.layouts->actions().front(), actions.models[1]->actions().front()})
     EXPECT_FALSE(action->isEnabled()) << action->objectName().toStdString();
-  for (const QAction* action : {actions.openFile, actions.findPreset, actions.layouts->actions().front()})
+  for (const QAction* action : {actions.openFile, actions.findPreset, actions.settings})
     EXPECT_TRUE(action->isEnabled()) << action->objectName().toStdString();
   actions.setVolumeOpen(true);
   EXPECT_TRUE(actions.saveSession->isEnabled());
@@ -60,10 +66,37 @@ TEST_F(ActionsTest, aChoiceOfAGroupIsCheckedAlone) {
   EXPECT_EQ(actions.models[0]->checkedAction(), nullptr);
 }
 
-TEST_F(ActionsTest, everyOneStandsInAMenuOrInTheToolBar) {
+// What stays from run to run stands in the settings alone, and no second time in a menu.
+TEST_F(ActionsTest, everyOneStandsInAMenuTheToolBarOrTheSettings) {
   makeMenus(window, actions, {});
-  for (const QAction* action : all())
-    EXPECT_FALSE(action->associatedObjects().isEmpty()) << action->objectName().toStdString();
+  const QList<QAction*> kept = actions.themes->actions() + actions.engines->actions() +
+                               QList<QAction*>{actions.refineAtRest, actions.patientInTitle};
+  for (QAction* action : all())
+    EXPECT_EQ(action->associatedObjects().isEmpty(), kept.contains(action))
+        << action->objectName().toStdString();
+  const SettingsDialog settings(actions, &window);
+  for (QAction* action : {actions.refineAtRest, actions.patientInTitle})
+    EXPECT_TRUE(std::ranges::any_of(settings.findChildren<QCheckBox*>(), [&](const QCheckBox* box) {
+      return box->text() == QString(action->text()).remove(QLatin1Char('&'));
+    })) << action->objectName().toStdString();
+  int choices = 0;
+  for (const QComboBox* box : settings.findChildren<QComboBox*>())
+    choices += box->count();
+  EXPECT_EQ(choices, actions.themes->actions().size() + actions.engines->actions().size());
+}
+
+TEST_F(ActionsTest, everyEntryOfTheViewMenuHasALetterOfItsOwn) {
+  const ChangingMenus menus = makeMenus(window, actions, {});
+  menus.models->show({ShadingModel::classic, ShadingModel::enhanced});
+  std::set<QChar> letters;
+  for (const QAction* entry : window.menuBar()->actions()[2]->menu()->actions()) {
+    if (entry->isSeparator())
+      continue;
+    const qsizetype at = entry->text().indexOf(QLatin1Char('&'));
+    ASSERT_GE(at, 0) << entry->text().toStdString();
+    EXPECT_TRUE(letters.insert(entry->text()[at + 1].toLower()).second) << entry->text().toStdString();
+  }
+  EXPECT_GE(letters.size(), 10u);
 }
 
 } // namespace

@@ -89,7 +89,7 @@ TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
   fs::create_directories(folder.path() / "b");
   typeName(pathTo("b/mine"));
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.json"));
+  ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.limn.json"));
   EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "what is opened lies elsewhere than what is saved";
   const Settings inTheNextRun(UserFolders::below(folder.path()).settings);
   EXPECT_EQ(inTheNextRun.dialogFolder(), pathTo("a"));

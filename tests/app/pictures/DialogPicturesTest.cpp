@@ -42,11 +42,15 @@ TEST_F(DialogPictures, ofTheChoiceOfASeries) {
                         .description = "Head 1.0 J40s",
                         .modality = "CT",
                         .dims = {512, 512, 214},
+                        .thicknessMm = 1.0,
+                        .date = "2023-11-08",
                         .folder = "S0003"},
                        {.number = 2,
                         .description = "Topogram 0.6 T20f",
                         .modality = "CT",
                         .dims = {512, 512, 2},
+                        .thicknessMm = 0.6,
+                        .date = "2023-11-08",
                         .folder = "S0001"}},
                       window.get());
   dialog.open();

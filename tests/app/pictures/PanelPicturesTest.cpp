@@ -10,12 +10,15 @@
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/points/PointPopup.h"
+#include "widgets/effects/EffectRowWidget.h"
 #include "widgets/effects/EffectsPanel.h"
 #include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QPushButton>
+
+#include <algorithm>
 
 // Pictures of the window and of its parts.
 
@@ -194,7 +197,9 @@ TEST_F(PanelPictures, ofMeasuredEffectsAndAccuracy) {
   ASSERT_TRUE(rest());
   QDockWidget& effects = raised("effectsDock");
   view().measureEffects();
-  ASSERT_TRUE(idle());
+  ASSERT_TRUE(test::waitUntil([&] { // however often the panels changed the picture's size meanwhile
+    return std::ranges::any_of(effects.findChildren<EffectRowWidget*>(), &EffectRowWidget::showsCost);
+  }));
   take(QStringLiteral("panel-effects-measured"), effects);
   QDockWidget& accuracy = raised("accuracyDock");
   auto& panel = *window->findChild<AccuracyPanel*>();

@@ -40,9 +40,9 @@ TEST_F(MarkedWindow, DISABLED_writesAllItCan) {
   ASSERT_NE(scene().volume, nullptr) << messages().sentence().toStdString();
   std::size_t ignored = 0;
   EXPECT_TRUE(test::marksIn(window->windowTitle().toStdString(), ignored).empty()) << "nobody was asked yet";
-  action(QStringLiteral("Patient in the title &bar"))->trigger();
+  action(QStringLiteral("Show the patient's &name in the title bar"))->trigger();
   EXPECT_TRUE(window->windowTitle().contains(QStringLiteral("ZEBEDEE"))); // it does know
-  action(QStringLiteral("Patient in the title &bar"))->trigger();
+  action(QStringLiteral("Show the patient's &name in the title bar"))->trigger();
   EXPECT_TRUE(test::marksIn(window->windowTitle().toStdString(), ignored).empty())
       << window->windowTitle().toStdString();
   ASSERT_TRUE(rest());

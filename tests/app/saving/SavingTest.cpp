@@ -39,6 +39,11 @@ TEST(SaveNames, getTheChosenKindsEndingUnlessOneIsTyped) {
   EXPECT_EQ(withEnding("/a/head.tif", pictures, pictures[1]), "/a/head.tif");
   EXPECT_EQ(withEnding("/a/head.bmp", pictures, pictures[0]), "/a/head.bmp"); // refused by whoever writes
   EXPECT_EQ(withEnding("", session, session[0]), "");
+  const QStringList own{QStringLiteral("Limn session (*.limn.json)"),
+                        QStringLiteral("Any JSON file (*.json)")};
+  EXPECT_EQ(withEnding("/a/mine", own, own[0]), "/a/mine.limn.json");
+  EXPECT_EQ(withEnding("/a/mine.limn.json", own, own[0]), "/a/mine.limn.json");
+  EXPECT_EQ(withEnding("/a/mine.json", own, own[0]), "/a/mine.json"); // as earlier versions named them
 }
 
 TEST_F(Saving, aSessionNamedWithoutEndingOpensAgain) {
@@ -49,12 +54,12 @@ TEST_F(Saving, aSessionNamedWithoutEndingOpensAgain) {
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_FALSE(window->isWindowModified());
   EXPECT_FALSE(fs::exists(folder.path() / "mysession"));
-  ASSERT_TRUE(fs::exists(folder.path() / "mysession.json"));
+  ASSERT_TRUE(fs::exists(folder.path() / "mysession.limn.json"));
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
-  ASSERT_TRUE(open(pathTo("mysession.json")));
+  ASSERT_TRUE(open(pathTo("mysession.limn.json")));
   EXPECT_EQ(window->sessionDocument(), before);
   // One that an earlier version wrote without.
-  fs::rename(folder.path() / "mysession.json", folder.path() / "mysession");
+  fs::rename(folder.path() / "mysession.limn.json", folder.path() / "mysession");
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(open(pathTo("mysession")));
   EXPECT_EQ(window->sessionDocument(), before);
@@ -62,7 +67,7 @@ TEST_F(Saving, aSessionNamedWithoutEndingOpensAgain) {
 
 TEST_F(Saving, theFileOfTheWholeNameIsReplacedOnlyWhereTheUserSaysSo) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
-  test::writeBytes(folder.path() / "mine.json", "old");
+  test::writeBytes(folder.path() / "mine.limn.json", "old");
   typeName(pathTo("mine"));
   bool isAsked = false;
   onceAsked<QMessageBox>([&](QMessageBox& box) {
@@ -72,7 +77,7 @@ TEST_F(Saving, theFileOfTheWholeNameIsReplacedOnlyWhereTheUserSaysSo) {
   });
   action(QStringLiteral("Save session &as…"))->trigger();
   EXPECT_TRUE(isAsked);
-  EXPECT_EQ(test::bytesOfFile(folder.path() / "mine.json"), "old");
+  EXPECT_EQ(test::bytesOfFile(folder.path() / "mine.limn.json"), "old");
   typeName(pathTo("mine"));
   onceAsked<QMessageBox>([](QMessageBox& box) {
     for (QAbstractButton* button : box.buttons())
@@ -80,7 +85,7 @@ TEST_F(Saving, theFileOfTheWholeNameIsReplacedOnlyWhereTheUserSaysSo) {
         return QTest::mouseClick(button, Qt::LeftButton);
   });
   action(QStringLiteral("Save session &as…"))->trigger();
-  EXPECT_NE(test::bytesOfFile(folder.path() / "mine.json"), "old");
+  EXPECT_NE(test::bytesOfFile(folder.path() / "mine.limn.json"), "old");
 }
 
 TEST_F(Saving, aPictureIsAskedForAtOnceAndSavedOnceItIsComplete) {
@@ -112,12 +117,12 @@ TEST_F(Saving, aFailureIsForgottenOnceSomethingIsSaved) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   saving().writeSession(pathTo("none/mine.json"));
   ASSERT_TRUE(messages().isVisible());
-  saving().writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.limn.json"));
   EXPECT_FALSE(messages().isVisible());
   // Another message stays.
   saving().writeSession(pathTo("none/mine.json"));
   ASSERT_TRUE(open(pathTo("missing.nii")));
-  saving().writeSession(pathTo("mine.json"));
+  saving().writeSession(pathTo("mine.limn.json"));
   EXPECT_TRUE(messages().isVisible());
 }
 

@@ -24,20 +24,20 @@ protected:
   Settings settings() const { return Settings(UserFolders::below(folder.path()).settings); }
 };
 
-TEST_F(DialogsWindow, theSettingsShowAndChangeWhatTheMenusDo) {
+TEST_F(DialogsWindow, theSettingsShowAndChangeWhatStays) {
   QTest::keyClick(window.get(), Qt::Key_Comma, Qt::ControlModifier);
   auto* dialog = window->findChild<SettingsDialog*>();
   ASSERT_TRUE(dialog && dialog->isVisible());
-  auto* engine = widgetNamed<QComboBox>(*dialog, "Engine");
+  auto* engine = widgetNamed<QComboBox>(*dialog, "Draw with");
   EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL")) << "what the harness chose";
   engine->setFocus();
   QTest::keyClick(engine, Qt::Key_Down);
   EXPECT_EQ(settings().engine(), EngineSetting::processor);
   EXPECT_TRUE(named("engine-cpu")->isChecked());
-  named("engine-gl")->trigger(); // in the menu
+  named("engine-gl")->trigger(); // by whatever else
   EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL"));
   for (QCheckBox* box : dialog->findChildren<QCheckBox*>())
-    if (box->text() == QStringLiteral("Patient in the title bar"))
+    if (box->text() == QStringLiteral("Show the patient's name in the title bar"))
       QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
   EXPECT_EQ(settings().patientIsShown(), true);
   EXPECT_TRUE(named("patientInTitle")->isChecked());

@@ -141,7 +141,7 @@ TEST_F(MainWindowFiles, thePatientIsInTheTitleWhereThatIsChosenAndInNoFile) {
   writeSeries(folder.path() / "series");
   ASSERT_TRUE(open(pathTo("series")));
   ASSERT_NE(scene().volume, nullptr) << messages().sentence().toStdString();
-  QAction* patient = action(QStringLiteral("Patient in the title &bar"));
+  QAction* patient = action(QStringLiteral("Show the patient's &name in the title bar"));
   ASSERT_NE(patient, nullptr);
   for (const bool isNamed : {false, true, false}) {
     if (isNamed != patient->isChecked())

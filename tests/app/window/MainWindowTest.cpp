@@ -135,7 +135,7 @@ TEST_F(MainWindowTest, aCancelledLoadLeavesNoTraceInTheTitle) {
   window->openSource(QStringLiteral("sample"));
   QTest::mouseClick(window->findChild<QWidget*>(QStringLiteral("cancel")), Qt::LeftButton);
   ASSERT_EQ(session().volumePath(), "phantom:4");
-  QAction* patient = action(QStringLiteral("Patient in the title &bar"));
+  QAction* patient = action(QStringLiteral("Show the patient's &name in the title bar"));
   ASSERT_NE(patient, nullptr);
   patient->trigger(); // writes the title anew
   EXPECT_EQ(window->windowTitle(), title);

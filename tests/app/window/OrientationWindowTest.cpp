@@ -35,6 +35,11 @@ protected:
     ASSERT_NE(button, nullptr) << name;
     QTest::mouseClick(button, Qt::LeftButton);
   }
+  void keep() {
+    auto* button = dialog().findChild<QDialogButtonBox*>()->buttons().front();
+    ASSERT_EQ(button->text(), QStringLiteral("Keep"));
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
 };
 
 TEST_F(OrientationWindow, viewsNameNoSideBeforeOneIsKnown) {
@@ -45,6 +50,23 @@ TEST_F(OrientationWindow, viewsNameNoSideBeforeOneIsKnown) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8"))); // which says how it lies
   EXPECT_EQ(named("view-left")->text(), QStringLiteral("Left"));
   EXPECT_FALSE(named("setOrientation")->isEnabled());
+}
+
+TEST_F(OrientationWindow, cancelTakesBackWhatWasTriedAndKeepKeepsIt) {
+  const auto asFound = scene().volume;
+  named("setOrientation")->trigger();
+  click("Flip: Columns run to");
+  ASSERT_EQ(letters(), "RPS");
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_EQ(scene().volume, asFound);
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(letters(), "RPS") << "taking it back can be undone, too";
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  named("setOrientation")->trigger();
+  click("Flip: Rows run to");
+  ASSERT_EQ(letters(), "RAS");
+  keep();
+  EXPECT_EQ(letters(), "RAS");
 }
 
 TEST_F(OrientationWindow, theBarOffersToSetItAndEveryAnswerIsAnUndoStep) {
@@ -82,7 +104,7 @@ TEST_F(OrientationWindow, sessionAndPictureKeepIt) {
   named("setOrientation")->trigger();
   click("Flip: Rows run to");
   ASSERT_EQ(letters(), "LAS");
-  dialog().close();
+  keep();
   ASSERT_TRUE(rest());
   saving().writePicture(pathTo("picture.png"));
   saving().writeSession(pathTo("session.json"));
@@ -146,7 +168,7 @@ TEST_F(OrientationWindow, labelsStayOnTheirTissueHoweverTheVolumeIsTurned) {
   EXPECT_NE(axisLettersOf(scene().volume->grid()).find('L'), std::string::npos);
   ASSERT_TRUE(openLabels());
   EXPECT_TRUE(brightestIsHidden()) << letters();
-  dialog().close();
+  keep();
   ASSERT_TRUE(rest());
   saving().writeSession(pathTo("session.json"));
   const std::string chosen = letters();

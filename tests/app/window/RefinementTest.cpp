@@ -152,9 +152,9 @@ TEST_F(RefinementTest, aSavedPictureIsTheOneOnScreenWithItsOwnSteps) {
   EXPECT_NE(inside.scene.quality, scene().quality);
 }
 
-TEST_F(RefinementTest, theMenuSwitchesItAndTheProgramRemembers) {
+TEST_F(RefinementTest, itsSwitchIsRemembered) {
   EXPECT_TRUE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest()) << "at first";
-  QAction* refine = action(QStringLiteral("Refine at &rest"));
+  QAction* refine = action(QStringLiteral("Sharpen while nothing &moves"));
   ASSERT_NE(refine, nullptr);
   refine->trigger();
   EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());

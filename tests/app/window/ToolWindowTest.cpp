@@ -65,6 +65,25 @@ TEST_F(ToolWindow, theToolBarShowsAndChoosesTheTool) {
   EXPECT_NE(scene().camera.position, panned.position);
 }
 
+// The buttons of the models come and go with the layout; nothing else may move for them.
+TEST_F(ToolWindow, everyButtonKeepsItsPlaceInEveryLayout) {
+  window->resize(1380, 640); // every button fits
+  auto* bar = window->findChild<QToolBar*>();
+  const auto places = [bar] {
+    QCoreApplication::processEvents();
+    std::vector<QPoint> corners;
+    for (QAction* action : bar->actions())
+      if (!action->objectName().isEmpty() && action->objectName() != QStringLiteral("savePicture"))
+        corners.push_back(bar->widgetForAction(action)->pos());
+    return corners;
+  };
+  const std::vector<QPoint> single = places();
+  ASSERT_GE(single.size(), 14u);
+  setLayout(CompareLayout::sideBySide);
+  EXPECT_EQ(places(), single);
+  EXPECT_TRUE(window->findChild<QToolButton*>(QStringLiteral("rightModelButton"))->isVisible());
+}
+
 TEST_F(ToolWindow, keysChooseToolsAndEscReturnsToRotating) {
   view().setFocus();
   QTest::keyClick(&view(), Qt::Key_W);
@@ -174,8 +193,8 @@ TEST_F(ToolWindow, theListOfKeysNamesThem) {
   QString text;
   for (const QLabel* label : dialog->findChildren<QLabel*>())
     text += label->text();
-  for (const char* key : {"[ M Z W", "Esc", "PgUp PgDn", "Del"})
-    EXPECT_TRUE(text.contains(QLatin1String(key))) << key;
+  for (const char* key : {"[ · M · Z · W", "Esc", "PgUp PgDn", "Del", "Ctrl+Shift+S"})
+    EXPECT_TRUE(text.contains(QString::fromUtf8(key))) << key;
   dialog->close();
 }
 

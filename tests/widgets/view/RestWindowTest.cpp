@@ -86,6 +86,19 @@ TEST(AtRest, measuresTheCostsOnRequestAndStopsWhenTheSceneChanges) {
   EXPECT_EQ(host.view.currentPicture(0), before);
 }
 
+TEST(AtRest, aResizeWhileCostsAreMeasuredMeasuresThoseOfTheNewPicture) {
+  ViewHost host({200, 120});
+  Told told(host.view);
+  host.showPhantom(8.0);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(idle(host));
+  host.view.measureEffects();
+  ASSERT_TRUE(test::waitUntil([&] { return told.times.fraction > 0.2; }));
+  host.view.resize(160, 120); // the camera may follow
+  ASSERT_TRUE(test::waitUntil([&] { return !told.times.costs.empty() && !told.times.isMeasuring; }));
+  EXPECT_EQ(told.times.size, QSize(160, 120));
+}
+
 TEST(AtRest, labelsGetContrastAndOverflowOfLitPictures) {
   ViewHost host;
   host.view.setCompareLayout(CompareLayout::sideBySide);

@@ -4,14 +4,16 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn {
 namespace {
 
-// Marks stand in a square of this size, text heights.
-constexpr double markRoom = 1.5;
-constexpr double gap = 0.9; ///< between entries, text heights
+// Text heights: the room of a mark unless it is larger, and what keeps it from its word and from the next.
+constexpr double markRoom = 1.2;
+constexpr double wordGap = 0.4;
+constexpr double gap = 0.9;
 constexpr double rowHeight = 1.4;
 
 // Corners of a regular polygon, the first one on top; `inner` < 1 makes every second one a notch.
@@ -23,6 +25,10 @@ QPolygonF polygon(const QPointF& centre, double radius, int corners, double inne
     shape << centre + QPointF(r * std::sin(angle), -r * std::cos(angle));
   }
   return shape;
+}
+
+double roomOf(const LegendEntry& entry, double unit) {
+  return std::max(markRoom * unit, entry.size + 2.0); // and its line
 }
 
 void paintMark(QPainter& painter, const LegendEntry& entry, const QPointF& centre) {
@@ -58,7 +64,7 @@ LegendLayout legendLayout(const std::vector<LegendEntry>& entries, const QFont& 
   LegendLayout layout;
   QPointF next;
   for (const LegendEntry& entry : entries) {
-    const double needed = markRoom * unit + metrics.horizontalAdvance(entry.name);
+    const double needed = roomOf(entry, unit) + wordGap * unit + metrics.horizontalAdvance(entry.name);
     if (next.x() > 0.0 && next.x() + needed > width)
       next = {0.0, next.y() + rowHeight * unit};
     layout.places.push_back(next);
@@ -73,9 +79,10 @@ void paintLegend(QPainter& painter, const std::vector<LegendEntry>& entries, con
   const double unit = QFontMetricsF(painter.font()).height();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const QPointF place = corner + layout.places[i];
-    paintMark(painter, entries[i], place + QPointF(0.6 * unit, 0.5 * rowHeight * unit));
+    const double room = roomOf(entries[i], unit);
+    paintMark(painter, entries[i], place + QPointF(0.5 * room, 0.5 * rowHeight * unit));
     painter.setPen(text);
-    painter.drawText(QRectF(place.x() + markRoom * unit, place.y(), 1e4, rowHeight * unit),
+    painter.drawText(QRectF(place.x() + room + wordGap * unit, place.y(), 1e4, rowHeight * unit),
                      Qt::AlignLeft | Qt::AlignVCenter, entries[i].name);
   }
 }

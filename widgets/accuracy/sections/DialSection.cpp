@@ -80,7 +80,8 @@ DialSection::DialSection(QWidget* parent)
   auto* text = new QVBoxLayout;
   text->setSpacing(4);
   text->addWidget(m_sentence);
-  QLabel* note = endLabel(tr("From there it refines while nothing moves."));
+  QLabel* note = endLabel(tr("From there it refines while nothing moves. A level is the smallest step of "
+                             "brightness on a screen, of 255."));
   note->setWordWrap(true);
   text->addWidget(note);
   contents()->addLayout(text);

@@ -110,6 +110,7 @@ void MeasuredSection::setCurrent(std::optional<std::size_t> point) {
 
 void MeasuredSection::setCanMeasure(bool can) {
   m_measure->setEnabled(can);
+  m_summary->setVisible(can || !m_report.points.empty()); // while it measures, that is said
 }
 
 void MeasuredSection::showSummary() {
@@ -118,10 +119,8 @@ void MeasuredSection::showSummary() {
                           "from fast to exact."));
     return;
   }
-  QString how = tr("At %1 × %2 pixels on %3.")
-                    .arg(m_report.size.x)
-                    .arg(m_report.size.y)
-                    .arg(QString::fromStdString(m_report.renderer));
+  m_summary->setToolTip(tr("Drawn by %1").arg(QString::fromStdString(m_report.renderer)));
+  QString how = tr("At %1 × %2 pixels.").arg(m_report.size.x).arg(m_report.size.y);
   if (m_timedSize != glm::ivec2(0) && m_timedSize != m_report.size)
     how += QLatin1Char(' ') + tr("Times are scaled from there to the %1 × %2 pixels on screen.")
                                   .arg(m_timedSize.x)

@@ -37,8 +37,9 @@ WishAnswer answerOf(const AccuracyReport& report, const MeasuredPoint* best, con
 
 WishAnswer wishForLevels(const AccuracyReport& report, double levels) {
   if (!report.reference.converged)
-    return {std::nullopt, WishSection::tr("The exact picture has not converged, so no error is known. A wish "
-                                          "for time can be kept.")};
+    return {std::nullopt,
+            WishSection::tr("The exact picture has not converged, so no error is known. A limit "
+                            "of time can be kept.")};
   const std::vector<MeasuredPoint> points = pointsOfTheWindow(report);
   const auto closest = std::ranges::min_element(
       points, [](const MeasuredPoint& a, const MeasuredPoint& b) { return a.error.p99_9 < b.error.p99_9; });
@@ -59,7 +60,7 @@ WishAnswer wishForMs(const AccuracyReport& report, double ms) {
 }
 
 WishSection::WishSection(QWidget* parent)
-    : FoldingSection(tr("By wish"), parent), m_levels(new NumberField(0.01, 100.0, 2)),
+    : FoldingSection(tr("Choose by limit"), parent), m_levels(new NumberField(0.01, 100.0, 2)),
       m_ms(new NumberField(1.0, 100000.0, 0)), m_answer(new QLabel) {
   m_useLevels = addWish(tr("Error at most, levels"), m_levels,
                         tr("<p>Takes the fastest measured picture of which 999 in 1000 colour values are at "
@@ -101,8 +102,10 @@ void WishSection::setMeasured(const MeasuredAccuracy* measured) {
   const bool canChoose = measured && !measured->report.points.empty();
   m_useLevels->setEnabled(canChoose);
   m_useMs->setEnabled(canChoose);
-  showAnswer(canChoose ? QString()
-                       : tr("Measure this picture first; a wish chooses among what was measured."));
+  const QString first = tr("Measure this picture first: the choice is among what was measured.");
+  m_useLevels->setToolTip(canChoose ? m_levels->toolTip() : first);
+  m_useMs->setToolTip(canChoose ? m_ms->toolTip() : first);
+  showAnswer({});
 }
 
 void WishSection::showAnswer(const QString& sentence) {

@@ -24,6 +24,9 @@ public:
   SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
                std::function<QString(double)> readOut, QWidget* parent = nullptr);
 
+  /// Once the words for a number have become other ones.
+  void showNumber();
+
 signals:
   /// Pulled away from neutral by so much; `gestureId` is shared by one pull.
   void pulled(double number, std::uint64_t gestureId);
@@ -31,6 +34,8 @@ signals:
   void released();
 
 private:
+  SliderScale m_scale;
+  std::function<QString(double)> m_readOut;
   QLabel* m_number;
   TrackSlider* m_slider;
 };

@@ -189,14 +189,14 @@ void TrackSlider::paintEvent(QPaintEvent*) {
   const double originX = handleRadius + 1.0 + fractionOf(m_scale, m_origin) * trackWidth();
   const double from = m_values.size() == 1 ? originX : handleCentre(0).x();
   const double to = handleCentre(static_cast<int>(m_values.size()) - 1).x();
-  painter.setBrush(isEnabled() ? colors.accent : colors.disabledText);
+  painter.setBrush(isEnabled() ? colors.accent : colors.border);
   painter.drawRoundedRect(QRectF(QPointF(from, middle - 2.0), QPointF(to, middle + 2.0)).normalized(), 2.0,
                           2.0);
 
   for (int i = 0; i < static_cast<int>(m_values.size()); ++i) {
     const bool active = hasFocus() && i == m_active;
     painter.setBrush(isEnabled() ? (active ? colors.accent : colors.raised) : colors.window);
-    painter.setPen(QPen(isEnabled() ? colors.accent : colors.disabledText, 2.0));
+    painter.setPen(QPen(isEnabled() ? colors.accent : colors.border, 2.0));
     painter.drawEllipse(handleCentre(i), handleRadius - 1.0, handleRadius - 1.0);
   }
 }

@@ -11,17 +11,11 @@
 namespace limn {
 namespace {
 
-// Where the tracks of a column begin, unless a name needs more; and what a track never goes below.
-constexpr int labelWidth = 124;
 constexpr int shortestTrack = 48;
 
-// Equal widths in a column, unless a unit and its digits need more.
+// One width in all panels, unless many digits and a long unit need more.
 int fieldWidth(const NumberSpec& spec) {
-  if (spec.unit.size() <= 1)
-    return 72;
-  if (spec.unit.size() == 2)
-    return 84;
-  return spec.decimals > 3 ? 120 : 92;
+  return spec.unit.size() > 2 && spec.decimals > 3 ? 120 : 92;
 }
 
 } // namespace
@@ -36,7 +30,8 @@ ValueSlider::ValueSlider(const NumberSpec& spec, QWidget* parent)
   layout->addWidget(m_label);
   layout->addWidget(m_slider, 1);
   layout->addWidget(m_field);
-  m_label->setMinimumWidth(labelWidth);
+  m_label->setFixedWidth(labelColumn);
+  m_label->setWordWrap(true);
   m_slider->setMinimumWidth(shortestTrack);
 
   m_label->setBuddy(m_field);

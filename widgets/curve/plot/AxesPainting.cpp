@@ -53,7 +53,7 @@ void paintOpacityAxis(QPainter& painter, const CanvasPicture& picture) {
 QString axisText(const CanvasPicture& picture) {
   if (picture.subject == CurveSubject::value)
     return picture.unit.isEmpty() ? QObject::tr("value") : picture.unit;
-  return picture.unit.isEmpty() ? QObject::tr("gradient") : QObject::tr("gradient, %1").arg(picture.unit);
+  return picture.unit.isEmpty() ? QObject::tr("gradient") : picture.unit;
 }
 
 void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
@@ -68,12 +68,12 @@ void paintValueAxis(QPainter& painter, const CanvasPicture& picture) {
   const AxisTicks ticks = niceTicks(picture.transform.visible, most);
   for (const double value : ticks.values) {
     const double x = std::round(xOfValue(picture.transform, value)) + 0.5;
-    painter.setPen(picture.colors.grid);
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
     const QString text = valueText(value, {}, decimalsFor(ticks.step));
     const double half = painter.fontMetrics().horizontalAdvance(text) / 2.0;
     if (x + half > plot.right() - unitWidth)
-      continue;
+      continue; // a line without its number tells nothing
+    painter.setPen(picture.colors.grid);
+    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
     painter.setPen(picture.colors.secondaryText);
     painter.drawText(QRectF(x - 60.0, textTop, 120.0, 20.0), Qt::AlignHCenter | Qt::AlignVCenter, text);
   }
@@ -84,6 +84,8 @@ void paintColorStrip(QPainter& painter, const CanvasPicture& picture) {
   const QRectF strip(plot.left(), plot.bottom() + stripGap, plot.width(), stripHeight);
   QPainterPath rounded;
   rounded.addRoundedRect(strip, 3.0, 3.0);
+  QPainterPath frame;
+  frame.addRoundedRect(strip.adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   if (picture.function.points.empty()) {
@@ -91,7 +93,11 @@ void paintColorStrip(QPainter& painter, const CanvasPicture& picture) {
   } else {
     painter.setClipPath(rounded);
     painter.drawImage(strip, colorRow(picture, painter.device()->devicePixelRatioF()));
+    painter.setClipping(false);
   }
+  // White ends in a light window, black ones in a dark.
+  painter.setPen(QPen(picture.colors.outline, 1.0));
+  painter.drawPath(frame);
   painter.restore();
 }
 
@@ -117,6 +123,8 @@ QImage colorRow(const CanvasPicture& picture, double columnsPerPixel) {
 void paintAxes(QPainter& painter, const CanvasPicture& picture) {
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.fillRect(picture.transform.plot, picture.colors.base);
+  if (picture.histogram.area.isNull() && picture.function.points.empty())
+    return; // axes of nothing
   paintValueAxis(painter, picture);
   paintOpacityAxis(painter, picture);
   if (hasColors(picture.subject))

@@ -33,19 +33,21 @@ TransferFunction withColorAt(const TransferFunction& function, const PointIndice
 } // namespace
 
 PointFields::PointFields(CurveSubject subject, QWidget* parent)
-    : QWidget(parent), m_subject(subject), m_which(new QLabel),
+    : QWidget(parent), m_subject(subject), m_which(new QLabel), m_opacityName(new QLabel(tr("Opacity"))),
       m_value(new NumberField(std::max(-1e9, lowestPlace(subject)), 1e9, 1)),
       m_opacity(new NumberField(0.0, 1.0, 4)), m_color(new ColorButton(tr("change colour of point"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  layout->setSpacing(8);
   layout->addWidget(m_which);
-  layout->addSpacing(4);
   layout->addWidget(m_value);
+  layout->addWidget(m_opacityName);
   layout->addWidget(m_opacity);
   layout->addWidget(m_color);
   m_which->setForegroundRole(QPalette::PlaceholderText);
-  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(88).arg(88)));
+  m_opacityName->setForegroundRole(QPalette::PlaceholderText);
+  m_opacityName->setBuddy(m_opacity);
+  m_which->setMinimumWidth(fontMetrics().horizontalAdvance(tr("Point %1 of %2").arg(8).arg(8)));
   m_value->setFixedWidth(104);
   m_opacity->setFixedWidth(64);
   m_opacity->setShownAs(opacityText);
@@ -92,6 +94,7 @@ void PointFields::setPoints(const TransferFunction& function, const PointIndices
   m_which->setText(describedSelection());
   m_value->setVisible(!selected.empty());
   m_opacity->setVisible(!selected.empty());
+  m_opacityName->setVisible(!selected.empty());
   m_color->setVisible(!selected.empty() && hasColors(m_subject));
   m_value->setEnabled(selected.size() == 1);
   m_value->setToolTip(selected.size() > 1

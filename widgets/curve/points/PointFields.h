@@ -47,6 +47,7 @@ private:
   PointIndices m_selected;
   QString m_unit;
   QLabel* m_which;
+  QLabel* m_opacityName;
   NumberField* m_value;
   NumberField* m_opacity;
   ColorButton* m_color;

@@ -19,12 +19,25 @@ glm::ivec2 smallerSize(const glm::ivec2& size, int longest) {
 }
 
 void RestWork::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
+  if (!isSamePicture(scenes, size))
+    m_costSide.reset();
   m_sides.clear();
   for (const Scene& scene : scenes)
     m_sides.push_back({scene, false, 0, std::nullopt});
   m_size = size;
-  m_costSide.reset();
   m_costs.reset();
+}
+
+// The same, or the same in a window of another size, which the camera follows.
+bool RestWork::isSamePicture(const std::vector<Scene>& scenes, const glm::ivec2& size) const {
+  const auto isSame = [&](Scene wanted, const Side& side) {
+    if (size != m_size) {
+      wanted.camera = side.scene.camera;
+      wanted.image = side.scene.image;
+    }
+    return wanted == side.scene;
+  };
+  return std::equal(scenes.begin(), scenes.end(), m_sides.begin(), m_sides.end(), isSame);
 }
 
 bool RestWork::step(DrawingEngine& engine) {

@@ -20,7 +20,8 @@ class RestWork {
 public:
   explicit RestWork(PictureScreen& screen) : m_sheet(screen.makeSheet()) {}
 
-  /// The scenes at rest; forgets everything measured of others.
+  /// The scenes at rest; forgets everything measured of others. Costs that were asked for are measured anew
+  /// where only the size of the picture is another one.
   void want(const std::vector<Scene>& scenes, const glm::ivec2& size);
 
   /// Asks for the costs of the effects of the scene of side `side`.
@@ -43,6 +44,7 @@ private:
     int overflowPieces = 0; ///< done, of 2
     std::optional<Overflow> overflow;
   };
+  bool isSamePicture(const std::vector<Scene>& scenes, const glm::ivec2& size) const;
   bool warmUp(DrawingEngine& engine);
   bool measureOverflow(DrawingEngine& engine);
   bool measureCosts(DrawingEngine& engine);

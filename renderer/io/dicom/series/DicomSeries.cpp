@@ -112,11 +112,13 @@ std::vector<DicomSeries> seriesOf(const std::vector<DicomHeader>& headers) {
 
 SeriesSummary summaryOf(const DicomSeries& series, int number) {
   const DicomHeader& first = *series.front().header;
-  return {number,
-          first.seriesDescription,
-          first.modality,
-          {first.columns, first.rows, static_cast<int>(series.size())},
-          {}};
+  return {.number = number,
+          .description = first.seriesDescription,
+          .modality = first.modality,
+          .dims = {first.columns, first.rows, static_cast<int>(series.size())},
+          .thicknessMm = series.front().frame().thicknessMm,
+          .date = first.patient.studyDate,
+          .folder = {}};
 }
 
 bool isPlaced(const DicomSeries& series) {
