@@ -5430,11 +5430,11 @@
     </message>
     <message>
         <source>Double click in the plot to add a point</source>
-        <translation>Doppelklick in die Kurve fügt einen Punkt hinzu</translation>
+        <translation>Doppelklick: neuer Punkt</translation>
     </message>
     <message>
         <source>Click the curve to add a point</source>
-        <translation>Klick auf die Kurve fügt einen Punkt hinzu</translation>
+        <translation>Kurve anklicken: neuer Punkt</translation>
     </message>
     <message>
         <source>%1 points</source>
