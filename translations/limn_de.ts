@@ -2253,11 +2253,11 @@
     </message>
     <message>
         <source>unused: this projection has no depth</source>
-        <translation>ungenutzt: diese Projektion hat keine Tiefe</translation>
+        <translation>Projektion ohne Tiefe</translation>
     </message>
     <message>
         <source>off: its density is 0</source>
-        <translation>aus: die Dichte ist 0</translation>
+        <translation>aus: Dichte ist 0</translation>
     </message>
     <message>
         <source>on</source>
@@ -2362,7 +2362,7 @@
     </message>
     <message>
         <source>unused: not in this model</source>
-        <translation>ungenutzt: nicht in diesem Modell</translation>
+        <translation>nicht in diesem Modell</translation>
     </message>
     <message>
         <source>Full strength at</source>
@@ -2539,7 +2539,7 @@
     </message>
     <message>
         <source>unused: this model is unlit</source>
-        <translation>ungenutzt: dieses Modell ist unbeleuchtet</translation>
+        <translation>Modell ohne Licht</translation>
     </message>
     <message>
         <source>Ambient (ka)</source>
@@ -5916,7 +5916,7 @@
     <name>limn::PropertiesPanel</name>
     <message>
         <source>unused: this projection is unlit</source>
-        <translation>ungenutzt: diese Projektion ist unbeleuchtet</translation>
+        <translation>Projektion ohne Licht</translation>
     </message>
 </context>
 <context>
