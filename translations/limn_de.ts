@@ -196,7 +196,7 @@
     </message>
     <message>
         <source>Left drag</source>
-        <translation>Ziehen mit links</translation>
+        <translation>Links ziehen</translation>
     </message>
     <message>
         <source>rotate, or what the chosen tool does</source>
@@ -220,7 +220,7 @@
     </message>
     <message>
         <source>Middle drag, Shift+left drag</source>
-        <translation>Ziehen mit der mittleren Taste, Umschalt+Ziehen mit links</translation>
+        <translation>Mitte ziehen, Umschalt+links ziehen</translation>
     </message>
     <message>
         <source>pan</source>
@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>Right drag, wheel, + −</source>
-        <translation>Ziehen mit rechts, Mausrad, + −</translation>
+        <translation>Rechts ziehen, Mausrad, + −</translation>
     </message>
     <message>
         <source>zoom</source>
@@ -236,7 +236,7 @@
     </message>
     <message>
         <source>Ctrl+left drag</source>
-        <translation>Strg+Ziehen mit links</translation>
+        <translation>Strg+links ziehen</translation>
     </message>
     <message>
         <source>roll</source>
@@ -244,7 +244,7 @@
     </message>
     <message>
         <source>Alt+left drag</source>
-        <translation>Alt+Ziehen mit links</translation>
+        <translation>Alt+links ziehen</translation>
     </message>
     <message>
         <source>window and level; with Ctrl: opacity</source>
@@ -264,7 +264,7 @@
     </message>
     <message>
         <source>value under the pointer, pin it in the curve: less or more of it</source>
-        <translation>Wert unter dem Zeiger; heftet ihn an die Kurve: weniger oder mehr davon</translation>
+        <translation>Wert unter dem Zeiger, anheften: weniger, mehr davon</translation>
     </message>
     <message>
         <source>A P L S I, End PgDn Home</source>
@@ -292,11 +292,11 @@
     </message>
     <message>
         <source>B, drag a handle</source>
-        <translation>B, Ziehen an einem Griff</translation>
+        <translation>B, Griff ziehen</translation>
     </message>
     <message>
         <source>crop box; double click a handle: that face uncut</source>
-        <translation>Zuschnittbox; Doppelklick auf einen Griff: Seite wieder unbeschnitten</translation>
+        <translation>Zuschnittbox; Doppelklick am Griff öffnet die Seite</translation>
     </message>
     <message>
         <source>0, 1 … 9</source>
@@ -328,11 +328,11 @@
     </message>
     <message>
         <source>through the slices; Shift+keys: ten at a time</source>
-        <translation>durch die Schnitte blättern; mit Umschalt zehn auf einmal</translation>
+        <translation>durch die Schnitte; mit Umschalt je zehn</translation>
     </message>
     <message>
         <source>Right drag, Alt+left drag</source>
-        <translation>Ziehen mit rechts, Alt+Ziehen mit links</translation>
+        <translation>Rechts ziehen, Alt+links ziehen</translation>
     </message>
     <message>
         <source>window and level</source>
@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>tools: crosshair, window and level, distance; the crosshair again</source>
-        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand; zurück zum Fadenkreuz</translation>
+        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand; wieder Fadenkreuz</translation>
     </message>
     <message>
         <source>Arrows, Home</source>
@@ -609,12 +609,12 @@
     <message>
         <source>From %1 to %2</source>
         <comment>two tissues</comment>
-        <translation>Von %1 bis %2</translation>
+        <translation>Von %1 zu %2</translation>
     </message>
     <message>
         <source>Within %1</source>
         <comment>a tissue</comment>
-        <translation>Bis %1</translation>
+        <translation>Innerhalb: %1</translation>
     </message>
     <message>
         <source>%1, between %2 and %3; %4 % of all boundaries</source>
@@ -674,7 +674,7 @@
     </message>
     <message>
         <source>steps by error</source>
-        <translation>Schritte nach Fehler</translation>
+        <translation>fehlergesteuerte Schritte</translation>
     </message>
     <message>
         <source>equal steps</source>
@@ -995,7 +995,7 @@
     </message>
     <message>
         <source>within %1 levels</source>
-        <translation>bis %1 Stufen genau</translation>
+        <translation>auf %1 Stufen genau</translation>
     </message>
     <message>
         <source>contrast %1</source>
@@ -1951,7 +1951,7 @@
     </message>
     <message>
         <source>With blurred steps (jitter) no error is measured.</source>
-        <translation>Bei unscharfen Schritten (Jitter) wird kein Fehler gemessen.</translation>
+        <translation>Bei verwischten Schritten (Jitter) wird kein Fehler gemessen.</translation>
     </message>
     <message>
         <source>%1: not measured for this picture.</source>
@@ -2253,11 +2253,11 @@
     </message>
     <message>
         <source>unused: this projection has no depth</source>
-        <translation>ungenutzt: diese Projektion hat keine Tiefe</translation>
+        <translation>Projektion ohne Tiefe</translation>
     </message>
     <message>
         <source>off: its density is 0</source>
-        <translation>aus: die Dichte ist 0</translation>
+        <translation>aus: Dichte ist 0</translation>
     </message>
     <message>
         <source>on</source>
@@ -2362,7 +2362,7 @@
     </message>
     <message>
         <source>unused: not in this model</source>
-        <translation>ungenutzt: nicht in diesem Modell</translation>
+        <translation>nicht in diesem Modell</translation>
     </message>
     <message>
         <source>Full strength at</source>
@@ -2539,7 +2539,7 @@
     </message>
     <message>
         <source>unused: this model is unlit</source>
-        <translation>ungenutzt: dieses Modell ist unbeleuchtet</translation>
+        <translation>Modell ohne Licht</translation>
     </message>
     <message>
         <source>Ambient (ka)</source>
@@ -5430,11 +5430,11 @@
     </message>
     <message>
         <source>Double click in the plot to add a point</source>
-        <translation>Doppelklick in die Kurve fügt einen Punkt hinzu</translation>
+        <translation>Doppelklick: neuer Punkt</translation>
     </message>
     <message>
         <source>Click the curve to add a point</source>
-        <translation>Klick auf die Kurve fügt einen Punkt hinzu</translation>
+        <translation>Kurve anklicken: neuer Punkt</translation>
     </message>
     <message>
         <source>%1 points</source>
@@ -5916,7 +5916,7 @@
     <name>limn::PropertiesPanel</name>
     <message>
         <source>unused: this projection is unlit</source>
-        <translation>ungenutzt: diese Projektion ist unbeleuchtet</translation>
+        <translation>Projektion ohne Licht</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "app/PrivateNames.h"
 #include "app/commands/SceneArguments.h"
 #include "app/engines/RealRenderers.h"
+#include "app/language/Language.h"
 #include "app/measure/accuracy/AccuracyTable.h"
 #include "app/measure/accuracy/MeasureDecisions.h"
 #include "io/AtomicFile.h"
@@ -49,6 +50,7 @@ void writeChart(const AccuracyReport& report, const std::filesystem::path& path)
   char* words[] = {name, nullptr};
   int count = 1;
   const QApplication application(count, words);
+  keepNumbersOfFiles();
   const QImage chart = accuracyChartPicture(report, chartSize);
   replaceAtomically(path, [&](const std::filesystem::path& temporary) {
     if (!chart.save(QString::fromStdString(temporary.string()), "PNG"))

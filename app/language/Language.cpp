@@ -45,9 +45,12 @@ Speech speechFor(const QString& asked, const QLocale& system) {
   return {isSpoken(code) ? code : english, system};
 }
 
-void useLanguage(QCoreApplication& application, const QString& asked) {
-  // Qt has set what the system says, and our printf and that of libraries would write commas into files.
+void keepNumbersOfFiles() {
   std::setlocale(LC_NUMERIC, "C");
+}
+
+void useLanguage(QCoreApplication& application, const QString& asked) {
+  keepNumbersOfFiles();
   const Speech speech = speechFor(asked, QLocale::system());
   QLocale::setDefault(speech.locale);
   if (speech.code == english)

@@ -28,6 +28,10 @@ struct Speech {
 /// the system's country where its language is the one spoken, or where nobody asked for another.
 Speech speechFor(const QString& asked, const QLocale& system);
 
+/// To be called once Qt's application is there, which has set what the system says: our printf and that of
+/// libraries would write commas into files.
+void keepNumbersOfFiles();
+
 /// Makes the window speak: words, those of Qt's own dialogs too, and numbers on the screen. The C library
 /// keeps to the C locale, so that files are the same everywhere. To be called once, before the first widget
 /// is made.

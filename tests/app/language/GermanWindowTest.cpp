@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/language/InGerman.h"
 #include "translations/Words.h"
+#include "widgets/properties/PropertiesPanel.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -83,6 +84,28 @@ TEST_F(GermanWindow, saysNothingInEnglishOfWhichTheGermanIsKnown) {
       for (int i = 0; i < box->count(); ++i)
         expectGerman(box->itemText(i), *widget);
   }
+}
+
+// German words are longer: no model, projection or fog makes the properties wider than the panel beside them.
+TEST_F(GermanWindow, theLongerWordsFitThePanelOfTheProperties) {
+  window->setGeometry(0, 0, 1280, 800);
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  auto* panel = window->findChild<PropertiesPanel*>();
+  ASSERT_NE(panel, nullptr);
+  setLayout(CompareLayout::single);
+  for (const Projection projection : {Projection::composite, Projection::mip, Projection::isosurface})
+    for (const ShadingModel model : {ShadingModel::none, ShadingModel::classic, ShadingModel::robust})
+      for (const Fog::Mode mode : {Fog::Mode::none, Fog::Mode::exp}) {
+        Scene next = scene();
+        next.projection = projection;
+        next.shading.model = model;
+        next.fog.mode = mode;
+        session().edit(next, {nextGestureId(), QStringLiteral("test")});
+        QCoreApplication::sendPostedEvents(); // layouts
+        EXPECT_LE(panel->widget()->minimumSizeHint().width(), panel->viewport()->width())
+            << static_cast<int>(projection) << ", " << static_cast<int>(model) << ", "
+            << static_cast<int>(mode);
+      }
 }
 
 TEST_F(GermanWindow, theLanguageIsChosenInTheMenuForTheNextTime) {

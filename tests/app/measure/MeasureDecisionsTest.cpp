@@ -76,7 +76,7 @@ TEST_F(MeasuredDecisions, areEachComparedWithTheProgramsOwn) {
 TEST_F(MeasuredDecisions, endWhenAskedTo) {
   const Scene scene = phantomScene();
   int calls = 0;
-  const auto stopAtThird = [&calls](double fraction, const std::string& doing) {
+  const auto stopAtThird = [&calls](double fraction, const Message& doing) {
     EXPECT_GE(fraction, 0.0);
     EXPECT_LT(fraction, 1.0);
     EXPECT_FALSE(doing.empty());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pictures/PicturedWindow.h"
 
+#include "app/language/Language.h"
 #include "widgets/Theme.h"
 
 #include <QDialog>
@@ -13,7 +14,8 @@ QString given(const char* variable, const char* otherwise) {
   return qEnvironmentVariable(variable, QLatin1String(otherwise));
 }
 
-// "1280x800-dark-", with the scale where it is not 100 %.
+// "1280x800-dark-", with the scale where it is not 100 % and the language where one was asked for
+// ("1280x800-de-dark-").
 QString prefixOf(const QString& size, const QString& theme, double pixelsPerPoint) {
   const int percent = qRound(100.0 * pixelsPerPoint);
   const QString scale = percent == 100 ? QString() : QStringLiteral("at%1-").arg(percent);
@@ -32,6 +34,9 @@ QDialog* visibleDialog() {
 void PicturedWindow::SetUp() {
   const QString size = given("LIMN_PICTURES_SIZE", "1280x800");
   const QString theme = given("LIMN_PICTURES_THEME", "dark");
+  const QString language = given("LIMN_PICTURES_LANGUAGE", "");
+  if (!language.isEmpty())
+    useLanguage(*QCoreApplication::instance(), language);
   applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
   // A window that had another size before divides itself differently.
   window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
@@ -41,7 +46,8 @@ void PicturedWindow::SetUp() {
   window->show();
   WindowHarness::SetUp();
   album.emplace(given("LIMN_PICTURES", pathTo("pictures").toLocal8Bit().constData()).toStdString(),
-                prefixOf(size, theme, window->devicePixelRatioF()));
+                prefixOf(size, language.isEmpty() ? theme : language + QLatin1Char('-') + theme,
+                         window->devicePixelRatioF()));
 }
 
 bool PicturedWindow::openVolume() {

@@ -10,8 +10,8 @@ namespace limn::test {
 
 /// A new window of the size of its screen, of which pictures are taken. The environment says which: of the
 /// size LIMN_PICTURES_SIZE (1280x800, in points: a scale of 200 % has twice the pixels), in the theme
-/// LIMN_PICTURES_THEME (dark), with the volume LIMN_PICTURES_VOLUME (a coarse phantom), into the folder
-/// LIMN_PICTURES (one that vanishes).
+/// LIMN_PICTURES_THEME (dark), in the language LIMN_PICTURES_LANGUAGE (English), with the volume
+/// LIMN_PICTURES_VOLUME (a coarse phantom), into the folder LIMN_PICTURES (one that vanishes).
 class PicturedWindow : public WindowHarness {
 protected:
   void SetUp() override;

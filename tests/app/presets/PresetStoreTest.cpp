@@ -154,7 +154,7 @@ TEST(PresetStore, namesAFileItCannotReadAndReadsTheOthers) {
   const PresetStore::Contents contents = store.read();
   EXPECT_EQ(contents.presets.size(), 1u);
   ASSERT_EQ(contents.problems.size(), 1u);
-  EXPECT_NE(contents.problems.front().find("bad.json"), std::string::npos);
+  EXPECT_NE(contents.problems.front().english().find("bad.json"), std::string::npos);
 }
 
 } // namespace
