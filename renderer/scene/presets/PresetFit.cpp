@@ -112,10 +112,10 @@ TransferFunction automaticRamp(const Histogram& histogram, const Grid& grid) {
   const double begin = std::clamp(endOfBackground(histogram, threshold), low + 0.6 * (threshold - low),
                                   low + 0.9 * (threshold - low));
   return {unitDistanceMm(grid),
-          {{begin, {0.72, 0.55, 0.45}, 0.0},
-           {threshold, {0.86, 0.70, 0.58}, 0.25},
-           {threshold + 0.35 * (high - threshold), {0.94, 0.82, 0.70}, 0.5},
-           {high, {1.0, 0.97, 0.90}, 0.85}}};
+          {{begin, {0.62, 0.44, 0.34}, 0.0},
+           {threshold, {0.78, 0.58, 0.45}, 0.25},
+           {threshold + 0.35 * (high - threshold), {0.90, 0.75, 0.59}, 0.5},
+           {high, {1.0, 0.98, 0.94}, 0.85}}};
 }
 
 Preset fittedTo(const Preset& preset, const Histogram& histogram, const Grid& grid) {
