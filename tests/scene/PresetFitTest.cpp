@@ -161,6 +161,30 @@ TEST(FirstLook, ofOtherModalitiesGoesByWeightingAndContrast) {
   EXPECT_EQ(look("", {}), "");
 }
 
+// Of 1,000 voxels the first 650 are 0. Of the others `dark` are 10, less than 15 % of the way to the
+// brightest (100), the rest 50 to 100 in as many steps as there are.
+Volume maskedWith(int dark, int steps, const std::string& modality, const std::string& format) {
+  Grid grid;
+  grid.dims = {10, 10, 10};
+  std::vector<float> voxels(1000, 0.0f);
+  for (int i = 650; i < 1000; ++i)
+    voxels[static_cast<std::size_t>(i)] =
+        i < 650 + dark ? 10.0f : 100.0f - 50.0f * static_cast<float>(i % steps) / static_cast<float>(steps);
+  VolumeInfo info;
+  info.modality = modality;
+  info.format = format;
+  return Volume(grid, voxels, {}, {}, info);
+}
+
+TEST(FirstLook, ofABrainWithoutItsSkullIsTheBrain) {
+  EXPECT_EQ(lookOf(maskedWith(3, 50, "MR", "DICOM")), "MR brain");
+  EXPECT_EQ(lookOf(maskedWith(3, 50, "", "NIfTI-1")), "MR brain");
+  EXPECT_EQ(lookOf(maskedWith(3, 50, "", "VTI")), "") << "masked, but nothing says by whom";
+  EXPECT_EQ(lookOf(maskedWith(4, 50, "MR", "DICOM")), "MR head") << "over 1 % of 350 are dark: skin, noise";
+  EXPECT_EQ(lookOf(maskedWith(0, 5, "MR", "NIfTI-1")), "MR head") << "a label map";
+  EXPECT_EQ(lookOf(maskedWith(0, 5, "", "NIfTI-1")), "");
+}
+
 TEST(ScanHints, takeWholeWordsAlone) {
   EXPECT_EQ(withHintsOf({}, "sector octopus amplitude structure"), ScanHints{});
   const ScanHints hints = withHintsOf({}, "S01_T1w-Brain.nii");

@@ -32,6 +32,24 @@ bool holdsLungs(const Histogram& histogram) {
   return lung > 0.15 * body;
 }
 
+// A brain whose skull was masked away: most voxels have the least value, and nearly none of the others lies
+// just above it, as noise and skin do around a head. The brain's own values are many; a label map has few.
+bool holdsBrainAlone(const Histogram& histogram) {
+  const double low = valueOfBin(histogram, 0);
+  const double dark = low + 0.15 * (quantile(histogram, 0.998) - low);
+  double darkVoxels = 0.0;
+  double others = 0.0;
+  int values = 0;
+  for (std::size_t bin = 1; bin < histogram.counts.size(); ++bin) {
+    const auto count = static_cast<double>(histogram.counts[bin]);
+    others += count;
+    darkVoxels += valueOfBin(histogram, bin) < dark ? count : 0.0;
+    values += count > 0.0 ? 1 : 0;
+  }
+  const auto masked = static_cast<double>(histogram.counts[0]);
+  return masked >= 0.6 * (masked + others) && darkVoxels < 0.01 * others && values > 32;
+}
+
 // Three standard deviations above the mean of what lies below the threshold: noise around an object ends
 // there.
 double endOfBackground(const Histogram& histogram, double threshold) {
@@ -61,9 +79,13 @@ const char* firstLookOfHounsfield(const ScanHints& hints, const Histogram& histo
   return isChest ? "CT chest" : "CT bone and veil";
 }
 
-const char* firstLookOfMr(const ScanHints& hints) {
+const char* firstLookOfMr(const ScanHints& hints, const Histogram& histogram) {
   if (hints.isAngiography)
     return "Vessels";
+  const bool mayBeT1 =
+      hints.weighting == ScanHints::Weighting::unknown || hints.weighting == ScanHints::Weighting::t1;
+  if (mayBeT1 && holdsBrainAlone(histogram))
+    return "MR brain";
   return hints.weighting == ScanHints::Weighting::t2   ? "MR T2 head"
          : hints.weighting == ScanHints::Weighting::pd ? "MR PD head"
                                                        : "MR head";
@@ -81,13 +103,17 @@ std::string firstLook(const Volume& volume, const Histogram& histogram) {
   if (modality == "CT")
     return hints.bodyPart == ScanHints::BodyPart::chest ? "CT chest" : "CT bone and veil";
   if (modality == "MR")
-    return firstLookOfMr(hints);
+    return firstLookOfMr(hints, histogram);
   if (modality == "PT")
     return "PET hot spots";
   if (modality == "US")
     return "Ultrasound surface";
-  // A head in a scale of its own was commonly taken by MR.
-  return modality.empty() && hints.bodyPart == ScanHints::BodyPart::head ? "MR head" : "";
+  // A head in a scale of its own was commonly taken by MR; NIfTI is the format of those who strip skulls.
+  const bool isHead = hints.bodyPart == ScanHints::BodyPart::head;
+  const bool mayBeBrain = isHead || volume.info().format.starts_with("NIfTI");
+  if (modality.empty() && mayBeBrain && holdsBrainAlone(histogram))
+    return "MR brain";
+  return modality.empty() && isHead ? "MR head" : "";
 }
 
 bool looksLikeHounsfield(const Volume& volume) {
