@@ -33,12 +33,22 @@ TEST(BuiltInPresets, areTwentyAtLeastAndEachCanBeReadAndHasANameOfItsOwn) {
   }
 }
 
+// What faces light and viewer has the ambient and the diffuse part in full: together no more than its colour.
+TEST(BuiltInPresets, lightColoursWithoutClippingThem) {
+  for (const Preset& preset : builtInPresets()) {
+    const Shading shading = preset.shading.value_or(Shading{});
+    EXPECT_LE(shading.ambient * shading.ambientIntensity + shading.diffuse * shading.lightIntensity,
+              1.0 + 1e-12)
+        << preset.name;
+  }
+}
+
 TEST(BuiltInPresets, holdEveryFirstLook) {
   std::set<std::string> names;
   for (const Preset& preset : builtInPresets())
     names.insert(preset.name);
   for (const char* look : {"CT bone and veil", "CT chest", "CT angiography", "Vessels", "MR head",
-                           "MR T2 head", "MR PD head", "PET hot spots", "Ultrasound surface"})
+                           "MR T2 head", "MR PD head", "MR brain", "PET hot spots", "Ultrasound surface"})
     EXPECT_TRUE(names.contains(look)) << look;
 }
 
