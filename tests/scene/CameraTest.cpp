@@ -66,5 +66,17 @@ TEST(Camera, pitchPassesThePoleWithoutAJump) {
   }
 }
 
+TEST(Camera, seesAPlaceOnTheRayThroughIt) {
+  for (const auto projection : {Camera::Projection::perspective, Camera::Projection::orthographic}) {
+    Camera camera{projection, {10.0, -300.0, 40.0}, {0.0, 0.0, 5.0}};
+    const Ray pixel = rayThroughPixel(camera, 17, 80, {120, 90});
+    const std::optional<Ray> through = rayThroughPlace(camera, pixel.origin + 250.0 * pixel.direction);
+    ASSERT_TRUE(through);
+    EXPECT_LT(glm::length(through->origin - pixel.origin), 1e-9);
+    EXPECT_LT(glm::length(through->direction - pixel.direction), 1e-12);
+  }
+  EXPECT_FALSE(rayThroughPlace({}, Camera{}.position)) << "no direction leads into the eye";
+}
+
 } // namespace
 } // namespace limn
