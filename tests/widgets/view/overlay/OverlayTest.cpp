@@ -112,8 +112,6 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
     const QSizeF size = letterSize(with.font);
     const double inset = letterInset(with.font);
     for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
-      if (!handle.canMove)
-        continue;
       QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
       disc.moveCenter(handle.centre);
       for (const QPointF& corner : {QPointF(marks.column - size.width() / 2, marks.top),
