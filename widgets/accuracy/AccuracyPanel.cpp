@@ -8,8 +8,11 @@
 #include "widgets/accuracy/sections/WishSection.h"
 #include "widgets/accuracy/sections/WorkRow.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 namespace limn {
@@ -71,7 +74,8 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   m_chart->setMeasured(&*m_measured);
   m_wish->setMeasured(holding());
   showScene();
-  showChartWhole();
+  m_chart->fitInto(viewport()->height());
+  bringIntoView(m_chart->chart());
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {
@@ -104,16 +108,20 @@ void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) 
     bringIntoView(m_map);
 }
 
-// Scrolling to it is enough where the panel is as high as all that belongs to it.
-void AccuracyPanel::showChartWhole() {
-  if (isVisible() && m_chart->sizeHint().height() > viewport()->height())
-    m_chart->offerApart();
-  bringIntoView(m_chart);
+void AccuracyPanel::resizeEvent(QResizeEvent* event) {
+  SectionPanel::resizeEvent(event);
+  m_chart->fitInto(viewport()->height());
 }
 
 // What was begun or found is seen, once it has its place.
 void AccuracyPanel::bringIntoView(QWidget* part) {
-  QTimer::singleShot(0, part, [this, part] { ensureWidgetVisible(part); });
+  QTimer::singleShot(0, part, [this, part] {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // to the last part within another
+    // Of a chart Qt would only show the place of its text cursor.
+    const QRect place(part->mapTo(widget(), QPoint()), part->size());
+    const int half = std::min(place.height() / 2 + 4, viewport()->height() / 2);
+    ensureVisible(place.center().x(), place.center().y(), 0, half);
+  });
 }
 
 void AccuracyPanel::showScene() {
