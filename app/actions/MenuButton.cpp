@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/MenuButton.h"
 
+#include "widgets/controls/MenuHover.h"
+
 #include <QMenu>
 #include <QToolBar>
 
@@ -11,6 +13,7 @@ QToolButton* addMenuButton(QToolBar& bar, QMenu* menu, QToolButton::ToolButtonPo
   button->setPopupMode(mode);
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setMenu(menu);
+  looksIdleAfterMenu(*button);
   return button;
 }
 

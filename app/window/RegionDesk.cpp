@@ -124,8 +124,26 @@ void RegionDesk::deliver(const std::shared_ptr<Job>& job, std::function<void()> 
       Qt::QueuedConnection);
 }
 
+// One or the other is kept; what gave way comes back by one click.
+void RegionDesk::tellReplaced(const Region& before, const Region& now) {
+  if (before.kind == now.kind || before.kind == Region::Kind::all || now.kind == Region::Kind::all)
+    return;
+  const bool wasBody = before.kind == Region::Kind::body;
+  const QString gesture = wasBody ? tr("body only") : tr("labels again");
+  m_parts.messages.show(
+      MessageBar::Kind::question,
+      wasBody ? tr("The labels stand in the place of Body only: one of the two decides what is kept.")
+              : tr("Body only stands in the place of the labels: one of the two decides what is kept."),
+      {}, {wasBody ? tr("Body only again") : tr("Labels again"), [this, before, gesture] {
+             m_parts.messages.hide();
+             m_parts.session.setKeep(before, {nextGestureId(), gesture});
+           }});
+}
+
 void RegionDesk::keep(const FoundRegion& found, const QString& gesture) {
+  const Region before = m_parts.session.scene().keep;
   m_parts.session.setKeep(found.region, {nextGestureId(), gesture});
+  tellReplaced(before, found.region);
   if (!found.remark.empty() && isRestricting(found.region))
     m_parts.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
                           {tr("Show everything"), [this] { showEverything(); }});

@@ -63,6 +63,7 @@ private:
            const QString& gesture, const Work& work);
   void deliver(const std::shared_ptr<Job>& job, std::function<void()> function);
   void keep(const FoundRegion& found, const QString& gesture);
+  void tellReplaced(const Region& before, const Region& now);
   void end();
 
   Parts m_parts;

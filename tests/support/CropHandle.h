@@ -14,7 +14,7 @@ inline QPointF cropHandle(const CompareView& view, CropFace face, int position =
   const Scene& scene = view.scene();
   const ViewProjection projection = viewProjection(scene.camera, view.logicalRect(position));
   for (const CropHandle& handle : cropBoxShape(scene.crop, scene.volume->grid(), projection).handles)
-    if (handle.face == face && handle.canMove)
+    if (handle.face == face)
       return handle.centre;
   ADD_FAILURE() << "the handle cannot be taken hold of";
   return {};

@@ -179,10 +179,10 @@ TEST_F(SceneSections, aTypedPercentCutsOneSideAndLeavesTheOthersExact) {
   type(widgetNamed<NumberField>(*range, "Right–Left, Left"), QStringLiteral("60"));
   EXPECT_EQ(m_scene.crop, (CropBox{{0.0123456789, 0.25, 0.0}, {0.6, 1.0, 1.0}}));
   EXPECT_EQ(m_gestures.back().text, QStringLiteral("crop right–left"));
-  QTest::mouseClick(m_panel.cropSection()->findChild<QPushButton*>(), Qt::LeftButton);
+  QTest::mouseClick(widgetNamed<QPushButton>(*m_panel.cropSection(), "Reset crop"), Qt::LeftButton);
   EXPECT_EQ(m_scene.crop, CropBox{});
   EXPECT_EQ(m_gestures.back().text, QStringLiteral("reset crop"));
-  EXPECT_FALSE(m_panel.cropSection()->findChild<QPushButton*>()->isEnabled());
+  EXPECT_FALSE(widgetNamed<QPushButton>(*m_panel.cropSection(), "Reset crop")->isEnabled());
 }
 
 TEST_F(SceneSections, aRangeStopsOneVoxelBeforeItsOtherEnd) {

@@ -13,6 +13,7 @@
 #include <QScrollBar>
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 namespace limn {
@@ -74,7 +75,8 @@ void AccuracyPanel::setMeasured(const MeasuredAccuracy& measured) {
   m_chart->setMeasured(&*m_measured);
   m_wish->setMeasured(holding());
   showScene();
-  showChartWhole();
+  m_chart->fitInto(viewport()->height());
+  bringIntoView(m_chart->chart());
 }
 
 void AccuracyPanel::setWork(AccuracyWork work) {
@@ -107,11 +109,9 @@ void AccuracyPanel::setCompared(const std::optional<ComparedPicture>& compared) 
     bringIntoView(m_map);
 }
 
-// Scrolling to it is enough where the panel is as high as all that belongs to it.
-void AccuracyPanel::showChartWhole() {
-  if (isVisible() && m_chart->sizeHint().height() > viewport()->height())
-    m_chart->offerApart();
-  bringIntoView(m_chart);
+void AccuracyPanel::resizeEvent(QResizeEvent* event) {
+  SectionPanel::resizeEvent(event);
+  m_chart->fitInto(viewport()->height());
 }
 
 // What was begun or found is seen from its heading on, once all has its place: nothing is cut above it.

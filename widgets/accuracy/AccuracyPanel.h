@@ -46,6 +46,9 @@ public:
 
   QSize sizeHint() const override { return {320, 600}; }
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 signals:
   void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
   /// The user wants a tolerance, for which the steps are still to be found.
@@ -64,7 +67,6 @@ private:
   void answer(const WishAnswer& answer);
   void showScene();
   void bringIntoView(QWidget* part);
-  void showChartWhole();
   const MeasuredAccuracy* holding() const;
   double steepestPerMm() const;
 

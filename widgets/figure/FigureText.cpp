@@ -82,7 +82,7 @@ QString panelDetails(const FigurePanel& panel) {
 }
 
 PlaneContent planeContentOf(const FigurePanel& panel) {
-  return {panel.scene.volume, panel.scene.transferFunction, panel.scene.keep, panel.planes,
+  return {panel.scene.volume, panel.scene.transferFunction, panel.scene.keep, panel.scene.crop, panel.planes,
           panel.firstWindow};
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/Icons.h"
 #include "widgets/Theme.h"
 #include "widgets/ValueText.h"
+#include "widgets/controls/MenuHover.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QComboBox>
@@ -99,6 +100,7 @@ QWidget* PlaneBar::makeToolGroup() {
   m_windows->setToolTip(tr("Grey windows to choose from."));
   m_windows->setPopupMode(QToolButton::InstantPopup);
   m_windows->setMenu(new QMenu(m_windows));
+  looksIdleAfterMenu(*m_windows);
   row->addWidget(m_windows);
   m_width = makeField(0.0, anyNumber, tr("Window width"), tr("How many values lie between black and white."));
   m_centre = makeField(-anyNumber, anyNumber, tr("Window level"),
@@ -152,6 +154,7 @@ QToolButton* PlaneBar::makeMoreButton() {
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
   more->setMenu(menu);
+  looksIdleAfterMenu(*more);
   const auto addSwitch = [&](const char* name, const QString& text, const auto& change) {
     QAction* action = menu->addAction(text);
     action->setObjectName(QLatin1String(name));

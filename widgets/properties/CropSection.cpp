@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/CropSection.h"
 
+#include "scene/framing/VisibleBox.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/properties/AxisNames.h"
 #include "widgets/properties/CropFaces.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -42,7 +44,8 @@ QString extentText(const CropBox& crop, const Volume& volume, int axis) {
 } // namespace
 
 CropSection::CropSection(QWidget* parent)
-    : FoldingSection(tr("Crop"), parent), m_reset(new QPushButton(tr("Reset crop"))) {
+    : FoldingSection(tr("Crop"), parent), m_toVisible(new QPushButton(tr("Crop to what is seen"))),
+      m_reset(new QPushButton(tr("Reset crop"))) {
   const std::array<AxisName, 3> names = axisNames({}, false);
   for (int axis = 0; axis < 3; ++axis) {
     Row& row = m_rows[static_cast<std::size_t>(axis)];
@@ -61,7 +64,15 @@ CropSection::CropSection(QWidget* parent)
   }
   m_reset->setAccessibleName(m_reset->text());
   m_reset->setToolTip(tr("Shows the whole volume again."));
-  contents()->addWidget(m_reset, 0, Qt::AlignLeft);
+  m_toVisible->setAccessibleName(m_toVisible->text());
+  m_toVisible->setToolTip(tr("<p>Draws the box close around what the curve, Body only and labels leave to be "
+                             "seen, so that its handles lie there and not around air and table.</p>"));
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(m_toVisible);
+  buttons->addWidget(m_reset);
+  buttons->addStretch(1);
+  contents()->addLayout(buttons);
+  connect(m_toVisible, &QAbstractButton::clicked, this, &CropSection::cropToVisible);
   connect(m_reset, &QAbstractButton::clicked, this, [this] {
     m_crop = {};
     showCrop();
@@ -71,6 +82,7 @@ CropSection::CropSection(QWidget* parent)
 }
 
 void CropSection::setScene(const Scene& scene) {
+  m_scene = scene;
   if (scene.volume != m_volume) {
     m_volume = scene.volume;
     for (int axis = 0; axis < 3; ++axis)
@@ -80,6 +92,14 @@ void CropSection::setScene(const Scene& scene) {
   }
   m_crop = scene.crop;
   showCrop();
+}
+
+void CropSection::cropToVisible() {
+  const IndexBox box = visibleBox(m_scene);
+  const glm::dvec3 dims(m_volume->grid().dims);
+  m_crop = {glm::max(box.lower / dims + 0.5, 0.0), glm::min(box.upper / dims + 0.5, 1.0)};
+  showCrop();
+  emit cropEdited(m_crop, {nextGestureId(), tr("crop to what is seen")});
 }
 
 AxisName CropSection::axisName(int axis) const {
@@ -114,6 +134,7 @@ void CropSection::showCrop() {
   }
   const bool cuts = m_crop != CropBox{};
   m_reset->setEnabled(cuts);
+  m_toVisible->setEnabled(m_volume != nullptr);
   setSummary(cuts ? tr("%1 % kept").arg(plainNumber(100.0 * shareLeft(m_crop), 1)) : tr("off"));
 }
 

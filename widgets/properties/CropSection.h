@@ -38,9 +38,13 @@ private:
   void edit(int axis, double lowerPercent, double upperPercent, const Gesture& gesture);
   void showCrop();
 
+  void cropToVisible();
+
   std::shared_ptr<const Volume> m_volume;
   CropBox m_crop;
+  Scene m_scene; ///< tells what is visible
   std::array<Row, 3> m_rows;
+  QPushButton* m_toVisible;
   QPushButton* m_reset;
 };
 

@@ -206,8 +206,14 @@ TEST_F(AccuracyWindowTest, theChartIsOnScreenIn1280By800) {
       test::waitUntil([&] { return chart.viewport()->visibleRegion().boundingRect() == chart.rect(); }));
   const QRect place(chart.mapToGlobal(QPoint(0, 0)), chart.size());
   EXPECT_TRUE(chart.screen()->availableGeometry().contains(place));
-  const QRect panelPlace(panel().mapToGlobal(QPoint(0, 0)), panel().size());
-  EXPECT_FALSE(place.intersects(panelPlace)) << "what it is about can be used beside it";
+  EXPECT_EQ(chart.window(), window.get()) << "in its panel: no window comes up by itself";
+  auto* enlarge = widgetNamed<QPushButton>(panel(), "Chart in a window of its own");
+  QTest::mouseClick(enlarge, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntilExposed(*chart.window()));
+  EXPECT_NE(chart.window(), window.get());
+  chart.window()->close();
+  EXPECT_EQ(chart.window(), window.get());
+  EXPECT_FALSE(enlarge->isChecked());
 }
 
 TEST_F(AccuracyWindowTest, aWishChoosesOrSaysThatNothingKeepsIt) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "scene/framing/VisibleBox.h"
 #include "support/CropHandle.h"
 #include "widgets/FindWidget.h"
 #include "widgets/PresetNames.h"
@@ -15,6 +16,7 @@
 #include <QCheckBox>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTreeView>
 
 // Crop, projection and the curve over the gradient in the program's window.
@@ -104,6 +106,24 @@ TEST_F(MainWindowScene, theCropBoxShowsWhileItsSectionIsUsedAndOnIntoTheView) {
   EXPECT_FALSE(view().cropBoxIsVisible());
   view().setFocus();
   EXPECT_FALSE(view().cropBoxIsVisible());
+}
+
+TEST_F(MainWindowScene, theCropBoxIsDrawnCloseAroundWhatIsSeen) {
+  properties().cropSection()->setFolded(false);
+  QCoreApplication::processEvents();
+  auto* button = widgetNamed<QPushButton>(*properties().cropSection(), "Crop to what is seen");
+  const IndexBox seen = visibleBox(scene());
+  QTest::mouseClick(button, Qt::LeftButton);
+  const IndexBox left = croppedBox(scene().volume->grid(), scene().crop);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(left.lower[axis], seen.lower[axis], 1e-9);
+    EXPECT_NEAR(left.upper[axis], seen.upper[axis], 1e-9);
+  }
+  EXPECT_NE(scene().crop, CropBox{}) << "there is air around the head";
+  EXPECT_EQ(undo().undoText(), QStringLiteral("crop to what is seen"));
+  const CropBox once = scene().crop;
+  QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(scene().crop, once) << "again changes nothing";
 }
 
 TEST_F(MainWindowScene, theLetterOfTheCropBoxCanBeTypedElsewhere) {

@@ -137,6 +137,33 @@ TEST_F(RegionWindow, labelsOpenBesideTheVolumeAndStayInTheSession) {
   EXPECT_EQ(scene().keep.weights, (std::vector<double>{1.0, 0.5}));
 }
 
+TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAClick) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  const Region body = scene().keep;
+  ASSERT_EQ(body.kind, Region::Kind::body);
+  drop(pathTo("bone.seg.nrrd"));
+  ASSERT_TRUE(ready());
+  const Region labels = scene().keep;
+  ASSERT_EQ(labels.kind, Region::Kind::labels);
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of Body only")));
+  const auto click = [this](const QString& text) {
+    for (QToolButton* button : messages().findChildren<QToolButton*>())
+      if (button->isVisible() && button->text() == text)
+        return QTest::mouseClick(button, Qt::LeftButton);
+    FAIL() << "no button " << text.toStdString();
+  };
+  click(QStringLiteral("Body only again"));
+  EXPECT_EQ(scene().keep, body);
+  EXPECT_TRUE(bodyOnly().isChecked());
+  EXPECT_FALSE(messages().isVisible());
+  session().setKeep(labels, {nextGestureId(), QStringLiteral("labels")});
+  bodyOnly().trigger();
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("in the place of the labels")));
+  click(QStringLiteral("Labels again"));
+  EXPECT_EQ(scene().keep, labels);
+  EXPECT_FALSE(bodyOnly().isChecked());
+}
+
 TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   const Region before = scene().keep;

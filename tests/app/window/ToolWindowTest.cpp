@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "scene/view/PlaneSettings.h"
+#include "widgets/planes/PlaneBar.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/view/gestures/CameraGesture.h"
 
@@ -180,6 +182,37 @@ TEST_F(ToolWindow, aButtonDoesNotLookHoveredOnceItsDialogIsClosed) {
   EXPECT_TRUE(test::waitUntil([&] { return !open->underMouse(); }));
   QCoreApplication::processEvents();
   EXPECT_EQ(open->grab().toImage(), idleLook);
+}
+
+TEST_F(ToolWindow, theWindowsOfTheSlicesDoNotLookHoveredOnceTheirMenuIsLeft) {
+  PlaneSettings settings = session().planes();
+  settings.layout = PlaneLayout::pictureAndThree;
+  session().setPlanes(settings);
+  QCoreApplication::processEvents();
+  QToolButton* button = nullptr;
+  for (QToolButton* one : window->findChild<PlaneBar*>()->findChildren<QToolButton*>())
+    if (one->text() == QStringLiteral("Window"))
+      button = one;
+  ASSERT_NE(button, nullptr);
+  const QImage idleLook = button->grab().toImage();
+  const QPoint middle = button->mapTo(window.get(), button->rect().center());
+  QCursor::setPos(window->mapToGlobal(middle));
+  ASSERT_TRUE(test::waitUntil([&] { return button->underMouse(); }));
+  QTimer leave;
+  bool wasOpen = false;
+  QObject::connect(&leave, &QTimer::timeout, &leave, [&] {
+    if (QWidget* menu = QApplication::activePopupWidget()) {
+      wasOpen = true;
+      leave.stop();
+      QTest::keyClick(menu, Qt::Key_Escape);
+    }
+  });
+  leave.start(10);
+  QTest::mousePress(window->windowHandle(), Qt::LeftButton, {}, middle); // until the menu is closed
+  EXPECT_TRUE(wasOpen);
+  QTest::mouseRelease(window->windowHandle(), Qt::LeftButton, {}, middle);
+  EXPECT_TRUE(test::waitUntil([&] { return !button->underMouse(); }));
+  EXPECT_EQ(button->grab().toImage(), idleLook);
 }
 
 TEST_F(ToolWindow, theListOfKeysNamesThem) {

@@ -49,6 +49,24 @@ TEST_F(ReadOut, leavesBarCurveAndPointsInSight) {
   }
 }
 
+TEST_F(ReadOut, standsAboveItsPointUnlessThatHidesAnother) {
+  const PlotTransform transform = m_canvas.transform();
+  const auto at = [&](double x, double y) {
+    return ControlPoint{valueAtX(transform, transform.plot.left() + x), glm::dvec3(1.0),
+                        opacityAtY(transform, y)};
+  };
+  const double middle = transform.plot.center().y();
+  TransferFunction function;
+  function.points = {at(100.0, middle), at(400.0, middle)};
+  const QPointF first = positionOf(transform, function.points[0]);
+  const QRectF above = placeAbove(transform, function, {120.0, 20.0}, first);
+  EXPECT_NEAR(above.bottom(), first.y() - 12.0, 1e-9);
+  function.points.insert(function.points.begin() + 1, at(130.0, middle - 20.0));
+  const QRectF moved = placeAbove(transform, function, {120.0, 20.0}, first);
+  for (const ControlPoint& point : function.points)
+    EXPECT_FALSE(moved.adjusted(-5.0, -5.0, 5.0, 5.0).contains(positionOf(transform, point)));
+}
+
 // A curve that goes up and down every 40 pixels leaves no place of 190 free of itself, nor the edges free of
 // its points.
 TEST_F(ReadOut, crossesTheCurveRatherThanHideAPoint) {

@@ -100,6 +100,30 @@ TEST_P(CropBoxInSingleView, theHandleAnswersThePointerAndADoubleClickUncutsItsFa
   EXPECT_EQ(maximise.count(), 0);
 }
 
+// Front and back in a standard view, which move along the line of sight.
+TEST_P(CropBoxInSingleView, facesAcrossTheLineOfSightAreDraggedToo) {
+  host.scene.camera = standardView(host.scene.camera, host.scene.volume->grid(), StandardView::anterior);
+  host.view.setScene(host.scene);
+  const auto faces =
+      cropBoxShape({}, host.scene.volume->grid(), viewProjection(host.scene.camera, host.view.logicalRect(0)))
+          .handles;
+  int dragged = 0;
+  for (const CropHandle& one : faces) {
+    if (!one.isAcross)
+      continue;
+    const QPoint from = handle(one.face);
+    const CropBox before = host.scene.crop;
+    host.drag(from, (QPointF(from) - 40.0 * one.outward).toPoint());
+    EXPECT_NE(placeOf(host.scene.crop, one.face), placeOf(before, one.face));
+    CropBox others = host.scene.crop;
+    (one.face.isUpper ? others.upper : others.lower)[one.face.axis] = placeOf(before, one.face);
+    EXPECT_EQ(others, before) << "the others stay";
+    ++dragged;
+  }
+  EXPECT_EQ(dragged, 2);
+  EXPECT_EQ(host.cameraEdits, 0);
+}
+
 TEST_P(CropBoxInSingleView, withoutTheBoxTheSameDragRotates) {
   const QPoint from = handle({0, true});
   host.view.setCropBoxVisible(false);

@@ -17,6 +17,8 @@ namespace {
 
 constexpr double hitRadius = 12.0;
 constexpr double staleOpacity = 0.45;
+constexpr int lowest = 230; // with legible ticks on both axes
+constexpr int highest = 340;
 
 } // namespace
 
@@ -29,7 +31,7 @@ AccuracyChartView::AccuracyChartView(QWidget* parent)
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumHeight(340);
+  setMinimumHeight(lowest);
   setAccessibleName(tr("Chart of error against time"));
   viewport()->setAccessibleName(accessibleName());
   m_chart->setMostTicks(6, 12);
@@ -48,6 +50,11 @@ void AccuracyChartView::setReport(const AccuracyReport& report) {
 void AccuracyChartView::setMeasure(ErrorMeasure measure) {
   m_chart->setMeasure(measure);
   m_chart->setReport(m_chart->report());
+}
+
+void AccuracyChartView::setPreferredHeight(int height) {
+  m_height = std::clamp(height, lowest, highest);
+  updateGeometry();
 }
 
 void AccuracyChartView::setCurrent(std::optional<std::size_t> point) {

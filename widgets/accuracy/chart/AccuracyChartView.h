@@ -29,7 +29,10 @@ public:
   /// Where a point stands in the view; absent where it is not shown.
   std::optional<QPointF> positionOf(std::size_t point) const;
 
-  QSize sizeHint() const override { return {280, 340}; }
+  /// How high it would be, pixels, within what can be read and what is worth it.
+  void setPreferredHeight(int height);
+
+  QSize sizeHint() const override { return {280, m_height}; }
 
 signals:
   /// The user chose a point of the report.
@@ -52,6 +55,7 @@ private:
   AccuracyChart* m_chart;
   std::optional<std::size_t> m_walked; ///< by keys
   bool m_stale = false;
+  int m_height = 340;
 };
 
 } // namespace limn

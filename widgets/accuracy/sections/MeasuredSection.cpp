@@ -64,12 +64,8 @@ void MeasuredSection::addMeasureChoice() {
 }
 
 void MeasuredSection::connectApart() {
-  const auto choose = [this](bool isApart) {
-    m_wasPutBack = !isApart;
-    setApart(isApart);
-  };
-  connect(m_apart, &QPushButton::clicked, this, choose);
-  connect(m_window, &QDialog::finished, this, [choose] { choose(false); });
+  connect(m_apart, &QPushButton::clicked, this, &MeasuredSection::setApart);
+  connect(m_window, &QDialog::finished, this, [this] { setApart(false); });
 }
 
 void MeasuredSection::setApart(bool isApart) {
@@ -81,9 +77,15 @@ void MeasuredSection::setApart(bool isApart) {
   m_window->hide();
 }
 
-void MeasuredSection::offerApart() {
-  if (!m_wasPutBack)
-    setApart(true);
+QWidget* MeasuredSection::chart() const {
+  return m_chart;
+}
+
+void MeasuredSection::fitInto(int height) {
+  if (m_apart->isChecked())
+    return;
+  const int whole = hasHeightForWidth() ? heightForWidth(width()) : sizeHint().height();
+  m_chart->setPreferredHeight(height - (whole - m_chart->sizeHint().height()));
 }
 
 void MeasuredSection::setMeasured(const MeasuredAccuracy* measured) {

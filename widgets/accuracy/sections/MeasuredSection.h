@@ -32,9 +32,10 @@ public:
   /// Whether there is a picture to measure, and nothing else that is at work.
   void setCanMeasure(bool can);
 
-  /// Puts the chart into a window of its own or back. Once a person has put it back, `offerApart` leaves it.
-  void setApart(bool isApart);
-  void offerApart();
+  QWidget* chart() const;
+
+  /// Makes the chart so high, within what can be read, that the whole section is seen in `height` pixels.
+  void fitInto(int height);
 
   /// How far it is.
   WorkRow* work() const { return m_work; }
@@ -46,6 +47,7 @@ signals:
 
 private:
   void addButtons();
+  void setApart(bool isApart); ///< the chart, into a window of its own or back
   void addMeasureChoice();
   void connectApart();
   void showSummary();
@@ -60,7 +62,6 @@ private:
   QLabel* m_summary;
   AccuracyChartView* m_chart;
   ChartWindow* m_window;
-  bool m_wasPutBack = false; ///< by a person
   ChoiceRow* m_choice = nullptr;
 };
 

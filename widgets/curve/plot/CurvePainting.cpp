@@ -28,28 +28,8 @@ void paintBox(QPainter& painter, const CanvasPicture& picture, const QString& te
   painter.drawText(box, Qt::AlignCenter, text);
 }
 
-// A small label with a background, kept inside the plot.
-QRectF bubbleBox(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
-  const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
-  const QRectF& plot = picture.transform.plot;
-  QRectF box(QPointF(centreBottom.x() - size.width() / 2.0, centreBottom.y() - size.height()), size);
-  box.moveLeft(std::clamp(box.left(), plot.left() + 2.0,
-                          std::max(plot.left() + 2.0, plot.right() - box.width() - 2.0)));
-  return box;
-}
-
-void paintBubble(QPainter& painter, const CanvasPicture& picture, const QString& text, QPointF centreBottom) {
-  QRectF box = bubbleBox(painter, picture, text, centreBottom);
-  if (box.top() < picture.transform.plot.top() + 2.0)
-    box.moveTop(centreBottom.y() + 28.0);
-  paintBox(painter, picture, text, box);
-}
-
-bool coversPoints(const CanvasPicture& picture, const QRectF& box) {
-  const double reach = pointDiameter / 2.0 + 2.0;
-  return std::ranges::any_of(picture.function.points, [&](const ControlPoint& point) {
-    return box.adjusted(-reach, -reach, reach, reach).contains(positionOf(picture.transform, point));
-  });
+QSizeF boxSize(const QPainter& painter, const QString& text) {
+  return painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
 }
 
 void paintTissueBand(QPainter& painter, const CanvasPicture& picture) {
@@ -134,10 +114,8 @@ void paintValueLine(QPainter& painter, const CanvasPicture& picture, double valu
     return;
   painter.setPen(QPen(picture.colors.accent, 1.25, style));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
-  QRectF box = bubbleBox(painter, picture, label, {x, plot.bottom() - 6.0});
-  if (coversPoints(picture, box))
-    box.moveTop(plot.top() + 6.0);
-  paintBox(painter, picture, label, box);
+  paintBox(painter, picture, label,
+           clearPlace(picture.transform, picture.function, boxSize(painter, label), x));
 }
 
 void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
@@ -175,8 +153,11 @@ void paintReadOut(QPainter& painter, const CanvasPicture& picture) {
     return;
   const QPointF centre = positionOf(picture.transform, picture.function.points[*picture.readOut]);
   const QRectF& plot = picture.transform.plot;
-  if (centre.x() >= plot.left() && centre.x() <= plot.right())
-    paintBubble(painter, picture, readOutText(picture), centre - QPointF(0.0, 12.0));
+  if (centre.x() < plot.left() || centre.x() > plot.right())
+    return;
+  const QString text = readOutText(picture);
+  paintBox(painter, picture, text,
+           placeAbove(picture.transform, picture.function, boxSize(painter, text), centre));
 }
 
 void paintHoverLine(QPainter& painter, const CanvasPicture& picture) {
@@ -193,9 +174,8 @@ void paintHoverText(QPainter& painter, const CanvasPicture& picture) {
   if (!picture.hoveredValue || picture.readOut)
     return;
   const QString text = readOutText(picture);
-  const QSizeF size = painter.fontMetrics().size(Qt::TextSingleLine, text) + QSizeF(12.0, 6.0);
   paintBox(painter, picture, text,
-           clearPlace(picture.transform, picture.function, size,
+           clearPlace(picture.transform, picture.function, boxSize(painter, text),
                       xOfValue(picture.transform, *picture.hoveredValue)));
 }
 

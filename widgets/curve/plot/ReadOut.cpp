@@ -99,4 +99,15 @@ QRectF clearPlace(const PlotTransform& transform, const TransferFunction& functi
   return besidePoints.value_or(boxAt(x - size.width() / 2.0, room.top()));
 }
 
+QRectF placeAbove(const PlotTransform& transform, const TransferFunction& function, const QSizeF& size,
+                  const QPointF& centre) {
+  const QRectF room = transform.plot.adjusted(fromEdge, fromEdge, -fromEdge, -fromEdge);
+  const double left = std::clamp(centre.x() - size.width() / 2.0, room.left(),
+                                 std::max(room.left(), room.right() - size.width()));
+  const QRectF above(QPointF(left, centre.y() - besideValue - size.height()), size);
+  return room.contains(above) && !coversPoint(above, transform, function)
+             ? above
+             : clearPlace(transform, function, size, centre.x());
+}
+
 } // namespace limn

@@ -22,4 +22,8 @@ QString readOutText(const CanvasPicture& picture);
 QRectF clearPlace(const PlotTransform& transform, const TransferFunction& function, const QSizeF& size,
                   double x);
 
+/// Where the box of a point at `centre` lies: above it, or, where that would cover a point, in a clear place.
+QRectF placeAbove(const PlotTransform& transform, const TransferFunction& function, const QSizeF& size,
+                  const QPointF& centre);
+
 } // namespace limn

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/CropBoxGeometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace limn {
 namespace {
 
-// Below this sine of the angle between a face's axis and the line of sight (9°) a pixel of the pointer would
-// move the face by many.
-constexpr double leastSine = 0.15;
+// Below this sine of the angle between a face's axis and the line of sight (11.5°) a pixel of the pointer
+// would move the face by many, and the handles of front and back would lie over each other.
+constexpr double leastSine = 0.2;
+constexpr double fromEdge = 20.0; // of the picture, in which a handle must be reached, pixels
 
 glm::dvec3 worldAt(const Grid& grid, const glm::dvec3& fraction) {
   return indexToWorld(grid, fraction * glm::dvec3(grid.dims) - 0.5);
@@ -29,6 +31,48 @@ glm::dvec3 lineOfSight(const ViewProjection& projection, const glm::dvec3& place
 
 bool facesAway(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection) {
   return glm::dot(outwardNormal(grid, face), lineOfSight(projection, faceCentre(crop, grid, face))) >= 0.0;
+}
+
+bool liesAcross(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection) {
+  const glm::dvec3 sight = lineOfSight(projection, faceCentre(crop, grid, face));
+  return glm::length(glm::cross(outwardNormal(grid, face), sight)) < leastSine;
+}
+
+// The share of the way from `from` to `to` that stays inside a rectangle; 0 where it begins outside.
+double shareInside(const QRectF& room, const QPointF& from, const QPointF& to) {
+  const auto along = [](double start, double end, double low, double high) {
+    return end > high ? (high - start) / (end - start) : end < low ? (low - start) / (end - start) : 1.0;
+  };
+  return std::clamp(std::min(along(from.x(), to.x(), room.left(), room.right()),
+                             along(from.y(), to.y(), room.top(), room.bottom())),
+                    0.0, 1.0);
+}
+
+// The handle of a face across the line of sight; nothing where a corner of it lies behind the eye.
+std::optional<CropHandle> handleAcross(const CropBox& crop, const Grid& grid, CropFace face,
+                                       const ViewProjection& projection) {
+  const bool isBehind = facesAway(crop, grid, face, projection);
+  const QPointF wanted = isBehind ? QPointF(-1.0, 1.0) : QPointF(1.0, -1.0);
+  const std::optional<QPointF> middle = pixelOf(projection, faceCentre(crop, grid, face));
+  std::optional<QPointF> best;
+  for (int corner = 0; corner < 4; ++corner) {
+    glm::dvec3 fraction = crop.lower;
+    fraction[face.axis] = placeOf(crop, face);
+    for (const int other : {1, 2})
+      if (const int axis = (face.axis + other) % 3; (corner & other) != 0)
+        fraction[axis] = crop.upper[axis];
+    const std::optional<QPointF> pixel = pixelOf(projection, worldAt(grid, fraction));
+    if (!pixel)
+      return std::nullopt;
+    if (!best || QPointF::dotProduct(*pixel - *best, wanted) > 0.0)
+      best = pixel;
+  }
+  if (!middle || !best || *best == *middle)
+    return std::nullopt;
+  const QPointF way = *best - *middle;
+  const QRectF room = projection.picture.adjusted(fromEdge, fromEdge, -fromEdge, -fromEdge);
+  return CropHandle{face, *middle + shareInside(room, *middle, *best) * way,
+                    way / std::hypot(way.x(), way.y()), isBehind, true};
 }
 
 // The part of a line before the eye of a perspective camera.
@@ -83,12 +127,16 @@ CropBoxShape cropBoxShape(const CropBox& crop, const Grid& grid, const ViewProje
     const std::optional<QPointF> pixel = pixelOf(projection, centre);
     if (!pixel)
       continue;
+    if (liesAcross(crop, grid, face, projection)) {
+      if (const std::optional<CropHandle> handle = handleAcross(crop, grid, face, projection))
+        shape.handles.push_back(*handle);
+      continue;
+    }
     const glm::dvec3 outward = outwardNormal(grid, face);
     const QPointF way = pixelsPerMm(projection, centre, outward);
     const double length = std::hypot(way.x(), way.y());
-    const double sine = glm::length(glm::cross(outward, lineOfSight(projection, centre)));
-    shape.handles.push_back({face, *pixel, length > 0.0 ? way / length : QPointF(),
-                             facesAway(crop, grid, face, projection), sine >= leastSine});
+    shape.handles.push_back(
+        {face, *pixel, length > 0.0 ? way / length : QPointF(), facesAway(crop, grid, face, projection)});
   }
   return shape;
 }
@@ -98,7 +146,7 @@ std::optional<CropHandle> handleAt(const CropBoxShape& shape, const QPointF& pix
   double best = 0.0;
   for (const CropHandle& handle : shape.handles) {
     const double distance = QLineF(handle.centre, pixel).length();
-    if (!handle.canMove || distance > cropHandleHitRadius)
+    if (distance > cropHandleHitRadius)
       continue;
     const bool better = !nearest || (nearest->isHidden && !handle.isHidden) ||
                         (nearest->isHidden == handle.isHidden && distance < best);
@@ -114,6 +162,15 @@ double placeUnder(const CropBox& crop, const Grid& grid, CropFace face, const Vi
                   const QPointF& pixel) {
   const double before = placeOf(crop, face);
   const glm::dvec3 start = faceCentre(crop, grid, face);
+  if (liesAcross(crop, grid, face, projection)) {
+    const std::optional<CropHandle> handle = handleAcross(crop, grid, face, projection);
+    if (!handle)
+      return before;
+    const QPointF perMm = pixelsPerMm(projection, start, projection.basis.right);
+    const double outMm =
+        QPointF::dotProduct(pixel - handle->centre, handle->outward) / std::hypot(perMm.x(), perMm.y());
+    return before + (face.isUpper ? outMm : -outMm) / boxSizeMm(grid)[face.axis];
+  }
   const glm::dvec3 axis = grid.direction[face.axis];
   const std::optional<QPointF> startPixel = pixelOf(projection, start);
   const QPointF way = startPixel ? pixelsPerMm(projection, start, axis) : QPointF();

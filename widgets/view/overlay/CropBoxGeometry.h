@@ -19,13 +19,14 @@ struct CropEdge {
   bool isHidden = false; ///< behind the box
 };
 
-/// The handle in the middle of a face as seen.
+/// The handle of a face as seen: in its middle, or, where the face lies across the line of sight and would
+/// move along it, towards a corner: of the face in front up to the right, of the one behind down to the left.
 struct CropHandle {
   CropFace face;
   QPointF centre;
   QPointF outward;       ///< unit length: the way the face moves in the picture as the box grows
   bool isHidden = false; ///< on a face turned away from the eye
-  bool canMove = true;   ///< false where the face moves along the line of sight
+  bool isAcross = false; ///< the face lies across the line of sight
 };
 
 /// The crop box over a picture, logical pixels. What lies behind the eye is left out.
@@ -44,7 +45,8 @@ glm::dvec3 faceCentre(const CropBox& crop, const Grid& grid, CropFace face);
 
 /// Where along its axis a face must lie, as a fraction of the volume, for its handle to be under the pointer,
 /// or as near to it as its axis passes in the picture. Not limited to the volume; ±infinity beyond the point
-/// where the axis vanishes. `crop` holds the place of the face before the drag.
+/// where the axis vanishes. A face across the line of sight moves by as many mm as the pointer does beside
+/// it, outwards as the handle's way leads. `crop` holds the place of the face before the drag.
 double placeUnder(const CropBox& crop, const Grid& grid, CropFace face, const ViewProjection& projection,
                   const QPointF& pixel);
 

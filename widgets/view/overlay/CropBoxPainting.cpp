@@ -49,7 +49,7 @@ void paintHandle(QPainter& painter, const CropHandle& handle, bool lively) {
 void paintHandles(QPainter& painter, const CropBoxShape& shape, const std::optional<CropFace>& lively,
                   bool hidden) {
   for (const CropHandle& handle : shape.handles)
-    if (handle.isHidden == hidden && handle.canMove)
+    if (handle.isHidden == hidden)
       paintHandle(painter, handle, lively == handle.face);
 }
 

@@ -127,11 +127,10 @@ std::vector<double> letterColumns(const ViewGeometry& geometry) {
 std::vector<QRectF> handlePlates(const std::vector<CropBoxOverlay>& boxes) {
   std::vector<QRectF> plates;
   for (const CropBoxOverlay& box : boxes)
-    for (const CropHandle& handle : box.shape.handles)
-      if (handle.canMove) {
-        const QPointF reach(cropHandleHitRadius, cropHandleHitRadius);
-        plates.emplace_back(handle.centre - reach, handle.centre + reach);
-      }
+    for (const CropHandle& handle : box.shape.handles) {
+      const QPointF reach(cropHandleHitRadius, cropHandleHitRadius);
+      plates.emplace_back(handle.centre - reach, handle.centre + reach);
+    }
   return plates;
 }
 

@@ -111,23 +111,49 @@ TEST_P(BothProjections, threeFacesAreSeenAndThreeEdgesHidden) {
 INSTANTIATE_TEST_SUITE_P(CropBoxGeometry, BothProjections,
                          testing::Values(Camera::Projection::perspective, Camera::Projection::orthographic));
 
-TEST(CropBoxGeometry, aFaceThatMovesAlongTheLineOfSightCannotBeHeld) {
+TEST(CropBoxGeometry, facesAcrossTheLineOfSightAreHeldAtTheirCorners) {
+  for (const auto kind : {Camera::Projection::orthographic, Camera::Projection::perspective}) {
+    Camera camera;
+    camera.projection = kind;
+    camera.position = {0.0, -200.0, 0.0};
+    const Grid grid = turnedGrid();
+    CropBox crop;
+    crop.lower.x = 0.2;
+    crop.upper.x = 0.8;
+    const ViewProjection projection = viewProjection(camera, picture);
+    const CropBoxShape shape = cropBoxShape(crop, grid, projection);
+    ASSERT_EQ(shape.handles.size(), 6u);
+    // The grid's x is the world's y, the line of sight: its faces are front and back.
+    for (const CropFace face : {CropFace{0, false}, CropFace{0, true}}) {
+      const CropHandle& handle = handleOf(shape, face);
+      EXPECT_TRUE(handle.isAcross);
+      EXPECT_EQ(handleAt(shape, handle.centre)->face, face) << "neither lies over the other";
+      EXPECT_EQ(handle.isHidden, handle.outward.x() < 0.0) << "the one behind leads down to the left";
+      EXPECT_EQ(handle.isHidden, handle.outward.y() > 0.0);
+      EXPECT_NEAR(placeUnder(crop, grid, face, projection, handle.centre), placeOf(crop, face), 1e-12);
+      // Ten millimetres, as they are seen beside the face, outwards.
+      const QPointF perMm = pixelsPerMm(projection, faceCentre(crop, grid, face), projection.basis.right);
+      const QPointF to = handle.centre + 10.0 * std::hypot(perMm.x(), perMm.y()) * handle.outward;
+      const double grown = (face.isUpper ? 10.0 : -10.0) / boxSizeMm(grid).x;
+      EXPECT_NEAR(placeUnder(crop, grid, face, projection, to), placeOf(crop, face) + grown, 1e-9);
+    }
+    EXPECT_FALSE(handleOf(shape, {2, true}).isAcross);
+  }
+}
+
+TEST(CropBoxGeometry, theHandleOfABoxBeyondThePictureStandsInThePicture) {
   Camera camera;
-  camera.projection = Camera::Projection::orthographic;
-  camera.position = {0.0, -200.0, 0.0};
-  const Grid grid = turnedGrid();
-  const CropBoxShape shape = cropBoxShape({}, grid, viewProjection(camera, picture));
-  // The grid's x is the world's y, the line of sight.
-  EXPECT_FALSE(handleOf(shape, {0, false}).canMove);
-  EXPECT_FALSE(handleOf(shape, {0, true}).canMove);
-  EXPECT_TRUE(handleOf(shape, {2, true}).canMove);
-  EXPECT_FALSE(handleAt(shape, handleOf(shape, {0, false}).centre));
+  camera.position = {0.0, -90.0, 0.0};
+  const CropBoxShape shape = cropBoxShape({}, turnedGrid(), viewProjection(camera, picture));
+  for (const CropHandle& handle : shape.handles)
+    if (handle.isAcross)
+      EXPECT_TRUE(picture.contains(handle.centre)) << handle.face.axis << handle.face.isUpper;
 }
 
 TEST(CropBoxGeometry, aHandleIsHeldWithinTwelvePixelsAndTheVisibleOneFirst) {
   CropBoxShape shape;
-  shape.handles = {{{0, false}, {100.0, 100.0}, {1.0, 0.0}, true, true},
-                   {{0, true}, {110.0, 100.0}, {1.0, 0.0}, false, true}};
+  shape.handles = {{{0, false}, {100.0, 100.0}, {1.0, 0.0}, true},
+                   {{0, true}, {110.0, 100.0}, {1.0, 0.0}, false}};
   EXPECT_EQ(handleAt(shape, {101.0, 100.0})->face, (CropFace{0, true})); // the other is nearer, but behind
   EXPECT_EQ(handleAt(shape, {97.0, 100.0})->face, (CropFace{0, false})); // 13 pixels from the one before
   EXPECT_FALSE(handleAt(shape, {110.0, 112.5}));
@@ -164,7 +190,7 @@ TEST(CropBoxGeometry, beyondTheVanishingPointAFaceGoesToTheEnd) {
 TEST(CropBoxGeometry, cursorsFollowTheWayAFaceMoves) {
   const auto cursor = [](double x, double y) {
     const double length = std::hypot(x, y);
-    return cursorFor({{0, false}, {}, {x / length, y / length}, false, true});
+    return cursorFor({{0, false}, {}, {x / length, y / length}});
   };
   EXPECT_EQ(cursor(1, 0), Qt::SizeHorCursor);
   EXPECT_EQ(cursor(-1, 0.1), Qt::SizeHorCursor);

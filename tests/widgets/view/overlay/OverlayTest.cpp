@@ -110,8 +110,6 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
     const LetterMarks& marks = overlay.letters[0];
     EXPECT_TRUE(marks.onPlates) << "they stand out from the box's lines, too";
     for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
-      if (!handle.canMove)
-        continue;
       QRectF disc(0, 0, 2 * cropHandleRadius, 2 * cropHandleRadius);
       disc.moveCenter(handle.centre);
       for (const std::optional<QRectF>& place : marks.places)
