@@ -76,6 +76,7 @@ int runCommandLine(int argc, char** argv) {
   addInfoCommand(syntax);
   addRenderCommand(syntax);
   addFigureCommand(syntax);
+  addTurntableCommand(syntax);
   addEffectsCommand(syntax);
   addPresetsCommand(syntax);
   addAccuracyCommand(syntax);

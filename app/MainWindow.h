@@ -6,6 +6,7 @@
 #include "app/actions/Actions.h"
 #include "app/actions/Menus.h"
 #include "app/document/OpenDocument.h"
+#include "app/figure/FigureDesk.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
@@ -14,6 +15,7 @@
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
 #include "app/suggestions/SuggestionDesk.h"
+#include "app/turntable/TurntableDesk.h"
 #include "app/window/AccuracyDesk.h"
 #include "app/window/ComparisonDesk.h"
 #include "app/window/CropBoxDesk.h"
@@ -122,6 +124,8 @@ private:
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
   SavingDesk m_saving;
+  FigureDesk m_figures;
+  TurntableDesk m_turntables;
   SessionSafety m_safety;
   OpeningDesk m_opening;
   RemarksDesk m_remarks;

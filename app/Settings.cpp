@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
+#include "io/scenefile/FigureFile.h"
+
 #include "io/AtomicFile.h"
 #include "io/FileLock.h"
 #include "io/scenefile/SceneFile.h"
@@ -291,6 +293,19 @@ double Settings::movingMs() const {
 
 void Settings::setMovingMs(double ms) {
   set(movingKey, QString::number(ms, 'g', 17));
+}
+
+FigureSettings Settings::figure() const {
+  try {
+    const QString written = text("figure");
+    return written.isEmpty() ? FigureSettings{} : parseFigureSettings(written.toStdString(), "figure");
+  } catch (const Error&) {
+    return {}; // of another version
+  }
+}
+
+void Settings::setFigure(const FigureSettings& settings) {
+  set("figure", QString::fromStdString(figureSettingsToJson(settings)));
 }
 
 bool Settings::refinesAtRest() const {

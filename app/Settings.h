@@ -4,6 +4,7 @@
 #include "app/UserFolders.h"
 #include "app/engines/EngineChoice.h"
 #include "io/scenefile/SettingsFile.h"
+#include "scene/view/FigureSettings.h"
 
 #include <QByteArray>
 #include <QList>
@@ -71,6 +72,10 @@ public:
   /// The drawing time of a picture aimed at while something moves, ms; 40 at first.
   double movingMs() const;
   void setMovingMs(double ms);
+
+  /// What figures look like: those made last.
+  FigureSettings figure() const;
+  void setFigure(const FigureSettings& settings);
 
   /// Whether resting pictures go on to smaller steps; true at first.
   bool refinesAtRest() const;

@@ -81,6 +81,14 @@ void Actions::makeFileActions() {
                       .toolTip = tr("Saves the picture on screen at full quality, with its scene inside."),
                       .icon = "snapshot"});
   savePicture->setIconText(tr("Snapshot"));
+  saveFigure =
+      made("saveFigure", {.text = tr("Save &figure…"),
+                          .shortcut = tr("Ctrl+Shift+F"),
+                          .toolTip = tr("Makes a figure to publish: pictures with names, scale, curve "
+                                        "and notes, as PNG, TIFF, EXR or PDF.")});
+  saveTurntable = made("saveTurntable", {.text = tr("Save &turntable…"),
+                                         .toolTip = tr("Saves the picture from all around, as frames or a "
+                                                       "video.")});
   closeVolume = made("closeVolume", {.text = tr("&Close volume"), .shortcut = QKeySequence::Close});
   quit = made("quit", {.text = tr("&Quit"), .shortcut = QKeySequence::Quit});
 }
@@ -241,8 +249,9 @@ void Actions::makeOtherActions() {
 }
 
 void Actions::setVolumeOpen(bool isOpen) const {
-  for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
-                          closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest})
+  for (QAction* action :
+       {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture, saveFigure, saveTurntable,
+        closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools, planeLayouts})
     for (QAction* action : group->actions())

@@ -35,6 +35,8 @@ public:
   QAction* saveSessionAs = nullptr;
   QAction* saveScene = nullptr;
   QAction* savePicture = nullptr;
+  QAction* saveFigure = nullptr;
+  QAction* saveTurntable = nullptr;
   QAction* closeVolume = nullptr;
   QAction* quit = nullptr;
 

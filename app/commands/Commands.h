@@ -17,6 +17,9 @@ void addRenderCommand(CommandSyntax& root);
 /// `limn figure SCENE…`: a labelled figure of one to four pictures.
 void addFigureCommand(CommandSyntax& root);
 
+/// `limn turntable`: pictures from all around, as frames or a video.
+void addTurntableCommand(CommandSyntax& root);
+
 /// `limn effects`: what a picture simulates, why, and what each effect costs.
 void addEffectsCommand(CommandSyntax& root);
 

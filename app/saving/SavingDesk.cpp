@@ -71,18 +71,23 @@ void SavingDesk::writePicture(const QString& path) {
   }
   const CompareLayout layout = m_view.compareLayout();
   const std::optional<Image> right = pictureCount(layout) == 2 ? m_view.restingImage(1) : std::nullopt;
-  // It may travel: it names the volume without folders.
-  const std::filesystem::path source(m_document.volumePath());
-  const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
   Scene scene = m_view.sceneOfRestingImage(0);
-  scene.keep.source = labelsSeenFrom(source.parent_path() / "picture");
+  scene.keep.source = labelsInPicture();
   const auto write = [&] {
     const glm::dvec3& background = m_document.scene().image.background;
     writeImage(path.toStdString(),
                right ? comparedPicture(*left, *right, layout, m_view.wipePosition(), background) : *left,
-               background, sceneToJson(scene, volume));
+               background, sceneToJson(scene, volumeInPicture()));
   };
   m_notes.attempt(write, path);
+}
+
+std::string SavingDesk::volumeInPicture() const {
+  return volumeSeenFrom(std::filesystem::path(m_document.volumePath()).parent_path() / "picture");
+}
+
+std::string SavingDesk::labelsInPicture() const {
+  return labelsSeenFrom(std::filesystem::path(m_document.volumePath()).parent_path() / "picture");
 }
 
 // How a file at this place names the volume and the label map. A relative path survives moving both together;

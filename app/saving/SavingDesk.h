@@ -35,6 +35,10 @@ public:
   void writeScene(const QString& path);
   void writePicture(const QString& path);
 
+  /// How a picture that may travel calls the volume and the label map: without folders.
+  std::string volumeInPicture() const;
+  std::string labelsInPicture() const;
+
 signals:
   void sessionSaved();
 

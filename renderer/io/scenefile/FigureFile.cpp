@@ -64,6 +64,27 @@ Json sizeJson(const FigureSettings& settings) {
   return json;
 }
 
+FigureSettings readSettings(JsonFields& fields) {
+  FigureSettings settings;
+  if (fields.has("size"))
+    readSize(fields.object("size"), settings);
+  fields.number("text_pt", settings.textPoints, textLimits);
+  fields.choice("page", settings.page, figurePages);
+  if (fields.has("marks"))
+    readMarks(fields.object("marks"), settings);
+  return settings;
+}
+
+Json settingsJson(const FigureSettings& settings) {
+  Json json = {{"limn_figure", 1},
+               {"size", sizeJson(settings)},
+               {"text_pt", settings.textPoints},
+               {"page", nameOf(settings.page)}};
+  for (const FigureMark mark : figureMarks)
+    json["marks"][nameOf(mark)] = settings.shows(mark);
+  return json;
+}
+
 Json panelJson(const FigurePanelDocument& panel) {
   Json json = {{"name", panel.name}};
   if (panel.plane) {
@@ -86,12 +107,7 @@ FigureDocument parseFigure(std::string_view text, const std::string& name) {
   JsonFields fields(json, name, "");
   requireVersion(fields, "limn_figure", "figure");
   FigureDocument figure;
-  if (fields.has("size"))
-    readSize(fields.object("size"), figure.settings);
-  fields.number("text_pt", figure.settings.textPoints, textLimits);
-  fields.choice("page", figure.settings.page, figurePages);
-  if (fields.has("marks"))
-    readMarks(fields.object("marks"), figure.settings);
+  figure.settings = readSettings(fields);
   if (!fields.has("panels"))
     fields.fail("panels", "is missing");
   figure.panels = readPanels(fields);
@@ -100,16 +116,23 @@ FigureDocument parseFigure(std::string_view text, const std::string& name) {
 }
 
 std::string figureToJson(const FigureDocument& figure) {
-  const FigureSettings& settings = figure.settings;
-  Json json = {{"limn_figure", 1},
-               {"size", sizeJson(settings)},
-               {"text_pt", settings.textPoints},
-               {"page", nameOf(settings.page)}};
-  for (const FigureMark mark : figureMarks)
-    json["marks"][nameOf(mark)] = settings.shows(mark);
+  Json json = settingsJson(figure.settings);
   for (const FigurePanelDocument& panel : figure.panels)
     json["panels"].push_back(panelJson(panel));
   return textOf(json);
+}
+
+FigureSettings parseFigureSettings(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parsedJson(text, name);
+  JsonFields fields(json, name, "");
+  requireVersion(fields, "limn_figure", "figure");
+  const FigureSettings settings = readSettings(fields);
+  fields.finish();
+  return settings;
+}
+
+std::string figureSettingsToJson(const FigureSettings& settings) {
+  return textOf(settingsJson(settings));
 }
 
 } // namespace limn

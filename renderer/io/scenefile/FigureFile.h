@@ -35,4 +35,8 @@ FigureDocument parseFigure(std::string_view text, const std::string& name);
 /// A figure as JSON, ASCII; paths are stored as given.
 std::string figureToJson(const FigureDocument& figure);
 
+/// The same of its settings alone.
+FigureSettings parseFigureSettings(std::string_view text, const std::string& name);
+std::string figureSettingsToJson(const FigureSettings& settings);
+
 } // namespace limn

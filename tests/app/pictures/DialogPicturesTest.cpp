@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/figure/FigureDialog.h"
+#include "app/figure/FigurePreview.h"
 #include "app/opening/SeriesDialog.h"
 #include "app/pictures/PicturedWindow.h"
 
@@ -20,8 +22,19 @@ protected:
 
 TEST_F(DialogPictures, ofEveryDialog) {
   for (const char* name : {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs",
-                           "openFile", "openFolder", "savePreset"})
+                           "openFile", "openFolder", "savePreset", "saveTurntable"})
     takeDialogOf(name, QStringLiteral("dialog-") + QLatin1String(name));
+}
+
+TEST_F(DialogPictures, ofAFigure) {
+  action("saveFigure").trigger();
+  FigureDialog& dialog = *window->findChild<FigureDialog*>();
+  const auto hasErrors = [&] {
+    const std::vector<FigurePanel>& panels = dialog.preview().figure().panels;
+    return dialog.preview().pictures().size() == panels.size() && panels.front().errorLevels;
+  };
+  ASSERT_TRUE(test::waitUntil(hasErrors));
+  take(QStringLiteral("dialog-figure"), dialog);
 }
 
 TEST_F(DialogPictures, ofTheChoiceOfASeries) {

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Commands.h"
+
+#include "app/PrivateNames.h"
+#include "app/Settings.h"
+#include "app/commands/SceneArguments.h"
+#include "app/turntable/Turntable.h"
+#include "io/scenefile/SceneFile.h"
+
+#include <chrono>
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct TurntableArguments {
+  SceneArguments scene;
+  std::string out;
+  std::string engine = "auto";
+  int threads = 0;
+  int frames = 90;
+  double framesPerSecond = 25.0;
+};
+
+const std::map<std::string, PictureEngine> turntableEngines{
+    {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl}, {"cpu", PictureEngine::cpu}};
+
+void runTurntable(const TurntableArguments& arguments) {
+  const bool isQuiet = arguments.scene.source.quiet;
+  const Progress progress = terminalProgress(isQuiet);
+  const LoadedScene loaded =
+      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  Turntable turntable;
+  turntable.scene = adjusted(loaded, arguments.scene);
+  if (!arguments.scene.model.empty())
+    turntable.scene.shading.model = modelNamed(arguments.scene.model, "--model");
+  turntable.size = {turntable.scene.image.width, turntable.scene.image.height};
+  turntable.frames = arguments.frames;
+  turntable.framesPerSecond = arguments.framesPerSecond;
+  Settings settings;
+  MakingOptions order;
+  order.engine = chosen(turntableEngines, arguments.engine, "--engine");
+  order.memory = settings.engineMemory();
+  order.effort.threads = arguments.threads;
+  if (progress.report)
+    order.effort.report = [report = progress.report](double fraction) { report(fraction, "Drawing"); };
+  const DescribeScene describe = [&](const Scene& scene) {
+    const auto shareable = [&](const std::string& path) {
+      return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
+    };
+    Scene written = scene;
+    if (!written.keep.source.empty())
+      written.keep.source = shareable(written.keep.source);
+    return sceneToJson(written, shareable(loaded.volumePath));
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<std::string> notes = writeTurntable(arguments.out, turntable, order, describe);
+  if (isQuiet)
+    return;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  for (const std::string& sentence : notes)
+    note(sentence);
+  char line[120];
+  std::snprintf(line, sizeof line, "%d frames of %d x %d pixels in %.1f s (set-up included)",
+                turntable.frames, turntable.size.x, turntable.size.y, seconds.count());
+  note(line);
+}
+
+} // namespace
+
+void addTurntableCommand(CommandSyntax& root) {
+  auto arguments = std::make_shared<TurntableArguments>();
+  CommandSyntax command =
+      root.command("turntable", "pictures of a scene or volume from all around, as frames or a video");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  command.option("-o,--output", arguments->out, "a folder for frames, or a video: .mp4 (with ffmpeg)")
+      .required();
+  command.option("--frames", arguments->frames, "for one turn (default 90)").within(2, mostFrames);
+  command.option("--fps", arguments->framesPerSecond, "frames per second of a video (default 25)")
+      .within(1.0, 240.0);
+  command.option("--engine", arguments->engine, "auto (the faster of gl and cpu), gl or cpu");
+  command.option("--threads", arguments->threads, "threads of the CPU engine (default: every core)")
+      .within(1, 4096);
+  command.footer("Example: limn turntable head.nii.gz --frames 120 --size 800x800 -o head.mp4");
+  command.runs([arguments] { runTurntable(*arguments); });
+}
+
+} // namespace limn

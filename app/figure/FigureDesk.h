@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/figure/BackgroundWork.h"
+#include "app/figure/FigureMaker.h"
+#include "app/figure/FigureScenes.h"
+#include "app/presets/PresetStore.h"
+
+#include <QPointer>
+#include <QTimer>
+
+class QAction;
+class QWidget;
+
+namespace limn {
+
+class CompareView;
+class FigureDialog;
+class OpenDocument;
+class SaveNotes;
+class SavingDesk;
+class Session;
+class Settings;
+
+/// Makes figures of what is open: previews them while they are put together, draws and writes them beside the
+/// event loop, or copies them.
+class FigureDesk : public QObject {
+  Q_OBJECT
+
+public:
+  /// What it works with; all outlive it.
+  struct Parts {
+    Session& session;
+    const OpenDocument& document;
+    const CompareView& view;
+    const SavingDesk& saving; ///< says how files call the volume
+    Settings& settings;
+    SaveNotes& notes;
+    QAction& saveFigure; ///< asks for a figure
+    QWidget& window;
+  };
+
+  FigureDesk(PresetStore presets, const Parts& parts);
+
+private:
+  void show();
+  void refreshSources();
+  void refreshPreview();
+  void drawPreview(double share);
+  void estimatePreview(const Figure& figure);
+  void sayWhatItIs();
+  void save();
+  void copy();
+  void make(FigurePixels pixels, const std::function<BackgroundWork::Deliver(const MadeFigure&)>& finish);
+  void endWork(const QString& sentence);
+  Figure wanted() const;
+  Figure withKnownErrors(Figure figure) const;
+  MakingOptions order() const;
+
+  PresetStore m_store;
+  Parts m_parts;
+  QPointer<FigureDialog> m_dialog;
+  Figure m_drawn;                       ///< whose pictures the preview shows
+  std::vector<std::string> m_notes;     ///< on those pictures
+  std::vector<FigurePanel> m_estimated; ///< panels whose errors are known
+  bool m_isStale = false;               ///< the scene changed while a figure was made
+  QTimer m_soon;                        ///< until the scene rests
+  BackgroundWork m_work;
+};
+
+} // namespace limn

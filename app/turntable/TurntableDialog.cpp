@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/turntable/TurntableDialog.h"
+
+#include "app/turntable/Turntable.h"
+#include "widgets/controls/NumberField.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// A driver's and a video's frames are no larger.
+constexpr double mostSide = 8192.0;
+
+} // namespace
+
+TurntableDialog::TurntableDialog(bool hasVideo, QWidget* parent)
+    : QDialog(parent), m_width(new NumberField(16.0, mostSide, 0, this)),
+      m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
+      m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_kind(new QComboBox(this)),
+      m_text(new QLabel(this)), m_bar(new QProgressBar(this)), m_save(new QPushButton(tr("&Save…"), this)),
+      m_close(new QPushButton(tr("Close"), this)) {
+  setWindowTitle(tr("Save a turntable"));
+  m_kind->setObjectName(QStringLiteral("turntableKind"));
+  m_kind->addItem(tr("Frames in a folder (PNG)"));
+  if (hasVideo)
+    m_kind->addItem(tr("Video (MP4)"));
+  m_frames->setObjectName(QStringLiteral("turntableFrames"));
+  m_width->setObjectName(QStringLiteral("turntableWidth"));
+  m_height->setObjectName(QStringLiteral("turntableHeight"));
+  m_save->setObjectName(QStringLiteral("turntableSave"));
+  m_close->setObjectName(QStringLiteral("turntableClose"));
+  m_width->setAccessibleName(tr("Width in pixels"));
+  m_height->setAccessibleName(tr("Height in pixels"));
+  m_frames->setNumber(90.0);
+  m_perSecond->setNumber(25.0);
+  auto* size = new QHBoxLayout;
+  size->addWidget(m_width, 1);
+  size->addWidget(new QLabel(QStringLiteral("×"), this));
+  size->addWidget(m_height, 1);
+  size->addWidget(new QLabel(tr("pixels"), this));
+  auto* form = new QFormLayout;
+  form->addRow(tr("Save &as"), m_kind);
+  form->addRow(tr("Size"), size);
+  form->addRow(tr("&Frames for one turn"), m_frames);
+  form->addRow(tr("Frames per s&econd"), m_perSecond);
+  if (!hasVideo) {
+    auto* missing = new QLabel(tr("A video can be made once the program ffmpeg is installed."), this);
+    missing->setWordWrap(true);
+    form->addRow(missing);
+  }
+  m_text->setWordWrap(true);
+  m_text->setObjectName(QStringLiteral("turntableSays"));
+  m_bar->setRange(0, 1000);
+  m_bar->setTextVisible(false);
+  m_bar->setAccessibleName(tr("Drawing the turntable"));
+  m_bar->hide();
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch();
+  buttons->addWidget(m_close);
+  buttons->addWidget(m_save);
+  m_close->setAutoDefault(false);
+  m_save->setDefault(true);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(form);
+  column->addWidget(m_text);
+  column->addWidget(m_bar);
+  column->addLayout(buttons);
+  setMinimumWidth(440);
+  connect(m_save, &QPushButton::clicked, this, &TurntableDialog::saveRequested);
+  connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+  for (NumberField* field : {m_frames, m_perSecond})
+    connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
+  showLength();
+}
+
+void TurntableDialog::showLength() {
+  say(tr("One turn about the patient's upright axis: a frame each %1°, %2 s.")
+          .arg(QLocale().toString(360.0 / frames(), 'f', 1),
+               QLocale().toString(frames() / framesPerSecond(), 'f', 1)));
+}
+
+void TurntableDialog::setSize(const glm::ivec2& pixels) {
+  m_width->setNumber(pixels.x);
+  m_height->setNumber(pixels.y);
+}
+
+glm::ivec2 TurntableDialog::size() const {
+  return {static_cast<int>(m_width->number()), static_cast<int>(m_height->number())};
+}
+
+int TurntableDialog::frames() const {
+  return static_cast<int>(m_frames->number());
+}
+
+double TurntableDialog::framesPerSecond() const {
+  return m_perSecond->number();
+}
+
+bool TurntableDialog::wantsVideo() const {
+  return m_kind->currentIndex() == 1;
+}
+
+void TurntableDialog::say(const QString& text) {
+  m_text->setText(text);
+}
+
+void TurntableDialog::showProgress(double fraction) {
+  m_bar->setValue(static_cast<int>(1000.0 * fraction));
+  m_bar->show();
+  m_save->setEnabled(false);
+  m_close->setText(tr("Cancel"));
+  say(tr("Drawing frame %1 of %2…")
+          .arg(std::min(frames(), static_cast<int>(fraction * frames()) + 1))
+          .arg(frames()));
+}
+
+void TurntableDialog::endProgress(const QString& text) {
+  m_bar->hide();
+  m_save->setEnabled(true);
+  m_close->setText(tr("Close"));
+  say(text);
+}
+
+bool TurntableDialog::isWorking() const {
+  return !m_bar->isHidden();
+}
+
+void TurntableDialog::done(int result) {
+  if (isWorking())
+    emit cancelled();
+  else
+    QDialog::done(result);
+}
+
+} // namespace limn

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/turntable/Turntable.h"
+#include "support/FileBytes.h"
+#include "support/ProgramRun.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+// `limn turntable`, and the turn itself.
+
+namespace limn {
+namespace {
+
+using test::Outcome;
+
+TEST(Turntable, turnsAboutThePatientsUprightAxisAndKeepsItsDistance) {
+  Camera camera;
+  camera.target = {10.0, 20.0, 30.0};
+  camera.position = camera.target + glm::dvec3(0.0, -400.0, 100.0); // from the front, a little above
+  const Camera quarter = turned(camera, std::numbers::pi / 2.0);
+  // Anticlockwise from above (LPS: x left, y back, z up) the front (0,-1) becomes the left (1,0).
+  EXPECT_NEAR(quarter.position.x, camera.target.x + 400.0, 1e-9);
+  EXPECT_NEAR(quarter.position.y, camera.target.y, 1e-9);
+  EXPECT_NEAR(quarter.position.z, camera.position.z, 1e-9) << "it stays at its height";
+  const Camera whole = turned(camera, 2.0 * std::numbers::pi);
+  EXPECT_NEAR(glm::length(whole.position - camera.position), 0.0, 1e-9);
+}
+
+TEST(Turntable, beginsWithTheSceneItself) {
+  Turntable turntable;
+  turntable.frames = 4;
+  turntable.scene.image = {512, 512, {0.0, 0.0, 0.0}};
+  const std::vector<Scene> frames = framesOf(turntable);
+  ASSERT_EQ(frames.size(), 4u);
+  EXPECT_EQ(frames[0], turntable.scene);
+  EXPECT_EQ(frames[2].camera, turned(turntable.scene.camera, std::numbers::pi));
+}
+
+class TurntableCommand : public testing::Test {
+protected:
+  Outcome run(const std::string& arguments, const std::string& before = {}) {
+    return test::runProgram(folder.path(), arguments, before);
+  }
+  std::string file(const std::string& name) const { return (folder.path() / name).string(); }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(TurntableCommand, framesArePicturesOfRenderAndCarryTheirScenes) {
+  const Outcome outcome =
+      run("turntable phantom:16 --frames 3 --size 64x48 --engine cpu --quiet -o " + file("turn"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(test::entriesOf(folder.path() / "turn"), 3u);
+  for (const char* frame : {"frame-0001.png", "frame-0002.png", "frame-0003.png"}) {
+    // Rendered again from the scene inside, the file is the same to the last byte.
+    ASSERT_EQ(run("render " + file("turn/") + frame + " --engine cpu --quiet -o " + file("again.png")).status,
+              0);
+    EXPECT_EQ(test::bytesOfFile(file("again.png")), test::bytesOfFile(file("turn/") + frame)) << frame;
+  }
+  EXPECT_NE(test::bytesOfFile(file("turn/frame-0001.png")), test::bytesOfFile(file("turn/frame-0002.png")));
+}
+
+TEST_F(TurntableCommand, aVideoIsMadeWhereFfmpegIsInstalled) {
+  if (videoProgram().empty())
+    GTEST_SKIP() << "ffmpeg is not installed";
+  // An odd size, which most players cannot show, gets a pixel more.
+  const Outcome outcome =
+      run("turntable phantom:16 --frames 4 --size 63x47 --engine cpu --quiet -o " + file("turn.mp4"));
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string video = test::bytesOfFile(file("turn.mp4"));
+  EXPECT_EQ(video.substr(4, 4), "ftyp") << "an MP4 begins with its kind";
+  EXPECT_GT(video.size(), 1000u);
+}
+
+TEST_F(TurntableCommand, withoutFfmpegSaysWhatToDo) {
+  // A path on which there is nothing but what starts the program.
+  std::filesystem::create_directory(file("bin"));
+  std::filesystem::create_symlink("/usr/bin/env", file("bin/env"));
+  const Outcome outcome =
+      run("turntable phantom:16 --frames 2 --size 32x32 --engine cpu --quiet -o " + file("turn.mp4"),
+          "PATH='" + file("bin") + "'; export PATH;");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(
+      outcome.err.find("ffmpeg is not installed; install the package ffmpeg or save frames into a folder."),
+      std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(file("turn.mp4")));
+}
+
+TEST_F(TurntableCommand, aFailureOfTheVideoIsSaidAndLeavesTheOldFile) {
+  if (videoProgram().empty())
+    GTEST_SKIP() << "ffmpeg is not installed";
+  test::writeBytes(file("turn.mp4"), "old");
+  // Frames of 32 × 32 are smaller than 4 blocks of 512 bytes; the video is not.
+  const Outcome outcome =
+      run("turntable phantom:16 --frames 30 --size 32x32 --engine cpu --quiet -o " + file("turn.mp4"),
+          "trap '' XFSZ; ulimit -f 4;");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_EQ(test::bytesOfFile(file("turn.mp4")), "old");
+}
+
+} // namespace
+} // namespace limn
