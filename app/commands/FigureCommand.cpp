@@ -214,8 +214,8 @@ void requireMemory(const Figure& figure, FigurePixels pixels, bool isQuiet) {
     note(told);
 }
 
-PictureOrder orderOf(const FigureRequest& request, Settings& settings, const Progress& progress) {
-  PictureOrder order;
+MakingOptions orderOf(const FigureRequest& request, Settings& settings, const Progress& progress) {
+  MakingOptions order;
   order.engine = chosen(figureEngines, request.engine, "--engine");
   order.memory = settings.engineMemory();
   order.effort.threads = request.threads;
@@ -250,7 +250,7 @@ void runFigure(const FigureRequest& request) {
   requireMemory(figure, pixels, request.scene.source.quiet);
   const auto start = std::chrono::steady_clock::now();
   Settings settings;
-  const PictureOrder order = orderOf(request, settings, progress);
+  const MakingOptions order = orderOf(request, settings, progress);
   const MadeFigure made = makeFigure(withErrors(figure, order), order, pixels);
   std::vector<std::string> volumes;
   for (const Planned& planned : plan.panels)

@@ -38,7 +38,7 @@ void runTurntable(const TurntableArguments& arguments) {
   turntable.frames = arguments.frames;
   turntable.framesPerSecond = arguments.framesPerSecond;
   Settings settings;
-  PictureOrder order;
+  MakingOptions order;
   order.engine = chosen(turntableEngines, arguments.engine, "--engine");
   order.memory = settings.engineMemory();
   order.effort.threads = arguments.threads;

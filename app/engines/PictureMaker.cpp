@@ -77,7 +77,7 @@ void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, cons
   }
 }
 
-void makeWithGl(const Sitting& sitting, const PictureOrder& order, const VolumeRoom& room) {
+void makeWithGl(const Sitting& sitting, const MakingOptions& order, const VolumeRoom& room) {
   const HeadlessContext context;
   if (order.engine == PictureEngine::slices || order.engine == PictureEngine::slicesBackToFront) {
     SliceRenderer slices(order.engine == PictureEngine::slices ? BlendOrder::frontToBack
@@ -110,7 +110,7 @@ Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size
   return whole;
 }
 
-void makeWithCpu(const Sitting& sitting, const PictureOrder& order) {
+void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
   CpuRenderer renderer(order.effort.threads);
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return inStrips(renderer, scene, pixels, effort);
@@ -123,7 +123,7 @@ struct ReferenceRenderer {
   std::string limitation() const { return {}; }
 };
 
-void makeWithReference(const Sitting& sitting, const PictureOrder& order) {
+void makeWithReference(const Sitting& sitting, const MakingOptions& order) {
   const ReferenceRenderer renderer;
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return toImage(renderReference(scene, pixels, order.effort.threads, effort.isCancelled));
@@ -191,7 +191,7 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Pictur
   return figuresWith(caster);
 }
 
-void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const PictureOrder& order,
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const MakingOptions& order,
               const TakePicture& take) {
   std::size_t taken = 0;
   const TakePicture counted = [&](std::size_t index, MadePicture picture) {

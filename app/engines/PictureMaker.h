@@ -31,7 +31,7 @@ struct MadePicture {
 };
 
 /// How pictures are drawn.
-struct PictureOrder {
+struct MakingOptions {
   PictureEngine engine = PictureEngine::automatic;
   /// The ray caster's volume takes at most so much on the graphics card, MB: a larger one is drawn with fewer
   /// voxels, or by the CPU engine where that may be chosen.
@@ -46,7 +46,7 @@ using TakePicture = std::function<void(std::size_t index, MadePicture picture)>;
 /// Draws one picture per scene with one renderer, sharing its textures, and hands on each before it draws the
 /// next. A scene with a tolerance gets the steps that keep it, where it does not have them already
 /// (accuracy/Tolerance). Throws Error; Cancelled.
-void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const PictureOrder& order,
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const MakingOptions& order,
               const TakePicture& take);
 
 /// The same, all together. `threads` 0 uses every core.

@@ -47,7 +47,7 @@ bool showSamePictures(const Figure& a, const Figure& b) {
   return a.settings.page == b.settings.page && std::ranges::equal(a.panels, b.panels, {}, asDrawn, asDrawn);
 }
 
-PictureOrder withEffort(PictureOrder order, const Effort& effort) {
+MakingOptions withEffort(MakingOptions order, const Effort& effort) {
   order.effort = effort;
   return order;
 }
@@ -241,8 +241,8 @@ Figure FigureDesk::wanted() const {
 }
 
 // By whoever draws the window.
-PictureOrder FigureDesk::order() const {
-  PictureOrder order;
+MakingOptions FigureDesk::order() const {
+  MakingOptions order;
   order.engine = m_parts.view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
   return order;
 }

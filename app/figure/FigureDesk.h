@@ -55,7 +55,7 @@ private:
   void endWork(const QString& sentence);
   Figure wanted() const;
   Figure withKnownErrors(Figure figure) const;
-  PictureOrder order() const;
+  MakingOptions order() const;
 
   PresetStore m_store;
   Parts m_parts;

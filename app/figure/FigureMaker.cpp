@@ -76,7 +76,7 @@ bool isEmpty(const Image& image) {
 
 // Those that ask for a tolerance get the steps that keep it in small pictures.
 std::vector<Scene> withStepsFound(std::vector<Scene> scenes, const glm::ivec2& size,
-                                  const PictureOrder& order) {
+                                  const MakingOptions& order) {
   for (Scene& scene : scenes)
     if (needsSteps(scene))
       makeEach({scene}, size, order, [&](std::size_t, const MadePicture& picture) { scene = picture.scene; });
@@ -90,14 +90,14 @@ Scene withStepDivided(Scene scene, double parts) {
 
 } // namespace
 
-MadeFigure makeFigure(const Figure& figure, const PictureOrder& order, FigurePixels pixels) {
+MadeFigure makeFigure(const Figure& figure, const MakingOptions& order, FigurePixels pixels) {
   const FigureLayout layout = figureLayout(figure);
   MadeFigure made = drawPanels(figure, layout.pictureSize(), order, pixels);
   made.layout = layout;
   return made;
 }
 
-MadeFigure drawPanels(const Figure& figure, const QSize& size, const PictureOrder& order,
+MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptions& order,
                       FigurePixels pixels) {
   MadeFigure made{figure, {}, {}, {}, {}, {}};
   made.pictures.resize(figure.panels.size());
@@ -139,7 +139,7 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const PictureOrde
   return made;
 }
 
-Figure withErrors(Figure figure, const PictureOrder& order) {
+Figure withErrors(Figure figure, const MakingOptions& order) {
   if (!figure.settings.shows(FigureMark::accuracy))
     return figure;
   const QSize full = figureLayout(figure).pictureSize();

@@ -26,17 +26,17 @@ enum class FigurePixels {
 
 /// Draws the pictures of a figure's panels in so many pixels each, with one renderer; leaves the layout open.
 /// Tells and asks `order.effort`. Throws Error and Cancelled.
-MadeFigure drawPanels(const Figure& figure, const QSize& size, const PictureOrder& order,
+MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptions& order,
                       FigurePixels pixels = FigurePixels::bytes);
 
 /// Draws every picture of a figure in the size that its layout gives them, with one renderer, as `limn
 /// render` does: the same bits. Tells and asks `order.effort`. Throws Error and Cancelled.
-MadeFigure makeFigure(const Figure& figure, const PictureOrder& order,
+MadeFigure makeFigure(const Figure& figure, const MakingOptions& order,
                       FigurePixels pixels = FigurePixels::bytes);
 
 /// The figure with its errors estimated where it tells them: from small pictures of the same views with their
 /// steps halved twice (accuracy/ErrorEstimate). Throws Error and Cancelled.
-Figure withErrors(Figure figure, const PictureOrder& order);
+Figure withErrors(Figure figure, const MakingOptions& order);
 
 /// The most bytes that a figure takes while it is made and written.
 double bytesToMake(const FigureLayout& layout, FigurePixels pixels);

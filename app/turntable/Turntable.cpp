@@ -37,7 +37,7 @@ glm::dvec3 uprightAxis(const Camera& camera) {
   return upright;
 }
 
-void writeFrames(const fs::path& folder, const Turntable& turntable, const PictureOrder& order,
+void writeFrames(const fs::path& folder, const Turntable& turntable, const MakingOptions& order,
                  const DescribeScene& describe, std::set<std::string>& notes) {
   makeEach(framesOf(turntable), turntable.size, order, [&](std::size_t index, const MadePicture& picture) {
     char name[32];
@@ -121,7 +121,7 @@ std::string videoProgram() {
 }
 
 std::vector<std::string> writeTurntable(const fs::path& path, const Turntable& turntable,
-                                        const PictureOrder& order, const DescribeScene& describe) {
+                                        const MakingOptions& order, const DescribeScene& describe) {
   std::set<std::string> notes;
   if (!isVideo(path)) {
     makeFolderFor(path);
@@ -139,7 +139,7 @@ std::vector<std::string> writeTurntable(const fs::path& path, const Turntable& t
                                         frames.errorString().toStdString() +
                                         "); make room in the folder for temporary files.");
   const fs::path folder(frames.path().toStdString());
-  PictureOrder most = order;
+  MakingOptions most = order;
   most.effort = partOf(order.effort, 0.0, shareOfFrames);
   writeFrames(
       folder, turntable, most, [](const Scene&) { return std::string(); }, notes);

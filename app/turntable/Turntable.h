@@ -41,6 +41,6 @@ std::string videoProgram();
 /// sentence each that was noteworthy. Throws Error, of kind usage where there is nothing to make videos with,
 /// and Cancelled.
 std::vector<std::string> writeTurntable(const std::filesystem::path& path, const Turntable& turntable,
-                                        const PictureOrder& order, const DescribeScene& describe);
+                                        const MakingOptions& order, const DescribeScene& describe);
 
 } // namespace limn

@@ -67,12 +67,12 @@ void TurntableDesk::save() {
   turntable.frames = m_dialog->frames();
   turntable.framesPerSecond = m_dialog->framesPerSecond();
   turntable.scene.keep.source = m_parts.saving.labelsInPicture();
-  PictureOrder order;
+  MakingOptions order;
   order.engine = m_parts.view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
   m_dialog->showProgress(0.0);
   m_work.start([this, path, turntable, order,
                 volume = m_parts.saving.volumeInPicture()](const Effort& effort) -> BackgroundWork::Deliver {
-    PictureOrder told = order;
+    MakingOptions told = order;
     told.effort = effort;
     writeTurntable(path.toStdString(), turntable, told,
                    [&](const Scene& scene) { return sceneToJson(scene, volume); });

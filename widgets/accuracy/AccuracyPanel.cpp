@@ -13,7 +13,6 @@
 #include <QScrollBar>
 #include <QTimer>
 
-#include <algorithm>
 #include <utility>
 
 namespace limn {

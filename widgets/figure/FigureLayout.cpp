@@ -39,7 +39,7 @@ struct Furniture {
   }
 };
 
-int pixelsOf(const FigureSettings& settings, double length, const char* side) {
+int pixelsOf(const FigureSettings& settings, double length, const QString& side) {
   const double pixels = std::round(toPixels(settings, length));
   if (!(pixels >= fewestFigurePixels) || pixels > mostFigurePixels)
     throw Error(
@@ -47,7 +47,7 @@ int pixelsOf(const FigureSettings& settings, double length, const char* side) {
         QObject::tr("The figure would be %1 pixels %2; from %3 to %4 are possible: choose another size "
                     "or fewer dots per inch.")
             .arg(pixels, 0, 'f', 0)
-            .arg(QObject::tr(side))
+            .arg(side)
             .arg(fewestFigurePixels)
             .arg(mostFigurePixels)
             .toStdString());
@@ -151,7 +151,7 @@ QFont figureFont(const FigureLayout& layout, double scale) {
 FigureLayout figureLayout(const Figure& figure) {
   const FigureSettings& settings = figure.settings;
   FigureLayout layout;
-  layout.size.setWidth(pixelsOf(settings, settings.width, "wide"));
+  layout.size.setWidth(pixelsOf(settings, settings.width, QObject::tr("wide")));
   const auto count = static_cast<int>(figure.panels.size());
   const int columns = count == 4 ? 2 : count;
   layout.textPixels = std::min(settings.textPoints * settings.dotsPerInch / 72.0,
@@ -160,7 +160,7 @@ FigureLayout figureLayout(const Figure& figure) {
   const int width = static_cast<int>((layout.size.width() - furniture.besidePictures()) / furniture.columns);
   int height = static_cast<int>(std::lround(width / settings.panelAspect));
   if (settings.height) {
-    layout.size.setHeight(pixelsOf(settings, *settings.height, "high"));
+    layout.size.setHeight(pixelsOf(settings, *settings.height, QObject::tr("high")));
     height = static_cast<int>((layout.size.height() - furniture.abovePictures()) / furniture.rows);
   }
   if (width < leastPictureSide || height < leastPictureSide)
@@ -173,7 +173,7 @@ FigureLayout figureLayout(const Figure& figure) {
     const double needed = std::ceil(furniture.rows * height + furniture.abovePictures());
     FigureSettings inPixels = settings;
     inPixels.unit = FigureSettings::Unit::pixels;
-    layout.size.setHeight(pixelsOf(inPixels, needed, "high"));
+    layout.size.setHeight(pixelsOf(inPixels, needed, QObject::tr("high")));
   }
   placePictures(layout, figure, furniture, {width, height});
   const double below = layout.size.height() - furniture.margin - furniture.notes - furniture.sharedLegend;
