@@ -6,7 +6,6 @@
 #include "app/document/SceneEdits.h"
 #include "app/window/MessageBar.h"
 #include "scene/framing/Framing.h"
-#include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
@@ -45,6 +44,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
       m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
+      m_appearance(m_settings, m_actions, *statusBar(), this),
       m_focus(*this, m_docks, *m_actions.pictureAndCurveOnly),
       m_panelCycle({m_panels.presets, m_panels.history, m_centre.view, m_centre.planes, m_panels.curves,
                     m_panels.properties, m_panels.effects, m_panels.accuracy},
@@ -269,17 +269,6 @@ void MainWindow::connectSettings() {
   m_panels.presets->setGallery(m_settings.presetsAreGallery());
   connect(m_panels.presets, &PresetBrowser::galleryChosen, this,
           [this](bool isGallery) { m_settings.setPresetsAreGallery(isGallery); });
-  checkOnly(*m_actions.themes, m_settings.theme());
-  connect(m_actions.themes, &QActionGroup::triggered, this, [this](const QAction* chosen) {
-    const QString theme = chosen->data().toString();
-    m_settings.setTheme(theme);
-    applyTheme(*static_cast<QApplication*>(QApplication::instance()), themeNamed(theme));
-  });
-  checkOnly(*m_actions.languages, m_settings.language());
-  connect(m_actions.languages, &QActionGroup::triggered, this, [this](const QAction* chosen) {
-    m_settings.setLanguage(chosen->data().toString());
-    statusBar()->showMessage(tr("The window speaks this language when it is opened the next time."), 8000);
-  });
 }
 
 SessionDocument MainWindow::sessionDocument() const {

@@ -18,6 +18,7 @@
 #include "app/suggestions/SuggestionDesk.h"
 #include "app/turntable/TurntableDesk.h"
 #include "app/window/AccuracyDesk.h"
+#include "app/window/AppearanceDesk.h"
 #include "app/window/Centre.h"
 #include "app/window/ComparisonDesk.h"
 #include "app/window/CropBoxDesk.h"
@@ -100,6 +101,7 @@ private:
   StatusTexts m_status;
   Actions m_actions;
   ChangingMenus m_menus;
+  AppearanceDesk m_appearance;
   FocusMode m_focus;
   PanelCycle m_panelCycle;
   TitleDesk m_title;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
-#include "io/scenefile/FigureFile.h"
-
+#include "app/DatedPaths.h"
 #include "io/AtomicFile.h"
 #include "io/FileLock.h"
+#include "io/scenefile/FigureFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 
-#include <QDateTime>
 #include <QFileInfo>
-#include <QRandomGenerator>
 
 #include <algorithm>
 #include <utility>
@@ -40,71 +38,8 @@ const std::string saveFolderKey = "saveFolder";
 const std::string recentPrefix = "recent/";
 const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
-const std::string pathSuffix = "/path";
-const std::string labelSuffix = "/label";
-const std::string openedSuffix = "/opened";
 constexpr std::size_t mostRecent = 10;
 constexpr std::size_t mostKnown = 100;
-
-// The name in the keys PREFIX name /path that holds this path; empty where there is none.
-std::string nameOf(const SettingsDocument& values, const std::string& prefix, const std::string& path) {
-  for (const auto& [key, value] : values)
-    if (value == path && key.starts_with(prefix) && key.ends_with(pathSuffix))
-      return key.substr(prefix.size(), key.size() - prefix.size() - pathSuffix.size());
-  return {};
-}
-
-std::string newName() {
-  return QString::number(QRandomGenerator::system()->generate64(), 36).toStdString();
-}
-
-struct DatedEntry {
-  std::string name;
-  std::string opened;
-};
-
-// Those under PREFIX name, latest first. ISO dates sort like texts.
-std::vector<DatedEntry> datedEntries(const SettingsDocument& values, const std::string& prefix) {
-  std::vector<DatedEntry> entries;
-  for (const auto& [key, value] : values)
-    if (key.starts_with(prefix) && key.ends_with(openedSuffix))
-      entries.push_back({key.substr(prefix.size(), key.size() - prefix.size() - openedSuffix.size()), value});
-  std::ranges::sort(entries, [](const DatedEntry& a, const DatedEntry& b) { return a.opened > b.opened; });
-  return entries;
-}
-
-// This moment, or where the clock shows the same millisecond still, or an earlier one, the next behind them
-// all.
-QString laterThanAll(const std::vector<DatedEntry>& latestFirst) {
-  QDateTime now = QDateTime::currentDateTimeUtc();
-  if (!latestFirst.empty()) {
-    const auto last =
-        QDateTime::fromString(QString::fromStdString(latestFirst.front().opened), Qt::ISODateWithMs);
-    if (last.isValid() && last >= now)
-      now = last.addMSecs(1);
-  }
-  return now.toString(Qt::ISODateWithMs);
-}
-
-void forget(SettingsDocument& values, const std::string& prefix, const std::string& name) {
-  for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
-    values.erase(prefix + name + suffix);
-}
-
-// Puts a path first under PREFIX and returns its name there; beyond `most` the last ones go.
-std::string putFirst(SettingsDocument& values, const std::string& prefix, const std::string& path,
-                     const std::string& fresh, std::size_t most) {
-  std::string name = nameOf(values, prefix, path);
-  if (name.empty())
-    name = fresh;
-  const QString now = laterThanAll(datedEntries(values, prefix));
-  values[prefix + name + pathSuffix] = path;
-  values[prefix + name + openedSuffix] = now.toStdString();
-  const std::vector<DatedEntry> entries = datedEntries(values, prefix);
-  for (std::size_t i = most; i < entries.size(); ++i)
-    forget(values, prefix, entries[i].name);
-  return name;
-}
 
 constexpr std::pair<EngineSetting, const char*> engineWords[] = {
     {EngineSetting::automatic, "auto"}, {EngineSetting::openGl, "gl"}, {EngineSetting::processor, "cpu"}};

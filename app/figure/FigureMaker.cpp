@@ -5,6 +5,7 @@
 #include "accuracy/Tolerance.h"
 #include "app/engines/ProcessCost.h"
 #include "scene/steps/LocalSteps.h"
+#include "widgets/Translated.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlanePictures.h"
 #include "widgets/view/pictures/FinishedPicture.h"
@@ -130,8 +131,9 @@ MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptio
                                         : overBackground(picture.image, picture.scene.image.background);
              made.figure.panels[panel].scene = picture.scene;
              made.engine = picture.engine;
-             for (const std::string& note : picture.notes)
-               if (std::ranges::find(made.notes, note) == made.notes.end())
+             for (const Message& said : picture.notes)
+               if (const std::string note = translated(said).toStdString();
+                   std::ranges::find(made.notes, note) == made.notes.end())
                  made.notes.push_back(note);
              if (pixels == FigurePixels::floats)
                made.floats[panel] = std::move(picture.image);

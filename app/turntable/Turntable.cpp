@@ -4,6 +4,7 @@
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -42,7 +43,8 @@ void writeFrames(const fs::path& folder, const Turntable& turntable, const Makin
   makeEach(framesOf(turntable), turntable.size, order, [&](std::size_t index, const MadePicture& picture) {
     char name[32];
     std::snprintf(name, sizeof name, "frame-%04d.png", static_cast<int>(index) + 1);
-    notes.insert(picture.notes.begin(), picture.notes.end());
+    for (const Message& note : picture.notes)
+      notes.insert(translated(note).toStdString());
     writeImage(folder / name, picture.image, picture.scene.image.background, describe(picture.scene));
   });
 }
