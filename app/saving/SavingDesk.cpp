@@ -75,7 +75,7 @@ void SavingDesk::writePicture(const QString& path) {
   // It may travel: it names the volume without folders.
   const std::filesystem::path source(m_document.volumePath());
   const std::string volume = volumeSeenFrom(source.parent_path() / "picture");
-  Scene scene = m_view.sceneOfRestingImage(0);
+  Scene scene = m_view.sceneOfRestingImage(m_view.ownSide());
   scene.keep.source = labelsSeenFrom(source.parent_path() / "picture");
   const auto write = [&] {
     const glm::dvec3& background = m_document.scene().image.background;
