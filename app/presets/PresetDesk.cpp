@@ -59,7 +59,20 @@ void PresetDesk::showStanding() {
   m_with.browser.setStanding(standing);
 }
 
+// A camera that moves ends no preview; any other change does.
+void PresetDesk::goOnWithPreview() {
+  if (m_previewed.isEmpty())
+    return;
+  const Scene& scene = m_with.session.scene();
+  m_previewedFrom.camera = scene.camera;
+  if (m_previewedFrom == scene)
+    return preview(m_previewed);
+  m_previewed.clear();
+  m_previewedFrom = {};
+}
+
 void PresetDesk::markShown() {
+  goOnWithPreview();
   if (m_with.session.scene().volume != m_volume)
     showStanding();
   const OpenDocument::PresetInUse preset = m_with.document.presetInUse();
@@ -112,6 +125,8 @@ void PresetDesk::preview(const QString& name) {
   const Scene& scene = m_with.session.scene();
   if (!scene.volume)
     return;
+  m_previewed = name;
+  m_previewedFrom = name.isEmpty() ? Scene() : scene; // no volume is kept
   const std::optional<Preset> preset = fitted(name);
   emit previewed(preset ? withPreset(scene, *preset, true) : scene, preset ? preset->name : std::string());
 }

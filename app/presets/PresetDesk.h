@@ -41,7 +41,8 @@ public:
 
   /// Lists the presets anew.
   void refresh();
-  /// Marks the preset that the scene was made from, and whether it was changed since.
+  /// Marks the preset that the scene was made from, and whether it was changed since. A preview goes on where
+  /// only the camera moved.
   void markShown();
 
   /// All presets as they are shown of the volume that is open, in the order of the list.
@@ -89,6 +90,7 @@ private:
   void save(const QString& name);
   void change(const QString& name, const std::function<void(Preset&)>& edit);
   void showStanding();
+  void goOnWithPreview();
   void readAgain(const QString& name);
 
   PresetStore m_store;
@@ -96,6 +98,8 @@ private:
   std::vector<Preset> m_builtIn = builtInPresets();
   std::vector<Preset> m_own;              ///< as read last
   std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
+  QString m_previewed;                    ///< what is seen for a while; empty: nothing
+  Scene m_previewedFrom;                  ///< the session's, then
   QString m_said;                         ///< in the message bar, of the preset used last
 };
 

@@ -75,7 +75,7 @@ void SavingDesk::writePicture(const QString& path) {
   }
   const CompareLayout layout = m_view.compareLayout();
   const std::optional<Image> right = pictureCount(layout) == 2 ? m_view.restingImage(1) : std::nullopt;
-  Scene scene = m_view.sceneOfRestingImage(0);
+  Scene scene = m_view.sceneOfRestingImage(m_view.ownSide());
   scene.keep.source = labelsInPicture();
   const auto write = [&] {
     const glm::dvec3& background = m_document.scene().image.background;

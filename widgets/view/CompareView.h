@@ -134,6 +134,9 @@ public:
   /// What the pictures show, from left to right.
   std::vector<Scene> scenesOfSides() const { return limn::scenesOfSides(m_shown); }
 
+  /// The side that shows the scene as it is edited: of compared looks the right one.
+  int ownSide() const { return limn::ownSide(m_shown); }
+
   /// The scene as one side shows it.
   Scene sceneOfSide(int side) const { return limn::sceneOfSide(m_shown, side); }
 

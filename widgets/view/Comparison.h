@@ -40,6 +40,11 @@ struct Comparison {
 /// The scene as one side shows it.
 Scene sceneOfSide(const Comparison& comparison, int side);
 
+/// The side that shows the scene as it is; of two models the first.
+inline int ownSide(const Comparison& comparison) {
+  return comparison.look && comparison.layout != CompareLayout::single ? 1 : 0;
+}
+
 /// What the pictures show, side by side.
 std::vector<Scene> scenesOfSides(const Comparison& comparison);
 

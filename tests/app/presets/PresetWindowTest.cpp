@@ -70,6 +70,19 @@ TEST_F(PresetWindow, theKeyboardSeesPresetsBeforeEnterUsesOne) {
   EXPECT_EQ(undo().count(), steps + 1);
 }
 
+TEST_F(PresetWindow, aPreviewGoesOnWhileTheCameraMovesAndEndsWithAnEdit) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(pointUntilSeen("CT lung", scene()));
+  const TransferFunction seen = view().scene().transferFunction;
+  session().setCamera(orbited(scene().camera, 0.3, 0.0));
+  EXPECT_EQ(view().scene().camera, scene().camera);
+  EXPECT_EQ(view().scene().transferFunction, seen);
+  Shading shading = scene().shading;
+  shading.exponent += 1.0;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("sharper")});
+  EXPECT_EQ(view().scene(), scene());
+}
+
 TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   const Scene before = scene();
@@ -152,6 +165,20 @@ TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
   window->findChild<ComparisonDesk*>()->restore(kept);
   EXPECT_EQ(view().sceneOfSide(0), left);
   EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
+}
+
+TEST_F(PresetWindow, aSavedComparisonOfLooksOpensAsWhatWasEdited) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  click("CT bone");
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  click("CT skin");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  ASSERT_TRUE(rest());
+  const TransferFunction edited = scene().transferFunction;
+  saving().writePicture(pathTo("both.png"));
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(open(pathTo("both.png")));
+  EXPECT_EQ(scene().transferFunction, edited);
 }
 
 TEST_F(PresetWindow, favouritesNotesAndFoldersAreThereInTheNextWindow) {
