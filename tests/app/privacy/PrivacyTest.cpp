@@ -110,6 +110,10 @@ protected:
     for (const char* output : {"a.png", "a.tif", "a.exr", "a.jpg", "c.png --model compare",
                                "r.png --engine reference", "s.png --samples-spent samples.png"})
       EXPECT_EQ(limn("render " + at + " --size 64x48 -o " + output), 0) << output << ": " << lastWords();
+    for (const char* output : {"f.png", "f.tif", "f.exr", "f.pdf"})
+      EXPECT_EQ(limn("figure " + at + " " + at + " --size 200 --dpi 72 --text 4 -o " + output), 0)
+          << output << ": " << lastWords();
+    EXPECT_EQ(limn("turntable " + at + " --frames 2 --size 32x32 -o turn"), 0) << lastWords();
     EXPECT_EQ(limn("accuracy " + at + " --quick --size 32x32 -o report"), 0) << lastWords();
     EXPECT_EQ(limn("render " + at + " -o no/such/folder.png"), 1) << lastWords();
     EXPECT_EQ(limn("render " + at + " --preset none -o a.png"), 2) << lastWords();
@@ -136,7 +140,8 @@ protected:
     }
     for (const char* written :
          {"config/limn/settings.json", "data/limn/limn/presets/Marked.json", "out/session.json",
-          "out/scene.json", "out/window.exr", "out/report/accuracy.html", "out/shown.png"})
+          "out/scene.json", "out/window.exr", "out/report/accuracy.html", "out/shown.png", "out/f.pdf",
+          "out/turn/frame-0002.png"})
       EXPECT_TRUE(fs::exists(root() / written)) << written;
     EXPECT_TRUE(fs::exists(root() / "data/limn/limn/sessions/windows"));
     EXPECT_FALSE(fs::is_empty(root() / "data/limn/limn/sessions/closed"));
