@@ -75,7 +75,7 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
 }
 
 OpenedVolume openedBefore(const std::string& source, const SourceOptions& options, const Progress& progress,
-                          std::vector<std::string>& notes) {
+                          std::vector<Message>& notes) {
   const auto known = options.opened.find(absoluteSource(source));
   return known != options.opened.end() ? OpenedVolume{known->second, known->first}
                                        : openVolume(source, options.read, progress, notes);
@@ -156,7 +156,7 @@ SessionDocument besideFirst(const FigureDocument& figure) {
 }
 
 // What a window cannot hold of a figure.
-std::string remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
+Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
   const auto isHeld = [&](const FigurePanelDocument& panel) {
     SceneDocument other = panel.scene;
     const ShadingModel model = other.scene.shading.model;
@@ -167,10 +167,14 @@ std::string remarkOn(const FigureDocument& figure, const SessionDocument& beside
   };
   const auto held = std::ranges::count_if(figure.panels, isHeld);
   const auto all = static_cast<std::ptrdiff_t>(figure.panels.size());
-  return held == all ? std::string()
-                     : "The figure has " + std::to_string(all) + " panels; " +
-                           (held == 1 ? "the first is shown" : std::to_string(held) + " of them are shown") +
-                           " (`limn figure` draws all of them again).";
+  if (held == all)
+    return {};
+  if (held == 1)
+    return Message::tr("The figure has %1 panels; the first is shown (`limn figure` draws all of them again).")
+        .arg(all);
+  return Message::tr("The figure has %1 panels; %2 of them are shown (`limn figure` draws all of them again).")
+      .arg(all)
+      .arg(held);
 }
 
 // Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
@@ -287,7 +291,7 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   if (auto figure = figureIn(source)) {
     LoadedScene first = loadDocument(figure->panels.front().scene, options, progress);
     first.beside = besideFirst(*figure);
-    if (const std::string remark = remarkOn(*figure, *first.beside); !remark.empty())
+    if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty())
       first.notes.push_back(remark);
     return first;
   }

@@ -172,8 +172,8 @@ Plan planned(const FigureRequest& request, const Progress& progress) {
       addWord(plan, loaded, request.scene, word);
     if (request.scene.preset.empty() && !loaded.preset.empty())
       say(plan, "Shown with the preset \"" + loaded.preset + "\".");
-    for (const std::string& note : loaded.notes)
-      say(plan, note);
+    for (const Message& note : loaded.notes)
+      say(plan, note.english());
   }
   if (plan.panels.size() > mostPanels)
     throw Error(Error::Kind::usage, "A figure has at most " + std::to_string(mostPanels) + " panels, not " +

@@ -58,10 +58,10 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   return text;
 }
 
-std::vector<Preset> fittedPresets(const PresetStore& store, const Histogram& histogram) {
+std::vector<Preset> fittedPresets(const PresetStore& store, const Histogram& histogram, const Grid& grid) {
   std::vector<Preset> presets = builtInPresets();
   for (Preset& preset : presets)
-    preset = fittedTo(preset, histogram);
+    preset = fittedTo(preset, histogram, grid);
   const std::vector<Preset> own = store.read().presets;
   presets.insert(presets.end(), own.begin(), own.end());
   return presets;
@@ -126,7 +126,7 @@ void FigureDesk::refreshSources() {
                                m_parts.view.scenesOfSides(),
                                m_parts.session.planes(),
                                firstWindow(*scene.volume, histogram),
-                               fittedPresets(m_store, histogram),
+                               fittedPresets(m_store, histogram, scene.volume->grid()),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();

@@ -112,7 +112,8 @@ void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QSt
 void paintName(QPainter& painter, const QStyleOptionViewItem& option, const QRect& line,
                const QString& name) {
   painter.setFont(option.font);
-  painter.setPen(themeColors(option.palette).text);
+  const ThemeColors colors = themeColors(option.palette);
+  painter.setPen(option.state & QStyle::State_Enabled ? colors.text : colors.disabledText);
   painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                    QFontMetrics(option.font).elidedText(name, Qt::ElideRight, line.width()));
 }
@@ -150,7 +151,6 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
                            const QModelIndex& index) const {
   painter->save();
   painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-  painter->setOpacity(option.state & QStyle::State_Enabled ? 1.0 : 0.45);
   if (index.data(presetRole::isGroup).toBool()) {
     paintGroup(*painter, option, index.data(Qt::DisplayRole).toString());
     painter->restore();
@@ -159,7 +159,9 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   paintPresetCard(*painter, option, index, QRectF(option.rect).adjusted(4.0, 1.0, -4.0, -1.0));
   const QRect picture(option.rect.left() + margin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
                       thumbnailWidth, thumbnailHeight);
+  painter->setOpacity(option.state & QStyle::State_Enabled ? 1.0 : 0.4); // texts keep their contrast
   paintPresetPicture(*painter, option, index, picture);
+  painter->setOpacity(1.0);
   const QRect texts(picture.right() + 12, option.rect.top(), textWidth(option.rect.width()),
                     option.rect.height());
   paintTexts(*painter, option, texts, index);

@@ -5,6 +5,7 @@
 #include "widgets/PresetNames.h"
 #include "widgets/presets/PresetBrowser.h"
 
+#include <QDialogButtonBox>
 #include <QInputDialog>
 #include <QMenu>
 #include <QPushButton>
@@ -114,7 +115,12 @@ TEST_F(MainWindowFiles, aSavedPresetAppearsAsAFileAndInTheListUntilDeleted) {
   emit browser.saveRequested();
   auto* dialog = window->findChild<QInputDialog*>();
   ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->textValue().startsWith(QStringLiteral("My "))) << "a name that is free is proposed";
+  const auto* save = dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  dialog->setTextValue(QStringLiteral(" "));
+  EXPECT_FALSE(save->isEnabled()) << "without a name there is nothing to save";
   dialog->setTextValue(QStringLiteral("My head"));
+  EXPECT_TRUE(save->isEnabled());
   dialog->accept();
   ASSERT_TRUE(presetNames(browser).contains(QStringLiteral("My head")));
   EXPECT_EQ(test::entriesOf(folder.path() / "presets"), 1u);
