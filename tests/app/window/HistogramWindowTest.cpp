@@ -27,13 +27,11 @@ protected:
   template <class Act>
   void whileOpen(Act&& act) {
     auto* look = new QTimer(window.get());
-    QObject::connect(look, &QTimer::timeout, look, [this, look, act, left = 200]() mutable {
+    QObject::connect(look, &QTimer::timeout, look, [this, act, left = 200]() mutable {
       if (!button().menu()->isVisible())
         return;
       act(*button().menu());
-      if (!button().menu()->isVisible())
-        look->stop();
-      else if (--left == 0)
+      if (button().menu()->isVisible() && --left == 0)
         button().menu()->close();
     });
     look->start(20);
@@ -49,9 +47,11 @@ TEST_F(HistogramWindow, itsButtonOpensAMenuThatChangesThePlotAndIsRemembered) {
   whileOpen([linear](QMenu& menu) {
     QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(linear).center());
   });
-  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
-                    button().mapTo(window.get(), QRectF(button().rect()).center()).toPoint());
-  ASSERT_TRUE(test::waitUntil([&] { return linear->isChecked(); }));
+  // A menu may close as its window appears below the pointer.
+  for (int tries = 0; tries < 5 && !linear->isChecked(); ++tries)
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                      button().mapTo(window.get(), QRectF(button().rect()).center()).toPoint());
+  ASSERT_TRUE(linear->isChecked());
   EXPECT_NE(shown(), before);
   const Settings settings(UserFolders::below(folder.path()).settings);
   EXPECT_EQ(settings.histogramView(), (HistogramView{HistogramScale::linear, HistogramPart::whole}));
@@ -65,8 +65,9 @@ TEST_F(HistogramWindow, theKeyboardReachesIt) {
   whileOpen([linear](QMenu& menu) {
     QTest::keyClick(&menu, menu.activeAction() == linear ? Qt::Key_Return : Qt::Key_Down);
   });
-  QTest::keyClick(&button(), Qt::Key_Space);
-  ASSERT_TRUE(test::waitUntil([&] { return linear->isChecked(); }));
+  for (int tries = 0; tries < 5 && !linear->isChecked(); ++tries)
+    QTest::keyClick(&button(), Qt::Key_Space);
+  ASSERT_TRUE(linear->isChecked());
 }
 
 TEST_F(HistogramWindow, ofWhatIsKeptFollowsTheCropAndOfWhatIsVisibleTheCurve) {
