@@ -572,7 +572,7 @@
     </message>
     <message>
         <source>%1×%2×%3 · %4×%5×%6 mm · %7 to %8 %9</source>
-        <translation>%1×%2×%3 · %4×%5×%6 mm · %7 bis %8 %9</translation>
+        <translation>%1×%2×%3 · %4×%5×%6&#xa0;mm · %7 bis %8 %9</translation>
     </message>
     <message>
         <source>%L1 voxels hold no data and are shown as the smallest value.</source>
@@ -618,11 +618,11 @@
     </message>
     <message>
         <source>%1, between %2 and %3; %4 % of all boundaries</source>
-        <translation>%1, zwischen %2 und %3; %4 % aller Grenzflächen</translation>
+        <translation>%1, zwischen %2 und %3; %4&#xa0;% aller Grenzflächen</translation>
     </message>
     <message>
         <source>%1 at cursor · %2 mm</source>
-        <translation>%1 am Zeiger · %2 mm</translation>
+        <translation>%1 am Zeiger · %2&#xa0;mm</translation>
     </message>
     <message>
         <source>step 1/%1 voxel</source>
@@ -658,7 +658,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>less than %1 levels</source>
@@ -698,7 +698,7 @@
     </message>
     <message>
         <source>%1 voxels = %2 mm</source>
-        <translation>%1 Voxel = %2 mm</translation>
+        <translation>%1 Voxel = %2&#xa0;mm</translation>
     </message>
     <message>
         <source>Largest error</source>
@@ -718,7 +718,7 @@
     </message>
     <message>
         <source>%1 % of pixels</source>
-        <translation>%1 % der Pixel</translation>
+        <translation>%1&#xa0;% der Pixel</translation>
     </message>
     <message>
         <source>Time</source>
@@ -802,7 +802,7 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
+        <translation>%1&#xa0;mm</translation>
     </message>
     <message>
         <source>Orientation unknown</source>
@@ -947,11 +947,11 @@
     </message>
     <message>
         <source>%1: %2 % cut</source>
-        <translation>%1: %2 % abgeschnitten</translation>
+        <translation>%1: %2&#xa0;% abgeschnitten</translation>
     </message>
     <message>
         <source> · %1 mm</source>
-        <translation> · %1 mm</translation>
+        <translation> · %1&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 at the centre</source>
@@ -1003,7 +1003,7 @@
     </message>
     <message>
         <source>overflow %1 %</source>
-        <translation>Überstrahlung %1 %</translation>
+        <translation>Überstrahlung %1&#xa0;%</translation>
     </message>
     <message>
         <source>unlit, the same with every model</source>
@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>%1 s</source>
-        <translation>%1 s</translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>within %1 of 255 levels, measured</source>
@@ -1175,7 +1175,7 @@
     </message>
     <message>
         <source>step %1 of the smallest voxel spacing, %2 mm (--step %3)</source>
-        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2 mm (--step %3)</translation>
+        <translation>Schrittweite %1 des kleinsten Voxelabstands, %2&#xa0;mm (--step %3)</translation>
     </message>
     <message>
         <source>99.9th percentile %1, mean %2 levels</source>
@@ -1790,7 +1790,7 @@
     </message>
     <message>
         <source> · %1 mm</source>
-        <translation> · %1 mm</translation>
+        <translation> · %1&#xa0;mm</translation>
     </message>
     <message>
         <source>Crop</source>
@@ -1814,7 +1814,7 @@
     </message>
     <message>
         <source>%1 % kept</source>
-        <translation>%1 % behalten</translation>
+        <translation>%1&#xa0;% behalten</translation>
     </message>
     <message>
         <source>off</source>
@@ -1919,7 +1919,7 @@
     </message>
     <message>
         <source>at most %1 ms</source>
-        <translation>höchstens %1 ms</translation>
+        <translation>höchstens %1&#xa0;ms</translation>
     </message>
     <message>
         <source>While moving</source>
@@ -2004,7 +2004,7 @@
     <name>limn::EffectRowWidget</name>
     <message>
         <source>The picture takes %1 ms %2 with this effect; repeated measurements scatter by ±%3 ms.</source>
-        <translation>Das Bild dauert mit diesem Effekt %1 ms %2; wiederholte Messungen streuen um ±%3 ms.</translation>
+        <translation>Das Bild dauert mit diesem Effekt %1&#xa0;ms %2; wiederholte Messungen streuen um ±%3&#xa0;ms.</translation>
     </message>
     <message>
         <source>less</source>
@@ -2047,7 +2047,7 @@
     </message>
     <message>
         <source>Measuring… %1 %</source>
-        <translation>Messung… %1 %</translation>
+        <translation>Messung… %1&#xa0;%</translation>
     </message>
     <message>
         <source>Measure cost</source>
@@ -2055,7 +2055,7 @@
     </message>
     <message>
         <source>The whole picture takes %1 ms at %2 × %3 pixels. Each cost is the median time with the effect less the median without it; costs overlap and do not add up. Method: %4.</source>
-        <translation>Das ganze Bild dauert %1 ms bei %2 × %3 Pixeln. Jeder Kostenwert ist der Median der Zeit mit dem Effekt abzüglich des Medians ohne ihn; Kosten überschneiden sich und addieren sich nicht. Verfahren: %4.</translation>
+        <translation>Das ganze Bild dauert %1&#xa0;ms bei %2 × %3 Pixeln. Jeder Kostenwert ist der Median der Zeit mit dem Effekt abzüglich des Medians ohne ihn; Kosten überschneiden sich und addieren sich nicht. Verfahren: %4.</translation>
     </message>
 </context>
 <context>
@@ -2449,7 +2449,7 @@
     <name>limn::LabelSection</name>
     <message>
         <source> %</source>
-        <translation> %</translation>
+        <translation>&#xa0;%</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -2508,7 +2508,7 @@
     </message>
     <message>
         <source>fade %1 to %2 %</source>
-        <translation>%1 auf %2 % abschwächen</translation>
+        <translation>%1 auf %2&#xa0;% abschwächen</translation>
     </message>
     <message>
         <source>%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.</source>
@@ -2516,11 +2516,11 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>%1 shown to %2 %</source>
-        <translation>%1 zu %2 % gezeigt</translation>
+        <translation>%1 zu %2&#xa0;% gezeigt</translation>
     </message>
     <message>
         <source>Label</source>
@@ -2692,7 +2692,7 @@
     </message>
     <message>
         <source>%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of 255; %5 % of the pixels are off by more than one.</source>
-        <translation>%1, verglichen bei %2 × %3 Pixeln: 999 von 1000 Farbwerten liegen höchstens %4 von 255 Stufen daneben; %5 % der Pixel sind um mehr als eine falsch.</translation>
+        <translation>%1, verglichen bei %2 × %3 Pixeln: 999 von 1000 Farbwerten liegen höchstens %4 von 255 Stufen daneben; %5&#xa0;% der Pixel sind um mehr als eine falsch.</translation>
     </message>
     <message>
         <source>Where it differs</source>
@@ -3270,7 +3270,7 @@
     </message>
     <message>
         <source>%1 ms</source>
-        <translation>%1 ms</translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>saves %1</source>
@@ -3290,7 +3290,7 @@
     </message>
     <message>
         <source>In a trial on this computer a small picture took %1 ms with OpenGL and %2 ms with the processor.</source>
-        <translation>In einem Versuch auf diesem Rechner dauerte ein kleines Bild %1 ms mit OpenGL und %2 ms mit dem Prozessor.</translation>
+        <translation>In einem Versuch auf diesem Rechner dauerte ein kleines Bild %1&#xa0;ms mit OpenGL und %2&#xa0;ms mit dem Prozessor.</translation>
     </message>
     <message>
         <source>Chosen in View ▸ Engine.</source>
@@ -3350,7 +3350,7 @@
     </message>
     <message>
         <source>The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for each slice.</source>
-        <translation>Die Schichten liegen %1 mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen je Schicht ein Band.</translation>
+        <translation>Die Schichten liegen %1&#xa0;mm auseinander, %2-mal so weit wie die Pixel in ihnen: Oberflächen zeigen je Schicht ein Band.</translation>
     </message>
     <message>
         <source>The scene&apos;s volume %1 is not where the scene expects it (%2); say where it is (--volume PATH).</source>
@@ -3402,7 +3402,7 @@
     </message>
     <message>
         <source>A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it or a reduced copy.</source>
-        <translation>Eine Schicht des Volumens braucht mehr als 4 GiB, was die CPU-Engine nicht zeichnet; zeichnen Sie einen Teil davon oder eine verkleinerte Kopie.</translation>
+        <translation>Eine Schicht des Volumens braucht mehr als 4&#xa0;GiB, was die CPU-Engine nicht zeichnet; zeichnen Sie einen Teil davon oder eine verkleinerte Kopie.</translation>
     </message>
     <message>
         <source>The step is so small that long rays would need more than %1 samples; they are drawn with that number.</source>
@@ -3494,7 +3494,7 @@
     </message>
     <message>
         <source>The graphics driver has no room for %1, %2 MB; draw without them.</source>
-        <translation>Der Grafiktreiber hat keinen Platz für %1, %2 MB; zeichnen Sie ohne sie.</translation>
+        <translation>Der Grafiktreiber hat keinen Platz für %1, %2&#xa0;MB; zeichnen Sie ohne sie.</translation>
     </message>
     <message>
         <source>choose another folder or make room</source>
@@ -3642,7 +3642,7 @@
     </message>
     <message>
         <source>The deflated DICOM file %1 inflates to more than 1 GiB; decompress it with another tool.</source>
-        <translation>Die gepackte DICOM-Datei %1 ergibt mehr als 1 GiB; entpacken Sie sie mit einem anderen Werkzeug.</translation>
+        <translation>Die gepackte DICOM-Datei %1 ergibt mehr als 1&#xa0;GiB; entpacken Sie sie mit einem anderen Werkzeug.</translation>
     </message>
     <message>
         <source>The deflated DICOM file %1 is damaged: its data cannot be inflated; copy it again.</source>
@@ -3842,11 +3842,11 @@
     </message>
     <message>
         <source>The DICOM series has a gap of %1 mm after slice %2, where its slices usually lie %3 mm apart: slices are missing; copy the whole series again.</source>
-        <translation>Die DICOM-Serie hat eine Lücke von %1 mm nach Schicht %2, während ihre Schichten sonst %3 mm auseinanderliegen: Es fehlen Schichten; kopieren Sie die ganze Serie neu.</translation>
+        <translation>Die DICOM-Serie hat eine Lücke von %1&#xa0;mm nach Schicht %2, während ihre Schichten sonst %3&#xa0;mm auseinanderliegen: Es fehlen Schichten; kopieren Sie die ganze Serie neu.</translation>
     </message>
     <message>
         <source>%1 and %2 mm</source>
-        <translation>%1 und %2 mm</translation>
+        <translation>%1 und %2&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 and in %2 more places</source>
@@ -3862,15 +3862,15 @@
     </message>
     <message>
         <source>%1 to %2 mm</source>
-        <translation>%1 bis %2 mm</translation>
+        <translation>%1 bis %2&#xa0;mm</translation>
     </message>
     <message>
         <source>The slices lie %1 apart; %2 mm is used for all, which moves a slice by %3 mm at most.</source>
-        <translation>Die Schichten liegen %1 auseinander; für alle wird %2 mm verwendet, was eine Schicht um höchstens %3 mm verschiebt.</translation>
+        <translation>Die Schichten liegen %1 auseinander; für alle wird %2&#xa0;mm verwendet, was eine Schicht um höchstens %3&#xa0;mm verschiebt.</translation>
     </message>
     <message>
         <source>The slices lie unequally, %1 apart: %2 planes every %3 mm were interpolated between them, some of which %4</source>
-        <translation>Die Schichten liegen ungleich, %1 auseinander: Dazwischen wurden %2 Ebenen im Abstand von %3 mm interpoliert, von denen einige %4</translation>
+        <translation>Die Schichten liegen ungleich, %1 auseinander: Dazwischen wurden %2 Ebenen im Abstand von %3&#xa0;mm interpoliert, von denen einige %4</translation>
     </message>
     <message>
         <source>may bridge missing slices.</source>
@@ -3882,7 +3882,7 @@
     </message>
     <message>
         <source>The slices are stacked straight although they lie up to %1 mm sideways of each other.</source>
-        <translation>Die Schichten werden gerade gestapelt, obwohl sie bis zu %1 mm seitlich versetzt liegen.</translation>
+        <translation>Die Schichten werden gerade gestapelt, obwohl sie bis zu %1&#xa0;mm seitlich versetzt liegen.</translation>
     </message>
     <message>
         <source>The slices of the DICOM series lie beside each other rather than on each other, so they make no volume; choose another series.</source>
@@ -3894,11 +3894,11 @@
     </message>
     <message>
         <source>The series does not say how thick its slices are; 1 mm is assumed.</source>
-        <translation>Die Serie sagt nicht, wie dick ihre Schichten sind; es wird 1 mm angenommen.</translation>
+        <translation>Die Serie sagt nicht, wie dick ihre Schichten sind; es wird 1&#xa0;mm angenommen.</translation>
     </message>
     <message>
         <source>The series does not say how large its pixels are; 1 mm is assumed.</source>
-        <translation>Die Serie sagt nicht, wie groß ihre Pixel sind; es wird 1 mm angenommen.</translation>
+        <translation>Die Serie sagt nicht, wie groß ihre Pixel sind; es wird 1&#xa0;mm angenommen.</translation>
     </message>
     <message>
         <source>The image does not say where it lies in the patient; its orientation is unknown.</source>
@@ -4086,7 +4086,7 @@
     </message>
     <message>
         <source>The file&apos;s two placements (sform, qform) differ by up to %1 mm; the sform is used.</source>
-        <translation>Die beiden Lagen der Datei (sform, qform) weichen um bis zu %1 mm ab; sform wird verwendet.</translation>
+        <translation>Die beiden Lagen der Datei (sform, qform) weichen um bis zu %1&#xa0;mm ab; sform wird verwendet.</translation>
     </message>
     <message>
         <source>The file&apos;s placement (sform) is damaged and was left out.</source>
@@ -4546,7 +4546,7 @@
     </message>
     <message>
         <source>its voxels need %1 GiB of memory and this computer has %2</source>
-        <translation>ihre Voxel brauchen %1 GiB Speicher, und dieser Rechner hat %2</translation>
+        <translation>ihre Voxel brauchen %1&#xa0;GiB Speicher, und dieser Rechner hat %2</translation>
     </message>
     <message>
         <source>save a smaller volume</source>
@@ -4554,7 +4554,7 @@
     </message>
     <message>
         <source>its voxel spacing of %1 mm is damaged</source>
-        <translation>ihr Voxelabstand von %1 mm ist beschädigt</translation>
+        <translation>ihr Voxelabstand von %1&#xa0;mm ist beschädigt</translation>
     </message>
     <message>
         <source>give the true one with --spacing X,Y,Z</source>
@@ -4562,7 +4562,7 @@
     </message>
     <message>
         <source>its header places it %1 mm away, which is damage</source>
-        <translation>ihr Kopf legt sie %1 mm weit weg, was ein Schaden ist</translation>
+        <translation>ihr Kopf legt sie %1&#xa0;mm weit weg, was ein Schaden ist</translation>
     </message>
     <message>
         <source>its header has &quot;%1&quot; where a number is needed</source>
@@ -4738,7 +4738,7 @@
     </message>
     <message>
         <source>Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z.</source>
-        <translation>Abstand unbekannt: Wo die Datei ihn nicht nennt, wird 1 mm angenommen; geben Sie ihn mit --spacing X,Y,Z an.</translation>
+        <translation>Abstand unbekannt: Wo die Datei ihn nicht nennt, wird 1&#xa0;mm angenommen; geben Sie ihn mit --spacing X,Y,Z an.</translation>
     </message>
     <message>
         <source>it is no file but a device, pipe or socket</source>
@@ -4786,7 +4786,7 @@
     </message>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>it holds %1 of the tissue</source>
@@ -4838,7 +4838,7 @@
     </message>
     <message>
         <source>The phantom cannot be made at this spacing; choose 0.2 to 20 mm.</source>
-        <translation>Das Phantom lässt sich mit diesem Abstand nicht erzeugen; wählen Sie 0,2 bis 20 mm.</translation>
+        <translation>Das Phantom lässt sich mit diesem Abstand nicht erzeugen; wählen Sie 0,2 bis 20&#xa0;mm.</translation>
     </message>
     <message>
         <source>The volume holds no valid voxel: every value is NaN, infinite or declared padding; check that the right series was chosen.</source>
@@ -5464,7 +5464,7 @@
     </message>
     <message>
         <source>Contrast in vessels, bone pale; 150 to 500 HU in red, bone partly transparent</source>
-        <translation>Kontrast in Gefäßen, Knochen blass; 150 bis 500 HU in Rot, Knochen teils durchsichtig</translation>
+        <translation>Kontrast in Gefäßen, Knochen blass; 150 bis 500&#xa0;HU in Rot, Knochen teils durchsichtig</translation>
     </message>
     <message>
         <source>CT aorta</source>
@@ -5472,7 +5472,7 @@
     </message>
     <message>
         <source>Aorta, kidneys, bone, stents; from 140 HU on: aneurysms</source>
-        <translation>Aorta, Nieren, Knochen, Stents; ab 140 HU: Aneurysmen</translation>
+        <translation>Aorta, Nieren, Knochen, Stents; ab 140&#xa0;HU: Aneurysmen</translation>
     </message>
     <message>
         <source>CT bone</source>
@@ -5512,7 +5512,7 @@
     </message>
     <message>
         <source>Fine vessels of the heart; from 150 HU on, bright in front of it</source>
-        <translation>Feine Gefäße des Herzens; ab 150 HU, hell davor</translation>
+        <translation>Feine Gefäße des Herzens; ab 150&#xa0;HU, hell davor</translation>
     </message>
     <message>
         <source>CT fat</source>
@@ -5520,7 +5520,7 @@
     </message>
     <message>
         <source>Fat alone, in yellow; -140 to -40 HU</source>
-        <translation>Nur Fett, in Gelb; −140 bis −40 HU</translation>
+        <translation>Nur Fett, in Gelb; −140 bis −40&#xa0;HU</translation>
     </message>
     <message>
         <source>CT heart</source>
@@ -5774,7 +5774,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; was fitted by this volume&apos;s own values: air lies at %2 (instead of %3 HU), tissue begins at %4 (%5 HU), the brightest is %6 (%7 HU).</source>
-        <translation>„%1“ wurde nach den Werten dieses Volumens angepasst: Luft liegt bei %2 (statt %3 HU), Gewebe beginnt bei %4 (%5 HU), das Hellste liegt bei %6 (%7 HU).</translation>
+        <translation>„%1“ wurde nach den Werten dieses Volumens angepasst: Luft liegt bei %2 (statt %3&#xa0;HU), Gewebe beginnt bei %4 (%5&#xa0;HU), das Hellste liegt bei %6 (%7&#xa0;HU).</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is made for Hounsfield units, which this volume does not have: it may show nothing, or the wrong tissue.</source>
@@ -5897,7 +5897,7 @@
     </message>
     <message>
         <source>The value at which the surface lies: 300 HU is bone, −300 HU the skin of a CT.</source>
-        <translation>Der Wert, bei dem die Oberfläche liegt: 300 HU ist Knochen, −300 HU die Haut im CT.</translation>
+        <translation>Der Wert, bei dem die Oberfläche liegt: 300&#xa0;HU ist Knochen, −300&#xa0;HU die Haut im CT.</translation>
     </message>
     <message>
         <source>Projection</source>
