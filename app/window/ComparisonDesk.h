@@ -61,8 +61,8 @@ private:
   ShadingModel m_left = ShadingModel::classic;
   ShadingModel m_right = ShadingModel::enhanced;
   std::optional<Preset> m_snapshot;
-  std::optional<Preset> m_look;           ///< at the left
-  std::shared_ptr<const Volume> m_volume; ///< that they belong to
+  std::optional<Preset> m_look;               ///< at the left
+  std::shared_ptr<const Volume> m_volume;     ///< that they belong to
   std::optional<CompareLayout> m_beforeImage; ///< while an image is shown alone
 };
 

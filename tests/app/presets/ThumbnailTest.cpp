@@ -103,8 +103,8 @@ TEST(Thumbnail, allBuiltInPresetsTakeLittleTime) {
   const Histogram histogram = histogramOf(*scene.volume);
   std::vector<Thumbnail> wanted;
   for (const Preset& preset : builtInPresets())
-    wanted.push_back(
-        {QString::fromStdString(preset.name), withPreset(scene, fittedTo(preset, histogram, scene.volume->grid()), true)});
+    wanted.push_back({QString::fromStdString(preset.name),
+                      withPreset(scene, fittedTo(preset, histogram, scene.volume->grid()), true)});
   ThumbnailWorker worker;
   int drawn = 0;
   QObject::connect(&worker, &ThumbnailWorker::drawn, &worker, [&] { ++drawn; });
