@@ -45,7 +45,7 @@ Pixels<Sample> pixelsOf(const std::filesystem::path& path, OIIO::TypeDesc type) 
   const OIIO::ImageSpec& spec = input->spec();
   Pixels<Sample> pixels{spec.width, spec.height, spec.nchannels, {}};
   pixels.samples.resize(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
-  EXPECT_TRUE(input->read_image(type, pixels.samples.data()));
+  EXPECT_TRUE(input->read_image(0, 0, 0, input->spec().nchannels, type, pixels.samples.data()));
   return pixels;
 }
 

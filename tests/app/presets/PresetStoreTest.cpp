@@ -96,7 +96,8 @@ TEST(PresetStore, aNameThatIsTakenOrAFileThatIsBrokenIsSaidAndLeftOut) {
   ASSERT_EQ(contents.problems.size(), 3u);
   const char* const files[] = {"CT bone.json", "broken.json", "copy.json"};
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_NE(contents.problems[i].find(files[i]), std::string::npos) << contents.problems[i];
+    EXPECT_NE(contents.problems[i].english().find(files[i]), std::string::npos)
+        << contents.problems[i].english();
 }
 
 TEST(PresetStore, keepsNoteAndFolder) {

@@ -117,7 +117,7 @@ TEST(Killed, presetsSurvive) {
       },
       [](const fs::path& folder) -> std::optional<int> {
         const PresetStore::Contents contents = PresetStore(folder / "presets").read();
-        EXPECT_TRUE(contents.problems.empty()) << contents.problems.front();
+        EXPECT_TRUE(contents.problems.empty()) << contents.problems.front().english();
         EXPECT_EQ(contents.presets.size(), 1u); // no temporary file among them
         return contents.presets.empty() ? std::nullopt
                                         : std::optional(static_cast<int>(*contents.presets.front().isovalue));
