@@ -159,9 +159,9 @@ TEST(FigureText, tellsARegionThatIsHidden) {
   std::vector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1);
   places.front() = 0;
   figure.panels[0].scene.keep = bodyRegion(dims, places);
-  EXPECT_EQ(notesOf(figure), QStringLiteral("Table hidden (a)."));
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (a)."));
   figure.panels[1].scene.keep = figure.panels[0].scene.keep;
-  EXPECT_EQ(notesOf(figure), QStringLiteral("Table hidden."));
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden."));
 }
 
 TEST(PictureMarks, scaleBarIsAsLongAsItSays) {

@@ -13,7 +13,7 @@ QString regionText(const Region& region) {
   if (!isRestricting(region))
     return {};
   if (region.kind == Region::Kind::body)
-    return QObject::tr("Body only");
+    return QObject::tr("Body only: table hidden");
   const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
                                      [](double weight) { return weight != 1.0; });
   return weighed == 1 ? QObject::tr("1 label hidden or faded")

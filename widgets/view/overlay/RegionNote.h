@@ -8,8 +8,8 @@
 
 namespace limn {
 
-/// What a region hides, as a few words: "Body only", "3 labels hidden or faded"; empty where it hides
-/// nothing.
+/// What a region hides, as a few words: "Body only: table hidden", "3 labels hidden or faded"; empty where it
+/// hides nothing.
 QString regionText(const Region& region);
 
 /// Tells under the first label that a part of the volume is hidden; a click on it shows everything again.

@@ -45,7 +45,7 @@ TEST_F(RegionNote, tellsWhatIsHidden) {
             QStringLiteral("1 label hidden or faded"));
   EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {0.5, 0, 1}}),
             QStringLiteral("2 labels hidden or faded"));
-  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), {1})), QStringLiteral("Body only"));
+  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), {1})), QStringLiteral("Body only: table hidden"));
 }
 
 TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
@@ -80,7 +80,7 @@ TEST_F(RegionNote, saysWhatAClickDoesUnderThePointer) {
   keepBody();
   OverlaySource under = source();
   under.hovered.region = true;
-  EXPECT_EQ(regionNoteOf(under)->text, QStringLiteral("Body only – show everything"));
+  EXPECT_EQ(regionNoteOf(under)->text, QStringLiteral("Body only: table hidden – show everything"));
   EXPECT_FALSE(toolTipAt(under, {}).isEmpty());
 }
 
