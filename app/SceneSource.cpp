@@ -111,8 +111,9 @@ std::string descriptionIn(const fs::path& path) {
     return {};
   std::string description = readImageDescription(path);
   if (extension == ".pdf" && !looksLikeFigure(description))
-    throw Error(Error::Kind::input, "Cannot open " + path.filename().string() +
-                                        ": it is no figure of Limn; choose a volume, a scene or a picture.");
+    throw Error(Error::Kind::input,
+                Message::tr("Cannot open %1: it is no figure of Limn; choose a volume, a scene or a picture.")
+                    .arg(path.filename().string()));
   return description;
 }
 

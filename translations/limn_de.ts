@@ -187,6 +187,10 @@
         <source>The spacing must be three positive numbers of millimetres.</source>
         <translation>Der Abstand muss aus drei positiven Zahlen in Millimetern bestehen.</translation>
     </message>
+    <message>
+        <source>Cannot open %1: it is no figure of Limn; choose a volume, a scene or a picture.</source>
+        <translation>%1 kann nicht geöffnet werden: Die Datei ist keine Abbildung von Limn; wählen Sie ein Volumen, eine Szene oder ein Bild.</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -201,10 +205,6 @@
     <message>
         <source>rotate, or what the chosen tool does</source>
         <translation>drehen oder was das gewählte Werkzeug tut</translation>
-    </message>
-    <message>
-        <source>[ M Z W</source>
-        <translation>[ M Z W</translation>
     </message>
     <message>
         <source>tools: rotate, pan, zoom, window and level</source>
@@ -259,22 +259,6 @@
         <translation>drehen</translation>
     </message>
     <message>
-        <source>Shift+move, Shift+click</source>
-        <translation>Umschalt+Bewegen, Umschalt+Klick</translation>
-    </message>
-    <message>
-        <source>value under the pointer, pin it in the curve: less or more of it</source>
-        <translation>Wert unter dem Zeiger, anheften: weniger, mehr davon</translation>
-    </message>
-    <message>
-        <source>A P L S I, End PgDn Home</source>
-        <translation>A P L S I, Ende Bild↓ Pos1</translation>
-    </message>
-    <message>
-        <source>standard views; with Shift the opposite ones</source>
-        <translation>Standardansichten; mit Umschalt die gegenüberliegenden</translation>
-    </message>
-    <message>
         <source>R</source>
         <translation>R</translation>
     </message>
@@ -309,10 +293,6 @@
     <message>
         <source>F11, double click</source>
         <translation>F11, Doppelklick</translation>
-    </message>
-    <message>
-        <source>picture and curve only</source>
-        <translation>nur Bild und Kurve</translation>
     </message>
     <message>
         <source>Slices</source>
@@ -353,14 +333,6 @@
     <message>
         <source>zoom, show all of the slice</source>
         <translation>zoomen, ganzen Schnitt zeigen</translation>
-    </message>
-    <message>
-        <source>C W D, Esc</source>
-        <translation>C W D, Esc</translation>
-    </message>
-    <message>
-        <source>tools: crosshair, window and level, distance; the crosshair again</source>
-        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand; wieder Fadenkreuz</translation>
     </message>
     <message>
         <source>Arrows, Home</source>
@@ -487,10 +459,6 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Transfer functions for CT and MR volumes, classic and gradient-enhanced Blinn-Phong side by side.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnosis.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Transferfunktionen für CT- und MR-Volumen, klassisches und gradientenverstärktes Blinn-Phong nebeneinander.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht zur Diagnose.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>About Limn</source>
         <translation>Über Limn</translation>
     </message>
@@ -523,24 +491,8 @@
         <translation>&amp;Schnitte</translation>
     </message>
     <message>
-        <source>Left &amp;drag</source>
-        <translation>Linke Maus&amp;taste</translation>
-    </message>
-    <message>
         <source>&amp;Look from</source>
         <translation>&amp;Blick von</translation>
-    </message>
-    <message>
-        <source>&amp;Engine</source>
-        <translation>&amp;Engine</translation>
-    </message>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Farbschema</translation>
-    </message>
-    <message>
-        <source>La&amp;nguage</source>
-        <translation>Spra&amp;che</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -549,10 +501,6 @@
     <message>
         <source>More tools</source>
         <translation>Weitere Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Views</source>
-        <translation>Ansichten</translation>
     </message>
     <message>
         <source>&amp;Preset</source>
@@ -781,16 +729,8 @@
         <translation>Gradient</translation>
     </message>
     <message>
-        <source>gradient, %1</source>
-        <translation>Gradient, %1</translation>
-    </message>
-    <message>
         <source>pinned: %1</source>
         <translation>angeheftet: %1</translation>
-    </message>
-    <message>
-        <source>in the picture: %1</source>
-        <translation>im Bild: %1</translation>
     </message>
     <message>
         <source> · opacity %1</source>
@@ -864,14 +804,6 @@
     <message>
         <source>Any data</source>
         <translation>Beliebige Daten</translation>
-    </message>
-    <message>
-        <source>%1, shown</source>
-        <translation>%1, gezeigt</translation>
-    </message>
-    <message>
-        <source>%1, shown, modified</source>
-        <translation>%1, gezeigt, verändert</translation>
     </message>
     <message>
         <source>My presets</source>
@@ -970,10 +902,6 @@
         <translation>Nicht zur Diagnose</translation>
     </message>
     <message>
-        <source>Table hidden</source>
-        <translation>Tisch ausgeblendet</translation>
-    </message>
-    <message>
         <source>1 label hidden or faded</source>
         <translation>1 Label ausgeblendet oder abgeschwächt</translation>
     </message>
@@ -1016,10 +944,6 @@
     <message>
         <source>Black where both are equal, brighter the more they differ</source>
         <translation>Schwarz, wo beide gleich sind; heller, je mehr sie sich unterscheiden</translation>
-    </message>
-    <message>
-        <source>A click shows everything again, as View ▸ Body only does where the table is hidden.</source>
-        <translation>Ein Klick zeigt wieder alles, ebenso wie „Ansicht ▸ Nur Körper“, wenn der Tisch ausgeblendet ist.</translation>
     </message>
     <message>
         <source>&lt;p&gt;Black where both sides show the same; blue where the left side is brighter, orange where the right side is, by the part of the colour that differs most. Differences are shown %1 times as large as they are.&lt;/p&gt;</source>
@@ -1205,6 +1129,398 @@
         <source>This computer offers the program no OpenGL 3.0, so the processor draws; to have the graphics card draw, install or update its driver.</source>
         <translation>Dieser Rechner bietet dem Programm kein OpenGL 3.0, deshalb zeichnet der Prozessor; damit die Grafikkarte zeichnet, installieren oder aktualisieren Sie deren Treiber.</translation>
     </message>
+    <message>
+        <source>Shift+move</source>
+        <translation>Umschalt+Bewegen</translation>
+    </message>
+    <message>
+        <source>value under the pointer; View ▸ Ray: along the ray below it</source>
+        <translation>Wert unter dem Zeiger; Ansicht ▸ Strahl: entlang des Strahls</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>keep that value: buttons make its tissue more or less opaque</source>
+        <translation>Wert anheften: Tasten machen sein Gewebe mehr oder weniger deckend</translation>
+    </message>
+    <message>
+        <source>look from front, back, left, above, below</source>
+        <translation>Blick von vorn, hinten, links, oben, unten</translation>
+    </message>
+    <message>
+        <source>look from front, left, above; Shift: the opposite</source>
+        <translation>Blick von vorn, links, oben; mit Umschalt von gegenüber</translation>
+    </message>
+    <message>
+        <source>picture and curve only; F11 or Esc: all again</source>
+        <translation>nur Bild und Kurve; F11 oder Esc: wieder alles</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Umschalt+F6</translation>
+    </message>
+    <message>
+        <source>the keyboard goes to the next panel, the one before</source>
+        <translation>Tastatur zum nächsten Bereich, zum vorherigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Strg+F</translation>
+    </message>
+    <message>
+        <source>find a preset; Enter uses it and goes on to the picture</source>
+        <translation>Preset suchen; Eingabe verwendet es und geht zum Bild</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Point at one, arrows</source>
+        <translation>Auf eines zeigen, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>see it for a while; a click or Enter uses it</source>
+        <translation>es vorübergehend sehen; Klick oder Eingabe verwendet es</translation>
+    </message>
+    <message>
+        <source>F, F2, Del</source>
+        <translation>F, F2, Entf</translation>
+    </message>
+    <message>
+        <source>favourite; rename, delete one of your own</source>
+        <translation>Favorit; ein eigenes umbenennen, löschen</translation>
+    </message>
+    <message>
+        <source>Ctrl+B, Ctrl+Shift+B</source>
+        <translation>Strg+B, Strg+Umschalt+B</translation>
+    </message>
+    <message>
+        <source>remember a look, compare it with now</source>
+        <translation>Darstellung merken, mit jetzt vergleichen</translation>
+    </message>
+    <message>
+        <source>tools: crosshair, window and level, distance</source>
+        <translation>Werkzeuge: Fadenkreuz, Fensterung, Abstand</translation>
+    </message>
+    <message>
+        <source>the crosshair again</source>
+        <translation>wieder Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Rest on a point, H</source>
+        <translation>Auf einem Punkt ruhen, H</translation>
+    </message>
+    <message>
+        <source>what it governs lights up in slices and picture</source>
+        <translation>was er bestimmt, leuchtet in Schnitten und Bild auf</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Shows CT and MR volumes in three dimensions: you shape which tissue is seen, in which colour and how solid, and compare ways of lighting it side by side.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Not for diagnosis.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Zeigt CT- und MR-Volumen dreidimensional: Sie bestimmen, welches Gewebe zu sehen ist, in welcher Farbe und wie deckend, und vergleichen Arten der Beleuchtung nebeneinander.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht zur Diagnose.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Left dra&amp;g</source>
+        <translation>&amp;Werkzeug der linken Taste</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Blick von</translation>
+    </message>
+    <message>
+        <source>Panel %1 shows nothing: everything in view is transparent.</source>
+        <translation>Teilbild %1 zeigt nichts: Alles im Blickfeld ist durchsichtig.</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1&#xa0;GB</translation>
+    </message>
+    <message>
+        <source>The figure has %1 × %2 pixels and takes %3 of memory while it is made</source>
+        <translation>Die Abbildung hat %1 × %2 Pixel und braucht beim Erstellen %3 Speicher</translation>
+    </message>
+    <message>
+        <source>%1; %2 are free.</source>
+        <translation>%1; frei sind %2.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>Picture: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+    <message>
+        <source>Slice: %1</source>
+        <translation>Schnitt: %1</translation>
+    </message>
+    <message>
+        <source>Preset: %1</source>
+        <translation>Preset: %1</translation>
+    </message>
+    <message>
+        <source>Save in:</source>
+        <translation>Speichern in:</translation>
+    </message>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>Folder:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>The video cannot be made (%1); choose another place, or a folder for the frames.</source>
+        <translation>Das Video kann nicht erstellt werden (%1); wählen Sie einen anderen Ort oder einen Ordner für die Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>at the crosshair: %1</source>
+        <translation>am Fadenkreuz: %1</translation>
+    </message>
+    <message>
+        <source>The figure would be %1 pixels %2; from %3 to %4 are possible: choose another size or fewer dots per inch.</source>
+        <translation>Die Abbildung wäre %1 Pixel %2; möglich sind %3 bis %4: Wählen Sie eine andere Größe oder eine kleinere Auflösung.</translation>
+    </message>
+    <message>
+        <source>wide</source>
+        <translation>breit</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hoch</translation>
+    </message>
+    <message>
+        <source>What stands around the pictures leaves no room for them; choose a larger figure, smaller text or fewer marks.</source>
+        <translation>Die Angaben um die Bilder lassen diesen keinen Platz; wählen Sie eine größere Abbildung, kleineren Text oder weniger Angaben.</translation>
+    </message>
+    <message>
+        <source>Estimated within %1 of 255 levels of the exact picture.</source>
+        <translation>Fehler gegenüber dem exakten Bild nach Schätzung höchstens %1 von 255 Stufen.</translation>
+    </message>
+    <message>
+        <source>%1 (%2).</source>
+        <translation>%1 (%2).</translation>
+    </message>
+    <message>
+        <source>Scale at the depth of the centre (perspective).</source>
+        <translation>Maßstab in der Tiefe der Mitte (perspektivisch).</translation>
+    </message>
+    <message>
+        <source>Scale at the depth of the centre (perspective: %1).</source>
+        <translation>Maßstab in der Tiefe der Mitte (perspektivisch: %1).</translation>
+    </message>
+    <message>
+        <source>Not for diagnosis.</source>
+        <translation>Nicht zur Diagnose.</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>µm</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>Shows nothing of this volume. %1</source>
+        <comment>a preset; its note follows</comment>
+        <translation>Zeigt nichts von diesem Volumen. %1</translation>
+    </message>
+    <message>
+        <source>Move to folder</source>
+        <translation>In Ordner verschieben</translation>
+    </message>
+    <message>
+        <source>New folder…</source>
+        <translation>Neuer Ordner…</translation>
+    </message>
+    <message>
+        <source>Reset to this preset</source>
+        <translation>Auf dieses Preset zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Compare with the picture</source>
+        <translation>Mit dem Bild vergleichen</translation>
+    </message>
+    <message>
+        <source>Remove from favourites</source>
+        <translation>Aus Favoriten entfernen</translation>
+    </message>
+    <message>
+        <source>Add to favourites</source>
+        <translation>Zu Favoriten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate…</source>
+        <translation>Duplizieren…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Copy name</source>
+        <translation>Namen kopieren</translation>
+    </message>
+    <message>
+        <source>favourite</source>
+        <comment>a preset</comment>
+        <translation>Favorit</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <comment>a preset</comment>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>modified</source>
+        <comment>a preset</comment>
+        <translation>verändert</translation>
+    </message>
+    <message>
+        <source>shows nothing of this volume</source>
+        <translation>zeigt nichts von diesem Volumen</translation>
+    </message>
+    <message>
+        <source>%1, for Hounsfield units</source>
+        <translation>%1, für Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoriten</translation>
+    </message>
+    <message>
+        <source>deep</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 deep</source>
+        <translation>Tiefe in %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>per unit of length</source>
+        <translation>je Längeneinheit</translation>
+    </message>
+    <message>
+        <source>per mm</source>
+        <translation>je mm</translation>
+    </message>
+    <message>
+        <source>Nothing shows along this ray: the picture gives no opacity to its values, %1 to %2.</source>
+        <translation>Entlang dieses Strahls ist nichts zu sehen: Das Bild gibt seinen Werten, %1 bis %2, keine Deckkraft.</translation>
+    </message>
+    <message>
+        <source>The pixel is %1 opaque.</source>
+        <translation>Das Pixel ist zu %1 deckend.</translation>
+    </message>
+    <message>
+        <source>An average: every depth counts alike, and none stands for the picture.</source>
+        <translation>Ein Mittelwert: Jede Tiefe zählt gleich, und keine steht für das Bild.</translation>
+    </message>
+    <message>
+        <source>The largest value, %1, lies %2 deep; the picture shows it alone.</source>
+        <translation>Der größte Wert, %1, liegt in %2 Tiefe; das Bild zeigt nur ihn.</translation>
+    </message>
+    <message>
+        <source>The smallest value, %1, lies %2 deep; the picture shows it alone.</source>
+        <translation>Der kleinste Wert, %1, liegt in %2 Tiefe; das Bild zeigt nur ihn.</translation>
+    </message>
+    <message>
+        <source>The surface lies %1 deep; the picture shows it alone.</source>
+        <translation>Die Oberfläche liegt in %1 Tiefe; das Bild zeigt nur sie.</translation>
+    </message>
+    <message>
+        <source>Half of what is absorbed is so within %1, at %2.</source>
+        <translation>Die Hälfte der Absorption ist nach %1 erreicht, beim Wert %2.</translation>
+    </message>
+    <message>
+        <source>Half of the light comes from the first %1 of the volume, up to %2.</source>
+        <translation>Die Hälfte des Lichts stammt aus den ersten %1 des Volumens, bis zum Wert %2.</translation>
+    </message>
+    <message>
+        <source>%1, opacity %2 %3, %4 of the light so far</source>
+        <translation>%1, Deckkraft %2 %3, bis hierher %4 des Lichts</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Opacity of the value</source>
+        <translation>Deckkraft des Werts</translation>
+    </message>
+    <message>
+        <source>What the picture takes</source>
+        <translation>Was das Bild nimmt</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Opacity %1</source>
+        <translation>Deckkraft %1</translation>
+    </message>
+    <message>
+        <source>Share of the pixel %1</source>
+        <translation>Anteil am Pixel %1</translation>
+    </message>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>Body only</source>
+        <translation>Nur Körper</translation>
+    </message>
+    <message>
+        <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
+        <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -1352,6 +1668,10 @@
         <source>use %1</source>
         <translation>%1 verwenden</translation>
     </message>
+    <message>
+        <source>Preparing…</source>
+        <translation>Vorbereitung…</translation>
+    </message>
 </context>
 <context>
     <name>limn::Actions</name>
@@ -1392,16 +1712,8 @@
         <translation>Si&amp;tzung speichern</translation>
     </message>
     <message>
-        <source>Saves everything but the volume itself: scene, comparison and panel.</source>
-        <translation>Speichert alles außer dem Volumen selbst: Szene, Vergleich und Tafel.</translation>
-    </message>
-    <message>
         <source>Save session &amp;as…</source>
         <translation>Sitzung speichern &amp;als…</translation>
-    </message>
-    <message>
-        <source>Save s&amp;cene…</source>
-        <translation>S&amp;zene speichern…</translation>
     </message>
     <message>
         <source>Save &amp;picture…</source>
@@ -1452,56 +1764,28 @@
         <translation>Ctrl+Shift+C</translation>
     </message>
     <message>
-        <source>Single</source>
-        <translation>Einzeln</translation>
-    </message>
-    <message>
         <source>One picture with the chosen model.</source>
         <translation>Ein Bild mit dem gewählten Modell.</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
     </message>
     <message>
         <source>Two models beside each other.</source>
         <translation>Zwei Modelle nebeneinander.</translation>
     </message>
     <message>
-        <source>Wipe</source>
-        <translation>Vorhang</translation>
-    </message>
-    <message>
         <source>Two models over each other with a border to drag.</source>
         <translation>Zwei Modelle übereinander mit einer Grenze zum Ziehen.</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Differenz</translation>
     </message>
     <message>
         <source>Where the two models differ, amplified.</source>
         <translation>Wo sich die beiden Modelle unterscheiden, verstärkt.</translation>
     </message>
     <message>
-        <source>3D only</source>
-        <translation>Nur 3D</translation>
-    </message>
-    <message>
         <source>The picture without slices.</source>
         <translation>Das Bild ohne Schnitte.</translation>
     </message>
     <message>
-        <source>3D and slices</source>
-        <translation>3D und Schnitte</translation>
-    </message>
-    <message>
         <source>Axial, coronal and sagittal slices beside the picture.</source>
         <translation>Axiale, koronare und sagittale Schnitte neben dem Bild.</translation>
-    </message>
-    <message>
-        <source>One slice large</source>
-        <translation>Ein Schnitt groß</translation>
     </message>
     <message>
         <source>One slice large, the picture and the other slices beside it; a double click on a slice chooses it.</source>
@@ -1620,20 +1904,8 @@
         <translation>Findet den Körper und blendet Tisch, Kopfhalterung und anderes daneben aus.</translation>
     </message>
     <message>
-        <source>Refine at &amp;rest</source>
-        <translation>Im Stillstand &amp;verfeinern</translation>
-    </message>
-    <message>
         <source>While nothing moves, draws the picture again with smaller and smaller steps until it lies within half a level of the exact one.</source>
         <translation>Zeichnet das Bild, solange sich nichts bewegt, mit immer kleineren Schritten neu, bis es höchstens eine halbe Stufe neben dem exakten liegt.</translation>
-    </message>
-    <message>
-        <source>&amp;Picture and curve only</source>
-        <translation>Nur Bild und K&amp;urve</translation>
-    </message>
-    <message>
-        <source>Patient in the title &amp;bar</source>
-        <translation>&amp;Patient in der Titelleiste</translation>
     </message>
     <message>
         <source>Follow the system</source>
@@ -1711,6 +1983,136 @@
         <source>&amp;About Limn</source>
         <translation>&amp;Über Limn</translation>
     </message>
+    <message>
+        <source>Saves all of your work but the volume itself: look and camera, comparison, slices and panels.</source>
+        <translation>Speichert Ihre ganze Arbeit außer dem Volumen selbst: Darstellung und Kamera, Vergleich, Schnitte und Bereiche.</translation>
+    </message>
+    <message>
+        <source>Save look and camera (s&amp;cene)…</source>
+        <translation>Darstellung und Kamera speichern (S&amp;zene)…</translation>
+    </message>
+    <message>
+        <source>Saves how the volume is shown: curve, light, camera, crop. For another volume, or for the command line.</source>
+        <translation>Speichert, wie das Volumen gezeigt wird: Kurve, Licht, Kamera, Zuschnitt. Für ein anderes Volumen oder für die Kommandozeile.</translation>
+    </message>
+    <message>
+        <source>Save &amp;figure…</source>
+        <translation>Abbildu&amp;ng speichern…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+F</source>
+        <translation>Ctrl+Shift+F</translation>
+    </message>
+    <message>
+        <source>Makes a figure to publish: pictures with names, scale, curve and notes, as PNG, TIFF, EXR or PDF.</source>
+        <translation>Erstellt eine Abbildung zum Veröffentlichen: Bilder mit Namen, Maßstab, Kurve und Hinweisen, als PNG, TIFF, EXR oder PDF.</translation>
+    </message>
+    <message>
+        <source>Save &amp;turntable…</source>
+        <translation>D&amp;rehansicht speichern…</translation>
+    </message>
+    <message>
+        <source>Saves the picture from all around, as frames or a video.</source>
+        <translation>Speichert das Bild rundum, als Einzelbilder oder Video.</translation>
+    </message>
+    <message>
+        <source>Si&amp;ngle</source>
+        <translation>E&amp;inzeln</translation>
+    </message>
+    <message>
+        <source>Side b&amp;y side</source>
+        <translation>&amp;Nebeneinander</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Vorhang</translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation>&amp;Differenz</translation>
+    </message>
+    <message>
+        <source>&amp;3D only</source>
+        <translation>Nur &amp;3D</translation>
+    </message>
+    <message>
+        <source>3D &amp;and slices</source>
+        <translation>3D &amp;und Schnitte</translation>
+    </message>
+    <message>
+        <source>&amp;One slice large</source>
+        <translation>&amp;Ein Schnitt groß</translation>
+    </message>
+    <message>
+        <source>Sharpen while nothing &amp;moves</source>
+        <translation>Im Stillstand &amp;verfeinern</translation>
+    </message>
+    <message>
+        <source>Picture and cur&amp;ve only</source>
+        <translation>N&amp;ur Bild und Kurve</translation>
+    </message>
+    <message>
+        <source>&amp;Next panel</source>
+        <translation>N&amp;ächster Bereich</translation>
+    </message>
+    <message>
+        <source>Previous pane&amp;l</source>
+        <translation>Vor&amp;heriger Bereich</translation>
+    </message>
+    <message>
+        <source>Show the patient&apos;s &amp;name in the title bar</source>
+        <translation>&amp;Namen des Patienten in der Titelleiste zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Remember this look as &quot;before&quot;</source>
+        <translation>Diese Darstellung als „vorher“ &amp;merken</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>Keeps curve and light of this moment to compare with what becomes of them.</source>
+        <translation>Merkt sich Kurve und Licht dieses Augenblicks, um sie mit späteren zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Compare &amp;before and now</source>
+        <translation>&amp;Vorher und jetzt vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
+    <message>
+        <source>Shows the remembered look at the left, the present one at the right.</source>
+        <translation>Zeigt links die gemerkte Darstellung, rechts die jetzige.</translation>
+    </message>
+    <message>
+        <source>Compare &amp;models again</source>
+        <translation>Wieder M&amp;odelle vergleichen</translation>
+    </message>
+    <message>
+        <source>Ends the comparison of two looks.</source>
+        <translation>Beendet den Vergleich zweier Darstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::AppearanceDesk</name>
+    <message>
+        <source>The window speaks this language when it is opened the next time.</source>
+        <translation>Das Fenster spricht diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::BackgroundWork</name>
+    <message>
+        <source>There is not enough memory for this; choose fewer pixels or close other programs.</source>
+        <translation>Der Speicher reicht dafür nicht; wählen Sie weniger Pixel oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Something unexpected failed: %1.</source>
+        <translation>Etwas Unerwartetes ist fehlgeschlagen: %1.</translation>
+    </message>
 </context>
 <context>
     <name>limn::ChartWindow</name>
@@ -1769,6 +2171,19 @@
         <source>change model</source>
         <translation>Modell ändern</translation>
     </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>%1, modified</source>
+        <comment>a preset</comment>
+        <translation>%1, verändert</translation>
+    </message>
 </context>
 <context>
     <name>limn::CropSection</name>
@@ -1819,6 +2234,18 @@
     <message>
         <source>off</source>
         <translation>aus</translation>
+    </message>
+    <message>
+        <source>Crop to what is seen</source>
+        <translation>Auf Sichtbares zuschneiden</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Draws the box close around what the curve, Body only and labels leave to be seen, so that its handles lie there and not around air and table.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Zieht die Box eng um das, was Kurve, „Nur Körper“ und Labels sehen lassen, damit ihre Griffe dort liegen und nicht um Luft und Tisch.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>crop to what is seen</source>
+        <translation>auf Sichtbares zuschneiden</translation>
     </message>
 </context>
 <context>
@@ -1914,10 +2341,6 @@
         <translation>&lt;p&gt;Wie weit die Abtastpunkte eines Strahls auseinanderliegen, solange sich nichts bewegt: nach links ist das Bild früher da, nach rechts ist es näher am exakten; am Ende wird dort abgetastet, wo das Bild es braucht, um höchstens eine halbe von 255 Stufen falsch zu sein.&lt;/p&gt;&lt;p&gt;Von 2 Voxel bis exakt, Standard 1/2. Die Zahlen sind der Fehler von 999 von 1000 Farbwerten in Stufen von 255 und die Zeit eines Bildes, beide hier gemessen.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>From there it refines while nothing moves.</source>
-        <translation>Von dort wird verfeinert, solange sich nichts bewegt.</translation>
-    </message>
-    <message>
         <source>at most %1 ms</source>
         <translation>höchstens %1&#xa0;ms</translation>
     </message>
@@ -1957,17 +2380,13 @@
         <source>%1: not measured for this picture.</source>
         <translation>%1: für dieses Bild nicht gemessen.</translation>
     </message>
+    <message>
+        <source>From there it refines while nothing moves. A level is the smallest step of brightness on a screen, of 255.</source>
+        <translation>Von dort wird verfeinert, solange sich nichts bewegt. Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, einer von 255.</translation>
+    </message>
 </context>
 <context>
     <name>limn::Docks</name>
-    <message>
-        <source>Presets</source>
-        <translation>Presets</translation>
-    </message>
-    <message>
-        <source>Properties</source>
-        <translation>Eigenschaften</translation>
-    </message>
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
@@ -1977,20 +2396,36 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Effects</source>
-        <translation>Effekte</translation>
+        <source>P&amp;resets</source>
+        <translation>&amp;Presets</translation>
     </message>
     <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
+        <source>Prop&amp;erties</source>
+        <translation>Eigens&amp;chaften</translation>
     </message>
     <message>
-        <source>Transfer function</source>
-        <translation>Transferfunktion</translation>
+        <source>&amp;History</source>
+        <translation>Verlau&amp;f</translation>
     </message>
     <message>
-        <source>In a &amp;window of its own</source>
-        <translation>In ei&amp;genem Fenster</translation>
+        <source>Effec&amp;ts</source>
+        <translation>&amp;Effekte</translation>
+    </message>
+    <message>
+        <source>&amp;Accuracy</source>
+        <translation>&amp;Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Ra&amp;y</source>
+        <translation>Str&amp;ahl</translation>
+    </message>
+    <message>
+        <source>Transfer f&amp;unction</source>
+        <translation>&amp;Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Se&amp;parate windows</source>
+        <translation>Abgel&amp;öste Fenster</translation>
     </message>
 </context>
 <context>
@@ -2088,6 +2523,16 @@
         <source>Open again: %1</source>
         <translation>Wieder öffnen: %1</translation>
     </message>
+    <message>
+        <source>Continue where you left
+%1</source>
+        <translation>Weiterarbeiten, wo Sie waren
+%1</translation>
+    </message>
+    <message>
+        <source>Continue where you left: %1</source>
+        <translation>Weiterarbeiten, wo Sie waren: %1</translation>
+    </message>
 </context>
 <context>
     <name>limn::EngineDesk</name>
@@ -2170,6 +2615,217 @@
     </message>
 </context>
 <context>
+    <name>limn::FigureDesk</name>
+    <message>
+        <source>Drawing the figure…</source>
+        <translation>Abbildung wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was saved.</source>
+        <translation>Abgebrochen; nichts wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels, %3 × %4 cm; each picture %5 × %6.</source>
+        <translation>%1 × %2 Pixel, %3 × %4&#xa0;cm; jedes Bild %5 × %6.</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>PDF with text as text (*.pdf)</source>
+        <translation>PDF mit Text als Text (*.pdf)</translation>
+    </message>
+    <message>
+        <source>TIFF picture (*.tif)</source>
+        <translation>TIFF-Bild (*.tif)</translation>
+    </message>
+    <message>
+        <source>OpenEXR with floats (*.exr)</source>
+        <translation>OpenEXR mit Gleitkommazahlen (*.exr)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Copied %1 × %2 pixels.</source>
+        <translation>%1 × %2 Pixel wurden kopiert.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FigureDialog</name>
+    <message>
+        <source>As exact as a screen shows</source>
+        <translation>So genau, wie ein Bildschirm zeigt</translation>
+    </message>
+    <message>
+        <source>Save a figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>Draws within half a level of 255 of the exact picture, which takes longer than the window&apos;s own steps.</source>
+        <translation>Zeichnet mit höchstens einer halben von 255 Stufen Fehler, was länger dauert als die Schrittweite des Fensters.</translation>
+    </message>
+    <message>
+        <source>Making the figure</source>
+        <translation>Abbildung wird erstellt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>Copies the figure to the clipboard, in full size.</source>
+        <translation>Kopiert die Abbildung in voller Größe in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FigureOptions</name>
+    <message>
+        <source>Letters a, b, …</source>
+        <translation>Buchstaben a, b, …</translation>
+    </message>
+    <message>
+        <source>Names and light</source>
+        <translation>Namen und Licht</translation>
+    </message>
+    <message>
+        <source>Sides of the patient</source>
+        <translation>Seiten des Patienten</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Curve and colours</source>
+        <translation>Kurve und Farben</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>What is hidden</source>
+        <translation>Was ausgeblendet ist</translation>
+    </message>
+    <message>
+        <source>“Not for diagnosis”</source>
+        <translation>„Nicht zur Diagnose“</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Transparent, pictures too</source>
+        <translation>Transparent, auch die Bilder</translation>
+    </message>
+    <message>
+        <source>P&amp;age</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Unit of the size</source>
+        <translation>Einheit der Größe</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>A fixed height</source>
+        <translation>Feste Höhe</translation>
+    </message>
+    <message>
+        <source>Without a fixed height, the figure is as high as its pictures ask.</source>
+        <translation>Ohne feste Höhe ist die Abbildung so hoch, wie ihre Bilder verlangen.</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation>&#xa0;dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution</source>
+        <translation>&amp;Auflösung</translation>
+    </message>
+    <message>
+        <source>Height of the text</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation>&#xa0;pt</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FigurePreview</name>
+    <message>
+        <source>Preview of the figure</source>
+        <translation>Vorschau der Abbildung</translation>
+    </message>
+</context>
+<context>
+    <name>limn::FocusMode</name>
+    <message>
+        <source>F11 or Esc shows the panels again</source>
+        <translation>F11 oder Esc zeigt die Bereiche wieder</translation>
+    </message>
+</context>
+<context>
     <name>limn::FogSection</name>
     <message>
         <source>Density (ρ)</source>
@@ -2208,16 +2864,8 @@
         <translation>Nebel</translation>
     </message>
     <message>
-        <source>Fades</source>
-        <translation>Verblasst</translation>
-    </message>
-    <message>
         <source>How the picture fades to the fog&apos;s colour with the distance from the eye.</source>
         <translation>Wie das Bild mit der Entfernung vom Auge in die Farbe des Nebels übergeht.</translation>
-    </message>
-    <message>
-        <source>Not at all</source>
-        <translation>Gar nicht</translation>
     </message>
     <message>
         <source>Evenly (linear)</source>
@@ -2262,6 +2910,14 @@
     <message>
         <source>on</source>
         <translation>an</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
     </message>
 </context>
 <context>
@@ -2333,10 +2989,6 @@
         <translation>je mm</translation>
     </message>
     <message>
-        <source>Curve strength</source>
-        <translation>Kurvenstärke</translation>
-    </message>
-    <message>
         <source>How strongly the curve bends: the exponent of the gamma curve, the base of the logarithmic one.</source>
         <translation>Wie stark die Kurve gebogen ist: der Exponent der Gammakurve, die Basis der logarithmischen.</translation>
     </message>
@@ -2365,10 +3017,6 @@
         <translation>nicht in diesem Modell</translation>
     </message>
     <message>
-        <source>Full strength at</source>
-        <translation>Volle Stärke bei</translation>
-    </message>
-    <message>
         <source>Which boundary counts as the strongest; &quot;automatic&quot; is the largest for enhanced and the 99.5th percentile for robust.</source>
         <translation>Welche Grenzfläche als die stärkste gilt; „Automatisch“ ist die größte bei „Verstärkt“ und das 99,5. Perzentil bei „Robust“.</translation>
     </message>
@@ -2377,16 +3025,8 @@
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Größte</translation>
-    </message>
-    <message>
         <source>Number</source>
         <translation>Zahl</translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation>Kurve</translation>
     </message>
     <message>
         <source>How boundary strength is weighed; gamma below 1 and logarithmic lift weak boundaries.</source>
@@ -2411,10 +3051,6 @@
     <message>
         <source>&lt;p&gt;Dims broad highlights so that sharp and broad ones carry the same light.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Dämpft breite Glanzlichter, sodass scharfe und breite gleich viel Licht tragen.&lt;/p&gt;&lt;p&gt;An oder aus, Standard an.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Balance highlight energy</source>
-        <translation>Energie der Glanzlichter ausgleichen</translation>
     </message>
     <message>
         <source>&lt;p&gt;Keeps highlights to clear boundaries, so that noise does not sparkle.&lt;/p&gt;&lt;p&gt;On or off, default on.&lt;/p&gt;</source>
@@ -2444,6 +3080,100 @@
         <source>Only the enhanced and robust models follow boundaries, and none is shown.</source>
         <translation>Nur die Modelle „Verstärkt“ und „Robust“ folgen Grenzflächen, und keines wird gezeigt.</translation>
     </message>
+    <message>
+        <source>At a change of</source>
+        <translation>Bei Änderung um</translation>
+    </message>
+    <message>
+        <source>Strength of it</source>
+        <translation>Deren Stärke</translation>
+    </message>
+    <message>
+        <source>Full effect at</source>
+        <translation>Volle Wirkung bei</translation>
+    </message>
+    <message>
+        <source>Weighting</source>
+        <translation>Gewichtung</translation>
+    </message>
+    <message>
+        <source>Dim broad highlights</source>
+        <translation>Breite Glanzlichter abschwächen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::HistogramButton</name>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>As high as the number of voxels: large tissues stand out.</source>
+        <translation>So hoch wie die Zahl der Voxel: Große Gewebe treten hervor.</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>By the logarithm of the number of voxels: small tissues show beside large ones.</source>
+        <translation>Nach dem Logarithmus der Voxelzahl: Kleine Gewebe sind neben großen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Percentile</source>
+        <translation>Perzentil</translation>
+    </message>
+    <message>
+        <source>How many of the voxels lie at or below a value: 0 at the left, all of them at the right.</source>
+        <translation>Wie viele der Voxel bei einem Wert oder darunter liegen: links 0, rechts alle.</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>The whole volume</source>
+        <translation>Ganzes Volumen</translation>
+    </message>
+    <message>
+        <source>Every voxel counts.</source>
+        <translation>Jedes Voxel zählt.</translation>
+    </message>
+    <message>
+        <source>What is kept</source>
+        <translation>Was behalten wird</translation>
+    </message>
+    <message>
+        <source>Voxels count that neither the crop box nor the kept region (body, labels) hides.</source>
+        <translation>Es zählen Voxel, die weder die Zuschnittbox noch der behaltene Bereich (Körper, Labels) ausblendet.</translation>
+    </message>
+    <message>
+        <source>What is visible</source>
+        <translation>Was sichtbar ist</translation>
+    </message>
+    <message>
+        <source>Of what is kept, voxels count to whose value the curve gives opacity, even where others hide them from the camera.</source>
+        <translation>Von dem, was behalten wird, zählen Voxel, deren Wert die Kurve Deckkraft gibt, auch wenn andere sie vor der Kamera verdecken.</translation>
+    </message>
+    <message>
+        <source>Histogram: %1</source>
+        <translation>Histogramm: %1</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What stands behind the curve: %1.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Was hinter der Kurve steht: %1.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>limn::HistogramDesk</name>
+    <message>
+        <source>The voxels that are kept cannot be counted: %1.</source>
+        <translation>Die behaltenen Voxel können nicht gezählt werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>limn::LabelSection</name>
@@ -2456,16 +3186,8 @@
         <translation>Gezeigt</translation>
     </message>
     <message>
-        <source>table hidden</source>
-        <translation>Tisch ausgeblendet</translation>
-    </message>
-    <message>
         <source>none</source>
         <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1 of %2 reduced</source>
-        <translation>%1 von %2 abgeschwächt</translation>
     </message>
     <message>
         <source>Labels</source>
@@ -2494,6 +3216,14 @@
     <message>
         <source>show all labels</source>
         <translation>alle Labels zeigen</translation>
+    </message>
+    <message>
+        <source>%1 shown</source>
+        <translation>%1 gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 hidden or faded</source>
+        <translation>%1 von %2 ausgeblendet oder abgeschwächt</translation>
     </message>
 </context>
 <context>
@@ -2566,16 +3296,8 @@
         <translation>Wie hell die Glanzlichter sind; 0 macht jede Oberfläche matt.</translation>
     </message>
     <message>
-        <source>Ambient light (Ia)</source>
-        <translation>Umgebungslicht (Ia)</translation>
-    </message>
-    <message>
         <source>The light that comes from everywhere and casts no form.</source>
         <translation>Das Licht, das aus allen Richtungen kommt und keine Form zeichnet.</translation>
-    </message>
-    <message>
-        <source>Lamp light (Id)</source>
-        <translation>Lampenlicht (Id)</translation>
     </message>
     <message>
         <source>The strength of the lamp that makes form and highlights.</source>
@@ -2661,6 +3383,22 @@
         <source>The lamp moves with the viewer: choose &quot;Fixed&quot; first.</source>
         <translation>Die Lampe bewegt sich mit dem Betrachter: Wählen Sie zuerst „Fest“.</translation>
     </message>
+    <message>
+        <source>Tissue reflects</source>
+        <translation>Gewebe gibt zurück</translation>
+    </message>
+    <message>
+        <source>Light sends</source>
+        <translation>Licht sendet</translation>
+    </message>
+    <message>
+        <source>From all sides (Ia)</source>
+        <translation>Von allen Seiten (Ia)</translation>
+    </message>
+    <message>
+        <source>From the lamp (Id)</source>
+        <translation>Von der Lampe (Id)</translation>
+    </message>
 </context>
 <context>
     <name>limn::LoadingPanel</name>
@@ -2675,10 +3413,6 @@
 </context>
 <context>
     <name>limn::MainWindow</name>
-    <message>
-        <source>The window speaks this language when it is opened the next time.</source>
-        <translation>Das Fenster spricht diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
-    </message>
     <message>
         <source>The picture is still being drawn; copy it in a moment.</source>
         <translation>Das Bild wird noch gezeichnet; kopieren Sie es gleich.</translation>
@@ -2778,10 +3512,6 @@
         <translation>Noch ist nichts gemessen. „Messen“ nennt Fehler und Zeit dieses Bildes, von schnell bis exakt.</translation>
     </message>
     <message>
-        <source>At %1 × %2 pixels on %3.</source>
-        <translation>Bei %1 × %2 Pixeln auf %3.</translation>
-    </message>
-    <message>
         <source>Times are scaled from there to the %1 × %2 pixels on screen.</source>
         <translation>Zeiten sind von dort auf die %1 × %2 Pixel am Bildschirm umgerechnet.</translation>
     </message>
@@ -2792,6 +3522,14 @@
     <message>
         <source>Measured for an earlier picture; measure again to judge this one.</source>
         <translation>Für ein früheres Bild gemessen; messen Sie neu, um dieses zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Drawn by %1</source>
+        <translation>Gezeichnet von %1</translation>
+    </message>
+    <message>
+        <source>At %1 × %2 pixels.</source>
+        <translation>Bei %1 × %2 Pixeln.</translation>
     </message>
 </context>
 <context>
@@ -3265,10 +4003,6 @@
         <translation>die Zuschnittbox schneidet das Volumen</translation>
     </message>
     <message>
-        <source>no measurable cost</source>
-        <translation>keine messbaren Kosten</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1&#xa0;ms</translation>
     </message>
@@ -3293,10 +4027,6 @@
         <translation>In einem Versuch auf diesem Rechner dauerte ein kleines Bild %1&#xa0;ms mit OpenGL und %2&#xa0;ms mit dem Prozessor.</translation>
     </message>
     <message>
-        <source>Chosen in View ▸ Engine.</source>
-        <translation>Gewählt unter „Ansicht ▸ Engine“.</translation>
-    </message>
-    <message>
         <source>The graphics driver has no card and draws on the processor itself, where the CPU engine is likely to be faster.</source>
         <translation>Der Grafiktreiber hat keine Karte und zeichnet selbst auf dem Prozessor, wo die CPU-Engine wahrscheinlich schneller ist.</translation>
     </message>
@@ -3319,10 +4049,6 @@
     <message>
         <source>No body was found in the volume (%1), so everything is kept.</source>
         <translation>Im Volumen wurde kein Körper gefunden (%1), deshalb wird alles behalten.</translation>
-    </message>
-    <message>
-        <source>What is kept may be more or less than the body: %1.</source>
-        <translation>Was behalten wird, ist vielleicht mehr oder weniger als der Körper: %1.</translation>
     </message>
     <message>
         <source>Cannot save the preset: its name is too long for a file; choose a shorter one.</source>
@@ -4789,14 +5515,6 @@
         <translation>%1&#xa0;%</translation>
     </message>
     <message>
-        <source>it holds %1 of the tissue</source>
-        <translation>er enthält %1 des Gewebes</translation>
-    </message>
-    <message>
-        <source>what hangs on it touches it by %1 of its surface</source>
-        <translation>was an ihm hängt, berührt ihn auf %1 seiner Oberfläche</translation>
-    </message>
-    <message>
         <source>nothing lies beside it</source>
         <translation>nichts liegt neben ihm</translation>
     </message>
@@ -4879,6 +5597,62 @@
     <message>
         <source>%1; %2.</source>
         <translation>%1; %2.</translation>
+    </message>
+    <message>
+        <source>Chosen in the settings.</source>
+        <translation>In den Einstellungen gewählt.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: a figure needs the ending .png, .tif, .exr or .pdf.</source>
+        <translation>%1 kann nicht geschrieben werden: Eine Abbildung braucht die Endung .png, .tif, .exr oder .pdf.</translation>
+    </message>
+    <message>
+        <source>Body only may be wrong here: %1; compare with everything shown.</source>
+        <translation>„Nur Körper“ ist hier vielleicht falsch: %1; vergleichen Sie mit der Ansicht von allem.</translation>
+    </message>
+    <message>
+        <source>The preset file %1 is left out: another preset is called &quot;%2&quot;; give it a name of its own.</source>
+        <translation>Die Preset-Datei %1 wird ausgelassen: Ein anderes Preset heißt „%2“; geben Sie ihr einen eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>The figure has %1 panels; the first is shown (`limn figure` draws all of them again).</source>
+        <translation>Die Abbildung hat %1 Teilbilder; das erste wird gezeigt („limn figure“ zeichnet wieder alle).</translation>
+    </message>
+    <message>
+        <source>The figure has %1 panels; %2 of them are shown (`limn figure` draws all of them again).</source>
+        <translation>Die Abbildung hat %1 Teilbilder; %2 davon werden gezeigt („limn figure“ zeichnet wieder alle).</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: this picture needs the ending .png or .tif.</source>
+        <translation>%1 kann nicht geschrieben werden: Dieses Bild braucht die Endung .png oder .tif.</translation>
+    </message>
+    <message>
+        <source>only %1 of the tissue hangs together, so a part of the patient may be hidden</source>
+        <translation>nur %1 des Gewebes hängen zusammen, deshalb ist vielleicht ein Teil des Patienten ausgeblendet</translation>
+    </message>
+    <message>
+        <source>what lies against the body touches it by %1 of its surface, so a part of the table may be kept</source>
+        <translation>was am Körper anliegt, berührt ihn auf %1 seiner Oberfläche, deshalb wird vielleicht ein Teil des Tisches behalten</translation>
+    </message>
+    <message>
+        <source>≈ 0 ms</source>
+        <translation>≈ 0&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made (%2); choose another one.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden (%2); wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>No video can be made, because ffmpeg is not installed; install the package ffmpeg or save frames into a folder.</source>
+        <translation>Es kann kein Video erstellt werden, weil ffmpeg nicht installiert ist; installieren Sie das Paket ffmpeg oder speichern Sie Einzelbilder in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>The frames of the video have no place (%1); make room in the folder for temporary files.</source>
+        <translation>Die Einzelbilder des Videos haben keinen Platz (%1); schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to %1 panels</source>
+        <translation>muss eine Liste von 1 bis %1 Teilbildern sein</translation>
     </message>
 </context>
 <context>
@@ -5052,10 +5826,6 @@
         <translation>Volumen, Sitzung, Szene oder Limn-Bild öffnen</translation>
     </message>
     <message>
-        <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)</source>
-        <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -5082,6 +5852,10 @@
     <message>
         <source>&amp;Clear this list</source>
         <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</source>
+        <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5887,10 @@
     <message>
         <source>set orientation %1</source>
         <translation>Orientierung %1 festlegen</translation>
+    </message>
+    <message>
+        <source>take back the orientation</source>
+        <translation>Orientierung zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -5170,12 +5948,47 @@
         <translation>Umkehren: %1</translation>
     </message>
     <message>
-        <source>Use as shown</source>
-        <translation>So verwenden</translation>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::PanelList</name>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Teilbil&amp;der</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Teilbilder</translation>
+    </message>
+    <message>
+        <source>4, in two rows</source>
+        <translation>4, in zwei Reihen</translation>
+    </message>
+    <message>
+        <source>1</source>
+        <translation>1</translation>
+    </message>
+    <message>
+        <source>%1, side by side</source>
+        <translation>%1, nebeneinander</translation>
+    </message>
+    <message>
+        <source>What panel %1 shows</source>
+        <translation>Was Teilbild %1 zeigt</translation>
+    </message>
+    <message>
+        <source>Name above panel %1</source>
+        <translation>Name über Teilbild %1</translation>
+    </message>
+    <message>
+        <source>no name</source>
+        <translation>kein Name</translation>
     </message>
 </context>
 <context>
@@ -5303,10 +6116,6 @@
         <translation>&lt;p&gt;Wie dick ein Schnitt ist, in mm: Seine Pixel zeigen das Mittel oder das Maximum über diese Dicke. 0 ist die Ebene selbst.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>Slab mm</source>
-        <translation>Dicke mm</translation>
-    </message>
-    <message>
         <source>Mean</source>
         <translation>Mittel</translation>
     </message>
@@ -5339,10 +6148,6 @@
         <translation>Zwischen Voxeln interpolieren</translation>
     </message>
     <message>
-        <source>Outline the kept region</source>
-        <translation>Behaltenen Bereich umranden</translation>
-    </message>
-    <message>
         <source>Crosshair to the middle</source>
         <translation>Fadenkreuz in die Mitte</translation>
     </message>
@@ -5361,6 +6166,18 @@
     <message>
         <source>Full range</source>
         <translation>Voller Bereich</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation>&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Outline kept region and crop box</source>
+        <translation>Behaltenen Bereich und Zuschnittbox umranden</translation>
     </message>
 </context>
 <context>
@@ -5439,6 +6256,10 @@
     <message>
         <source>%1 points</source>
         <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
     </message>
 </context>
 <context>
@@ -5730,36 +6551,20 @@
         <translation>Preset löschen</translation>
     </message>
     <message>
-        <source>Reset to this preset</source>
-        <translation>Auf dieses Preset zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <translation>Verwenden</translation>
-    </message>
-    <message>
-        <source>Duplicate…</source>
-        <translation>Duplizieren…</translation>
-    </message>
-    <message>
-        <source>Rename…</source>
-        <translation>Umbenennen…</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Copy name</source>
-        <translation>Namen kopieren</translation>
-    </message>
-    <message>
         <source>Only presets of your own can be deleted: choose one first</source>
         <translation>Nur eigene Presets lassen sich löschen: Wählen Sie zuerst eines</translation>
     </message>
     <message>
         <source>Deletes the preset &quot;%1&quot;</source>
         <translation>Löscht das Preset „%1“</translation>
+    </message>
+    <message>
+        <source>Large pictures</source>
+        <translation>Große Bilder</translation>
+    </message>
+    <message>
+        <source>Shows the presets as large pictures instead of a list</source>
+        <translation>Zeigt die Presets als große Bilder statt als Liste</translation>
     </message>
 </context>
 <context>
@@ -5832,6 +6637,37 @@
         <source>%1 copy</source>
         <translation>%1 Kopie</translation>
     </message>
+    <message>
+        <source>My preset</source>
+        <translation>Mein Preset</translation>
+    </message>
+    <message>
+        <source>My %1</source>
+        <translation>%1 (eigenes)</translation>
+    </message>
+    <message>
+        <source>Note of &quot;%1&quot;</source>
+        <translation>Notiz zu „%1“</translation>
+    </message>
+    <message>
+        <source>What it shows, in one sentence:</source>
+        <translation>Was es zeigt, in einem Satz:</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Folder for &quot;%1&quot;:</source>
+        <translation>Ordner für „%1“:</translation>
+    </message>
+</context>
+<context>
+    <name>limn::ProfileChart</name>
+    <message>
+        <source>Value, opacity and share of the light along the ray</source>
+        <translation>Wert, Deckkraft und Anteil am Licht entlang des Strahls</translation>
+    </message>
 </context>
 <context>
     <name>limn::ProjectionSection</name>
@@ -5860,14 +6696,6 @@
         <translation>Oberfläche (Isofläche)</translation>
     </message>
     <message>
-        <source>Surface and tissue (hybrid)</source>
-        <translation>Oberfläche und Gewebe (hybrid)</translation>
-    </message>
-    <message>
-        <source>Tissue as the opacity curve shows it, lit, the near in front of the far.</source>
-        <translation>Gewebe, wie die Deckkraftkurve es zeigt, beleuchtet, das Nahe vor dem Fernen.</translation>
-    </message>
-    <message>
         <source>The largest value along each ray: contrast-filled vessels, calcium, metal. Depth is lost.</source>
         <translation>Der größte Wert entlang jedes Strahls: kontrastierte Gefäße, Kalk, Metall. Die Tiefe geht verloren.</translation>
     </message>
@@ -5888,10 +6716,6 @@
         <translation>Die erste Oberfläche beim Wert unten, deckend und beleuchtet.</translation>
     </message>
     <message>
-        <source>A solid surface at the value below, seen through the tissue before it.</source>
-        <translation>Eine deckende Oberfläche beim Wert unten, gesehen durch das Gewebe davor.</translation>
-    </message>
-    <message>
         <source>Surface at</source>
         <translation>Oberfläche bei</translation>
     </message>
@@ -5910,6 +6734,18 @@
     <message>
         <source>What each ray through the volume becomes in the picture.</source>
         <translation>Was jeder Strahl durch das Volumen im Bild ergibt.</translation>
+    </message>
+    <message>
+        <source>Surface and tissue</source>
+        <translation>Oberfläche und Gewebe</translation>
+    </message>
+    <message>
+        <source>Tissue as the opacity curve shows it, lit; what is near hides what lies behind it.</source>
+        <translation>Gewebe, wie die Deckkraftkurve es zeigt, beleuchtet; was nahe ist, verdeckt, was dahinter liegt.</translation>
+    </message>
+    <message>
+        <source>Hybrid: a solid surface at the value below, seen through the tissue before it.</source>
+        <translation>Hybrid: eine deckende Oberfläche beim Wert unten, gesehen durch das Gewebe davor.</translation>
     </message>
 </context>
 <context>
@@ -5990,6 +6826,36 @@
     </message>
 </context>
 <context>
+    <name>limn::RayDesk</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>limn::RayPanel</name>
+    <message>
+        <source>Go to that depth</source>
+        <translation>Zu dieser Tiefe</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Strahl</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The crosshair goes to where half of the light is gathered, in the slices and in the picture.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das Fadenkreuz geht dorthin, wo die Hälfte des Lichts gesammelt ist, in den Schnitten und im Bild.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>No ray is read. Hold Shift over the picture: what lies along the ray below the pointer shows here, and stays.</source>
+        <translation>Kein Strahl wird gelesen. Halten Sie Umschalt über dem Bild: Was entlang des Strahls unter dem Zeiger liegt, erscheint hier und bleibt.</translation>
+    </message>
+    <message>
+        <source>Point at the chart to read a depth; a click goes there.</source>
+        <translation>Zeigen Sie ins Diagramm, um eine Tiefe abzulesen; ein Klick geht dorthin.</translation>
+    </message>
+</context>
+<context>
     <name>limn::RegionDesk</name>
     <message>
         <source>Open the labels of this volume</source>
@@ -6027,6 +6893,30 @@
         <source>What is kept could not be found: %1.</source>
         <translation>Was behalten wird, konnte nicht gefunden werden: %1.</translation>
     </message>
+    <message>
+        <source>labels again</source>
+        <translation>wieder Labels</translation>
+    </message>
+    <message>
+        <source>The labels stand in the place of Body only: one of the two decides what is kept.</source>
+        <translation>Die Labels stehen an der Stelle von „Nur Körper“: Eines von beiden bestimmt, was behalten wird.</translation>
+    </message>
+    <message>
+        <source>Body only stands in the place of the labels: one of the two decides what is kept.</source>
+        <translation>„Nur Körper“ steht an der Stelle der Labels: Eines von beiden bestimmt, was behalten wird.</translation>
+    </message>
+    <message>
+        <source>Body only again</source>
+        <translation>Wieder nur Körper</translation>
+    </message>
+    <message>
+        <source>Labels again</source>
+        <translation>Wieder Labels</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
 </context>
 <context>
     <name>limn::RemarksDesk</name>
@@ -6046,28 +6936,28 @@
         <translation>Sitzung speichern</translation>
     </message>
     <message>
-        <source>Limn session (*.json)</source>
-        <translation>Limn-Sitzung (*.json)</translation>
-    </message>
-    <message>
-        <source>Save the scene</source>
-        <translation>Szene speichern</translation>
-    </message>
-    <message>
-        <source>Limn scene (*.json)</source>
-        <translation>Limn-Szene (*.json)</translation>
-    </message>
-    <message>
         <source>The picture is not complete yet; save it again once it is.</source>
         <translation>Das Bild ist noch nicht fertig; speichern Sie es noch einmal, sobald es das ist.</translation>
+    </message>
+    <message>
+        <source>Limn session (*.limn.json)</source>
+        <translation>Limn-Sitzung (*.limn.json)</translation>
+    </message>
+    <message>
+        <source>Any JSON file (*.json)</source>
+        <translation>Beliebige JSON-Datei (*.json)</translation>
+    </message>
+    <message>
+        <source>Save look and camera</source>
+        <translation>Darstellung und Kamera speichern</translation>
+    </message>
+    <message>
+        <source>Limn scene (*.limn.json)</source>
+        <translation>Limn-Szene (*.limn.json)</translation>
     </message>
 </context>
 <context>
     <name>limn::SeriesDialog</name>
-    <message>
-        <source>%1   %2   %3 images of %4×%5</source>
-        <translation>%1   %2   %3 Bilder zu %4×%5</translation>
-    </message>
     <message>
         <source>Choose a series</source>
         <translation>Serie wählen</translation>
@@ -6087,6 +6977,38 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Schichtdicke</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
     </message>
 </context>
 <context>
@@ -6143,20 +7065,20 @@
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Engine</source>
-        <translation>Engine</translation>
-    </message>
-    <message>
-        <source>Forget what was opened before</source>
-        <translation>Vergessen, was geöffnet war</translation>
-    </message>
-    <message>
         <source>Empties the list of recent files, and with it where volumes lie and dialogs open.</source>
         <translation>Leert die Liste zuletzt geöffneter Dateien und damit auch, wo Volumen liegen und Dialoge beginnen.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Draw with</source>
+        <translation>Zeichnen mit</translation>
+    </message>
+    <message>
+        <source>Clear recent files</source>
+        <translation>Zuletzt geöffnete löschen</translation>
     </message>
 </context>
 <context>
@@ -6178,10 +7100,6 @@
         <translation>Stabilitätsprüfungen</translation>
     </message>
     <message>
-        <source>Draws situations in which volume renderers are known to fail, with the driver of this computer, and compares them with what must come out. It takes some minutes; you can go on working.</source>
-        <translation>Zeichnet mit dem Treiber dieses Rechners Situationen, an denen Volumenrenderer bekanntermaßen scheitern, und vergleicht sie mit dem, was herauskommen muss. Das dauert einige Minuten; Sie können weiterarbeiten.</translation>
-    </message>
-    <message>
         <source>Checking</source>
         <translation>Prüfung</translation>
     </message>
@@ -6196,6 +7114,18 @@
     <message>
         <source>The checks ended before they were complete, by you or by the driver.</source>
         <translation>Die Prüfungen endeten vorzeitig, durch Sie oder durch den Treiber.</translation>
+    </message>
+    <message>
+        <source>Checks the graphics driver of this computer with pictures whose right result is known. Takes some minutes; you can go on working.</source>
+        <translation>Prüft den Grafiktreiber dieses Rechners mit Bildern, deren richtiges Ergebnis bekannt ist. Das dauert einige Minuten; Sie können weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Checks that run go on.</source>
+        <translation>Laufende Prüfungen gehen weiter.</translation>
     </message>
 </context>
 <context>
@@ -6407,6 +7337,104 @@
     </message>
 </context>
 <context>
+    <name>limn::TurntableDesk</name>
+    <message>
+        <source>Cancelled; frames that were drawn stay.</source>
+        <translation>Abgebrochen; schon gezeichnete Einzelbilder bleiben.</translation>
+    </message>
+    <message>
+        <source>Save the video</source>
+        <translation>Video speichern</translation>
+    </message>
+    <message>
+        <source>Save the frames in a new folder</source>
+        <translation>Einzelbilder in neuem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Video (*.mp4)</source>
+        <translation>Video (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Folder of frames (*.frames)</source>
+        <translation>Ordner mit Einzelbildern (*.frames)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 wurde gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TurntableDialog</name>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save a turntable</source>
+        <translation>Drehansicht speichern</translation>
+    </message>
+    <message>
+        <source>Frames in a folder (PNG)</source>
+        <translation>Einzelbilder in einem Ordner (PNG)</translation>
+    </message>
+    <message>
+        <source>Video (MP4)</source>
+        <translation>Video (MP4)</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Save &amp;as</source>
+        <translation>Speichern &amp;als</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Frames for one turn</source>
+        <translation>&amp;Einzelbilder je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Frames per s&amp;econd</source>
+        <translation>Einzelbilder je Se&amp;kunde</translation>
+    </message>
+    <message>
+        <source>A video can be made once the program ffmpeg is installed.</source>
+        <translation>Ein Video kann erstellt werden, sobald das Programm ffmpeg installiert ist.</translation>
+    </message>
+    <message>
+        <source>Drawing the turntable</source>
+        <translation>Drehansicht wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>One turn about the patient&apos;s upright axis: a frame each %1°, %2 s.</source>
+        <translation>Eine Umdrehung um die Längsachse des Patienten: ein Einzelbild je %1°, %2&#xa0;s.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Drawing frame %1 of %2…</source>
+        <translation>Einzelbild %1 von %2 wird gezeichnet…</translation>
+    </message>
+</context>
+<context>
     <name>limn::ViewInput</name>
     <message>
         <source>reset crop face: %1</source>
@@ -6435,20 +7463,12 @@
         <translation>Noch ist nichts gemessen.</translation>
     </message>
     <message>
-        <source>The exact picture has not converged, so no error is known. A wish for time can be kept.</source>
-        <translation>Das exakte Bild ist nicht konvergiert, deshalb ist kein Fehler bekannt. Ein Wunsch nach Zeit lässt sich erfüllen.</translation>
-    </message>
-    <message>
         <source>No measured picture is that close. Closest: %1</source>
         <translation>Kein gemessenes Bild ist so genau. Am nächsten: %1</translation>
     </message>
     <message>
         <source>No measured picture is that fast. Fastest: %1</source>
         <translation>Kein gemessenes Bild ist so schnell. Am schnellsten: %1</translation>
-    </message>
-    <message>
-        <source>By wish</source>
-        <translation>Nach Wunsch</translation>
     </message>
     <message>
         <source>Error at most, levels</source>
@@ -6475,8 +7495,16 @@
         <translation>%1 verwenden</translation>
     </message>
     <message>
-        <source>Measure this picture first; a wish chooses among what was measured.</source>
-        <translation>Messen Sie zuerst dieses Bild; ein Wunsch wählt unter dem Gemessenen.</translation>
+        <source>The exact picture has not converged, so no error is known. A limit of time can be kept.</source>
+        <translation>Das exakte Bild ist nicht konvergiert, deshalb ist kein Fehler bekannt. Eine Zeitgrenze lässt sich einhalten.</translation>
+    </message>
+    <message>
+        <source>Choose by limit</source>
+        <translation>Nach Grenze wählen</translation>
+    </message>
+    <message>
+        <source>Measure this picture first: the choice is among what was measured.</source>
+        <translation>Messen Sie zuerst dieses Bild: Gewählt wird unter dem Gemessenen.</translation>
     </message>
 </context>
 <context>

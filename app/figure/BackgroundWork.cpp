@@ -2,6 +2,7 @@
 #include "app/figure/BackgroundWork.h"
 
 #include "scene/basics/Error.h"
+#include "widgets/Translated.h"
 
 #include <QMetaObject>
 
@@ -56,7 +57,7 @@ void BackgroundWork::run(const std::shared_ptr<State>& state, const Task& task) 
   } catch (const Cancelled&) {
     // Whoever cancelled knows.
   } catch (const Error& error) {
-    fail(QString::fromStdString(error.what()));
+    fail(translated(error));
   } catch (const std::bad_alloc&) {
     fail(tr("There is not enough memory for this; choose fewer pixels or close other programs."));
   } catch (const std::exception& error) {

@@ -15,6 +15,8 @@
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
+#include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 #include "widgets/view/CompareView.h"
 
 #include <QAction>
@@ -216,15 +218,15 @@ void FigureDesk::sayWhatItIs() {
     QString text = tr("%1 × %2 pixels, %3 × %4 cm; each picture %5 × %6.")
                        .arg(layout.size.width())
                        .arg(layout.size.height())
-                       .arg(cm * layout.size.width(), 0, 'f', 1)
-                       .arg(cm * layout.size.height(), 0, 'f', 1)
+                       .arg(fixedNumber(cm * layout.size.width(), 1))
+                       .arg(fixedNumber(cm * layout.size.height(), 1))
                        .arg(layout.pictureSize().width())
                        .arg(layout.pictureSize().height());
     if (const std::string memory = memoryNote(layout, FigurePixels::bytes); !memory.empty())
       text += QLatin1Char(' ') + QString::fromStdString(memory);
     m_dialog->say(withNotes(text, m_notes), hasMemoryFor(layout, FigurePixels::bytes));
   } catch (const Error& error) {
-    m_dialog->say(QString::fromStdString(error.what()), false);
+    m_dialog->say(translated(error), false);
   }
 }
 
@@ -273,7 +275,7 @@ void FigureDesk::save() {
   try {
     pixels = pixelsFor(figureFormatOf(file));
   } catch (const Error& error) {
-    return m_dialog->say(QString::fromStdString(error.what()), true);
+    return m_dialog->say(translated(error), true);
   }
   const std::string volumePath = m_parts.document.volumePath();
   const NameInFile named =

@@ -6,6 +6,7 @@
 #include "app/engines/ProcessCost.h"
 #include "scene/steps/LocalSteps.h"
 #include "widgets/Translated.h"
+#include "widgets/ValueText.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/planes/PlanePictures.h"
 #include "widgets/view/pictures/FinishedPicture.h"
@@ -197,7 +198,7 @@ std::string memoryNote(const FigureLayout& layout, FigurePixels pixels) {
   const std::optional<double> free = freeMemory();
   if (bytes < worthTelling && hasMemoryFor(layout, pixels))
     return {};
-  const auto gigabytes = [](double count) { return QObject::tr("%1 GB").arg(count / 1e9, 0, 'f', 1); };
+  const auto gigabytes = [](double count) { return QObject::tr("%1 GB").arg(fixedNumber(count / 1e9, 1)); };
   const QString needs = QObject::tr("The figure has %1 × %2 pixels and takes %3 of memory while it is made")
                             .arg(layout.size.width())
                             .arg(layout.size.height())

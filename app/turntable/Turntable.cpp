@@ -88,8 +88,9 @@ void makeFolderFor(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" + failed.message() +
-                                        "); choose another one.");
+    throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
+                                        .arg(folder.string())
+                                        .arg(failed.message()));
 }
 
 } // namespace
@@ -132,14 +133,15 @@ std::vector<std::string> writeTurntable(const fs::path& path, const Turntable& t
   }
   if (videoProgram().empty())
     throw Error(Error::Kind::usage,
-                "No video can be made, because ffmpeg is not installed; install the package ffmpeg or save "
-                "frames into a folder.");
+                Message::tr("No video can be made, because ffmpeg is not installed; install the package "
+                            "ffmpeg or save frames into a folder."));
   // Frames carry no scenes there: they vanish.
   const QTemporaryDir frames;
   if (!frames.isValid())
-    throw Error(Error::Kind::other, "The frames of the video have no place (" +
-                                        frames.errorString().toStdString() +
-                                        "); make room in the folder for temporary files.");
+    throw Error(Error::Kind::other,
+                Message::tr("The frames of the video have no place (%1); make room in the folder for "
+                            "temporary files.")
+                    .arg(frames.errorString().toStdString()));
   const fs::path folder(frames.path().toStdString());
   MakingOptions most = order;
   most.effort = partOf(order.effort, 0.0, shareOfFrames);

@@ -4,6 +4,7 @@
 #include "app/Settings.h"
 #include "scene/basics/Error.h"
 #include "scene/framing/KeptVoxels.h"
+#include "widgets/Translated.h"
 #include "widgets/curve/HistogramButton.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
@@ -82,7 +83,7 @@ void HistogramDesk::count(const Kept& of, const std::stop_token& stop) {
                               {0, [&stop] { return stop.stop_requested(); }, {}});
   } catch (const Cancelled&) {
   } catch (const std::exception& error) {
-    problem = tr("The voxels that are kept cannot be counted: %1.").arg(QString::fromLocal8Bit(error.what()));
+    problem = tr("The voxels that are kept cannot be counted: %1.").arg(translated(error));
   }
   QMetaObject::invokeMethod(
       this, [this, of, counted, problem] { receive(of, counted, problem); }, Qt::QueuedConnection);

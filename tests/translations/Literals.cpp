@@ -39,7 +39,7 @@ std::size_t endOfQuoted(const std::string& source, std::size_t quote) {
 }
 
 bool isDigitSeparator(const std::string& source, std::size_t i) {
-  return i > 0 && std::isalnum(static_cast<unsigned char>(source[i - 1])) != 0;
+  return i > 0 && std::isxdigit(static_cast<unsigned char>(source[i - 1])) != 0; // not the u of u' '
 }
 
 std::vector<Piece> piecesOf(const std::string& source) {

@@ -72,7 +72,7 @@ void HistogramButton::setView(const HistogramView& view) {
       chosen << action->text();
   }
   setAccessibleName(tr("Histogram: %1").arg(chosen.join(QStringLiteral(", "))));
-  setToolTip(tr("<p>What stands behind the curve: %1.</p>").arg(chosen.join(QStringLiteral(", ")).toLower()));
+  setToolTip(tr("<p>What stands behind the curve: %1.</p>").arg(chosen.join(QStringLiteral(", "))));
 }
 
 } // namespace limn

@@ -39,7 +39,7 @@ FigurePanelDocument readPanel(JsonFields fields) {
   if (fields.has("slices"))
     panel.planes = readPlanes(fields.object("slices"));
   if (!fields.has("scene"))
-    fields.fail("scene", "is missing");
+    fields.fail("scene", Message::tr("is missing"));
   panel.scene = readScene(fields.object("scene"));
   fields.finish();
   return panel;
@@ -48,7 +48,7 @@ FigurePanelDocument readPanel(JsonFields fields) {
 std::vector<FigurePanelDocument> readPanels(JsonFields& fields) {
   const nlohmann::json& list = fields.child("panels");
   if (!list.is_array() || list.empty() || list.size() > mostPanels)
-    fields.fail("panels", "must be a list of 1 to " + std::to_string(mostPanels) + " panels");
+    fields.fail("panels", Message::tr("must be a list of 1 to %1 panels").arg(std::to_string(mostPanels)));
   std::vector<FigurePanelDocument> panels;
   for (std::size_t i = 0; i < list.size(); ++i)
     panels.push_back(readPanel(JsonFields(list[i], fields.document(), "panels." + std::to_string(i))));
@@ -109,7 +109,7 @@ FigureDocument parseFigure(std::string_view text, const std::string& name) {
   FigureDocument figure;
   figure.settings = readSettings(fields);
   if (!fields.has("panels"))
-    fields.fail("panels", "is missing");
+    fields.fail("panels", Message::tr("is missing"));
   figure.panels = readPanels(fields);
   fields.finish();
   return figure;
