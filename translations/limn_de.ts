@@ -1514,8 +1514,8 @@
         <translation>Vorschau: %1</translation>
     </message>
     <message>
-        <source>Body only</source>
-        <translation>Nur Körper</translation>
+        <source>Body only: table hidden</source>
+        <translation>Nur Körper: Tisch ausgeblendet</translation>
     </message>
     <message>
         <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
