@@ -29,6 +29,10 @@ bool PresetPointer::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseMove) {
       const auto& moved = static_cast<const QMouseEvent&>(*event);
       pointSoon(moved.buttons() ? QModelIndex() : m_list.indexAt(moved.position().toPoint()));
+    } else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::Wheel) {
+      // Another preset may lie there now, under a pointer that has not moved.
+      m_wait.stop();
+      m_next = m_pointedAt;
     } else if (event->type() == QEvent::Leave || event->type() == QEvent::Hide) {
       point({});
     }
