@@ -317,6 +317,7 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   m_document.open(shown, request, histogram);
   m_curves.showVolume(loaded.scene.volume, histogram);
   m_panels.properties->foldUnused();
+  m_centre.view->setFocus(); // keys are for the picture, not for what happened to be next to a hidden button
   m_status.showVolume(loaded.scene.volume.get());
   m_remarks.show(loaded.notes);
   if (const auto& beside = loaded.session ? loaded.session : loaded.beside)
