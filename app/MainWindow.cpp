@@ -100,6 +100,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   m_title.show();
   m_comparison.setLayout(CompareLayout::sideBySide);
   showScene(m_session.scene());
+  m_centre.view->emptyPanel().takeFocus();
 }
 
 // Last words of children must not reach a window half gone.
@@ -314,10 +315,10 @@ void MainWindow::showLoaded(const LoadedScene& loaded, const Histogram& histogra
   LoadedScene shown = loaded;
   if (!loaded.hasOwnCamera)
     shown.scene.camera = framedCamera(loaded.scene, m_centre.view->pictureAspect());
+  m_centre.view->setFocus(); // or the keys would go to whatever is next to the page's hidden button
   m_document.open(shown, request, histogram);
   m_curves.showVolume(loaded.scene.volume, histogram);
   m_panels.properties->foldUnused();
-  m_centre.view->setFocus(); // keys are for the picture, not for what happened to be next to a hidden button
   m_status.showVolume(loaded.scene.volume.get());
   m_remarks.show(loaded.notes);
   if (const auto& beside = loaded.session ? loaded.session : loaded.beside)

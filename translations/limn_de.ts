@@ -1238,6 +1238,10 @@
         <translation>&lt;h3&gt;Limn %1&lt;/h3&gt;&lt;p&gt;Zeigt CT- und MR-Volumen dreidimensional: Sie bestimmen, welches Gewebe zu sehen ist, in welcher Farbe und wie deckend, und vergleichen Arten der Beleuchtung nebeneinander.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Nicht zur Diagnose.&lt;/b&gt;&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;/p&gt;</translation>
     </message>
     <message>
+        <source>&amp;Keyboard focus</source>
+        <translation>Tastatur sc&amp;hicken</translation>
+    </message>
+    <message>
         <source>Left dra&amp;g</source>
         <translation>&amp;Werkzeug der linken Taste</translation>
     </message>
@@ -2053,11 +2057,11 @@
     </message>
     <message>
         <source>&amp;Next panel</source>
-        <translation>N&amp;ächster Bereich</translation>
+        <translation>&amp;Nächster Bereich</translation>
     </message>
     <message>
-        <source>Previous pane&amp;l</source>
-        <translation>Vor&amp;heriger Bereich</translation>
+        <source>&amp;Previous panel</source>
+        <translation>&amp;Vorheriger Bereich</translation>
     </message>
     <message>
         <source>Show the patient&apos;s &amp;name in the title bar</source>

@@ -213,7 +213,7 @@ void Actions::makeViewActions() {
            {.text = tr("Picture and cur&ve only"), .shortcut = Qt::Key_F11, .isCheckable = true});
   nextPanel = made("nextPanel", {.text = tr("&Next panel"), .shortcut = Qt::Key_F6});
   previousPanel = made("previousPanel",
-                       {.text = tr("Previous pane&l"), .shortcut = QKeySequence(Qt::SHIFT | Qt::Key_F6)});
+                       {.text = tr("&Previous panel"), .shortcut = QKeySequence(Qt::SHIFT | Qt::Key_F6)});
   patientInTitle =
       made("patientInTitle", {.text = tr("Show the patient's &name in the title bar"), .isCheckable = true});
 }

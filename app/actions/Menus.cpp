@@ -62,7 +62,8 @@ void makeViewMenu(QMenuBar& bar, const Actions& actions, const QList<QAction*>& 
   menu->addActions({actions.orthographic, actions.cropBox, actions.bodyOnly});
   menu->addSeparator();
   menu->addActions(panels);
-  menu->addActions({actions.pictureAndCurveOnly, actions.nextPanel, actions.previousPanel});
+  menu->addAction(actions.pictureAndCurveOnly);
+  menu->addMenu(QObject::tr("&Keyboard focus"))->addActions({actions.nextPanel, actions.previousPanel});
 }
 
 void makeToolBar(QMainWindow& window, Actions& actions, const SharedMenus& shared) {

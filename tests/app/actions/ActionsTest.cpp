@@ -69,8 +69,9 @@ TEST_F(ActionsTest, aChoiceOfAGroupIsCheckedAlone) {
 // What stays from run to run stands in the settings alone, and no second time in a menu.
 TEST_F(ActionsTest, everyOneStandsInAMenuTheToolBarOrTheSettings) {
   makeMenus(window, actions, {});
-  const QList<QAction*> kept = actions.themes->actions() + actions.engines->actions() +
-                               QList<QAction*>{actions.refineAtRest, actions.patientInTitle};
+  const QList<QAction*> chosen =
+      actions.themes->actions() + actions.languages->actions() + actions.engines->actions();
+  const QList<QAction*> kept = chosen + QList<QAction*>{actions.refineAtRest, actions.patientInTitle};
   for (QAction* action : all())
     EXPECT_EQ(action->associatedObjects().isEmpty(), kept.contains(action))
         << action->objectName().toStdString();
@@ -82,7 +83,7 @@ TEST_F(ActionsTest, everyOneStandsInAMenuTheToolBarOrTheSettings) {
   int choices = 0;
   for (const QComboBox* box : settings.findChildren<QComboBox*>())
     choices += box->count();
-  EXPECT_EQ(choices, actions.themes->actions().size() + actions.engines->actions().size());
+  EXPECT_EQ(choices, chosen.size());
 }
 
 TEST_F(ActionsTest, everyEntryOfTheViewMenuHasALetterOfItsOwn) {

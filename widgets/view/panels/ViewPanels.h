@@ -25,6 +25,9 @@ public:
   /// What was left with unsaved changes, as a few words; empty: nothing.
   void setUnfinished(const QString& text);
 
+  /// Gives the keyboard to what is likeliest to be wanted.
+  void takeFocus() { showLikeliest(true); }
+
 signals:
   void continueRequested(); ///< with what was left unfinished
   void openFolderRequested();
