@@ -4,6 +4,7 @@
 #include "widgets/Icons.h"
 
 #include <QEvent>
+#include <QGuiApplication>
 #include <QMenu>
 
 namespace limn {
@@ -38,8 +39,10 @@ void HistogramButton::changeEvent(QEvent* event) {
   QToolButton::changeEvent(event);
 }
 
+// By the application's palette: the style sheet gives a button one of its own, from which no look can be
+// told.
 void HistogramButton::showIcon() {
-  setIcon(themedIcon(QStringLiteral("histogram"), palette()));
+  setIcon(themedIcon(QStringLiteral("histogram"), QGuiApplication::palette()));
 }
 
 void HistogramButton::addHeading(const QString& text) {
