@@ -72,8 +72,9 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                  this),
       m_saving(
           m_document, *m_centre.view, m_settings, m_notes, [this] { return sessionDocument(); }, *this),
-      m_figures(PresetStore(m_folders.presets), {m_session, m_document, *m_centre.view, m_saving, m_settings,
-                                                 m_notes, *m_actions.saveFigure, *this}),
+      m_figures(PresetStore(m_folders.presets),
+                {m_session, m_document, *m_centre.view, m_comparison, m_saving, m_settings, m_notes,
+                 *m_actions.saveFigure, *this}),
       m_turntables(
           {m_document, *m_centre.view, m_saving, m_settings, m_notes, *m_actions.saveTurntable, *this}),
       m_safety(m_document, [this] { return sessionDocument(); },

@@ -12,6 +12,7 @@
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
+#include "app/window/ComparisonDesk.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
@@ -124,8 +125,11 @@ void FigureDesk::refreshSources() {
     return;
   }
   const Histogram& histogram = m_parts.document.histogram();
+  const bool isComparing = m_parts.view.compareLayout() != CompareLayout::single;
   const FigureIngredients from{scene,
                                m_parts.view.scenesOfSides(),
+                               isComparing ? m_parts.comparison.comparedLook() : std::nullopt,
+                               m_parts.comparison.remembered(),
                                m_parts.session.planes(),
                                firstWindow(*scene.volume, histogram),
                                fittedPresets(m_store, histogram, scene.volume->grid()),

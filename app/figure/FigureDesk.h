@@ -15,6 +15,7 @@ class QWidget;
 namespace limn {
 
 class CompareView;
+class ComparisonDesk;
 class FigureDialog;
 class OpenDocument;
 class SaveNotes;
@@ -33,6 +34,7 @@ public:
     Session& session;
     const OpenDocument& document;
     const CompareView& view;
+    const ComparisonDesk& comparison;
     const SavingDesk& saving; ///< says how files call the volume
     Settings& settings;
     SaveNotes& notes;

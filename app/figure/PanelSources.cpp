@@ -18,6 +18,27 @@ PanelSource named(const QString& text, FigurePanel panel) {
   return {text, std::move(panel)};
 }
 
+PanelSource withLook(const QString& pattern, const Scene& scene, const QString& name) {
+  FigurePanel panel;
+  panel.scene = scene;
+  panel.name = name;
+  return {pattern.arg(name), std::move(panel)};
+}
+
+void addLooks(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  if (from.look)
+    for (std::size_t side = 0; side < 2; ++side)
+      sources.push_back(withLook(QObject::tr("Compared: %1"),
+                                 side == 0 ? withPreset(from.scene, from.look->shown) : from.scene,
+                                 QString::fromStdString(from.look->names[side])));
+}
+
+void addRemembered(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  if (from.remembered)
+    sources.push_back(withLook(QObject::tr("Remembered: %1"), withPreset(from.scene, *from.remembered),
+                               QObject::tr("Before")));
+}
+
 void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from) {
   FigurePanel panel;
   panel.scene = from.scene;
@@ -43,19 +64,18 @@ void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from)
 }
 
 void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from) {
-  for (const Preset& preset : from.presets) {
-    FigurePanel panel;
-    panel.scene = withPreset(from.scene, preset, true);
-    panel.name = QString::fromStdString(preset.name);
-    sources.push_back({QObject::tr("Preset: %1").arg(panel.name), panel});
-  }
+  for (const Preset& preset : from.presets)
+    sources.push_back(withLook(QObject::tr("Preset: %1"), withPreset(from.scene, preset, true),
+                               QString::fromStdString(preset.name)));
 }
 
 } // namespace
 
 std::vector<PanelSource> panelSources(const FigureIngredients& from) {
   std::vector<PanelSource> sources;
+  addLooks(sources, from);
   addScenes(sources, from);
+  addRemembered(sources, from);
   addSlices(sources, from);
   addPresets(sources, from);
   return sources;

@@ -4,6 +4,7 @@
 #include "app/figure/PanelList.h"
 #include "scene/presets/Preset.h"
 #include "scene/volume/Histogram.h"
+#include "widgets/view/Comparison.h"
 
 #include <vector>
 
@@ -12,15 +13,17 @@ namespace limn {
 /// From which pictures of a figure are made.
 struct FigureIngredients {
   Scene scene;              ///< with a volume
-  std::vector<Scene> sides; ///< what is on screen, from left to right
+  std::vector<Scene> sides;         ///< what is on screen, from left to right
+  std::optional<ComparedLook> look; ///< that is compared on screen with the scene's own
+  std::optional<Preset> remembered; ///< the look remembered as "before"
   PlaneSettings planes;
   GreyWindow firstWindow; ///< of slices whose settings have none
   std::vector<Preset> presets;
   Histogram histogram; ///< of the volume
 };
 
-/// All that can stand in a panel: the scene with every model, its slices, every preset from where the camera
-/// is.
+/// All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
+/// its slices, every preset from where the camera is.
 std::vector<PanelSource> panelSources(const FigureIngredients& from);
 
 /// What a figure begins with, places in `panelSources`: what is on screen, slices beside one picture too.

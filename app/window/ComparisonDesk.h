@@ -33,6 +33,12 @@ public:
   /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
   void compareWith(const Preset& look);
 
+  /// The look that is compared with the scene's own, unless models are.
+  std::optional<ComparedLook> comparedLook() const;
+
+  /// The look remembered as "before", of the volume that is open.
+  const std::optional<Preset>& remembered() const { return m_snapshot; }
+
   /// A scene has been opened. An unlit image (imageLook) is shown alone: no model of light tells it from
   /// another. What is opened after it has the layout from before, unless someone chose one meanwhile.
   void showOpened();
@@ -52,7 +58,6 @@ signals:
 private:
   void takeSnapshot();
   void compareModels();
-  std::optional<ComparedLook> comparedLook() const;
 
   Session& m_session;
   const OpenDocument& m_document;

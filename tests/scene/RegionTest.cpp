@@ -26,6 +26,18 @@ TEST(LabelMap, refusesWhatDoesNotFit) {
   EXPECT_EQ(LabelMap({1, 1, 1}, std::vector<std::uint16_t>{0}, labels).placeAt(0), 0u);
 }
 
+TEST(LabelMap, knowsTheBoxAroundEachLabel) {
+  std::vector<std::uint8_t> places(4 * 3 * 2, 0);
+  places[1 + 4 * 1] = places[2 + 4 * (0 + 3 * 1)] = 2; // voxels (1, 1, 0) and (2, 0, 1)
+  const std::vector<Label> labels(3);
+  const LabelMap map({4, 3, 2}, places, labels);
+  EXPECT_EQ(map.boxAround(0).lower, glm::ivec3(0));
+  EXPECT_EQ(map.boxAround(0).upper, glm::ivec3(4, 3, 2));
+  EXPECT_EQ(map.boxAround(1).lower, map.boxAround(1).upper) << "no voxel has it";
+  EXPECT_EQ(map.boxAround(2).lower, glm::ivec3(1, 0, 0));
+  EXPECT_EQ(map.boxAround(2).upper, glm::ivec3(3, 2, 2));
+}
+
 TEST(Region, restrictsWhereALabelWeighsLess) {
   EXPECT_FALSE(isRestricting(Region{}));
   EXPECT_FALSE(isRestricting(Region{Region::Kind::body, {}, {}, {}})) << "not found yet";

@@ -87,8 +87,8 @@ PlaneContent planeContentOf(const FigurePanel& panel) {
 }
 
 PlaneFrame planeFrameOf(const FigurePanel& panel, const QSize& pixels) {
-  return planeFrame(panel.scene.volume->grid(), *panel.plane, crosshairOf(planeContentOf(panel)),
-                    QSizeF(pixels), 1.0, std::nullopt);
+  const PlaneContent content = planeContentOf(panel);
+  return planeFrame(seenGrid(content), *panel.plane, crosshairOf(content), QSizeF(pixels), 1.0, std::nullopt);
 }
 
 double mmPerPixelOf(const FigurePanel& panel, const QSize& pixels) {

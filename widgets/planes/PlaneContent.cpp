@@ -31,6 +31,14 @@ glm::dvec3 crosshairOf(const PlaneContent& content) {
   return content.settings.crosshairMm.value_or(middleVoxelMm(content.volume->grid()));
 }
 
+Grid seenGrid(const PlaneContent& content) {
+  const Grid& all = content.volume->grid();
+  if (content.keep.kind != Region::Kind::body || !content.keep.labels)
+    return all;
+  const VoxelBox& body = content.keep.labels->boxAround(1);
+  return body.lower == body.upper ? all : partOf(all, widened(body, all));
+}
+
 GreyWindow windowOf(const PlaneContent& content) {
   return content.settings.window.value_or(content.firstWindow);
 }

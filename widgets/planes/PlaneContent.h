@@ -21,6 +21,10 @@ struct PlaneContent {
 /// The place of the crosshair, world millimetres; there is a volume.
 glm::dvec3 crosshairOf(const PlaneContent& content);
 
+/// What a slice shows before anyone zooms: all of the volume, or where the body alone is kept the box around
+/// that, because a table beside it would take half of the view. There is a volume.
+Grid seenGrid(const PlaneContent& content);
+
 /// The grey window that is shown.
 GreyWindow windowOf(const PlaneContent& content);
 

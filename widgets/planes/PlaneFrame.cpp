@@ -7,15 +7,15 @@
 namespace limn {
 namespace {
 
-// Beside a volume that is seen whole, logical pixels each side.
+// Beside what is seen whole, logical pixels each side.
 constexpr double margin = 4.0;
 
-PlaneZoom wholeVolume(const Grid& volume, const PlaneAxes& axes, const QSizeF& size) {
-  const ReachMm across = reachAlong(volume, axes.right);
-  const ReachMm down = reachAlong(volume, axes.down);
+PlaneZoom whole(const Grid& seen, const PlaneAxes& axes, const QSizeF& size) {
+  const ReachMm across = reachAlong(seen, axes.right);
+  const ReachMm down = reachAlong(seen, axes.down);
   const double width = std::max(1.0, size.width() - 2.0 * margin);
   const double height = std::max(1.0, size.height() - 2.0 * margin);
-  return {boxCentreMm(volume),
+  return {boxCentreMm(seen),
           std::max((across.last - across.first) / width, (down.last - down.first) / height)};
 }
 
@@ -25,7 +25,7 @@ glm::dvec2 pixelAt(const PlaneFrame& frame, const QPointF& point) {
 
 } // namespace
 
-PlaneFrame planeFrame(const Grid& volume, PatientPlane plane, const glm::dvec3& throughMm, const QSizeF& size,
+PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& throughMm, const QSizeF& size,
                       double pixelRatio, const std::optional<PlaneZoom>& zoom) {
   PlaneFrame frame;
   frame.pixelRatio = pixelRatio;
@@ -33,10 +33,10 @@ PlaneFrame planeFrame(const Grid& volume, PatientPlane plane, const glm::dvec3& 
   grid.axes = axesOf(plane);
   grid.size = {std::max(1, static_cast<int>(std::lround(size.width() * pixelRatio))),
                std::max(1, static_cast<int>(std::lround(size.height() * pixelRatio)))};
-  const PlaneZoom seen = zoom.value_or(wholeVolume(volume, grid.axes, size));
-  grid.spacingMm = seen.mmPerPixel / pixelRatio;
+  const PlaneZoom shown = zoom.value_or(whole(seen, grid.axes, size));
+  grid.spacingMm = shown.mmPerPixel / pixelRatio;
   const glm::dvec3 middle =
-      seen.centreMm + glm::dot(throughMm - seen.centreMm, grid.axes.forward) * grid.axes.forward;
+      shown.centreMm + glm::dot(throughMm - shown.centreMm, grid.axes.forward) * grid.axes.forward;
   const glm::dvec2 half = (glm::dvec2(grid.size) - 1.0) / 2.0;
   grid.originMm = middle - grid.spacingMm * (half.x * grid.axes.right + half.y * grid.axes.down);
   return frame;

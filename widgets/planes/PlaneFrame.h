@@ -10,7 +10,7 @@
 
 namespace limn {
 
-/// A part of a plane that somebody chose to see; without it all of the volume is seen.
+/// A part of a plane that somebody chose to see; without it all of the grid is seen.
 struct PlaneZoom {
   glm::dvec3 centreMm{0.0}; ///< world, in the middle of the view
   double mmPerPixel = 1.0;  ///< logical pixels, > 0
@@ -23,8 +23,9 @@ struct PlaneFrame {
   double pixelRatio = 1.0; ///< device pixels per logical one, each way
 };
 
-/// The frame of a view of this size (logical pixels, at least 1 each way) through a place in the world.
-PlaneFrame planeFrame(const Grid& volume, PatientPlane plane, const glm::dvec3& throughMm, const QSizeF& size,
+/// The frame of a view of this size (logical pixels, at least 1 each way) through a place in the world, which
+/// shows all of a grid, or what was chosen.
+PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& throughMm, const QSizeF& size,
                       double pixelRatio, const std::optional<PlaneZoom>& zoom);
 
 /// Between the world and points of the view, logical pixels. What is seen at a point lies in the plane.

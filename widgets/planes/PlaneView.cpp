@@ -84,7 +84,7 @@ void PlaneView::setTool(PlaneTool tool) {
 }
 
 PlaneFrame PlaneView::frame() const {
-  return planeFrame(m_content.volume->grid(), m_plane, crosshairOf(m_content), size(), devicePixelRatioF(),
+  return planeFrame(seenGrid(m_content), m_plane, crosshairOf(m_content), size(), devicePixelRatioF(),
                     m_zoom);
 }
 

@@ -16,7 +16,9 @@ namespace {
 constexpr int tileMargin = 4;
 constexpr int leastWidth = 84; // of a tile: so that the list has two beside each other where it is narrow
 
-// One line under the picture: two names that begin alike are told apart by their pictures and tool tips.
+// Of the name under the picture.
+constexpr int nameLines = 2;
+
 QFont tileFont(const QFont& font) {
   QFont small = font;
   small.setPointSizeF(small.pointSizeF() * 0.9);
@@ -29,6 +31,18 @@ QSize pictureSize(int width) {
       .scaled(width - 2 * tileMargin, width, Qt::KeepAspectRatio);
 }
 
+/// A name in at most two lines: as many words in the first as have room, and the rest, cut where it is too
+/// long.
+QStringList inTwoLines(const QString& name, const QFontMetrics& metrics, int width) {
+  if (metrics.horizontalAdvance(name) <= width)
+    return {name};
+  qsizetype space = name.lastIndexOf(u' ');
+  while (space > 0 && metrics.horizontalAdvance(name.left(space)) > width)
+    space = name.lastIndexOf(u' ', space - 1);
+  const auto cut = [&](const QString& text) { return metrics.elidedText(text, Qt::ElideRight, width); };
+  return space > 0 ? QStringList{name.left(space), cut(name.mid(space + 1))} : QStringList{cut(name)};
+}
+
 } // namespace
 
 void PresetTile::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -39,13 +53,13 @@ void PresetTile::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QRect picture(option.rect.topLeft() + QPoint(tileMargin, tileMargin),
                       pictureSize(option.rect.width()));
   paintPresetPicture(*painter, option, index, picture);
-  const QRect line(picture.left(), picture.bottom() + 1, picture.width(),
-                   option.rect.bottom() - picture.bottom() - 2);
+  const QRect lines(picture.left(), picture.bottom() + 1, picture.width(),
+                    option.rect.bottom() - picture.bottom() - 2);
   const QFont font = tileFont(option.font);
   painter->setFont(font);
   painter->setPen(themeColors(option.palette).text);
-  painter->drawText(line, Qt::AlignCenter,
-                    QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, line.width()));
+  painter->drawText(lines, Qt::AlignHCenter | Qt::AlignTop,
+                    inTwoLines(index.data().toString(), QFontMetrics(font), lines.width()).join(u'\n'));
   painter->restore();
 }
 
@@ -54,7 +68,8 @@ QSize PresetTile::sizeHint(const QStyleOptionViewItem& option, const QModelIndex
   const auto* view = qobject_cast<const QAbstractItemView*>(option.widget);
   const int room = view ? view->viewport()->width() - 1 : leastWidth;
   const int width = room / std::max(1, room / leastWidth);
-  return {width, pictureSize(width).height() + 2 * tileMargin + QFontMetrics(tileFont(option.font)).height()};
+  return {width, pictureSize(width).height() + 2 * tileMargin +
+                     nameLines * QFontMetrics(tileFont(option.font)).lineSpacing()};
 }
 
 } // namespace limn

@@ -3,17 +3,12 @@
 
 #include "scene/Scene.h"
 #include "scene/volume/Histogram.h"
+#include "scene/volume/VoxelBox.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace limn {
-
-/// Voxels from `lower` on, up to those before `upper`; empty where an axis has none.
-struct VoxelBox {
-  glm::ivec3 lower{0};
-  glm::ivec3 upper{0};
-};
 
 /// The voxels whose centres lie in the crop.
 VoxelBox croppedVoxels(const Grid& grid, const CropBox& crop);

@@ -3,9 +3,34 @@
 
 #include "scene/basics/Error.h"
 
-#include <algorithm>
-
 namespace limn {
+namespace {
+
+void enclose(VoxelBox& box, const glm::ivec3& lower, const glm::ivec3& upper) {
+  const bool isFirst = box.lower == box.upper;
+  box = isFirst ? VoxelBox{lower, upper} : VoxelBox{glm::min(box.lower, lower), glm::max(box.upper, upper)};
+}
+
+/// The smallest box around each label, run by run of each row.
+template <class Place>
+std::vector<VoxelBox> boxesAround(const std::vector<Place>& places, const glm::ivec3& dims,
+                                  std::size_t labels) {
+  std::vector<VoxelBox> boxes(labels);
+  const Place* row = places.data();
+  for (int k = 0; k < dims.z; ++k)
+    for (int j = 0; j < dims.y; ++j, row += dims.x)
+      for (int first = 0, end = 0; first < dims.x; first = end) {
+        const Place place = row[first];
+        if (place >= labels)
+          throw Error(Error::Kind::input, Message::tr("A voxel's label is missing in the list of labels."));
+        while (end < dims.x && row[end] == place)
+          ++end;
+        enclose(boxes[place], {first, j, k}, {end, j + 1, k + 1});
+      }
+  return boxes;
+}
+
+} // namespace
 
 LabelMap::LabelMap(const glm::ivec3& dims, Places places, std::vector<Label> labels)
     : m_dims(dims), m_places(std::move(places)), m_labels(std::move(labels)) {
@@ -20,8 +45,7 @@ LabelMap::LabelMap(const glm::ivec3& dims, Places places, std::vector<Label> lab
                       Message::tr("A label map has one label for each voxel; this one has %1 for %2.")
                           .arg(all.size())
                           .arg(voxels));
-        if (!all.empty() && *std::max_element(all.begin(), all.end()) >= m_labels.size())
-          throw Error(Error::Kind::input, Message::tr("A voxel's label is missing in the list of labels."));
+        m_boxes = boxesAround(all, dims, m_labels.size());
       },
       m_places);
 }

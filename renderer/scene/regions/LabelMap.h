@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <glm/glm.hpp>
+#include "scene/volume/VoxelBox.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,10 +36,14 @@ public:
   /// The place in the list of labels of a voxel, by its position in the stored array (voxelOffset).
   std::size_t placeAt(std::size_t voxel) const;
 
+  /// The smallest box around the voxels of a place in the list; empty where there are none.
+  const VoxelBox& boxAround(std::size_t place) const { return m_boxes[place]; }
+
 private:
   glm::ivec3 m_dims;
   Places m_places;
   std::vector<Label> m_labels;
+  std::vector<VoxelBox> m_boxes; // of each label
 };
 
 } // namespace limn

@@ -102,6 +102,36 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   }
 }
 
+TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
+  setLayout(CompareLayout::single);
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  const TransferFunction before = scene().transferFunction;
+  session().setTransferFunction(shifted(before, 100.0), {nextGestureId(), QStringLiteral("test")});
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  auto& choice = part<QComboBox>("panelSource-a");
+  const int remembered = choice.findText(QStringLiteral("Remembered: Before"));
+  ASSERT_GE(remembered, 0);
+  choice.setFocus();
+  while (choice.currentIndex() != remembered && choice.currentIndex() + 1 < choice.count())
+    QTest::keyClick(&choice, Qt::Key_Down);
+  ASSERT_EQ(dialog().figure().panels.size(), 1u);
+  EXPECT_EQ(dialog().figure().panels[0].scene.transferFunction, before);
+  EXPECT_EQ(dialog().figure().panels[0].name, QStringLiteral("Before"));
+  click("figureClose");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  ASSERT_TRUE(rest());
+  window->findChild<QAction*>(QStringLiteral("saveFigure"))
+      ->trigger(); // without a window manager no key gets there
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  const Figure compared = dialog().figure();
+  ASSERT_EQ(compared.panels.size(), 2u);
+  for (std::size_t side = 0; side < 2; ++side) {
+    EXPECT_EQ(compared.panels[side].scene.transferFunction, view().scenesOfSides()[side].transferFunction);
+    EXPECT_EQ(compared.panels[side].name, side == 0 ? QStringLiteral("Before") : QStringLiteral("Now"));
+  }
+}
+
 TEST_F(FigureWindow, pdfTiffAndExrAreWrittenByTheirEndings) {
   ASSERT_TRUE(ask());
   check("figureExact");

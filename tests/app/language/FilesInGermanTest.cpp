@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <cstdlib>
 
 namespace limn::test {
 namespace {
@@ -20,6 +21,23 @@ namespace {
 // What the window writes of one state.
 struct Written {
   std::string session, preset, settings, table;
+};
+
+/// Where the system is a German one, as long as it lives: in C's functions the decimal point is a comma.
+class InGermany {
+public:
+  explicit InGermany(const std::filesystem::path& locales) {
+    const std::string command = "localedef -i de_DE -f UTF-8 " + (locales / "de_DE.UTF-8").string();
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    setenv("LOCPATH", locales.c_str(), 1);
+    std::setlocale(LC_ALL, "de_DE.UTF-8");
+  }
+  ~InGermany() {
+    std::setlocale(LC_ALL, "C.UTF-8");
+    unsetenv("LOCPATH");
+  }
+  InGermany(const InGermany&) = delete;
+  InGermany& operator=(const InGermany&) = delete;
 };
 
 Written writtenByAWindow() {
@@ -48,9 +66,11 @@ TEST(FilesInGerman, areThoseOfAnEnglishWindowByteForByte) {
   ASSERT_NE(english.session.find("0."), std::string::npos) << "it has decimals";
   ASSERT_NE(english.table.find("0.25"), std::string::npos) << english.table;
   ASSERT_NE(english.preset.find("My own"), std::string::npos);
-  // As the system sets it where German is installed; the program must not keep to it.
-  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  const TemporaryFolder locales;
+  const InGermany germany(locales.path());
+  ASSERT_STREQ(std::localeconv()->decimal_point, ",") << "made by localedef, of Debian's package locales";
   const InGerman german;
+  EXPECT_STREQ(std::localeconv()->decimal_point, ".");
   const Written inGerman = writtenByAWindow();
   EXPECT_EQ(inGerman.session, english.session);
   EXPECT_EQ(inGerman.preset, english.preset);

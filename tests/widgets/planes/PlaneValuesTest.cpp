@@ -92,6 +92,28 @@ TEST(PlaneText, tellsPlaceValueAndWindow) {
   EXPECT_EQ(distanceText({PatientPlane::axial, {0, 0, 0}, {3, 4, 0}}).replace(QChar(0xa0), ' '), "5 mm");
 }
 
+TEST(PlaneFrame, showsTheBodyWhereThatAloneIsKept) {
+  PlaneContent content = test::contentOf(test::countingVolume({40, 30, 20}, {1.0, 2.0, 3.0}));
+  const Grid& all = content.volume->grid();
+  EXPECT_EQ(seenGrid(content), all);
+  content.keep.kind = Region::Kind::body;
+  EXPECT_EQ(seenGrid(content), all) << "it is not found yet";
+  std::vector<std::uint8_t> places(40 * 30 * 20, 0);
+  content.keep = bodyRegion(all.dims, places);
+  EXPECT_EQ(seenGrid(content), all) << "there is none";
+  for (int k = 5; k < 15; ++k)
+    for (int j = 0; j < 12; ++j)
+      for (int i = 10; i < 20; ++i)
+        places[static_cast<std::size_t>(i + 40 * (j + 30 * k))] = 1;
+  content.keep = bodyRegion(all.dims, places);
+  const Grid seen = seenGrid(content);
+  EXPECT_EQ(seen.dims, glm::ivec3(12, 13, 12)) << "one voxel more where there is one";
+  EXPECT_EQ(indexToWorld(seen, {0, 0, 0}), indexToWorld(all, {9, 0, 4}));
+  EXPECT_EQ(indexToWorld(seen, {11, 12, 11}), indexToWorld(all, {20, 12, 15}));
+  content.keep.kind = Region::Kind::labels;
+  EXPECT_EQ(seenGrid(content), all) << "labels are shown and hidden in turn, and slices stay where they are";
+}
+
 TEST(PlaneText, claimsNoSidesThatTheFileDoesNotTell) {
   const auto known = test::countingVolume({6, 5, 4}, glm::dvec3(1.0));
   VolumeInfo info = known->info();
