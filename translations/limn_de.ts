@@ -49,11 +49,11 @@
     </message>
     <message>
         <source>its header does not give 2 to 7 dimensions</source>
-        <translation>ihr Kopf nennt nicht 2 bis 7 Dimensionen</translation>
+        <translation>ihr Header nennt nicht 2 bis 7 Dimensionen</translation>
     </message>
     <message>
         <source>its header gives more volumes than any file holds</source>
-        <translation>ihr Kopf nennt mehr Volumen, als eine Datei enthält</translation>
+        <translation>ihr Header nennt mehr Volumen, als eine Datei enthält</translation>
     </message>
     <message>
         <source>it is a folder where a file is needed</source>
@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>it names its voxel file &quot;%1&quot;, which is not in the folder of the header</source>
-        <translation>sie nennt ihre Voxeldatei „%1“, die nicht im Ordner des Kopfes liegt</translation>
+        <translation>sie nennt ihre Voxeldatei „%1“, die nicht im Ordner des Headers liegt</translation>
     </message>
     <message>
         <source>put both files into one folder and name the voxel file without a path</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>copy that file beside the header</source>
-        <translation>kopieren Sie diese Datei neben den Kopf</translation>
+        <translation>kopieren Sie diese Datei neben den Header</translation>
     </message>
     <message>
         <source>it names itself as its voxel file</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>its header gives the dimensions %1 x %2 x %3</source>
-        <translation>ihr Kopf nennt die Abmessungen %1 x %2 x %3</translation>
+        <translation>ihr Header nennt die Abmessungen %1 x %2 x %3</translation>
     </message>
     <message>
         <source>%1, which leave no voxels</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>its header&apos;s line %1 has too few numbers</source>
-        <translation>die Zeile %1 ihres Kopfes hat zu wenige Zahlen</translation>
+        <translation>die Zeile %1 ihres Headers hat zu wenige Zahlen</translation>
     </message>
     <message>
         <source>it does not hold exactly one piece</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>it is no picture, or a damaged one</source>
-        <translation>sie ist kein Bild oder ein beschädigtes</translation>
+        <translation>sie ist kein Bild oder ist beschädigt</translation>
     </message>
     <message>
         <source>choose a PNG, TIFF, JPEG or EXR picture</source>
@@ -153,11 +153,11 @@
     </message>
     <message>
         <source>%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.</source>
-        <translation>%1 ist kein gültiges JSON (der Fehler liegt bei Byte %2); öffnen Sie es in einem Texteditor, um es zu reparieren.</translation>
+        <translation>%1 ist kein gültiges JSON (der Fehler liegt bei Byte %2); öffnen Sie die Datei in einem Texteditor, um sie zu reparieren.</translation>
     </message>
     <message>
         <source>%1 holds a number too large to be one; open it in a text editor to repair it.</source>
-        <translation>%1 enthält eine Zahl, die zu groß ist; öffnen Sie es in einem Texteditor, um es zu reparieren.</translation>
+        <translation>%1 enthält eine Zahl, die zu groß ist; öffnen Sie die Datei in einem Texteditor, um sie zu reparieren.</translation>
     </message>
     <message>
         <source>check the path</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>The spacing must be three positive numbers of millimetres.</source>
-        <translation>Der Abstand muss aus drei positiven Zahlen in Millimetern bestehen.</translation>
+        <translation>Der Voxelabstand muss aus drei positiven Zahlen in Millimetern bestehen.</translation>
     </message>
     <message>
         <source>Cannot open %1: it is no figure of Limn; choose a volume, a scene or a picture.</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>Left drag</source>
-        <translation>Links ziehen</translation>
+        <translation>Ziehen mit links</translation>
     </message>
     <message>
         <source>rotate, or what the chosen tool does</source>
@@ -220,7 +220,7 @@
     </message>
     <message>
         <source>Middle drag, Shift+left drag</source>
-        <translation>Mitte ziehen, Umschalt+links ziehen</translation>
+        <translation>Ziehen mit Mitteltaste, Umschalt+Ziehen</translation>
     </message>
     <message>
         <source>pan</source>
@@ -228,7 +228,7 @@
     </message>
     <message>
         <source>Right drag, wheel, + −</source>
-        <translation>Rechts ziehen, Mausrad, + −</translation>
+        <translation>Ziehen mit rechts, Mausrad, + −</translation>
     </message>
     <message>
         <source>zoom</source>
@@ -236,7 +236,7 @@
     </message>
     <message>
         <source>Ctrl+left drag</source>
-        <translation>Strg+links ziehen</translation>
+        <translation>Strg+Ziehen</translation>
     </message>
     <message>
         <source>roll</source>
@@ -244,7 +244,7 @@
     </message>
     <message>
         <source>Alt+left drag</source>
-        <translation>Alt+links ziehen</translation>
+        <translation>Alt+Ziehen</translation>
     </message>
     <message>
         <source>window and level; with Ctrl: opacity</source>
@@ -272,7 +272,7 @@
     </message>
     <message>
         <source>swap the two sides while held</source>
-        <translation>tauscht die beiden Seiten, solange sie gedrückt ist</translation>
+        <translation>die beiden Seiten vertauschen, solange gedrückt</translation>
     </message>
     <message>
         <source>B, drag a handle</source>
@@ -280,7 +280,7 @@
     </message>
     <message>
         <source>crop box; double click a handle: that face uncut</source>
-        <translation>Zuschnittbox; Doppelklick am Griff öffnet die Seite</translation>
+        <translation>Zuschnittbox; Doppelklick am Griff: Seite unbeschnitten</translation>
     </message>
     <message>
         <source>0, 1 … 9</source>
@@ -312,7 +312,7 @@
     </message>
     <message>
         <source>Right drag, Alt+left drag</source>
-        <translation>Rechts ziehen, Alt+links ziehen</translation>
+        <translation>Ziehen mit rechts, Alt+Ziehen</translation>
     </message>
     <message>
         <source>window and level</source>
@@ -348,7 +348,7 @@
     </message>
     <message>
         <source>remove the distance</source>
-        <translation>Abstand entfernen</translation>
+        <translation>Abstand löschen</translation>
     </message>
     <message>
         <source>Double click</source>
@@ -383,8 +383,8 @@
         <translation>Punkt ziehen</translation>
     </message>
     <message>
-        <source>move; Shift locks an axis, Alt is fine</source>
-        <translation>bewegen; Umschalt hält eine Achse fest, Alt ist fein</translation>
+        <source>move; Shift locks an axis, Alt moves finely</source>
+        <translation>bewegen; Umschalt hält eine Achse fest, Alt bewegt fein</translation>
     </message>
     <message>
         <source>Middle click, Del</source>
@@ -557,7 +557,7 @@
     <message>
         <source>From %1 to %2</source>
         <comment>two tissues</comment>
-        <translation>Von %1 zu %2</translation>
+        <translation>%1 → %2</translation>
     </message>
     <message>
         <source>Within %1</source>
@@ -638,7 +638,7 @@
     </message>
     <message>
         <source>%1: within %2, %3.</source>
-        <translation>%1: höchstens %2 Fehler, %3.</translation>
+        <translation>%1: Fehler %2, %3.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -959,15 +959,15 @@
     </message>
     <message>
         <source>within %1 of 255 levels, measured</source>
-        <translation>höchstens %1 von 255 Stufen Fehler, gemessen</translation>
+        <translation>Fehler höchstens %1 von 255 Stufen, gemessen</translation>
     </message>
     <message>
         <source>within about %1 of 255 levels</source>
-        <translation>höchstens etwa %1 von 255 Stufen Fehler</translation>
+        <translation>Fehler höchstens etwa %1 von 255 Stufen</translation>
     </message>
     <message>
         <source>within %1 of 255 levels</source>
-        <translation>höchstens %1 von 255 Stufen Fehler</translation>
+        <translation>Fehler höchstens %1 von 255 Stufen</translation>
     </message>
     <message>
         <source>not resolved</source>
@@ -1007,7 +1007,7 @@
     </message>
     <message>
         <source>preview, step %1</source>
-        <translation>Vorschau, %1</translation>
+        <translation>Vorschau, Schritt %1</translation>
     </message>
     <message>
         <source>preview at %1 resolution</source>
@@ -1015,11 +1015,11 @@
     </message>
     <message>
         <source>refined, step %1</source>
-        <translation>verfeinert, %1</translation>
+        <translation>verfeinert, Schritt %1</translation>
     </message>
     <message>
         <source>The steps cost no more than half a level: smaller ones would show no difference.</source>
-        <translation>Die Schritte kosten höchstens eine halbe Stufe: Kleinere zeigten keinen Unterschied.</translation>
+        <translation>Die Schritte kosten höchstens eine halbe Stufe: Kleinere würden keinen Unterschied zeigen.</translation>
     </message>
     <message>
         <source>smallest step, %1</source>
@@ -1027,7 +1027,7 @@
     </message>
     <message>
         <source>No smaller step is drawn: it would take long and show little.</source>
-        <translation>Kleinere Schritte werden nicht gezeichnet: Das dauerte lange und zeigte wenig.</translation>
+        <translation>Kleinere Schritte werden nicht gezeichnet: Das würde lange dauern und wenig zeigen.</translation>
     </message>
     <message>
         <source>smallest possible step, %1</source>
@@ -1035,7 +1035,7 @@
     </message>
     <message>
         <source>With a smaller step rays would need more samples than the driver allows.</source>
-        <translation>Bei kleineren Schritten brauchten Strahlen mehr Abtastpunkte, als der Treiber zulässt.</translation>
+        <translation>Mit kleineren Schritten bräuchten Strahlen mehr Abtastpunkte, als der Treiber zulässt.</translation>
     </message>
     <message>
         <source>smallest practical step, %1</source>
@@ -1043,11 +1043,11 @@
     </message>
     <message>
         <source>The next smaller step would take too long on this machine.</source>
-        <translation>Die nächstkleinere Schrittweite dauerte auf diesem Rechner zu lange.</translation>
+        <translation>Die nächstkleinere Schrittweite würde auf diesem Rechner zu lange dauern.</translation>
     </message>
     <message>
         <source>step %1, not refined</source>
-        <translation>%1, nicht verfeinert</translation>
+        <translation>Schritt %1, nicht verfeinert</translation>
     </message>
     <message>
         <source>Refining the picture failed.</source>
@@ -1055,7 +1055,7 @@
     </message>
     <message>
         <source>step %1, refining</source>
-        <translation>%1, wird verfeinert</translation>
+        <translation>Schritt %1, wird verfeinert</translation>
     </message>
     <message>
         <source>The picture is being drawn again with smaller steps.</source>
@@ -1063,7 +1063,7 @@
     </message>
     <message>
         <source>step %1</source>
-        <translation>%1</translation>
+        <translation>Schritt %1</translation>
     </message>
     <message>
         <source>chosen by error</source>
@@ -1103,7 +1103,7 @@
     </message>
     <message>
         <source>99.9th percentile %1, mean %2 levels</source>
-        <translation>99,9. Perzentil %1, Mittel %2 Stufen</translation>
+        <translation>99,9. Perzentil %1, Mittelwert %2 Stufen</translation>
     </message>
     <message>
         <source>%1, observed order %2</source>
@@ -1143,7 +1143,7 @@
     </message>
     <message>
         <source>keep that value: buttons make its tissue more or less opaque</source>
-        <translation>Wert anheften: Tasten machen sein Gewebe mehr oder weniger deckend</translation>
+        <translation>Wert anheften; sein Gewebe mehr oder weniger deckend</translation>
     </message>
     <message>
         <source>look from front, back, left, above, below</source>
@@ -1187,7 +1187,7 @@
     </message>
     <message>
         <source>see it for a while; a click or Enter uses it</source>
-        <translation>es vorübergehend sehen; Klick oder Eingabe verwendet es</translation>
+        <translation>vorübergehend ansehen; Klick oder Eingabe verwendet es</translation>
     </message>
     <message>
         <source>F, F2, Del</source>
@@ -1203,7 +1203,7 @@
     </message>
     <message>
         <source>remember a look, compare it with now</source>
-        <translation>Darstellung merken, mit jetzt vergleichen</translation>
+        <translation>Darstellung merken, mit der jetzigen vergleichen</translation>
     </message>
     <message>
         <source>tools: crosshair, window and level, distance</source>
@@ -1215,7 +1215,7 @@
     </message>
     <message>
         <source>Rest on a point, H</source>
-        <translation>Auf einem Punkt ruhen, H</translation>
+        <translation>Auf einem Punkt verweilen, H</translation>
     </message>
     <message>
         <source>what it governs lights up in slices and picture</source>
@@ -1239,7 +1239,7 @@
     </message>
     <message>
         <source>&amp;Keyboard focus</source>
-        <translation>Tastatur sc&amp;hicken</translation>
+        <translation>Bereic&amp;h wechseln</translation>
     </message>
     <message>
         <source>Left dra&amp;g</source>
@@ -1470,7 +1470,7 @@
         <translation>Die Oberfläche liegt in %1 Tiefe; das Bild zeigt nur sie.</translation>
     </message>
     <message>
-        <source>Half of what is absorbed is so within %1, at %2.</source>
+        <source>Half of the absorption lies within the first %1, up to %2.</source>
         <translation>Die Hälfte der Absorption ist nach %1 erreicht, beim Wert %2.</translation>
     </message>
     <message>
@@ -1499,7 +1499,7 @@
     </message>
     <message>
         <source>What the picture takes</source>
-        <translation>Was das Bild nimmt</translation>
+        <translation>Was ins Bild eingeht</translation>
     </message>
     <message>
         <source>Surface</source>
@@ -1524,6 +1524,24 @@
     <message>
         <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
         <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
+    </message>
+    <message>
+        <source>Compared: %1</source>
+        <translation>Verglichen: %1</translation>
+    </message>
+    <message>
+        <source>Remembered: %1</source>
+        <translation>Gemerkt: %1</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>small</source>
+        <comment>labels within a sentence</comment>
+        <extracomment>Not shown. Translate it as &quot;capital&quot; where nouns within a sentence have one.</extracomment>
+        <translation>capital</translation>
     </message>
 </context>
 <context>
@@ -1577,7 +1595,7 @@
     </message>
     <message>
         <source>Error, mean, levels of 255</source>
-        <translation>Fehler, Mittel, Stufen von 255</translation>
+        <translation>Mittlerer Fehler, Stufen von 255</translation>
     </message>
     <message>
         <source>Error, 99.9th percentile, levels of 255</source>
@@ -1670,7 +1688,7 @@
     </message>
     <message>
         <source>use %1</source>
-        <translation>%1 verwenden</translation>
+        <translation>verwenden: %1</translation>
     </message>
     <message>
         <source>Preparing…</source>
@@ -1777,11 +1795,11 @@
     </message>
     <message>
         <source>Two models over each other with a border to drag.</source>
-        <translation>Zwei Modelle übereinander mit einer Grenze zum Ziehen.</translation>
+        <translation>Zwei Modelle übereinander mit verschiebbarer Trennlinie.</translation>
     </message>
     <message>
         <source>Where the two models differ, amplified.</source>
-        <translation>Wo sich die beiden Modelle unterscheiden, verstärkt.</translation>
+        <translation>Wo sich die beiden Modelle unterscheiden; Unterschiede vergrößert.</translation>
     </message>
     <message>
         <source>The picture without slices.</source>
@@ -1833,7 +1851,7 @@
     </message>
     <message>
         <source>up is nearer</source>
-        <translation>nach oben ist näher</translation>
+        <translation>nach oben kommt das Bild näher</translation>
     </message>
     <message>
         <source>Window/level</source>
@@ -1881,7 +1899,7 @@
     </message>
     <message>
         <source>Says which side is left where the volume&apos;s file does not.</source>
-        <translation>Legt fest, welche Seite links ist, wo die Datei des Volumens es nicht sagt.</translation>
+        <translation>Legt fest, welche Seite links ist, wo die Datei des Volumens es nicht angibt.</translation>
     </message>
     <message>
         <source>&amp;Orthographic</source>
@@ -1928,8 +1946,8 @@
         <translation>Hoher Kontrast</translation>
     </message>
     <message>
-        <source>The window speaks it when it is opened the next time.</source>
-        <translation>Das Fenster spricht sie, sobald es das nächste Mal geöffnet wird.</translation>
+        <source>The window uses it from the next start.</source>
+        <translation>Gilt, sobald das Fenster das nächste Mal geöffnet wird.</translation>
     </message>
     <message>
         <source>&amp;Automatic</source>
@@ -2065,7 +2083,7 @@
     </message>
     <message>
         <source>Show the patient&apos;s &amp;name in the title bar</source>
-        <translation>&amp;Namen des Patienten in der Titelleiste zeigen</translation>
+        <translation>Patienten&amp;namen in der Titelleiste zeigen</translation>
     </message>
     <message>
         <source>&amp;Remember this look as &quot;before&quot;</source>
@@ -2104,18 +2122,18 @@
     <name>limn::AppearanceDesk</name>
     <message>
         <source>The window speaks this language when it is opened the next time.</source>
-        <translation>Das Fenster spricht diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
+        <translation>Das Fenster verwendet diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
     </message>
 </context>
 <context>
     <name>limn::BackgroundWork</name>
     <message>
         <source>There is not enough memory for this; choose fewer pixels or close other programs.</source>
-        <translation>Der Speicher reicht dafür nicht; wählen Sie weniger Pixel oder schließen Sie andere Programme.</translation>
+        <translation>Der Speicher reicht dafür nicht; wählen Sie weniger Pixel, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Something unexpected failed: %1.</source>
-        <translation>Etwas Unerwartetes ist fehlgeschlagen: %1.</translation>
+        <source>An unexpected error: %1.</source>
+        <translation>Unerwarteter Fehler: %1.</translation>
     </message>
 </context>
 <context>
@@ -2192,7 +2210,7 @@
 <context>
     <name>limn::CropSection</name>
     <message>
-        <source>What lies outside these percents of the volume is cut away; the first number is the end named first.</source>
+        <source>What lies outside this part of the volume is cut away; the first number is the end named first.</source>
         <translation>Was außerhalb dieser Prozentwerte des Volumens liegt, wird abgeschnitten; die erste Zahl gehört zum zuerst genannten Ende.</translation>
     </message>
     <message>
@@ -2314,7 +2332,7 @@
     </message>
     <message>
         <source>Refined on screen to %1, within %2.</source>
-        <translation>Am Bildschirm verfeinert auf %1, höchstens %2 Fehler.</translation>
+        <translation>Am Bildschirm verfeinert auf %1, Fehler %2.</translation>
     </message>
     <message>
         <source>Refined on screen to %1.</source>
@@ -2342,7 +2360,7 @@
     </message>
     <message>
         <source>&lt;p&gt;How far apart the samples along a ray lie while nothing moves: to the left the picture is there sooner, to the right it is closer to the exact one; at the end samples are spent where the picture needs them to be within half a level of 255.&lt;/p&gt;&lt;p&gt;From 2 voxels to exact, default 1/2. The figures are the error of 999 in 1000 colour values, in levels of 255, and the time of a picture, both measured here.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Wie weit die Abtastpunkte eines Strahls auseinanderliegen, solange sich nichts bewegt: nach links ist das Bild früher da, nach rechts ist es näher am exakten; am Ende wird dort abgetastet, wo das Bild es braucht, um höchstens eine halbe von 255 Stufen falsch zu sein.&lt;/p&gt;&lt;p&gt;Von 2 Voxel bis exakt, Standard 1/2. Die Zahlen sind der Fehler von 999 von 1000 Farbwerten in Stufen von 255 und die Zeit eines Bildes, beide hier gemessen.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Wie weit die Abtastpunkte eines Strahls auseinanderliegen, solange sich nichts bewegt: nach links ist das Bild früher da, nach rechts ist es näher am exakten; am Ende wird dort abgetastet, wo das Bild es braucht, um höchstens eine halbe von 255 Stufen abzuweichen.&lt;/p&gt;&lt;p&gt;Von 2 Voxeln bis exakt, Standard 1/2. Die Zahlen nennen den Fehler von 999 von 1000 Farbwerten in Stufen von 255 und die Zeit eines Bildes, beide hier gemessen.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>at most %1 ms</source>
@@ -2393,7 +2411,7 @@
     <name>limn::Docks</name>
     <message>
         <source>As opened</source>
-        <translation>Wie geöffnet</translation>
+        <translation>Ausgangszustand</translation>
     </message>
     <message>
         <source>History</source>
@@ -2436,7 +2454,7 @@
     <name>limn::DriverRecovery</name>
     <message>
         <source>The graphics driver failed, and everything in it was made anew; nothing is lost.</source>
-        <translation>Der Grafiktreiber hat versagt, und alles darin wurde neu angelegt; nichts ist verloren.</translation>
+        <translation>Der Grafiktreiber ist ausgefallen, und alles darin wurde neu angelegt; nichts ist verloren.</translation>
     </message>
 </context>
 <context>
@@ -2478,11 +2496,11 @@
     </message>
     <message>
         <source>Open a volume to see which effects its picture calls for.</source>
-        <translation>Öffnen Sie ein Volumen, um zu sehen, welche Effekte sein Bild verlangt.</translation>
+        <translation>Öffnen Sie ein Volumen, um zu sehen, welche Effekte sein Bild braucht.</translation>
     </message>
     <message>
         <source>%1: the picture calls for %2 of %3 effects; nothing else is computed.</source>
-        <translation>%1: Das Bild verlangt %2 von %3 Effekten; anderes wird nicht berechnet.</translation>
+        <translation>%1: Das Bild braucht %2 von %3 Effekten; anderes wird nicht berechnet.</translation>
     </message>
     <message>
         <source>Measuring… %1 %</source>
@@ -2530,12 +2548,12 @@
     <message>
         <source>Continue where you left
 %1</source>
-        <translation>Weiterarbeiten, wo Sie waren
+        <translation>Weiterarbeiten, wo Sie aufgehört haben
 %1</translation>
     </message>
     <message>
         <source>Continue where you left: %1</source>
-        <translation>Weiterarbeiten, wo Sie waren: %1</translation>
+        <translation>Weiterarbeiten, wo Sie aufgehört haben: %1</translation>
     </message>
 </context>
 <context>
@@ -2615,7 +2633,7 @@
     </message>
     <message>
         <source>%1 Until it works again, the processor draws the picture.</source>
-        <translation>%1 Bis sie wieder arbeitet, zeichnet der Prozessor das Bild.</translation>
+        <translation>%1 Bis das behoben ist, zeichnet der Prozessor das Bild.</translation>
     </message>
 </context>
 <context>
@@ -2665,7 +2683,7 @@
     <name>limn::FigureDialog</name>
     <message>
         <source>As exact as a screen shows</source>
-        <translation>So genau, wie ein Bildschirm zeigt</translation>
+        <translation>So genau, wie ein Bildschirm es zeigt</translation>
     </message>
     <message>
         <source>Save a figure</source>
@@ -2673,7 +2691,7 @@
     </message>
     <message>
         <source>Draws within half a level of 255 of the exact picture, which takes longer than the window&apos;s own steps.</source>
-        <translation>Zeichnet mit höchstens einer halben von 255 Stufen Fehler, was länger dauert als die Schrittweite des Fensters.</translation>
+        <translation>Zeichnet mit höchstens einer halben von 255 Stufen Fehler, was länger dauert als mit der Schrittweite des Fensters.</translation>
     </message>
     <message>
         <source>Making the figure</source>
@@ -2716,7 +2734,7 @@
     </message>
     <message>
         <source>Scale bar</source>
-        <translation>Maßstab</translation>
+        <translation>Maßstabsbalken</translation>
     </message>
     <message>
         <source>Curve and colours</source>
@@ -2784,7 +2802,7 @@
     </message>
     <message>
         <source>Without a fixed height, the figure is as high as its pictures ask.</source>
-        <translation>Ohne feste Höhe ist die Abbildung so hoch, wie ihre Bilder verlangen.</translation>
+        <translation>Ohne feste Höhe ist die Abbildung so hoch, wie ihre Bilder es verlangen.</translation>
     </message>
     <message>
         <source>&amp;Height</source>
@@ -2917,7 +2935,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Art</translation>
+        <translation>Nebelart</translation>
     </message>
     <message>
         <source>Off</source>
@@ -2943,7 +2961,7 @@
     </message>
     <message>
         <source>&lt;p&gt;Multiplies the opacity by this curve, so that boundaries stay and even tissue fades.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Multipliziert die Deckkraft mit dieser Kurve, sodass Grenzflächen bleiben und gleichmäßiges Gewebe verblasst.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Multipliziert die Deckkraft mit dieser Kurve, sodass Grenzflächen bleiben und homogenes Gewebe verblasst.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>per mm</source>
@@ -2963,7 +2981,7 @@
     </message>
     <message>
         <source>Off: opacity follows the value alone. Tick &quot;Use this curve&quot; to keep boundaries and fade even tissue.</source>
-        <translation>Aus: Die Deckkraft folgt allein dem Wert. Mit „Diese Kurve verwenden“ bleiben Grenzflächen, und gleichmäßiges Gewebe verblasst.</translation>
+        <translation>Aus: Die Deckkraft folgt allein dem Wert. Mit „Diese Kurve verwenden“ bleiben Grenzflächen, und homogenes Gewebe verblasst.</translation>
     </message>
     <message>
         <source>Counting the volume&apos;s gradients…</source>
@@ -2998,11 +3016,11 @@
     </message>
     <message>
         <source>Highlights begin at</source>
-        <translation>Glanzlichter ab</translation>
+        <translation>Glanzlichtschwelle</translation>
     </message>
     <message>
         <source>Highlights fade in between these shares of the strongest boundary, so that noise in flat tissue does not sparkle.</source>
-        <translation>Zwischen diesen Anteilen der stärksten Grenzfläche werden Glanzlichter eingeblendet, damit Rauschen in flachem Gewebe nicht funkelt.</translation>
+        <translation>Zwischen diesen Anteilen der stärksten Grenzfläche werden Glanzlichter eingeblendet, damit Rauschen in homogenem Gewebe nicht funkelt.</translation>
     </message>
     <message>
         <source>Soft limit from (k)</source>
@@ -3086,11 +3104,11 @@
     </message>
     <message>
         <source>At a change of</source>
-        <translation>Bei Änderung um</translation>
+        <translation>Wertänderung</translation>
     </message>
     <message>
         <source>Strength of it</source>
-        <translation>Deren Stärke</translation>
+        <translation>Krümmung</translation>
     </message>
     <message>
         <source>Full effect at</source>
@@ -3102,7 +3120,7 @@
     </message>
     <message>
         <source>Dim broad highlights</source>
-        <translation>Breite Glanzlichter abschwächen</translation>
+        <translation>Breite Glanzlichter dämpfen</translation>
     </message>
 </context>
 <context>
@@ -3207,7 +3225,7 @@
     </message>
     <message>
         <source>Marked labels are shown; a number says how much of its opacity one keeps.</source>
-        <translation>Markierte Labels werden gezeigt; eine Zahl sagt, wie viel von seiner Deckkraft eines behält.</translation>
+        <translation>Markierte Labels werden gezeigt; eine Zahl gibt an, wie viel Deckkraft ein Label behält.</translation>
     </message>
     <message>
         <source>Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI.</source>
@@ -3281,7 +3299,7 @@
     </message>
     <message>
         <source>How much of the light from everywhere tissue gives back: it lifts the shadows.</source>
-        <translation>Wie viel vom Licht aus allen Richtungen Gewebe zurückgibt: hellt die Schatten auf.</translation>
+        <translation>Wie viel vom Licht aus allen Richtungen Gewebe reflektiert: hellt die Schatten auf.</translation>
     </message>
     <message>
         <source>Diffuse (kd)</source>
@@ -3309,7 +3327,7 @@
     </message>
     <message>
         <source>Lamp position</source>
-        <translation>Lampe steht</translation>
+        <translation>Lampenposition</translation>
     </message>
     <message>
         <source>Whether the lamp moves with the viewer or stays with the patient.</source>
@@ -3325,7 +3343,7 @@
     </message>
     <message>
         <source>Lamp around</source>
-        <translation>Lampe rundum</translation>
+        <translation>Lampenrichtung</translation>
     </message>
     <message>
         <source>Where a fixed lamp stands around the patient: 0° in front, 90° at the patient&apos;s left, −90° at the right.</source>
@@ -3389,11 +3407,11 @@
     </message>
     <message>
         <source>Tissue reflects</source>
-        <translation>Gewebe gibt zurück</translation>
+        <translation>Gewebe reflektiert</translation>
     </message>
     <message>
-        <source>Light sends</source>
-        <translation>Licht sendet</translation>
+        <source>Strength of the light</source>
+        <translation>Licht kommt</translation>
     </message>
     <message>
         <source>From all sides (Ia)</source>
@@ -3419,7 +3437,7 @@
     <name>limn::MainWindow</name>
     <message>
         <source>The picture is still being drawn; copy it in a moment.</source>
-        <translation>Das Bild wird noch gezeichnet; kopieren Sie es gleich.</translation>
+        <translation>Das Bild wird noch gezeichnet; kopieren Sie es in einem Augenblick.</translation>
     </message>
 </context>
 <context>
@@ -3477,7 +3495,7 @@
     </message>
     <message>
         <source>&lt;p&gt;Draws this picture from fast to nearly exact and times each, in at most 224 pixels each way: from seconds to some minutes. You can go on working; work beside it makes its times longer.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Zeichnet dieses Bild von schnell bis fast exakt und misst jeweils die Zeit, mit höchstens 224 Pixeln je Seite: Sekunden bis einige Minuten. Sie können weiterarbeiten; die gemessenen Zeiten werden dadurch länger.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Zeichnet dieses Bild von schnell bis fast exakt und misst jeweils die Zeit, mit höchstens 224 Pixeln je Seite; das dauert Sekunden bis einige Minuten. Sie können weiterarbeiten; die gemessenen Zeiten werden dadurch länger.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Save what was measured</source>
@@ -3501,7 +3519,7 @@
     </message>
     <message>
         <source>The 99.9th percentile is the error that 999 of 1000 colour values stay within; the mean is taken over all of them.</source>
-        <translation>Das 99,9. Perzentil ist der Fehler, den 999 von 1000 Farbwerten nicht überschreiten; das Mittel gilt für alle.</translation>
+        <translation>Das 99,9. Perzentil ist der Fehler, den 999 von 1000 Farbwerten nicht überschreiten; der Mittelwert gilt für alle.</translation>
     </message>
     <message>
         <source>99.9th percentile</source>
@@ -3509,7 +3527,7 @@
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>Nothing is measured yet. Measure tells the error and the time of this picture, from fast to exact.</source>
@@ -3568,7 +3586,7 @@
     </message>
     <message>
         <source>Reading headers</source>
-        <translation>Kopfdaten werden gelesen</translation>
+        <translation>Header werden gelesen</translation>
     </message>
     <message>
         <source>Reading voxels</source>
@@ -3596,7 +3614,7 @@
     </message>
     <message>
         <source>light or boundary settings need to know where boundaries lie</source>
-        <translation>Licht oder Grenzflächen-Einstellungen müssen wissen, wo Grenzflächen liegen</translation>
+        <translation>Licht- oder Grenzflächeneinstellungen müssen wissen, wo Grenzflächen liegen</translation>
     </message>
     <message>
         <source>nothing in this picture depends on boundaries</source>
@@ -3672,7 +3690,7 @@
     </message>
     <message>
         <source>boundaries are as opaque as the curve says</source>
-        <translation>Grenzflächen sind so deckend, wie die Kurve sagt</translation>
+        <translation>Grenzflächen sind so deckend, wie die Kurve es vorgibt</translation>
     </message>
     <message>
         <source>every opacity is multiplied by the same factor</source>
@@ -3700,11 +3718,11 @@
     </message>
     <message>
         <source>a curve says how opaque boundaries are by their strength</source>
-        <translation>eine Kurve sagt, wie deckend Grenzflächen nach ihrer Stärke sind</translation>
+        <translation>eine Kurve bestimmt, wie deckend Grenzflächen nach ihrer Stärke sind</translation>
     </message>
     <message>
         <source>no curve of opacity over the strength of boundaries is set</source>
-        <translation>keine Kurve der Deckkraft über der Stärke der Grenzflächen ist gesetzt</translation>
+        <translation>es ist keine Kurve der Deckkraft über der Stärke der Grenzflächen gesetzt</translation>
     </message>
     <message>
         <source>broad highlights carry no more light than sharp ones</source>
@@ -3912,7 +3930,7 @@
     </message>
     <message>
         <source>no tolerance is set, so every step is equally long</source>
-        <translation>keine Toleranz ist gesetzt, deshalb ist jeder Schritt gleich lang</translation>
+        <translation>es ist keine Toleranz gesetzt, deshalb ist jeder Schritt gleich lang</translation>
     </message>
     <message>
         <source>only the measure of overflow draws it</source>
@@ -4116,7 +4134,7 @@
     </message>
     <message>
         <source>The tolerance of %1 cannot be kept: the finest step comes within about %2; make the steps of the transfer function less steep, or allow that many levels.</source>
-        <translation>Die Toleranz von %1 lässt sich nicht einhalten: Der feinste Schritt kommt auf etwa %2 heran; machen Sie die Stufen der Transferfunktion weniger steil, oder lassen Sie so viele Stufen zu.</translation>
+        <translation>Die Toleranz von %1 lässt sich nicht einhalten: Der feinste Schritt kommt bis auf etwa %2 heran; machen Sie die Flanken der Transferfunktion weniger steil, oder lassen Sie so viele Stufen zu.</translation>
     </message>
     <message>
         <source>error-controlled steps of fineness %1</source>
@@ -4128,7 +4146,7 @@
     </message>
     <message>
         <source>estimated within %1, with %2</source>
-        <translation>auf %1 genau geschätzt, mit %2</translation>
+        <translation>nach Schätzung auf %1 genau, mit %2</translation>
     </message>
     <message>
         <source>A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it or a reduced copy.</source>
@@ -4136,7 +4154,7 @@
     </message>
     <message>
         <source>The step is so small that long rays would need more than %1 samples; they are drawn with that number.</source>
-        <translation>Die Schritte sind so klein, dass lange Strahlen mehr als %1 Abtastpunkte brauchten; sie werden mit dieser Zahl gezeichnet.</translation>
+        <translation>Die Schritte sind so klein, dass lange Strahlen mehr als %1 Abtastpunkte bräuchten; sie werden mit dieser Zahl gezeichnet.</translation>
     </message>
     <message>
         <source>The graphics driver offers OpenGL %1.%2, but drawing needs OpenGL 3.0; update the driver or install Mesa&apos;s software driver (libgl1-mesa-dri).</source>
@@ -4152,7 +4170,7 @@
     </message>
     <message>
         <source>The graphics driver refused a command while %1; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
-        <translation>Der Grafiktreiber hat %1 einen Befehl verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+        <translation>Der Grafiktreiber hat %1 einen Befehl verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit „limn info --system“.</translation>
     </message>
     <message>
         <source>The graphics driver cannot draw a picture of %1×%2 pixels in floats; try a smaller one or --engine cpu.</source>
@@ -4164,7 +4182,7 @@
     </message>
     <message>
         <source>no EGL display could be opened</source>
-        <translation>keine EGL-Anzeige ließ sich öffnen</translation>
+        <translation>es ließ sich keine EGL-Anzeige öffnen</translation>
     </message>
     <message>
         <source>the driver cannot draw without a surface</source>
@@ -4192,11 +4210,11 @@
     </message>
     <message>
         <source>The graphics driver refused a shader; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
-        <translation>Der Grafiktreiber hat einen Shader verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+        <translation>Der Grafiktreiber hat einen Shader verweigert; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit „limn info --system“.</translation>
     </message>
     <message>
         <source>The graphics driver could not link a shader program; update the driver or use --engine cpu, and please report it with `limn info --system`.</source>
-        <translation>Der Grafiktreiber konnte ein Shaderprogramm nicht binden; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit `limn info --system`.</translation>
+        <translation>Der Grafiktreiber konnte ein Shaderprogramm nicht binden; aktualisieren Sie den Treiber, oder verwenden Sie --engine cpu, und melden Sie es bitte mit „limn info --system“.</translation>
     </message>
     <message>
         <source>The graphics driver has no room for the kept region; draw all of the volume, or with --engine cpu.</source>
@@ -4236,7 +4254,7 @@
     </message>
     <message>
         <source>Cannot write %1: %2; %3, the old file is untouched.</source>
-        <translation>%1 kann nicht geschrieben werden: %2; %3, die alte Datei ist unverändert.</translation>
+        <translation>%1 kann nicht geschrieben werden: %2; %3; die alte Datei ist unverändert.</translation>
     </message>
     <message>
         <source>Cannot write %1: %2; %3.</source>
@@ -4308,7 +4326,7 @@
     </message>
     <message>
         <source>its header contradicts itself about its pixels</source>
-        <translation>ihr Kopf widerspricht sich bei den Pixeln</translation>
+        <translation>ihr Header widerspricht sich bei den Pixeln</translation>
     </message>
     <message>
         <source>it is too short for the frames that it announces</source>
@@ -4316,7 +4334,7 @@
     </message>
     <message>
         <source>it does not say where its frames lie and which segment each shows</source>
-        <translation>sie sagt nicht, wo ihre Bilder liegen und welches Segment jedes zeigt</translation>
+        <translation>sie gibt nicht an, wo ihre Bilder liegen und welches Segment jedes zeigt</translation>
     </message>
     <message>
         <source>export it again</source>
@@ -4324,7 +4342,7 @@
     </message>
     <message>
         <source>it does not say how its frames lie in the patient</source>
-        <translation>sie sagt nicht, wie ihre Bilder im Patienten liegen</translation>
+        <translation>sie gibt nicht an, wie ihre Bilder im Patienten liegen</translation>
     </message>
     <message>
         <source>its planes lie too far apart for one volume</source>
@@ -4352,7 +4370,7 @@
     </message>
     <message>
         <source>The file holds more pixels than its header announces; the rest is not shown.</source>
-        <translation>Die Datei enthält mehr Pixel, als ihr Kopf ankündigt; der Rest wird nicht gezeigt.</translation>
+        <translation>Die Datei enthält mehr Pixel, als ihr Header ankündigt; der Rest wird nicht gezeigt.</translation>
     </message>
     <message>
         <source>The images are meant to be shown inverted (MONOCHROME1); their values are kept as they are.</source>
@@ -4364,11 +4382,11 @@
     </message>
     <message>
         <source>The DICOM file %1 gives a rescale slope of 0 or none that is a number, which leaves no values; its header is damaged.</source>
-        <translation>Die DICOM-Datei %1 nennt eine Rescale-Steigung von 0 oder keine Zahl, was keine Werte übrig lässt; ihr Kopf ist beschädigt.</translation>
+        <translation>Die DICOM-Datei %1 nennt eine Rescale-Steigung von 0 oder keine Zahl, was keine Werte übrig lässt; ihr Header ist beschädigt.</translation>
     </message>
     <message>
         <source>Some pixels have bits set beyond those that hold the value; these bits were ignored.</source>
-        <translation>Bei einigen Pixeln sind Bits außerhalb derer gesetzt, die den Wert halten; diese Bits wurden nicht beachtet.</translation>
+        <translation>Bei einigen Pixeln sind Bits außerhalb derer gesetzt, die den Wert enthalten; diese Bits wurden nicht beachtet.</translation>
     </message>
     <message>
         <source>The deflated DICOM file %1 inflates to more than 1 GiB; decompress it with another tool.</source>
@@ -4376,11 +4394,11 @@
     </message>
     <message>
         <source>The deflated DICOM file %1 is damaged: its data cannot be inflated; copy it again.</source>
-        <translation>Die gepackte DICOM-Datei %1 ist beschädigt: Ihre Daten lassen sich nicht entpacken; kopieren Sie sie neu.</translation>
+        <translation>Die gepackte DICOM-Datei %1 ist beschädigt: Die Daten lassen sich nicht entpacken; kopieren Sie sie neu.</translation>
     </message>
     <message>
         <source>The DICOM header of %1 %2: the file is damaged or cut off; copy it again from its source.</source>
-        <translation>Der DICOM-Kopf von %1 %2: Die Datei ist beschädigt oder abgeschnitten; kopieren Sie sie neu von ihrer Quelle.</translation>
+        <translation>Der DICOM-Header von %1 %2: Die Datei ist beschädigt oder abgeschnitten; kopieren Sie sie neu von ihrer Quelle.</translation>
     </message>
     <message>
         <source>names a value longer than the file</source>
@@ -4388,7 +4406,7 @@
     </message>
     <message>
         <source>holds more than any header</source>
-        <translation>enthält mehr als jeder Kopf</translation>
+        <translation>enthält mehr als jeder Header</translation>
     </message>
     <message>
         <source>nests sequences too deeply</source>
@@ -4452,11 +4470,11 @@
     </message>
     <message>
         <source>gives %1 as its number of frames; its header is damaged.</source>
-        <translation>nennt %1 als Zahl ihrer Bilder; ihr Kopf ist beschädigt.</translation>
+        <translation>nennt %1 als Zahl ihrer Bilder; ihr Header ist beschädigt.</translation>
     </message>
     <message>
         <source>is a film: its frames follow each other in time and not in space, so they make no volume.</source>
-        <translation>ist ein Film: Ihre Bilder folgen in der Zeit und nicht im Raum aufeinander, deshalb ergeben sie kein Volumen.</translation>
+        <translation>ist ein Film: Die Bilder folgen in der Zeit und nicht im Raum aufeinander, deshalb ergeben sie kein Volumen.</translation>
     </message>
     <message>
         <source>is a video, whose frames make no volume; export the series as single images.</source>
@@ -4468,7 +4486,7 @@
     </message>
     <message>
         <source>says its picture is %1 × %2 pixels; its header is damaged.</source>
-        <translation>nennt als Bildgröße %1 × %2 Pixel; ihr Kopf ist beschädigt.</translation>
+        <translation>nennt als Bildgröße %1 × %2 Pixel; ihr Header ist beschädigt.</translation>
     </message>
     <message>
         <source>stores %1 bits per pixel, which this program does not read; convert it to 8, 16 or 32 bits.</source>
@@ -4476,7 +4494,7 @@
     </message>
     <message>
         <source>contradicts itself: %1 bits up to bit %2 stored in %3; its header is damaged.</source>
-        <translation>widerspricht sich: %1 Bit bis zum Bit %2, gespeichert in %3; ihr Kopf ist beschädigt.</translation>
+        <translation>widerspricht sich: %1 Bit bis zum Bit %2, gespeichert in %3; ihr Header ist beschädigt.</translation>
     </message>
     <message>
         <source>has %1 samples per pixel; only grey (1) and colour (3) can be opened.</source>
@@ -4504,7 +4522,7 @@
     </message>
     <message>
         <source>is cut off: its pixels need %1 bytes, and it holds %2; copy it again from its source.</source>
-        <translation>ist abgeschnitten: Ihre Pixel brauchen %1 Byte, und sie enthält %2; kopieren Sie sie neu von ihrer Quelle.</translation>
+        <translation>ist abgeschnitten: Die Pixel brauchen %1 Byte, die Datei enthält %2; kopieren Sie sie neu von ihrer Quelle.</translation>
     </message>
     <message>
         <source>The compressed pixels of %1 %2 (transfer syntax %3); export the series uncompressed.</source>
@@ -4516,15 +4534,15 @@
     </message>
     <message>
         <source>make a picture of %1 × %2 pixels where the header says %3 × %4</source>
-        <translation>ergeben ein Bild von %1 × %2 Pixeln, wo der Kopf %3 × %4 nennt</translation>
+        <translation>ergeben ein Bild von %1 × %2 Pixeln, wo der Header %3 × %4 nennt</translation>
     </message>
     <message>
         <source>have %1 samples per pixel where the header says %2</source>
-        <translation>haben %1 Werte je Pixel, wo der Kopf %2 nennt</translation>
+        <translation>haben %1 Werte je Pixel, wo der Header %2 nennt</translation>
     </message>
     <message>
         <source>have %1 bits where the header says %2</source>
-        <translation>haben %1 Bit, wo der Kopf %2 nennt</translation>
+        <translation>haben %1 Bit, wo der Header %2 nennt</translation>
     </message>
     <message>
         <source>are damaged or cut off (%1)</source>
@@ -4584,11 +4602,11 @@
     </message>
     <message>
         <source>%1 slice seems to be missing between %2 from the first</source>
-        <translation>%1 Schicht scheint zu fehlen, zwischen %2 von der ersten aus</translation>
+        <translation>%1 Schicht scheint zwischen %2 (ab der ersten gemessen) zu fehlen</translation>
     </message>
     <message>
         <source>%1 slices seem to be missing between %2 from the first</source>
-        <translation>%1 Schichten scheinen zu fehlen, zwischen %2 von der ersten aus</translation>
+        <translation>%1 Schichten scheinen zwischen %2 (ab der ersten gemessen) zu fehlen</translation>
     </message>
     <message>
         <source>%1 to %2 mm</source>
@@ -4624,19 +4642,19 @@
     </message>
     <message>
         <source>The series does not say how thick its slices are; 1 mm is assumed.</source>
-        <translation>Die Serie sagt nicht, wie dick ihre Schichten sind; es wird 1&#xa0;mm angenommen.</translation>
+        <translation>Die Serie gibt nicht an, wie dick ihre Schichten sind; es wird 1&#xa0;mm angenommen.</translation>
     </message>
     <message>
         <source>The series does not say how large its pixels are; 1 mm is assumed.</source>
-        <translation>Die Serie sagt nicht, wie groß ihre Pixel sind; es wird 1&#xa0;mm angenommen.</translation>
+        <translation>Die Serie gibt nicht an, wie groß ihre Pixel sind; es wird 1&#xa0;mm angenommen.</translation>
     </message>
     <message>
         <source>The image does not say where it lies in the patient; its orientation is unknown.</source>
-        <translation>Das Bild sagt nicht, wo es im Patienten liegt; seine Orientierung ist unbekannt.</translation>
+        <translation>Das Bild gibt nicht an, wo es im Patienten liegt; seine Orientierung ist unbekannt.</translation>
     </message>
     <message>
         <source>The images do not say where they lie in the patient: they are stacked in the order of their numbers, and the orientation is unknown.</source>
-        <translation>Die Bilder sagen nicht, wo sie im Patienten liegen: Sie werden in der Reihenfolge ihrer Nummern gestapelt, und die Orientierung ist unbekannt.</translation>
+        <translation>Die Bilder geben nicht an, wo sie im Patienten liegen: Sie werden in der Reihenfolge ihrer Nummern gestapelt, und die Orientierung ist unbekannt.</translation>
     </message>
     <message>
         <source>temporal position</source>
@@ -4684,7 +4702,7 @@
     </message>
     <message>
         <source>the first %1 at each position</source>
-        <translation>je Position das erste nach: %1</translation>
+        <translation>an jeder Position das erste nach %1</translation>
     </message>
     <message>
         <source>%1 image is a copy of another of the series and left out.</source>
@@ -4748,7 +4766,7 @@
     </message>
     <message>
         <source>its header&apos;s field %1 has too few numbers</source>
-        <translation>das Feld %1 ihres Kopfes hat zu wenige Zahlen</translation>
+        <translation>das Feld %1 ihres Headers hat zu wenige Zahlen</translation>
     </message>
     <message>
         <source>it does not have 2 to 4 dimensions</source>
@@ -4760,15 +4778,15 @@
     </message>
     <message>
         <source>its header has no DimSize</source>
-        <translation>in ihrem Kopf fehlt DimSize</translation>
+        <translation>in ihrem Header fehlt DimSize</translation>
     </message>
     <message>
         <source>its header names no ElementDataFile</source>
-        <translation>ihr Kopf nennt kein ElementDataFile</translation>
+        <translation>ihr Header nennt kein ElementDataFile</translation>
     </message>
     <message>
         <source>its header&apos;s HeaderSize is not supported</source>
-        <translation>die HeaderSize ihres Kopfes wird nicht unterstützt</translation>
+        <translation>die HeaderSize ihres Headers wird nicht unterstützt</translation>
     </message>
     <message>
         <source>save it as one .mha file</source>
@@ -4792,7 +4810,7 @@
     </message>
     <message>
         <source>it is an Analyze 7.5 file, which does not say which side is left</source>
-        <translation>sie ist eine Datei von Analyze 7.5, die nicht sagt, welche Seite links ist</translation>
+        <translation>sie ist eine Datei von Analyze 7.5, die nicht angibt, welche Seite links ist</translation>
     </message>
     <message>
         <source>convert it to NIfTI (.nii) first</source>
@@ -4800,15 +4818,15 @@
     </message>
     <message>
         <source>its NIfTI header is cut off or damaged</source>
-        <translation>ihr NIfTI-Kopf ist abgeschnitten oder beschädigt</translation>
+        <translation>ihr NIfTI-Header ist abgeschnitten oder beschädigt</translation>
     </message>
     <message>
         <source>its header contradicts itself: voxels of %1 bits, and of a type that has %2</source>
-        <translation>ihr Kopf widerspricht sich: Voxel von %1 Bit und von einem Typ, der %2 hat</translation>
+        <translation>ihr Header widerspricht sich: Voxel von %1 Bit und von einem Typ, der %2 hat</translation>
     </message>
     <message>
         <source>its header places the voxels at an impossible offset</source>
-        <translation>ihr Kopf legt die Voxel an eine unmögliche Stelle</translation>
+        <translation>ihr Header legt die Voxel an eine unmögliche Stelle</translation>
     </message>
     <message>
         <source>The file&apos;s scaling is damaged: the values are those stored, in no known unit.</source>
@@ -4816,7 +4834,7 @@
     </message>
     <message>
         <source>The file&apos;s two placements (sform, qform) differ by up to %1 mm; the sform is used.</source>
-        <translation>Die beiden Lagen der Datei (sform, qform) weichen um bis zu %1&#xa0;mm ab; sform wird verwendet.</translation>
+        <translation>Die beiden Lagen der Datei (sform, qform) weichen um bis zu %1&#xa0;mm voneinander ab; sform wird verwendet.</translation>
     </message>
     <message>
         <source>The file&apos;s placement (sform) is damaged and was left out.</source>
@@ -4828,7 +4846,7 @@
     </message>
     <message>
         <source>its header has a damaged list of vectors</source>
-        <translation>ihr Kopf hat eine beschädigte Liste von Vektoren</translation>
+        <translation>ihr Header hat eine beschädigte Liste von Vektoren</translation>
     </message>
     <message>
         <source>its space does not have two or three dimensions</source>
@@ -4840,23 +4858,23 @@
     </message>
     <message>
         <source>its header&apos;s field &quot;%1&quot; does not fit its dimension</source>
-        <translation>das Feld „%1“ ihres Kopfes passt nicht zu ihrer Dimension</translation>
+        <translation>das Feld „%1“ ihres Headers passt nicht zu ihrer Dimension</translation>
     </message>
     <message>
         <source>its header&apos;s dimension and sizes do not agree</source>
-        <translation>Dimension und Größen ihres Kopfes stimmen nicht überein</translation>
+        <translation>Dimension und Größen ihres Headers stimmen nicht überein</translation>
     </message>
     <message>
         <source>its header does not say which of its axes are spatial</source>
-        <translation>ihr Kopf sagt nicht, welche ihrer Achsen räumlich sind</translation>
+        <translation>ihr Header gibt nicht an, welche ihrer Achsen räumlich sind</translation>
     </message>
     <message>
         <source>add the field &quot;kinds&quot; to the header or save one volume</source>
-        <translation>ergänzen Sie im Kopf das Feld „kinds“, oder speichern Sie ein Volumen</translation>
+        <translation>ergänzen Sie im Header das Feld „kinds“, oder speichern Sie ein Volumen</translation>
     </message>
     <message>
         <source>its header gives more volumes than any file holds</source>
-        <translation>ihr Kopf nennt mehr Volumen, als eine Datei enthält</translation>
+        <translation>ihr Header nennt mehr Volumen, als eine Datei enthält</translation>
     </message>
     <message>
         <source>its axis %1 holds %2 values per voxel (%3), and a volume needs one</source>
@@ -4880,7 +4898,7 @@
     </message>
     <message>
         <source>its header does not name the byte order</source>
-        <translation>ihr Kopf nennt die Bytereihenfolge nicht</translation>
+        <translation>ihr Header nennt die Bytereihenfolge nicht</translation>
     </message>
     <message>
         <source>add &quot;endian: little&quot; or &quot;endian: big&quot;</source>
@@ -4892,7 +4910,7 @@
     </message>
     <message>
         <source>its header&apos;s byte skip is not supported</source>
-        <translation>das „byte skip“ ihres Kopfes wird nicht unterstützt</translation>
+        <translation>das „byte skip“ ihres Headers wird nicht unterstützt</translation>
     </message>
     <message>
         <source>save it as one .nrrd file</source>
@@ -4908,7 +4926,7 @@
     </message>
     <message>
         <source>its NRRD header has no end</source>
-        <translation>ihr NRRD-Kopf hat kein Ende</translation>
+        <translation>ihr NRRD-Header hat kein Ende</translation>
     </message>
     <message>
         <source>the picture is damaged or cut off</source>
@@ -4928,7 +4946,7 @@
     </message>
     <message>
         <source>its header asks for more pixels than the file can hold</source>
-        <translation>ihr Kopf verlangt mehr Pixel, als die Datei enthalten kann</translation>
+        <translation>ihr Header verlangt mehr Pixel, als die Datei enthalten kann</translation>
     </message>
     <message>
         <source>its picture %1 (page %2) has another size or type than the first</source>
@@ -5004,7 +5022,7 @@
     </message>
     <message>
         <source>its header places the voxels with numbers that span no volume</source>
-        <translation>ihr Kopf legt die Voxel mit Zahlen fest, die kein Volumen aufspannen</translation>
+        <translation>ihr Header legt die Voxel mit Zahlen fest, die kein Volumen aufspannen</translation>
     </message>
     <message>
         <source>export the file again with a valid orientation</source>
@@ -5012,7 +5030,7 @@
     </message>
     <message>
         <source>its axes are sheared (%1 degrees off the right angle), which would be drawn distorted</source>
-        <translation>ihre Achsen sind geschert (%1 Grad neben dem rechten Winkel) und würden verzerrt gezeichnet</translation>
+        <translation>ihre Achsen sind geschert (%1 Grad Abweichung vom rechten Winkel) und würden verzerrt gezeichnet</translation>
     </message>
     <message>
         <source>resample it to a rectangular grid first, e.g. with 3D Slicer or FSL</source>
@@ -5024,7 +5042,7 @@
     </message>
     <message>
         <source>its header asks for %1 bytes of voxels, but the file holds only %2%3</source>
-        <translation>ihr Kopf verlangt %1 Byte an Voxeln, aber die Datei enthält nur %2%3</translation>
+        <translation>ihr Header verlangt %1 Byte an Voxeln, aber die Datei enthält nur %2%3</translation>
     </message>
     <message>
         <source> compressed ones</source>
@@ -5036,11 +5054,11 @@
     </message>
     <message>
         <source>The file holds more data than its header asks for: its dimensions may be wrong.</source>
-        <translation>Die Datei enthält mehr Daten, als ihr Kopf verlangt: Ihre Abmessungen sind vielleicht falsch.</translation>
+        <translation>Die Datei enthält mehr Daten, als ihr Header verlangt: Vielleicht sind die Abmessungen falsch.</translation>
     </message>
     <message>
         <source>a voxel&apos;s text is not a number of the type that the header names</source>
-        <translation>der Text eines Voxels ist keine Zahl des Typs, den der Kopf nennt</translation>
+        <translation>der Text eines Voxels ist keine Zahl des Typs, den der Header nennt</translation>
     </message>
     <message>
         <source>it holds colours as text</source>
@@ -5060,11 +5078,11 @@
     </message>
     <message>
         <source>its voxels end after %1 of the %2 that its header asks for</source>
-        <translation>ihre Voxel enden nach %1 der %2, die ihr Kopf verlangt</translation>
+        <translation>ihre Voxel enden nach %1 der %2, die ihr Header verlangt</translation>
     </message>
     <message>
         <source>its header gives a dimension that is not a positive whole number</source>
-        <translation>ihr Kopf nennt eine Abmessung, die keine positive ganze Zahl ist</translation>
+        <translation>ihr Header nennt eine Abmessung, die keine positive ganze Zahl ist</translation>
     </message>
     <message>
         <source>it holds %1 values per voxel, and a volume needs one</source>
@@ -5084,7 +5102,7 @@
     </message>
     <message>
         <source>its header names no SCALARS among its first lines</source>
-        <translation>ihr Kopf nennt in den ersten Zeilen keine SCALARS</translation>
+        <translation>ihr Header nennt in den ersten Zeilen keine SCALARS</translation>
     </message>
     <message>
         <source>export it as structured points with scalars</source>
@@ -5092,11 +5110,11 @@
     </message>
     <message>
         <source>its header&apos;s line SCALARS is cut off</source>
-        <translation>die Zeile SCALARS ihres Kopfes ist abgeschnitten</translation>
+        <translation>die Zeile SCALARS ihres Headers ist abgeschnitten</translation>
     </message>
     <message>
         <source>its header contradicts itself: %1 %2 where DIMENSIONS make %3</source>
-        <translation>ihr Kopf widerspricht sich: %1 %2, wo DIMENSIONS %3 ergeben</translation>
+        <translation>ihr Header widerspricht sich: %1 %2, wo DIMENSIONS %3 ergeben</translation>
     </message>
     <message>
         <source>it holds no image data (STRUCTURED_POINTS)</source>
@@ -5124,7 +5142,7 @@
     </message>
     <message>
         <source>its header has no WholeExtent</source>
-        <translation>in ihrem Kopf fehlt WholeExtent</translation>
+        <translation>in ihrem Header fehlt WholeExtent</translation>
     </message>
     <message>
         <source>its compression %1 is not supported</source>
@@ -5136,7 +5154,7 @@
     </message>
     <message>
         <source>its text is too short for the voxels that its header asks for</source>
-        <translation>ihr Text ist zu kurz für die Voxel, die ihr Kopf verlangt</translation>
+        <translation>ihr Text ist zu kurz für die Voxel, die ihr Header verlangt</translation>
     </message>
     <message>
         <source>its array of values is missing</source>
@@ -5244,7 +5262,7 @@
     </message>
     <message>
         <source>is not a key that Limn knows; check its spelling or remove it</source>
-        <translation>ist kein Schlüssel, den Limn kennt; prüfen Sie die Schreibung, oder entfernen Sie ihn</translation>
+        <translation>ist kein Schlüssel, den Limn kennt; prüfen Sie die Schreibweise, oder entfernen Sie ihn</translation>
     </message>
     <message>
         <source>is missing, so this is not a Limn %1</source>
@@ -5292,11 +5310,11 @@
     </message>
     <message>
         <source>its header places it %1 mm away, which is damage</source>
-        <translation>ihr Kopf legt sie %1&#xa0;mm weit weg, was ein Schaden ist</translation>
+        <translation>ihr Header setzt sie %1&#xa0;mm weit weg und ist also beschädigt</translation>
     </message>
     <message>
         <source>its header has &quot;%1&quot; where a number is needed</source>
-        <translation>ihr Kopf enthält „%1“, wo eine Zahl gebraucht wird</translation>
+        <translation>ihr Header enthält „%1“, wo eine Zahl gebraucht wird</translation>
     </message>
     <message>
         <source>copy or export the file again</source>
@@ -5316,11 +5334,11 @@
     </message>
     <message>
         <source>Limn&apos;s own settings</source>
-        <translation>die Einstellungen von Limn selbst</translation>
+        <translation>die Einstellungsdatei von Limn selbst</translation>
     </message>
     <message>
         <source>markups of 3D Slicer</source>
-        <translation>Markierungen von 3D Slicer</translation>
+        <translation>eine Datei mit Markierungen aus 3D Slicer</translation>
     </message>
     <message>
         <source>a file of 3D Slicer (volume rendering properties)</source>
@@ -5440,7 +5458,7 @@
     </message>
     <message>
         <source>write a small MetaImage header (.mhd) that names the raw file beside it, and open that</source>
-        <translation>schreiben Sie einen kleinen MetaImage-Kopf (.mhd), der die Rohdatei daneben nennt, und öffnen Sie diesen</translation>
+        <translation>schreiben Sie einen kleinen MetaImage-Header (.mhd), der die Rohdatei daneben nennt, und öffnen Sie diesen</translation>
     </message>
     <message>
         <source>it does not start as DICOM does: it is damaged or cut off</source>
@@ -5468,7 +5486,7 @@
     </message>
     <message>
         <source>Spacing unknown: where the file does not give it, 1 mm is assumed; give it with --spacing X,Y,Z.</source>
-        <translation>Abstand unbekannt: Wo die Datei ihn nicht nennt, wird 1&#xa0;mm angenommen; geben Sie ihn mit --spacing X,Y,Z an.</translation>
+        <translation>Voxelabstand unbekannt: Wo die Datei ihn nicht nennt, wird 1&#xa0;mm angenommen; geben Sie ihn mit --spacing X,Y,Z an.</translation>
     </message>
     <message>
         <source>it is no file but a device, pipe or socket</source>
@@ -5488,7 +5506,7 @@
     </message>
     <message>
         <source>its header asks for more voxels than memory can hold</source>
-        <translation>ihr Kopf verlangt mehr Voxel, als der Speicher fasst</translation>
+        <translation>ihr Header verlangt mehr Voxel, als der Speicher fasst</translation>
     </message>
     <message>
         <source>there is no such file or folder</source>
@@ -5528,11 +5546,11 @@
     </message>
     <message>
         <source>It is no label map: its values are no whole numbers; open a segmentation, not the image that it was made of.</source>
-        <translation>Es ist keine Labelkarte: Ihre Werte sind keine ganzen Zahlen; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
+        <translation>Dies ist keine Labelkarte: Die Werte sind keine ganzen Zahlen; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
     </message>
     <message>
         <source>It is no label map: it has more than 65535 different values; open a segmentation, not the image that it was made of.</source>
-        <translation>Es ist keine Labelkarte: Sie hat mehr als 65535 verschiedene Werte; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
+        <translation>Dies ist keine Labelkarte: Sie hat mehr als 65535 verschiedene Werte; öffnen Sie eine Segmentierung, nicht das Bild, aus dem sie entstand.</translation>
     </message>
     <message>
         <source>The transfer function&apos;s unit distance must be a positive number of millimetres.</source>
@@ -5556,15 +5574,15 @@
     </message>
     <message>
         <source>Orientation unknown: the file does not say which side is left.</source>
-        <translation>Orientierung unbekannt: Die Datei sagt nicht, welche Seite links ist.</translation>
+        <translation>Orientierung unbekannt: Die Datei gibt nicht an, welche Seite links ist.</translation>
     </message>
     <message>
         <source>The phantom cannot be made at this spacing; choose 0.2 to 20 mm.</source>
-        <translation>Das Phantom lässt sich mit diesem Abstand nicht erzeugen; wählen Sie 0,2 bis 20&#xa0;mm.</translation>
+        <translation>Das Phantom lässt sich mit diesem Voxelabstand nicht erzeugen; wählen Sie 0,2 bis 20&#xa0;mm.</translation>
     </message>
     <message>
         <source>The volume holds no valid voxel: every value is NaN, infinite or declared padding; check that the right series was chosen.</source>
-        <translation>Das Volumen enthält kein gültiges Voxel: Jeder Wert ist NaN, unendlich oder als Füllwert erklärt; prüfen Sie, ob die richtige Serie gewählt wurde.</translation>
+        <translation>Das Volumen enthält kein gültiges Voxel: Jeder Wert ist NaN, unendlich oder als Füllwert gekennzeichnet; prüfen Sie, ob die richtige Serie gewählt wurde.</translation>
     </message>
     <message>
         <source>The volume&apos;s values are not finite or beyond 1e300 after rescaling; its slope, its intercept or its voxels are damaged.</source>
@@ -5580,7 +5598,7 @@
     </message>
     <message>
         <source>The volume has %1 voxels where its dimensions ask for %2; the file is truncated or its header is wrong.</source>
-        <translation>Das Volumen hat %1 Voxel, wo seine Abmessungen %2 verlangen; die Datei ist abgeschnitten, oder ihr Kopf ist falsch.</translation>
+        <translation>Das Volumen hat %1 Voxel, wo seine Abmessungen %2 verlangen; die Datei ist abgeschnitten, oder ihr Header ist falsch.</translation>
     </message>
     <message>
         <source>Slices cannot draw the projection &quot;%1&quot;, only composite and xray; use --engine gl or reference for it.</source>
@@ -5588,7 +5606,7 @@
     </message>
     <message>
         <source>The step is so small that the volume would need more than %1 slices; it is drawn with that number.</source>
-        <translation>Die Schritte sind so klein, dass das Volumen mehr als %1 Schnitte brauchte; es wird mit dieser Zahl gezeichnet.</translation>
+        <translation>Die Schritte sind so klein, dass das Volumen mehr als %1 Schnitte bräuchte; es wird mit dieser Zahl gezeichnet.</translation>
     </message>
     <message>
         <source>drawing a picture of slices</source>
@@ -5648,11 +5666,11 @@
     </message>
     <message>
         <source>No video can be made, because ffmpeg is not installed; install the package ffmpeg or save frames into a folder.</source>
-        <translation>Es kann kein Video erstellt werden, weil ffmpeg nicht installiert ist; installieren Sie das Paket ffmpeg oder speichern Sie Einzelbilder in einen Ordner.</translation>
+        <translation>Es kann kein Video erstellt werden, weil ffmpeg nicht installiert ist; installieren Sie das Paket ffmpeg, oder speichern Sie Einzelbilder in einen Ordner.</translation>
     </message>
     <message>
         <source>The frames of the video have no place (%1); make room in the folder for temporary files.</source>
-        <translation>Die Einzelbilder des Videos haben keinen Platz (%1); schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
+        <translation>Für die Einzelbilder des Videos fehlt der Platz (%1); schaffen Sie Platz im Ordner für temporäre Dateien.</translation>
     </message>
     <message>
         <source>must be a list of 1 to %1 panels</source>
@@ -5752,11 +5770,11 @@
     </message>
     <message>
         <source>Highlights go from the first sharpness on flat tissue to the second at strong boundaries, so that edges glint and flat parts stay calm.</source>
-        <translation>Glanzlichter gehen von der ersten Schärfe in flachem Gewebe zur zweiten an starken Grenzflächen, sodass Kanten glänzen und Flächen ruhig bleiben.</translation>
+        <translation>Glanzlichter gehen von der ersten Schärfe in homogenem Gewebe zur zweiten an starken Grenzflächen, sodass Kanten glänzen und Flächen ruhig bleiben.</translation>
     </message>
     <message>
         <source>on flat tissue</source>
-        <translation>in flachem Gewebe</translation>
+        <translation>in homogenem Gewebe</translation>
     </message>
     <message>
         <source>at boundaries</source>
@@ -5768,7 +5786,7 @@
     </message>
     <message>
         <source>Multiplies opacity: by the first number on flat tissue, which below 1 fades, and by the second at strong boundaries, which above 1 stand out.</source>
-        <translation>Multipliziert die Deckkraft: mit der ersten Zahl in flachem Gewebe, das unter 1 verblasst, und mit der zweiten an starken Grenzflächen, die über 1 hervortreten.</translation>
+        <translation>Multipliziert die Deckkraft: mit der ersten Zahl in homogenem Gewebe, das unter 1 verblasst, und mit der zweiten an starken Grenzflächen, die über 1 hervortreten.</translation>
     </message>
     <message>
         <source>Shading</source>
@@ -5847,7 +5865,7 @@
     </message>
     <message>
         <source>The spacing must be three positive numbers, such as 0.5, 0.5, 1.2.</source>
-        <translation>Der Abstand muss aus drei positiven Zahlen bestehen, etwa 0,5; 0,5; 1,2.</translation>
+        <translation>Der Voxelabstand muss aus drei positiven Zahlen bestehen, etwa 0,5; 0,5; 1,2.</translation>
     </message>
     <message>
         <source>%1, opened %2</source>
@@ -5929,7 +5947,7 @@
     </message>
     <message>
         <source>The file does not say how its voxels lie in the patient. Say where each axis runs to; the picture follows. A wrong answer swaps left and right: compare with something known.</source>
-        <translation>Die Datei sagt nicht, wie ihre Voxel im Patienten liegen. Geben Sie an, wohin jede Achse läuft; das Bild folgt. Eine falsche Antwort vertauscht links und rechts: Vergleichen Sie mit etwas Bekanntem.</translation>
+        <translation>Die Datei gibt nicht an, wie ihre Voxel im Patienten liegen. Geben Sie an, wohin jede Achse läuft; das Bild folgt. Eine falsche Antwort vertauscht links und rechts: Vergleichen Sie mit etwas Bekanntem.</translation>
     </message>
     <message>
         <source>Columns run to</source>
@@ -6077,7 +6095,7 @@
     </message>
     <message>
         <source>Left drag: measures from one end to the other; Delete takes it away.</source>
-        <translation>Ziehen mit links: misst von einem Ende zum anderen; Entf nimmt den Abstand weg.</translation>
+        <translation>Ziehen mit links: misst von einem Ende zum anderen; Entf löscht den Abstand.</translation>
     </message>
     <message>
         <source>Window</source>
@@ -6085,7 +6103,7 @@
     </message>
     <message>
         <source>Grey windows to choose from.</source>
-        <translation>Graufenster zur Auswahl.</translation>
+        <translation>Fensterungen zur Auswahl.</translation>
     </message>
     <message>
         <source>Window width</source>
@@ -6113,15 +6131,15 @@
     </message>
     <message>
         <source>Slab thickness in mm</source>
-        <translation>Schichtdicke in mm</translation>
+        <translation>Schnittdicke in mm</translation>
     </message>
     <message>
         <source>&lt;p&gt;How thick a slice is, mm: its pixels show the mean or the maximum over that thickness. 0 is the plane itself.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Wie dick ein Schnitt ist, in mm: Seine Pixel zeigen das Mittel oder das Maximum über diese Dicke. 0 ist die Ebene selbst.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Wie dick ein Schnitt ist, in mm: Seine Pixel zeigen den Mittelwert oder das Maximum über diese Dicke. 0 ist die Ebene selbst.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation>Mittel</translation>
+        <translation>Mittelwert</translation>
     </message>
     <message>
         <source>Maximum</source>
@@ -6141,7 +6159,7 @@
     </message>
     <message>
         <source>&lt;p&gt;Colours slices by the transfer function, as strongly as a centimetre of that tissue is opaque.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Färbt Schnitte nach der Transferfunktion, so stark, wie ein Zentimeter dieses Gewebes deckt.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Färbt Schnitte nach der Transferfunktion, so stark, wie ein Zentimeter dieses Gewebes deckend ist.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>More</source>
@@ -6157,7 +6175,7 @@
     </message>
     <message>
         <source>Remove the distance</source>
-        <translation>Abstand entfernen</translation>
+        <translation>Abstand löschen</translation>
     </message>
     <message>
         <source>%1 (W %2 L %3)</source>
@@ -6169,7 +6187,7 @@
     </message>
     <message>
         <source>Full range</source>
-        <translation>Voller Bereich</translation>
+        <translation>Voller Wertebereich</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6188,7 +6206,7 @@
     <name>limn::PlaneView</name>
     <message>
         <source>%1 slice</source>
-        <translation>Schnitt %1</translation>
+        <translation>Schnitt: %1</translation>
     </message>
     <message>
         <source>%1, %2 under the crosshair</source>
@@ -6313,7 +6331,7 @@
     </message>
     <message>
         <source>Bones in a thin veil of skin; muscle and fat nearly clear</source>
-        <translation>Knochen im Schleier der Haut; Muskel und Fett fast klar</translation>
+        <translation>Knochen im Schleier der Haut; Muskel und Fett fast durchsichtig</translation>
     </message>
     <message>
         <source>CT bone surface</source>
@@ -6369,7 +6387,7 @@
     </message>
     <message>
         <source>Airways, vessels of the lung; the body around it stays clear</source>
-        <translation>Atemwege, Lungengefäße; der Körper darum bleibt klar</translation>
+        <translation>Atemwege, Lungengefäße; der Körper darum bleibt durchsichtig</translation>
     </message>
     <message>
         <source>CT lung vessels</source>
@@ -6393,7 +6411,7 @@
     </message>
     <message>
         <source>Muscles under transparent skin; bone pale between them</source>
-        <translation>Muskeln unter klarer Haut; Knochen blass dazwischen</translation>
+        <translation>Muskeln unter durchsichtiger Haut; Knochen blass dazwischen</translation>
     </message>
     <message>
         <source>CT skin</source>
@@ -6440,8 +6458,8 @@
         <translation>MR Gehirn</translation>
     </message>
     <message>
-        <source>Brains without skull; what is brighter than the scalp&apos;s edge, fitted to each series</source>
-        <translation>Gehirne ohne Schädel; was heller ist als der Rand der Kopfhaut, an jede Serie angepasst</translation>
+        <source>Brain without the skull; what is brighter than the scalp&apos;s edge, fitted to each series</source>
+        <translation>Gehirn ohne Schädel; was heller ist als der Rand der Kopfhaut, an jede Serie angepasst</translation>
     </message>
     <message>
         <source>MR glass</source>
@@ -6544,7 +6562,7 @@
     </message>
     <message>
         <source>Keeps the present curve and light under a name of your own</source>
-        <translation>Behält die jetzige Kurve und das Licht unter einem eigenen Namen</translation>
+        <translation>Speichert die jetzige Kurve und das jetzige Licht unter einem eigenen Namen</translation>
     </message>
     <message>
         <source>Save as preset</source>
@@ -6709,7 +6727,7 @@
     </message>
     <message>
         <source>The mean value along each ray, like one thick slice. Air lowers the mean: make the curve opaque at lower values, or crop.</source>
-        <translation>Der mittlere Wert entlang jedes Strahls, wie ein dicker Schnitt. Luft senkt das Mittel: Machen Sie die Kurve bei kleineren Werten deckend, oder schneiden Sie zu.</translation>
+        <translation>Der mittlere Wert entlang jedes Strahls, wie ein dicker Schnitt. Luft senkt den Mittelwert: Machen Sie die Kurve bei kleineren Werten deckend, oder schneiden Sie zu.</translation>
     </message>
     <message>
         <source>White where much is opaque along the ray, as on a radiograph. Lower the overall opacity where all is white.</source>
@@ -6717,11 +6735,11 @@
     </message>
     <message>
         <source>The first surface at the value below, solid and lit.</source>
-        <translation>Die erste Oberfläche beim Wert unten, deckend und beleuchtet.</translation>
+        <translation>Die erste Oberfläche beim unten gewählten Wert, deckend und beleuchtet.</translation>
     </message>
     <message>
         <source>Surface at</source>
-        <translation>Oberfläche bei</translation>
+        <translation>Oberflächenwert</translation>
     </message>
     <message>
         <source>The value at which the surface lies: 300 HU is bone, −300 HU the skin of a CT.</source>
@@ -6733,7 +6751,7 @@
     </message>
     <message>
         <source>Shows</source>
-        <translation>Zeigt</translation>
+        <translation>Projektionsart</translation>
     </message>
     <message>
         <source>What each ray through the volume becomes in the picture.</source>
@@ -6749,7 +6767,7 @@
     </message>
     <message>
         <source>Hybrid: a solid surface at the value below, seen through the tissue before it.</source>
-        <translation>Hybrid: eine deckende Oberfläche beim Wert unten, gesehen durch das Gewebe davor.</translation>
+        <translation>Hybrid: eine deckende Oberfläche beim unten gewählten Wert, gesehen durch das Gewebe davor.</translation>
     </message>
 </context>
 <context>
@@ -6775,7 +6793,7 @@
     </message>
     <message>
         <source>Stop when opaque to</source>
-        <translation>Ende bei Deckung</translation>
+        <translation>Ende bei Deckkraft</translation>
     </message>
     <message>
         <source>A ray stops where so much light is already blocked: lower is faster but loses a little light, 1 never stops early.</source>
@@ -6787,7 +6805,7 @@
     </message>
     <message>
         <source>Curve between samples</source>
-        <translation>Kurve zwischen Punkten</translation>
+        <translation>Kurve zwischen Abtastpunkten</translation>
     </message>
     <message>
         <source>Whether the curve is averaged from one sample to the next (pre-integration), so that narrow peaks are not stepped over; automatic does so where the step is too large for the curve.</source>
@@ -6806,7 +6824,7 @@
         <translation>Nie mitteln</translation>
     </message>
     <message>
-        <source>Blur the steps (jitter)</source>
+        <source>Shift the samples (jitter)</source>
         <translation>Schritte verwischen (Jitter)</translation>
     </message>
     <message>
@@ -6852,7 +6870,7 @@
     </message>
     <message>
         <source>No ray is read. Hold Shift over the picture: what lies along the ray below the pointer shows here, and stays.</source>
-        <translation>Kein Strahl wird gelesen. Halten Sie Umschalt über dem Bild: Was entlang des Strahls unter dem Zeiger liegt, erscheint hier und bleibt.</translation>
+        <translation>Noch wird kein Strahl gelesen. Halten Sie über dem Bild die Umschalttaste gedrückt: Was entlang des Strahls unter dem Zeiger liegt, erscheint hier und bleibt.</translation>
     </message>
     <message>
         <source>Point at the chart to read a depth; a click goes there.</source>
@@ -6903,11 +6921,11 @@
     </message>
     <message>
         <source>The labels stand in the place of Body only: one of the two decides what is kept.</source>
-        <translation>Die Labels stehen an der Stelle von „Nur Körper“: Eines von beiden bestimmt, was behalten wird.</translation>
+        <translation>Die Labels treten an die Stelle von „Nur Körper“: Nur eines von beiden bestimmt, was behalten wird.</translation>
     </message>
     <message>
         <source>Body only stands in the place of the labels: one of the two decides what is kept.</source>
-        <translation>„Nur Körper“ steht an der Stelle der Labels: Eines von beiden bestimmt, was behalten wird.</translation>
+        <translation>„Nur Körper“ tritt an die Stelle der Labels: Nur eines von beiden bestimmt, was behalten wird.</translation>
     </message>
     <message>
         <source>Body only again</source>
@@ -6926,7 +6944,7 @@
     <name>limn::RemarksDesk</name>
     <message>
         <source>Set spacing…</source>
-        <translation>Abstand festlegen…</translation>
+        <translation>Voxelabstand festlegen…</translation>
     </message>
     <message>
         <source>Set orientation…</source>
@@ -7082,7 +7100,7 @@
     </message>
     <message>
         <source>Clear recent files</source>
-        <translation>Zuletzt geöffnete löschen</translation>
+        <translation>Liste letzter Dateien leeren</translation>
     </message>
 </context>
 <context>
@@ -7093,7 +7111,7 @@
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Open the report</source>
@@ -7128,7 +7146,7 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Checks that run go on.</source>
+        <source>Running checks go on.</source>
         <translation>Laufende Prüfungen gehen weiter.</translation>
     </message>
 </context>
@@ -7222,16 +7240,16 @@
 <context>
     <name>limn::TitleDesk</name>
     <message>
-        <source>This volume names its patient. Show the name in the title bar?</source>
-        <translation>Dieses Volumen nennt seinen Patienten. Namen in der Titelleiste zeigen?</translation>
+        <source>This volume carries its patient&apos;s name. Show it in the title bar?</source>
+        <translation>Dieses Volumen enthält den Namen des Patienten. In der Titelleiste zeigen?</translation>
     </message>
     <message>
         <source>Name the patient</source>
-        <translation>Patienten nennen</translation>
+        <translation>Namen zeigen</translation>
     </message>
     <message>
-        <source>Name nobody</source>
-        <translation>Niemanden nennen</translation>
+        <source>Do not show it</source>
+        <translation>Nicht zeigen</translation>
     </message>
 </context>
 <context>
@@ -7294,7 +7312,7 @@
     </message>
     <message>
         <source>Remove the pin</source>
-        <translation>Anheftung entfernen</translation>
+        <translation>Anheftung lösen</translation>
     </message>
 </context>
 <context>
@@ -7317,11 +7335,11 @@
     </message>
     <message>
         <source>Fine low opacities</source>
-        <translation>Kleine Deckkraft fein</translation>
+        <translation>Geringe Deckkraft fein</translation>
     </message>
     <message>
         <source>&lt;p&gt;Stretches the lower part of the opacity axis, where small changes show most in the picture; the curve itself stays.&lt;/p&gt;&lt;p&gt;On or off, default off.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Streckt den unteren Teil der Deckkraftachse, wo kleine Änderungen im Bild am meisten zeigen; die Kurve selbst bleibt.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
+        <translation>&lt;p&gt;Streckt den unteren Teil der Deckkraftachse, wo sich kleine Änderungen im Bild am stärksten zeigen; die Kurve selbst bleibt.&lt;/p&gt;&lt;p&gt;An oder aus, Standard aus.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Show all values of the volume (also: double click on the axis)</source>
@@ -7333,7 +7351,7 @@
     </message>
     <message>
         <source>change overall opacity %1</source>
-        <translation>Gesamtdeckkraft %1 ändern</translation>
+        <translation>Gesamtdeckkraft ändern: %1</translation>
     </message>
     <message>
         <source>shift curve by %1</source>
@@ -7496,7 +7514,7 @@
     </message>
     <message>
         <source>Use: %1</source>
-        <translation>%1 verwenden</translation>
+        <translation>Verwenden: %1</translation>
     </message>
     <message>
         <source>The exact picture has not converged, so no error is known. A limit of time can be kept.</source>

@@ -5,6 +5,7 @@
 #include "widgets/ValueText.h"
 
 #include <QCoreApplication>
+#include <QObject>
 
 namespace limn {
 namespace {
@@ -45,6 +46,17 @@ QString translated(const Message& message) {
 QString translated(const std::exception& failure) {
   const auto* error = dynamic_cast<const Error*>(&failure);
   return error ? translated(error->sentence()) : QString::fromLocal8Bit(failure.what());
+}
+
+QString inSentence(const QString& label) {
+  //: Not shown. Translate it as "capital" where nouns within a sentence have one.
+  if (QObject::tr("small", "labels within a sentence") == QLatin1String("capital"))
+    return label;
+  QStringList words = label.split(QChar(0x2013)); // "Right–Left"
+  for (QString& word : words)
+    if (const bool isAcronym = word.size() > 1 && word.at(1).isUpper(); !isAcronym)
+      word = word.left(1).toLower() + word.mid(1);
+  return words.join(QChar(0x2013));
 }
 
 } // namespace limn

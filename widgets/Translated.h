@@ -13,6 +13,10 @@ namespace limn {
 /// pattern, it stands in English.
 QString translated(const Message& message);
 
+/// A label of the window as it stands within a sentence: "Front–Back" becomes "front–back", acronyms stay,
+/// and so does everything where the language writes its nouns with a capital.
+QString inSentence(const QString& label);
+
 /// What went wrong in that language, where it is an Error; otherwise what the library says that failed.
 QString translated(const std::exception& failure);
 

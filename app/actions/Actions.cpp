@@ -234,9 +234,7 @@ void Actions::makeLanguages() {
   languages = new QActionGroup(&m_window);
   const auto add = [this](const QString& code, const QString& text) {
     addChoice(*languages, QStringLiteral("language-") + code, code,
-              {.text = text,
-               .toolTip = tr("The window speaks it when it is opened the next time."),
-               .isCheckable = true});
+              {.text = text, .toolTip = tr("The window uses it from the next start."), .isCheckable = true});
   };
   add(QStringLiteral("system"), tr("Follow the system"));
   for (const Language& language : languagesSpoken())

@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeySequence>
 #include <QLabel>
 #include <QList>
 #include <QMessageBox>
@@ -21,11 +22,11 @@ struct HelpRow {
   QString effect;
 };
 
-// Keys that stand for one thing each, apart: "A · P".
+// Keys that stand for one thing each, apart, as they are called here: "A · P".
 QString keys(std::initializer_list<const char*> names) {
   QStringList apart;
   for (const char* name : names)
-    apart << QString::fromUtf8(name);
+    apart << QKeySequence(QLatin1String(name), QKeySequence::PortableText).toString(QKeySequence::NativeText);
   return apart.join(QStringLiteral(" · "));
 }
 
@@ -82,7 +83,7 @@ QList<HelpRow> curveRows() {
   return {
       {{}, QObject::tr("Curve")},
       {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
-      {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt is fine")},
+      {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt moves finely")},
       {QObject::tr("Middle click, Del"), QObject::tr("delete")},
       {QObject::tr("Rest on a point, H"), QObject::tr("what it governs lights up in slices and picture")},
       {QObject::tr("Double click a point"), QObject::tr("colour and numbers")},

@@ -61,7 +61,7 @@ void BackgroundWork::run(const std::shared_ptr<State>& state, const Task& task) 
   } catch (const std::bad_alloc&) {
     fail(tr("There is not enough memory for this; choose fewer pixels or close other programs."));
   } catch (const std::exception& error) {
-    fail(tr("Something unexpected failed: %1.").arg(QString::fromLocal8Bit(error.what())));
+    fail(tr("An unexpected error: %1.").arg(QString::fromLocal8Bit(error.what())));
   }
 }
 

@@ -38,7 +38,7 @@ StabilityDialog::StabilityDialog(const QString& program, const QString& folder, 
   for (QPushButton* button : {m_open, m_stop, m_start})
     row->addWidget(button);
   auto* close = new QPushButton(tr("Close"), this);
-  close->setToolTip(tr("Checks that run go on."));
+  close->setToolTip(tr("Running checks go on."));
   row->addWidget(close);
   m_start->setDefault(true);
   auto* column = new QVBoxLayout(this);

@@ -42,9 +42,9 @@ void TitleDesk::choose(bool isShown) {
 
 void TitleDesk::ask() {
   m_parts.question.show(MessageBar::Kind::question,
-                        tr("This volume names its patient. Show the name in the title bar?"), {},
+                        tr("This volume carries its patient's name. Show it in the title bar?"), {},
                         {tr("Name the patient"), [this] { m_parts.patientInTitle.setChecked(true); }},
-                        {tr("Name nobody"), [this] { choose(false); }});
+                        {tr("Do not show it"), [this] { choose(false); }});
 }
 
 } // namespace limn

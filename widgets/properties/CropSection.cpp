@@ -2,6 +2,7 @@
 #include "widgets/properties/CropSection.h"
 
 #include "scene/framing/VisibleBox.h"
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/sliders/RangeSlider.h"
 #include "widgets/properties/AxisNames.h"
@@ -16,15 +17,16 @@ namespace limn {
 namespace {
 
 NumberSpec percentSpec(const AxisName& name) {
-  return {.label = name.axis,
-          .help = CropSection::tr("What lies outside these percents of the volume is cut away; the first "
-                                  "number is the end named first."),
-          .unit = QStringLiteral("%"),
-          .scale = {0.0, 100.0, false},
-          .defaultUpper = 100.0,
-          .decimals = 1,
-          .lowerName = name.lowEnd,
-          .upperName = name.highEnd};
+  return {
+      .label = name.axis,
+      .help = CropSection::tr(
+          "What lies outside this part of the volume is cut away; the first number is the end named first."),
+      .unit = QStringLiteral("%"),
+      .scale = {0.0, 100.0, false},
+      .defaultUpper = 100.0,
+      .decimals = 1,
+      .lowerName = name.lowEnd,
+      .upperName = name.highEnd};
 }
 
 QString extentText(const CropBox& crop, const Volume& volume, int axis) {
@@ -123,7 +125,7 @@ void CropSection::edit(int axis, double lowerPercent, double upperPercent, const
   m_crop = edited;
   showCrop();
   const QString name = axisName(axis).axis;
-  emit cropEdited(edited, {gesture.id, tr("crop %1").arg(name.toLower())});
+  emit cropEdited(edited, {gesture.id, tr("crop %1").arg(inSentence(name))});
 }
 
 void CropSection::showCrop() {

@@ -66,7 +66,7 @@ void QualitySection::addPreintegration() {
 }
 
 void QualitySection::addJitter() {
-  m_jitter = new QCheckBox(tr("Blur the steps (jitter)"));
+  m_jitter = new QCheckBox(tr("Shift the samples (jitter)"));
   m_jitter->setAccessibleName(m_jitter->text());
   m_jitter->setToolTip(tr("<p>Shifts each pixel's samples by a fixed random part of a step: rings from a "
                           "large step turn into fine grain.</p><p>On or off, default off.</p>"));

@@ -75,7 +75,8 @@ QString profileSummary(const RayProfile& profile, const ProfileNames& names) {
   case Projection::isosurface:
     return QObject::tr("The surface lies %1 deep; the picture shows it alone.").arg(depth);
   case Projection::xray:
-    return QObject::tr("Half of what is absorbed is so within %1, at %2.").arg(depth, value) + u' ' + alpha;
+    return QObject::tr("Half of the absorption lies within the first %1, up to %2.").arg(depth, value) +
+           u' ' + alpha;
   case Projection::composite:
   case Projection::compositeIsosurface:
   case Projection::average:

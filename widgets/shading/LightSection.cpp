@@ -56,7 +56,7 @@ void LightSection::addStrengths() {
       initial.diffuse, &Shading::diffuse);
   add(tr("Highlights (ks)"), tr("How bright the highlights are; 0 makes every surface dull."),
       initial.specular, &Shading::specular);
-  contents()->addWidget(headingOf(tr("Light sends")));
+  contents()->addWidget(headingOf(tr("Strength of the light")));
   add(tr("From all sides (Ia)"), tr("The light that comes from everywhere and casts no form."),
       initial.ambientIntensity, &Shading::ambientIntensity);
   add(tr("From the lamp (Id)"), tr("The strength of the lamp that makes form and highlights."),

@@ -48,6 +48,14 @@ TEST(Speech, saysMessagesWithTheirPartsInGerman) {
   EXPECT_EQ(translated(Message("a name")), "a name");
 }
 
+TEST(Speech, aNounWithinASentenceKeepsItsCapitalInGermanAlone) {
+  EXPECT_EQ(inSentence(QStringLiteral("Highlights (ks)")), QStringLiteral("highlights (ks)"));
+  EXPECT_EQ(inSentence(QStringLiteral("SP of highlights")), QStringLiteral("SP of highlights"))
+      << "an acronym";
+  const InGerman german;
+  EXPECT_EQ(inSentence(QStringLiteral("Glanzlichter (ks)")), QStringLiteral("Glanzlichter (ks)"));
+}
+
 TEST(Speech, writesNumbersWithACommaAndReadsBoth) {
   const InGerman german;
   EXPECT_EQ(plainNumber(1234.5, 2), "1234,5");

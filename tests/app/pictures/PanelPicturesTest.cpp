@@ -2,6 +2,7 @@
 #include "app/actions/Actions.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/pictures/SmallVolumes.h"
+#include "app/presets/ThumbnailDesk.h"
 #include "app/window/RegionDesk.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
@@ -12,6 +13,7 @@
 #include "widgets/curve/points/PointPopup.h"
 #include "widgets/effects/EffectRowWidget.h"
 #include "widgets/effects/EffectsPanel.h"
+#include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
@@ -90,6 +92,32 @@ TEST_F(PanelPictures, ofWhatAPointGoverns) {
   curves().valueEditor()->canvas()->selectPoints({4});
   QTest::keyClick(window->windowHandle(), Qt::Key_H);
   take(QStringLiteral("point-governs"));
+}
+
+TEST_F(PanelPictures, ofTheGallery) {
+  ASSERT_TRUE(openVolume());
+  window->findChild<PresetBrowser*>()->setGallery(true);
+  auto& thumbnails = *window->findChild<ThumbnailDesk*>();
+  thumbnails.drawNow();
+  ASSERT_TRUE(test::waitUntil([&] { return thumbnails.isComplete(); }));
+  take(QStringLiteral("gallery"));
+}
+
+TEST_F(PanelPictures, ofSuggestedBands) {
+  ASSERT_TRUE(openVolume());
+  action("suggest").trigger();
+  const auto offered = [&]() -> QPushButton* {
+    for (QPushButton* button : window->findChildren<QPushButton*>())
+      if (button->accessibleName().startsWith(QStringLiteral("Use the band")) && button->isEnabled())
+        return button;
+    return nullptr;
+  };
+  ASSERT_TRUE(test::waitUntil([&] { return offered() != nullptr; }));
+  QWidget& row = *offered()->parentWidget();
+  const QPointF centre = QRectF(row.rect()).center();
+  QEnterEvent enter(centre, centre, row.mapToGlobal(centre));
+  QCoreApplication::sendEvent(&row, &enter); // shows the band
+  take(QStringLiteral("suggested-bands"));
 }
 
 TEST_F(PanelPictures, ofSlicesBesideThePicture) {

@@ -52,7 +52,7 @@ TEST_F(TitleWindow, namesThePatientOnceThatWasChosen) {
 }
 
 TEST_F(TitleWindow, namesNobodyWhereThatWasChosenUntilTheMenuSaysOtherwise) {
-  answer("Name nobody");
+  answer("Do not show it");
   EXPECT_FALSE(question().isVisible());
   EXPECT_EQ(setting(), false);
   openAnother();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/sliders/NumberSpec.h"
 
+#include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 
 #include <QObject>
@@ -20,8 +21,7 @@ QString describedFor(const NumberSpec& spec) {
 }
 
 QString changeText(const QString& label) {
-  const bool acronym = label.size() > 1 && label.at(1).isUpper();
-  return QObject::tr("change %1").arg(acronym ? label : label.left(1).toLower() + label.mid(1));
+  return QObject::tr("change %1").arg(inSentence(label));
 }
 
 } // namespace limn
