@@ -64,6 +64,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_emphasis(m_session, *m_panels.curves->valueEditor()->canvas(), m_planes, this),
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, m_settings, *this}),
+      m_earlier({m_session, m_document, *m_centre.messages, *m_actions.earlierLook}),
       m_thumbnails({m_session, *m_panels.presets, [this] { return m_presets.fittedPresets(); },
                     [this] { return m_centre.view->pictureAspect(); }},
                    this),

@@ -8,6 +8,7 @@
 #include "app/document/OpenDocument.h"
 #include "app/figure/FigureDesk.h"
 #include "app/opening/OpeningDesk.h"
+#include "app/presets/EarlierLook.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
 #include "app/presets/ThumbnailDesk.h"
@@ -117,6 +118,7 @@ private:
   RayDesk m_ray;
   EmphasisDesk m_emphasis;
   PresetDesk m_presets;
+  EarlierLook m_earlier;
   ThumbnailDesk m_thumbnails;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;

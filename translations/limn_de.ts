@@ -1543,6 +1543,14 @@
         <extracomment>Not shown. Translate it as &quot;capital&quot; where nouns within a sentence have one.</extracomment>
         <translation>capital</translation>
     </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Strg+L</translation>
+    </message>
+    <message>
+        <source>the look of the volume that was open before</source>
+        <translation>Darstellung des zuvor geöffneten Volumens</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2117,6 +2125,18 @@
         <source>Ends the comparison of two looks.</source>
         <translation>Beendet den Vergleich zweier Darstellungen.</translation>
     </message>
+    <message>
+        <source>Use the &amp;look of the volume before</source>
+        <translation>Dars&amp;tellung des vorigen Volumens verwenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Shows this volume with curve and light of the one that was open before it.</source>
+        <translation>Zeigt dieses Volumen mit Kurve und Licht des zuvor geöffneten.</translation>
+    </message>
 </context>
 <context>
     <name>limn::AppearanceDesk</name>
@@ -2455,6 +2475,21 @@
     <message>
         <source>The graphics driver failed, and everything in it was made anew; nothing is lost.</source>
         <translation>Der Grafiktreiber ist ausgefallen, und alles darin wurde neu angelegt; nichts ist verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::EarlierLook</name>
+    <message>
+        <source>Earlier look</source>
+        <translation>Vorige Darstellung</translation>
+    </message>
+    <message>
+        <source>use the look of the volume before</source>
+        <translation>Darstellung des vorigen Volumens verwenden</translation>
+    </message>
+    <message>
+        <source>The look of the volume before was fitted to the values of this one: not both are in Hounsfield units.</source>
+        <translation>Die Darstellung des vorigen Volumens wurde an die Werte dieses Volumens angepasst: Nicht beide sind in Hounsfield-Einheiten.</translation>
     </message>
 </context>
 <context>
@@ -6682,6 +6717,10 @@
     <message>
         <source>Folder for &quot;%1&quot;:</source>
         <translation>Ordner für „%1“:</translation>
+    </message>
+    <message>
+        <source>Use it as it is</source>
+        <translation>Unverändert verwenden</translation>
     </message>
 </context>
 <context>

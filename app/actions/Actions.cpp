@@ -260,6 +260,11 @@ void Actions::makeOtherActions() {
       made("suggest", {.text = tr("S&uggest from boundaries…"),
                        .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
                                      "the curve for each")});
+  earlierLook =
+      made("earlierLook", {.text = tr("Use the &look of the volume before"),
+                           .shortcut = tr("Ctrl+L"),
+                           .toolTip = tr("Shows this volume with curve and light of the one that was "
+                                         "open before it.")});
   takeSnapshot = made("takeSnapshot", {.text = tr("&Remember this look as \"before\""),
                                        .shortcut = tr("Ctrl+B"),
                                        .toolTip = tr("Keeps curve and light of this moment to compare with "

@@ -67,6 +67,7 @@ public:
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
   QAction* suggest = nullptr;
+  QAction* earlierLook = nullptr; ///< out of use until a second volume is open
   QAction* takeSnapshot = nullptr;
   QAction* compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* compareModels = nullptr;   ///< enabled while looks are compared

@@ -57,6 +57,7 @@ QList<HelpRow> pictureRows() {
       {{}, QObject::tr("Presets")},
       {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
       {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
+      {QObject::tr("Ctrl+L"), QObject::tr("the look of the volume that was open before")},
       {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
   };
 }

@@ -112,7 +112,7 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   makeViewMenu(bar, actions, panels, shared);
   menus.models = shared.models;
   QMenu* presets = bar.addMenu(QObject::tr("&Preset"));
-  presets->addActions({actions.findPreset, actions.savePreset, actions.suggest});
+  presets->addActions({actions.findPreset, actions.savePreset, actions.earlierLook, actions.suggest});
   presets->addSeparator();
   presets->addActions({actions.takeSnapshot, actions.compareSnapshot, actions.compareModels});
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});

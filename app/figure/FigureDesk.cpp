@@ -61,10 +61,10 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   return text;
 }
 
-std::vector<Preset> fittedPresets(const PresetStore& store, const Histogram& histogram, const Grid& grid) {
+std::vector<Preset> fittedPresets(const PresetStore& store, const Volume& volume, const Histogram& histogram) {
   std::vector<Preset> presets = builtInPresets();
   for (Preset& preset : presets)
-    preset = fittedTo(preset, histogram, grid);
+    preset = fittedToValues(preset, volume, histogram);
   const std::vector<Preset> own = store.read().presets;
   presets.insert(presets.end(), own.begin(), own.end());
   return presets;
@@ -132,7 +132,7 @@ void FigureDesk::refreshSources() {
                                m_parts.comparison.remembered(),
                                m_parts.session.planes(),
                                firstWindow(*scene.volume, histogram),
-                               fittedPresets(m_store, histogram, scene.volume->grid()),
+                               fittedPresets(m_store, *scene.volume, histogram),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();

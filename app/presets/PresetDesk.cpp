@@ -86,14 +86,23 @@ const Preset* PresetDesk::find(const QString& name) const {
   return nullptr;
 }
 
+bool PresetDesk::isBuiltIn(const QString& name) const {
+  return named(m_builtIn, name) != m_builtIn.end();
+}
+
+// It means Hounsfield units, and what is open has others.
+bool PresetDesk::isInOtherUnits(const Preset& preset) const {
+  const std::shared_ptr<const Volume>& volume = m_with.session.scene().volume;
+  return volume && isForHounsfield(preset) && !looksLikeHounsfield(*volume);
+}
+
 // Own presets were shaped on data like this; built-in ones fit themselves to it.
 std::optional<Preset> PresetDesk::fitted(const QString& name) const {
   const Preset* found = find(name);
   if (!found)
     return std::nullopt;
-  const bool isBuiltIn = named(m_builtIn, name) != m_builtIn.end();
   const std::shared_ptr<const Volume>& volume = m_with.session.scene().volume;
-  return isBuiltIn && volume ? fittedTo(*found, m_with.document.histogram(), volume->grid()) : *found;
+  return volume && isBuiltIn(name) ? fittedToValues(*found, *volume, m_with.document.histogram()) : *found;
 }
 
 // Somebody may have edited its file.
@@ -117,8 +126,8 @@ void PresetDesk::use(const QString& name) {
   if (!m_said.isEmpty() && m_with.messages.sentence() == m_said)
     m_with.messages.hide(); // it was about another preset
   show(*preset, tr("use preset %1").arg(presetWords(name)));
-  if (isForHounsfield(*preset) && !looksLikeHounsfield(*m_with.session.scene().volume))
-    offerToFit(*preset);
+  if (const Preset known = *find(name); isInOtherUnits(known))
+    isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
 }
 
 void PresetDesk::preview(const QString& name) {
@@ -141,25 +150,35 @@ void PresetDesk::show(const Preset& preset, const QString& edit) {
   markShown(); // one that changes nothing is in use as well
 }
 
+void PresetDesk::sayHowItWasFitted(const Preset& preset) {
+  const QString name = presetWords(QString::fromStdString(preset.name));
+  const Landmarks to = landmarksOf(m_with.document.histogram());
+  const auto number = [](double value) { return digitsNumber(value, 4); };
+  const auto leaveIt = [this, preset, name, volume = m_with.session.scene().volume] {
+    if (m_with.session.scene().volume == volume)
+      show(preset, tr("use preset %1").arg(name));
+  };
+  say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 HU), tissue begins at "
+         "%4 "
+         "(%5 HU), the brightest is %6 (%7 HU).")
+          .arg(name, number(to.background), number(hounsfieldLandmarks.background), number(to.object),
+               number(hounsfieldLandmarks.object), number(to.brightest),
+               number(hounsfieldLandmarks.brightest)),
+      {tr("Use it as it is"), leaveIt});
+}
+
 void PresetDesk::offerToFit(const Preset& preset) {
-  const QString name = QString::fromStdString(preset.name);
-  const auto fit = [this, preset, name, volume = m_with.session.scene().volume] {
+  const auto fit = [this, preset, volume = m_with.session.scene().volume] {
     if (m_with.session.scene().volume != volume)
       return;
-    const Landmarks to = landmarksOf(m_with.document.histogram());
-    show(fittedTo(withLandmarks(preset), m_with.document.histogram(), volume->grid()),
-         tr("fit preset %1").arg(presetWords(name)));
-    const auto number = [](double value) { return digitsNumber(value, 4); };
-    say(tr("\"%1\" was fitted by this volume's own values: air lies at %2 (instead of %3 "
-           "HU), tissue begins at "
-           "%4 (%5 HU), the brightest is %6 (%7 HU).")
-            .arg(presetWords(name), number(to.background), number(hounsfieldLandmarks.background),
-                 number(to.object), number(hounsfieldLandmarks.object), number(to.brightest),
-                 number(hounsfieldLandmarks.brightest)));
+    show(fittedToValues(preset, *volume, m_with.document.histogram()),
+         tr("fit preset %1").arg(presetWords(QString::fromStdString(preset.name))));
+    sayHowItWasFitted(preset);
   };
-  say(tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show "
-         "nothing, or the wrong tissue.")
-          .arg(presetWords(name)),
+  say(tr("\"%1\" is made for Hounsfield units, which this volume does not have: it may show nothing, or the "
+         "wrong "
+         "tissue.")
+          .arg(presetWords(QString::fromStdString(preset.name))),
       {tr("Fit to this volume"), fit});
 }
 
@@ -212,7 +231,7 @@ void PresetDesk::ask(const QString& title, const QString& label, const QString& 
 
 // A name of a preset of the user's own; says why not.
 bool PresetDesk::mayBeCalled(const QString& name) const {
-  const bool isTaken = named(m_builtIn, name) != m_builtIn.end();
+  const bool isTaken = isBuiltIn(name);
   if (name.isEmpty() || isTaken)
     m_with.messages.show(MessageBar::Kind::error,
                          isTaken ? tr("\"%1\" is a built-in preset; choose another name.").arg(name)

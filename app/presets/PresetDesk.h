@@ -80,7 +80,10 @@ signals:
 
 private:
   void show(const Preset& preset, const QString& edit);
+  bool isInOtherUnits(const Preset& preset) const;
+  bool isBuiltIn(const QString& name) const;
   void offerToFit(const Preset& preset);
+  void sayHowItWasFitted(const Preset& preset);
   void say(const QString& sentence, const MessageBar::Action& action = {});
   void ask(const QString& title, const QString& label, const QString& name,
            const std::function<void(const QString&)>& answer);

@@ -57,10 +57,8 @@ TransferFunction ProjectionCurves::ownCurve(const Scene& scene, Kind kind, const
     preset = presetNamed(builtInPresets(), "CT X-ray");
   else
     preset.transferFunction = kind == Kind::minimum ? minimumCurve() : averageCurve();
-  return kind == Kind::tissue
-             ? preset.transferFunction
-             : fittedTo(isHounsfield ? preset : withLandmarks(preset), histogram, scene.volume->grid())
-                   .transferFunction;
+  return kind == Kind::tissue ? preset.transferFunction
+                              : fittedToValues(preset, *scene.volume, histogram).transferFunction;
 }
 
 void ProjectionCurves::note(const Scene& scene) {

@@ -168,6 +168,10 @@ Preset withLandmarks(Preset preset) {
   return preset;
 }
 
+Preset fittedToValues(const Preset& preset, const Volume& volume, const Histogram& histogram) {
+  return fittedTo(looksLikeHounsfield(volume) ? preset : withLandmarks(preset), histogram, volume.grid());
+}
+
 Preset bestFitting(const std::vector<Preset>& builtIn, const Volume& volume, const Effort& effort) {
   const Histogram histogram = histogramOf(volume, 1024, effort);
   if (imageNormalAxis(volume.grid()))

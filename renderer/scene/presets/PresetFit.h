@@ -34,6 +34,10 @@ bool isForHounsfield(const Preset& preset);
 /// in another scale.
 Preset withLandmarks(Preset preset);
 
+/// A built-in preset as it is used on a volume: one that means Hounsfield units is moved onto the values of
+/// data that have others.
+Preset fittedToValues(const Preset& preset, const Volume& volume, const Histogram& histogram);
+
 /// The name of the built-in preset that a volume opens with: by modality, body part and contrast where its
 /// file hints at them, and by its values. Empty where none suits; then it is the automatic ramp.
 std::string firstLook(const Volume& volume, const Histogram& histogram);
