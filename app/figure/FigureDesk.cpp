@@ -61,7 +61,8 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   return text;
 }
 
-std::vector<Preset> fittedPresets(const PresetStore& store, const Volume& volume, const Histogram& histogram) {
+std::vector<Preset> fittedPresets(const PresetStore& store, const Volume& volume,
+                                  const Histogram& histogram) {
   std::vector<Preset> presets = builtInPresets();
   for (Preset& preset : presets)
     preset = fittedToValues(preset, volume, histogram);
