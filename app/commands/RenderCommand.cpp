@@ -25,6 +25,7 @@ struct RenderArguments {
   std::string engine = "auto";
   int threads = 0;
   bool printsFigures = false;
+  bool skipsExisting = false;
   std::string samplesSpent; ///< empty: not wanted
   double textureMb = anyMb; ///< the most that the volume may take on the graphics card
 };
@@ -84,6 +85,8 @@ void runRender(const RenderArguments& arguments) {
   if (arguments.textureMb != anyMb && arguments.engine != "auto" && arguments.engine != "gl")
     throw Error(Error::Kind::usage,
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
+  if (arguments.skipsExisting && isWholePicture(arguments.out))
+    return;
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
   const LoadedScene loaded =
@@ -155,6 +158,8 @@ void addRenderCommand(CommandSyntax& root) {
               "the most that the volume may take on the graphics card, MB; a larger one is drawn by the "
               "processor (--engine auto) or with fewer voxels (--engine gl; default: what the driver takes)")
       .within(1.0, 1e6);
+  command.flag("--skip-existing", arguments->skipsExisting,
+               "draw nothing where the picture is there and whole: work that was interrupted goes on");
   command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command.runs([arguments] { runRender(*arguments); });
 }

@@ -3,11 +3,14 @@
 
 #include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
+#include "app/turntable/Turntable.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 #include "scene/presets/PresetFit.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <numbers>
 
 namespace limn {
 namespace {
@@ -28,6 +31,15 @@ Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
          "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
          "or the wrong tissue.");
   return fittedTo(preset, histogramOf(volume), volume.grid());
+}
+
+/// The angle of a part of a turn, radians: "3/36".
+double angleOf(const std::string& turn) {
+  int part = 0, parts = 0, end = 0;
+  const int found = std::sscanf(turn.c_str(), "%d/%d%n", &part, &parts, &end);
+  if (found != 2 || static_cast<std::size_t>(end) != turn.size() || parts < 1)
+    throw Error(Error::Kind::usage, "--turn is a part of a turn, such as 3/36; this is \"" + turn + "\".");
+  return 2.0 * std::numbers::pi * part / parts;
 }
 
 enum class Keep { all, body };
@@ -52,8 +64,12 @@ ShadingModel modelNamed(const std::string& word, const std::string& option) {
   return chosen(models, word, option);
 }
 
+StandardView viewNamed(const std::string& word) {
+  return chosen(views, word, "--view");
+}
+
 Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
-  return framedView(scene, chosen(views, view, "--view"), aspect);
+  return framedView(scene, viewNamed(view), aspect);
 }
 
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
@@ -87,6 +103,8 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
     scene.camera = viewOf(scene, arguments.view, aspect);
   else if (!loaded.hasOwnCamera)
     scene.camera = framedCamera(scene, aspect);
+  if (!arguments.turn.empty())
+    scene.camera = turned(scene.camera, angleOf(arguments.turn));
   return scene;
 }
 
@@ -103,6 +121,8 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command.option("--turn", arguments.turn,
+                 "turned about the patient's upright axis by a part of a turn, such as 3/36");
   command.option("--keep", arguments.keep,
                  "all, or body: without the table, the holder and what else lies beside it");
   command.option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")

@@ -15,6 +15,7 @@ struct SceneArguments {
   std::string model;
   std::string preset;
   std::string view;
+  std::string turn; ///< "I/N": after I of N parts of a turn about the patient
   std::string keep;
   double stepVoxels = 0.0;      ///< 0: not given
   double toleranceLevels = 0.0; ///< 0: not given
@@ -29,6 +30,9 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments);
 /// The scene with everything that was given but the model; framed anew where it has no camera of its own, on
 /// half the picture where two models are compared. Throws Error (usage).
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments);
+
+/// The standard view of that name. Throws Error (usage).
+StandardView viewNamed(const std::string& word);
 
 /// The camera of a standard view, named by --view, framed for a picture of this width over height. Throws
 /// Error (usage).

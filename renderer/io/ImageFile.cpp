@@ -114,4 +114,19 @@ std::string readImageDescription(const fs::path& path) {
   return picture->description;
 }
 
+bool isWholePicture(const fs::path& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown))
+    return false;
+  const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
+  if (!picture)
+    return false;
+  constexpr std::size_t widestSample = sizeof(double);
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(picture->width) * picture->channels * widestSample);
+  for (int y = 0; y < picture->height; ++y)
+    if (!picture->readRows(row.data(), y, 1))
+      return false;
+  return true;
+}
+
 } // namespace limn

@@ -33,4 +33,7 @@ void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
 /// where there is none. Throws Error where it cannot be read.
 std::string readImageDescription(const std::filesystem::path& path);
 
+/// Whether a picture is there and can be read to its end.
+bool isWholePicture(const std::filesystem::path& path);
+
 } // namespace limn
