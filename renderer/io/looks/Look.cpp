@@ -2,21 +2,14 @@
 #include "io/looks/Look.h"
 
 #include "io/looks/Families.h"
+#include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
-
-#include <algorithm>
+#include "scene/volume/Volume.h"
 
 namespace limn {
 namespace {
-
-std::string lower(std::string text) {
-  for (char& letter : text)
-    if (letter >= 'A' && letter <= 'Z')
-      letter = static_cast<char>(letter - 'A' + 'a');
-  return text;
-}
 
 /// The family written under a file's ending; the longest ending wins (".vp.json" before ".json").
 const LookFormat* writtenAs(const std::string& fileName) {
@@ -30,6 +23,16 @@ const LookFormat* writtenAs(const std::string& fileName) {
         longest = ending.size();
       }
   return found;
+}
+
+// The longest ending of a family that a file's name has.
+std::size_t endingLength(const std::string& fileName) {
+  std::size_t longest = std::filesystem::path(fileName).extension().string().size();
+  for (const LookFormat& format : lookFormats())
+    for (const std::string& ending : format.endings)
+      if (ending.size() > longest && fileName.size() > ending.size() && lowerCase(fileName).ends_with(ending))
+        longest = ending.size();
+  return longest;
 }
 
 std::string writtenEndings() {
@@ -48,8 +51,24 @@ const std::vector<LookFormat>& lookFormats() {
   return formats;
 }
 
+LookTarget lookTargetOf(const Volume& volume) {
+  const ValueRange& range = volume.range();
+  const glm::dvec3& spacing = volume.grid().spacingMm;
+  return {range.lowest, range.highest > range.lowest ? range.highest : range.lowest + 1.0,
+          (spacing.x + spacing.y + spacing.z) / 3.0};
+}
+
+std::string lookNameOf(const std::string& file, std::size_t index) {
+  const std::string whole = std::filesystem::path(file).filename().string();
+  const std::string name = plainText(whole.substr(0, whole.size() - endingLength(whole)), 200);
+  return index == 0 ? name : name + " " + std::to_string(index + 1);
+}
+
 std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
                                  const std::optional<LookTarget>& target) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(byteOrderMark))
+    text.remove_prefix(byteOrderMark.size());
   for (const LookFormat& format : lookFormats())
     if (format.isMine(text))
       return format.read(text, name, target);
@@ -64,7 +83,7 @@ std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::op
 
 WrittenLook lookAs(const std::filesystem::path& path, const Preset& preset,
                    const std::optional<LookTarget>& target) {
-  if (const LookFormat* format = writtenAs(lower(path.filename().string())))
+  if (const LookFormat* format = writtenAs(lowerCase(path.filename().string())))
     return format->write(preset, target);
   throw Error(Error::Kind::usage,
               Message::tr("The ending of %1 names no kind of look that Limn writes; these do: %2.")

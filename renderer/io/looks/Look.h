@@ -19,6 +19,9 @@ struct LookTarget {
   double meanSpacingMm = 1.0; ///< mean of the three distances between voxels: the unit of VTK's gradients
 };
 
+/// What a volume gives such formats; a constant one has a range of 1.
+LookTarget lookTargetOf(const Volume& volume);
+
 /// A look of another program as Limn shows it.
 struct ReadLook {
   Preset preset;
@@ -32,7 +35,8 @@ struct WrittenLook {
 };
 
 /// A family of files with looks in them. `read` and `write` throw Error (input); `name` is how sentences call
-/// the file. Without a target, what needs one is refused with what to do (`--for VOLUME`).
+/// the file. Without a target, relative values stay so and gradients are taken for voxels of 1 mm, and a
+/// sentence says how to have it otherwise (`--for VOLUME`).
 struct LookFormat {
   const char* name; ///< "3D Slicer volume property"
   std::vector<std::string>
@@ -46,8 +50,12 @@ struct LookFormat {
 /// Every family, in the order in which a file is asked for its own.
 const std::vector<LookFormat>& lookFormats();
 
-/// Reads the looks in a text, at least one. Throws Error (input) where no family knows it, or where it is
-/// damaged, contradictory or empty.
+/// What a look is called that has no name of its own: the file, without its folder and its ending. Of several
+/// in a file, all but the first (`index` 0) have their number behind it.
+std::string lookNameOf(const std::string& file, std::size_t index = 0);
+
+/// Reads the looks in a text, at least one; a byte order mark before it is passed over. Throws Error (input)
+/// where no family knows it, or where it is damaged, contradictory or empty.
 std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
                                  const std::optional<LookTarget>& target = {});
 

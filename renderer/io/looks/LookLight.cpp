@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/looks/LookLight.h"
+
+#include "io/looks/LookCurves.h"
+#include "scene/light/ModelName.h"
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr double lowestPower = 0.01;
+constexpr double highestPower = 1024.0; // DEFINITION section 4
+
+void tellLostModel(const Shading& shading, std::vector<Message>& changes) {
+  if (shading.model == ShadingModel::enhanced || shading.model == ShadingModel::robust)
+    tell(changes,
+         Message::tr("The shading model %1 became the classic one, whose opacity and highlights do not "
+                     "follow the gradient.")
+             .arg(nameOf(shading.model)));
+  if (shading.lightDirection)
+    tell(changes, Message::tr("The light's direction was left out: it comes from the viewer there."));
+  if (!shading.twoSided)
+    tell(changes, Message::tr("Surfaces turned away from the light are lit there, too."));
+}
+
+double tellHighlights(const Shading& shading, std::vector<Message>& changes) {
+  if (shading.specular * shading.lightIntensity > 0.0 && shading.specularColor == SpecularColor::material)
+    tell(changes, Message::tr("Highlights in the material's colour became white ones."));
+  if (shading.reflection == Reflection::phong)
+    return shading.exponent;
+  const double power = phongExponent(shading.exponent);
+  if (shading.specular * shading.lightIntensity > 0.0)
+    tell(changes,
+         Message::tr("The exponent %1 of highlights after Blinn-Phong became %2 of Phong's, which are "
+                     "as wide.")
+             .arg(Message::rounded(shading.exponent, 4))
+             .arg(Message::rounded(power, 4)));
+  return power;
+}
+
+} // namespace
+
+double phongExponent(double blinnExponent) {
+  return blinnExponent / 4.0;
+}
+
+double blinnExponent(double phongExponent) {
+  return phongExponent * 4.0;
+}
+
+Shading shadingOf(const PhongLight& light, std::vector<Message>& changes) {
+  Shading shading;
+  shading.model = light.isOn ? ShadingModel::classic : ShadingModel::none;
+  shading.ambient = std::max(0.0, light.ambient);
+  shading.diffuse = std::max(0.0, light.diffuse);
+  shading.specular = std::max(0.0, light.specular);
+  shading.ambientIntensity = 1.0;
+  shading.lightIntensity = 1.0;
+  shading.exponent = std::clamp(light.power, lowestPower, highestPower);
+  shading.reflection = Reflection::phong;
+  shading.specularColor = SpecularColor::light;
+  shading.twoSided = true;
+  const bool isLimited = shading.ambient != light.ambient || shading.diffuse != light.diffuse ||
+                         shading.specular != light.specular ||
+                         (shading.exponent != light.power && light.specular > 0.0);
+  if (isLimited)
+    tell(changes, Message::tr("Numbers of the light were limited to what Limn draws: no coefficient below 0, "
+                              "exponents from %1 to %2.")
+                      .arg(Message::rounded(lowestPower, 2))
+                      .arg(Message::rounded(highestPower, 4)));
+  return shading;
+}
+
+PhongLight phongLightOf(const std::optional<Shading>& shading, std::vector<Message>& changes) {
+  if (!shading)
+    return {};
+  PhongLight light;
+  light.isOn = shading->model != ShadingModel::none;
+  light.ambient = shading->ambient * shading->ambientIntensity;
+  light.diffuse = shading->diffuse * shading->lightIntensity;
+  light.specular = shading->specular * shading->lightIntensity;
+  std::vector<Message> ofLight;
+  light.power = tellHighlights(*shading, ofLight);
+  tellLostModel(*shading, ofLight);
+  if (light.isOn) // what is not lit loses nothing
+    for (const Message& sentence : ofLight)
+      tell(changes, sentence);
+  return light;
+}
+
+} // namespace limn
