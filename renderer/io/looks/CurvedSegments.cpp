@@ -11,8 +11,8 @@
 namespace limn {
 namespace {
 
-// A curved segment is looked at so often; between two looks it strays less than the margin kept below.
-constexpr int looks = 512;
+// A curved segment is looked at so often; between two samples it strays less than the margin kept below.
+constexpr int samples = 512;
 constexpr double margin = 0.0005;
 
 double clampedMidpoint(double midpoint) {
@@ -99,8 +99,8 @@ private:
 
   void appendCurve(std::vector<ControlPoint>& points) const {
     std::vector<ControlPoint> seen{m_from};
-    for (int i = 1; i < looks; ++i)
-      if (const ControlPoint point = at(i / double(looks)); point.value > seen.back().value)
+    for (int i = 1; i < samples; ++i)
+      if (const ControlPoint point = at(i / double(samples)); point.value > seen.back().value)
         seen.push_back(point);
     if (seen.back().value < m_to.value)
       seen.push_back(m_to);

@@ -7,5 +7,11 @@ namespace limn {
 
 // One function a family; each stands in a file of its own.
 LookFormat limnPresetFormat();
+LookFormat slicerJsonFormat();
+LookFormat slicerTextFormat();
+LookFormat mrmlFormat();
+LookFormat osirixPlistFormat();
+LookFormat paraViewJsonFormat();
+LookFormat weasisJsonFormat();
 
 } // namespace limn

@@ -47,7 +47,9 @@ std::string writtenEndings() {
 } // namespace
 
 const std::vector<LookFormat>& lookFormats() {
-  static const std::vector<LookFormat> formats{limnPresetFormat()};
+  static const std::vector<LookFormat> formats{limnPresetFormat(),   slicerJsonFormat(),  weasisJsonFormat(),
+                                               paraViewJsonFormat(), osirixPlistFormat(), mrmlFormat(),
+                                               slicerTextFormat()};
   return formats;
 }
 
