@@ -13,5 +13,11 @@ LookFormat mrmlFormat();
 LookFormat osirixPlistFormat();
 LookFormat paraViewJsonFormat();
 LookFormat weasisJsonFormat();
+LookFormat inviwoFunctionFormat();
+LookFormat voreenFunctionFormat();
+LookFormat mitkFunctionFormat();
+LookFormat mricroglClutFormat();
+LookFormat niivueMapFormat();
+LookFormat imageVisTableFormat();
 
 } // namespace limn

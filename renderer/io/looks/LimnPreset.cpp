@@ -21,7 +21,7 @@ WrittenLook writeLimnPreset(const Preset& preset, const std::optional<LookTarget
 } // namespace
 
 LookFormat limnPresetFormat() {
-  return {"Limn preset", {".json"}, isLimnPreset, readLimnPreset, writeLimnPreset};
+  return {Message::tr("Limn preset"), {".json"}, isLimnPreset, readLimnPreset, writeLimnPreset};
 }
 
 } // namespace limn

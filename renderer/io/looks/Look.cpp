@@ -35,6 +35,11 @@ std::size_t endingLength(const std::string& fileName) {
   return longest;
 }
 
+std::string_view withoutMark(std::string_view text) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  return text.starts_with(byteOrderMark) ? text.substr(byteOrderMark.size()) : text;
+}
+
 std::string writtenEndings() {
   std::string list;
   for (const LookFormat& format : lookFormats())
@@ -47,9 +52,11 @@ std::string writtenEndings() {
 } // namespace
 
 const std::vector<LookFormat>& lookFormats() {
-  static const std::vector<LookFormat> formats{limnPresetFormat(),   slicerJsonFormat(),  weasisJsonFormat(),
-                                               paraViewJsonFormat(), osirixPlistFormat(), mrmlFormat(),
-                                               slicerTextFormat()};
+  static const std::vector<LookFormat> formats{
+      limnPresetFormat(),     slicerJsonFormat(),     weasisJsonFormat(),   paraViewJsonFormat(),
+      niivueMapFormat(),      osirixPlistFormat(),    mrmlFormat(),         mitkFunctionFormat(),
+      inviwoFunctionFormat(), voreenFunctionFormat(), mricroglClutFormat(), imageVisTableFormat(),
+      slicerTextFormat()};
   return formats;
 }
 
@@ -66,14 +73,18 @@ std::string lookNameOf(const std::string& file, std::size_t index) {
   return index == 0 ? name : name + " " + std::to_string(index + 1);
 }
 
-std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
-                                 const std::optional<LookTarget>& target) {
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(byteOrderMark))
-    text.remove_prefix(byteOrderMark.size());
+const LookFormat* lookFormatOf(std::string_view text) {
+  text = withoutMark(text);
   for (const LookFormat& format : lookFormats())
     if (format.isMine(text))
-      return format.read(text, name, target);
+      return &format;
+  return nullptr;
+}
+
+std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
+                                 const std::optional<LookTarget>& target) {
+  if (const LookFormat* format = lookFormatOf(text))
+    return format->read(withoutMark(text), name, target);
   failReading(
       name, Message::tr("it is no look that Limn knows"),
       Message::tr("open a preset of Limn or another program that `limn presets convert --help` lists"));

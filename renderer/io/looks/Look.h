@@ -38,7 +38,7 @@ struct WrittenLook {
 /// the file. Without a target, relative values stay so and gradients are taken for voxels of 1 mm, and a
 /// sentence says how to have it otherwise (`--for VOLUME`).
 struct LookFormat {
-  const char* name; ///< "3D Slicer volume property"
+  Message name; ///< "3D Slicer volume property"
   std::vector<std::string>
       endings; ///< of files to write and to offer, ".vp.json"; the first is the usual one
   bool (*isMine)(std::string_view text); ///< told by content, never throws
@@ -49,6 +49,9 @@ struct LookFormat {
 
 /// Every family, in the order in which a file is asked for its own.
 const std::vector<LookFormat>& lookFormats();
+
+/// The family that a text is of; null where none knows it. Never throws.
+const LookFormat* lookFormatOf(std::string_view text);
 
 /// What a look is called that has no name of its own: the file, without its folder and its ending. Of several
 /// in a file, all but the first (`index` 0) have their number behind it.
