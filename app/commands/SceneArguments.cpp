@@ -2,12 +2,9 @@
 #include "app/commands/SceneArguments.h"
 
 #include "app/KeptRegion.h"
-#include "app/presets/PresetStore.h"
+#include "app/commands/NamedLook.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
-#include "scene/presets/PresetFit.h"
-
-#include <algorithm>
 
 namespace limn {
 namespace {
@@ -16,19 +13,6 @@ const std::map<std::string, StandardView> views{
     {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
     {"left", StandardView::left},         {"right", StandardView::right},
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
-
-// Own presets were shaped on data like this; built-in ones fit themselves to it.
-Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
-  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset);
-  const std::vector<Preset> builtIn = builtInPresets();
-  if (std::find(builtIn.begin(), builtIn.end(), preset) == builtIn.end())
-    return preset;
-  if (isForHounsfield(preset) && !looksLikeHounsfield(volume) && !arguments.source.quiet)
-    note("\"" + preset.name +
-         "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
-         "or the wrong tissue.");
-  return fittedTo(preset, histogramOf(volume), volume.grid());
-}
 
 enum class Keep { all, body };
 
@@ -59,7 +43,8 @@ Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())
-    scene = withPreset(scene, presetFor(*scene.volume, arguments), true);
+    scene = withPreset(scene, presetAskedFor(arguments.preset, *scene.volume, arguments.source.quiet),
+                       !arguments.model.empty() || !namesLookFile(arguments.preset));
   if (!arguments.keep.empty()) {
     const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
     scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
@@ -101,7 +86,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command.option(
       "--preset", arguments.preset,
-      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
+      "name of a built-in or own preset (see `limn presets list`), or a file with a look of Limn or another "
+      "program (see `limn presets convert --help`); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
   command.option("--keep", arguments.keep,
                  "all, or body: without the table, the holder and what else lies beside it");

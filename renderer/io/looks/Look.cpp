@@ -94,14 +94,27 @@ std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::op
   return parseLooks(readTextFile(path), path.string(), target);
 }
 
+void requireLookEnding(const std::filesystem::path& path) {
+  if (!writtenAs(lowerCase(path.filename().string())))
+    throw Error(Error::Kind::usage,
+                Message::tr("The ending of %1 names no kind of look that Limn writes; these do: %2.")
+                    .arg(path.filename().string())
+                    .arg(writtenEndings()));
+}
+
+bool hasLookEnding(const std::string& fileName) {
+  const std::string name = lowerCase(fileName);
+  for (const LookFormat& format : lookFormats())
+    for (const std::string& ending : format.endings)
+      if (name.size() > ending.size() && name.ends_with(ending))
+        return true;
+  return false;
+}
+
 WrittenLook lookAs(const std::filesystem::path& path, const Preset& preset,
                    const std::optional<LookTarget>& target) {
-  if (const LookFormat* format = writtenAs(lowerCase(path.filename().string())))
-    return format->write(preset, target);
-  throw Error(Error::Kind::usage,
-              Message::tr("The ending of %1 names no kind of look that Limn writes; these do: %2.")
-                  .arg(path.filename().string())
-                  .arg(writtenEndings()));
+  requireLookEnding(path);
+  return writtenAs(lowerCase(path.filename().string()))->write(preset, target);
 }
 
 } // namespace limn

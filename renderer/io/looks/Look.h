@@ -66,6 +66,12 @@ std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
 std::vector<ReadLook> readLooks(const std::filesystem::path& path,
                                 const std::optional<LookTarget>& target = {});
 
+/// Throws Error (usage) where no family is written under the ending of `path`, with the endings that are.
+void requireLookEnding(const std::filesystem::path& path);
+
+/// Whether a text ends as files of some family do, such as "bone.vp.json".
+bool hasLookEnding(const std::string& fileName);
+
 /// A look in the format that the ending of `path` asks for. Throws Error (usage) where no family is written
 /// under that ending, with those that are.
 WrittenLook lookAs(const std::filesystem::path& path, const Preset& preset,

@@ -58,11 +58,6 @@ bool differ(double a, double b, double width) {
 
 } // namespace
 
-void tell(std::vector<Message>& changes, const Message& sentence) {
-  if (std::find(changes.begin(), changes.end(), sentence) == changes.end())
-    changes.push_back(sentence);
-}
-
 void requirePointCount(std::size_t count, const std::string& name) {
   if (count == 0)
     failReading(name, Message::tr("one of its curves has no points"), saveLookAgain);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/looks/Look.h"
+#include "io/looks/LookChanges.h"
 
 #include <string>
 #include <vector>
@@ -13,9 +14,6 @@ namespace limn {
 
 /// The most points of a look; what has more is damage, or no curve that anyone drew.
 inline constexpr std::size_t mostLookPoints = 100000;
-
-/// Adds a sentence that is not yet among them.
-void tell(std::vector<Message>& changes, const Message& sentence);
 
 inline const Message saveLookAgain = Message::tr("save the look again in the program that made it");
 

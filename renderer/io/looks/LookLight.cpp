@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/LookLight.h"
 
-#include "io/looks/LookCurves.h"
+#include "io/looks/LookChanges.h"
 #include "scene/light/ModelName.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "io/looks/LookUnits.h"
 
 #include "io/looks/CurvedSegments.h"
-#include "io/looks/LookCurves.h"
+#include "io/looks/LookChanges.h"
 #include "io/looks/Simplified.h"
 #include "scene/ProjectionName.h"
 
