@@ -36,7 +36,7 @@ bool namesLookFile(const std::string& word) {
     return false;
   std::error_code failed;
   return std::filesystem::is_regular_file(word, failed) || word.find('/') != std::string::npos ||
-         hasLookEnding(word);
+         std::filesystem::path(word).has_extension();
 }
 
 ReadLook lookIn(const std::string& file, const std::optional<LookTarget>& target, const std::string& look) {

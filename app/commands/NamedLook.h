@@ -8,7 +8,7 @@
 namespace limn {
 
 /// Whether a word of the command line is a file with looks in it rather than the name of a preset: no preset
-/// has that name, and there is such a file, or the word has a folder or the ending of one.
+/// has that name, and there is such a file, or the word has a folder or an ending.
 bool namesLookFile(const std::string& word);
 
 /// The look of that name in a file, or where `look` is empty the first one; of several, `changes` says which.

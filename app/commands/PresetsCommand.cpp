@@ -8,6 +8,7 @@
 #include "io/AtomicFile.h"
 #include "io/looks/LookChanges.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/presets/PresetFit.h"
 
 #include <cstdio>
 #include <iostream>
@@ -47,20 +48,32 @@ struct ConvertArguments {
   bool json = false;
 };
 
-std::optional<LookTarget> targetOf(const std::string& volume) {
-  if (volume.empty())
-    return std::nullopt;
-  return lookTargetOf(*loadScene(volume, {}, terminalProgress(false)).scene.volume);
+std::shared_ptr<const Volume> volumeNamed(const std::string& volume) {
+  return volume.empty() ? nullptr : loadScene(volume, {}, terminalProgress(false)).scene.volume;
+}
+
+// A look that knows the data it was shaped on is fitted to the volume: other programs' files cannot move.
+void fitTo(const Volume& volume, ReadLook& read) {
+  if (!read.preset.landmarks)
+    return;
+  read.preset = fittedTo(read.preset, histogramOf(volume), volume.grid());
+  tell(read.changes, Message::tr("The look was fitted to the volume's values."));
+}
+
+ReadLook lookToConvert(const ConvertArguments& arguments, const std::optional<LookTarget>& target) {
+  if (std::filesystem::exists(arguments.in) || namesLookFile(arguments.in))
+    return lookIn(arguments.in, target, arguments.look);
+  return {presetNamed(allPresets(PresetStore::ofThisUser()), arguments.in), {}};
 }
 
 // Nothing is written before everything is known to be right.
 void convertLook(const ConvertArguments& arguments) {
   requireLookEnding(arguments.out);
-  const bool isFile = std::filesystem::exists(arguments.in) || namesLookFile(arguments.in);
-  const std::optional<LookTarget> target = targetOf(arguments.volume);
-  const ReadLook read = isFile
-                            ? lookIn(arguments.in, target, arguments.look)
-                            : ReadLook{presetNamed(allPresets(PresetStore::ofThisUser()), arguments.in), {}};
+  const std::shared_ptr<const Volume> volume = volumeNamed(arguments.volume);
+  const std::optional<LookTarget> target = volume ? std::optional(lookTargetOf(*volume)) : std::nullopt;
+  ReadLook read = lookToConvert(arguments, target);
+  if (volume)
+    fitTo(*volume, read);
   const WrittenLook written = lookAs(arguments.out, read.preset, target);
   writeFileAtomically(arguments.out, written.text);
   std::vector<Message> changes = read.changes;

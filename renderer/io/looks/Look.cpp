@@ -91,7 +91,7 @@ std::vector<ReadLook> parseLooks(std::string_view text, const std::string& name,
 }
 
 std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::optional<LookTarget>& target) {
-  return parseLooks(readTextFile(path), path.string(), target);
+  return parseLooks(readTextFile(path), path.filename().string(), target);
 }
 
 void requireLookEnding(const std::filesystem::path& path) {

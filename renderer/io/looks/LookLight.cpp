@@ -81,8 +81,10 @@ HeadLight headLightOf(const std::optional<Shading>& shading, Reflection reflecti
                       std::vector<Message>& changes) {
   HeadLight light;
   light.reflection = reflection;
-  if (!shading)
+  if (!shading) {
+    tell(changes, Message::tr("The look says nothing of light; the usual one of such programs was written."));
     return light;
+  }
   light.isOn = shading->model != ShadingModel::none;
   light.ambient = shading->ambient * shading->ambientIntensity;
   light.diffuse = shading->diffuse * shading->lightIntensity;

@@ -68,7 +68,7 @@ private:
 // The numbers of a list, so many for each point; none where there is no such list.
 std::vector<double> ParaViewMap::flatNumbers(const std::string& key, std::size_t width) {
   std::vector<double> list;
-  if (!m_fields.has(key))
+  if (!m_fields.has(key) || m_fields.child(key).is_null())
     return list;
   const json& items = m_fields.child(key);
   if (!items.is_array() || items.size() % width != 0)

@@ -120,12 +120,21 @@ TEST_F(LookCommand, aPresetIsConvertedByItsName) {
   EXPECT_EQ(readJson("bone.vp.json")["volumeProperties"].size(), 1u);
 }
 
+TEST_F(LookCommand, aPresetThatMovesWithItsDataIsFittedToTheVolume) {
+  // The phantom's air lies at -1000 and its brightest far above that of an MR scan.
+  const Outcome outcome = run("presets convert \"MR brain\" " + path("brain.json") + " --for phantom:8");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("fitted to the volume's values"), std::string::npos) << outcome.err;
+  ASSERT_EQ(run("presets convert \"MR brain\" " + path("own.json")).status, 0);
+  EXPECT_NE(readJson("brain.json")["transfer_function"], readJson("own.json")["transfer_function"]);
+}
+
 TEST_F(LookCommand, badInputIsOneSentenceAndLeavesNothing) {
   write("cut.vp", vp.substr(0, 60));
   write("foreign.json", "{\"a\": 1}");
   write("nan.vp", "1\n1\n1\n1\n1\n1\n4 0 nan 1 1\n\n8 0 0 0 0 1 1 1 1\n");
   write("empty.vp", "");
-  for (const char* name : {"cut.vp", "foreign.json", "nan.vp", "empty.vp", "missing.vp.json"}) {
+  for (const char* name : {"cut.vp", "foreign.json", "nan.vp", "empty.vp", "missing.vp.json", "missing.txt"}) {
     const Outcome outcome = run("presets convert " + path(name) + " " + path("out.json") + " --json");
     EXPECT_EQ(outcome.status, 3) << name << " " << outcome.err;
     EXPECT_EQ(lines(outcome.err).size(), 1u) << outcome.err;
