@@ -335,8 +335,11 @@ WrittenLook writeOsirixPlist(const Preset& preset, const std::optional<LookTarge
 } // namespace
 
 LookFormat osirixPlistFormat() {
-  return {
-      "OsiriX, Horos or InVesalius 3D preset", {".plist"}, isOsirixPlist, readOsirixPlist, writeOsirixPlist};
+  return {Message::tr("OsiriX, Horos or InVesalius 3D preset"),
+          {".plist"},
+          isOsirixPlist,
+          readOsirixPlist,
+          writeOsirixPlist};
 }
 
 } // namespace limn

@@ -238,7 +238,7 @@ WrittenLook writeParaViewJson(const Preset& preset, const std::optional<LookTarg
 } // namespace
 
 LookFormat paraViewJsonFormat() {
-  return {"ParaView, vtk.js or VolView colour map",
+  return {Message::tr("ParaView, vtk.js or VolView colour map"),
           {".paraview.json", ".volview.json"},
           isParaViewJson,
           readParaViewJson,

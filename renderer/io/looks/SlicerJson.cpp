@@ -172,7 +172,8 @@ WrittenLook writeSlicerJson(const Preset& preset, const std::optional<LookTarget
 } // namespace
 
 LookFormat slicerJsonFormat() {
-  return {"3D Slicer volume property", {".vp.json"}, isSlicerJson, readSlicerJson, writeSlicerJson};
+  return {
+      Message::tr("3D Slicer volume property"), {".vp.json"}, isSlicerJson, readSlicerJson, writeSlicerJson};
 }
 
 } // namespace limn

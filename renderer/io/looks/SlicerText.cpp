@@ -268,11 +268,15 @@ WrittenLook writeMrml(const Preset& preset, const std::optional<LookTarget>& tar
 } // namespace
 
 LookFormat slicerTextFormat() {
-  return {"3D Slicer volume property (older)", {".vp"}, isSlicerText, readSlicerText, writeSlicerText};
+  return {Message::tr("3D Slicer volume property (older)"),
+          {".vp"},
+          isSlicerText,
+          readSlicerText,
+          writeSlicerText};
 }
 
 LookFormat mrmlFormat() {
-  return {"3D Slicer scene or presets (MRML)", {".xml"}, isMrml, readMrml, writeMrml};
+  return {Message::tr("3D Slicer scene or presets (MRML)"), {".xml"}, isMrml, readMrml, writeMrml};
 }
 
 } // namespace limn

@@ -212,7 +212,7 @@ WrittenLook writeWeasisJson(const Preset& preset, const std::optional<LookTarget
 } // namespace
 
 LookFormat weasisJsonFormat() {
-  return {"Weasis presets", {".weasis.json"}, isWeasisJson, readWeasisJson, writeWeasisJson};
+  return {Message::tr("Weasis presets"), {".weasis.json"}, isWeasisJson, readWeasisJson, writeWeasisJson};
 }
 
 } // namespace limn

@@ -134,7 +134,8 @@ TEST_F(LookCommand, badInputIsOneSentenceAndLeavesNothing) {
   write("foreign.json", "{\"a\": 1}");
   write("nan.vp", "1\n1\n1\n1\n1\n1\n4 0 nan 1 1\n\n8 0 0 0 0 1 1 1 1\n");
   write("empty.vp", "");
-  for (const char* name : {"cut.vp", "foreign.json", "nan.vp", "empty.vp", "missing.vp.json", "missing.txt"}) {
+  for (const char* name :
+       {"cut.vp", "foreign.json", "nan.vp", "empty.vp", "missing.vp.json", "missing.txt"}) {
     const Outcome outcome = run("presets convert " + path(name) + " " + path("out.json") + " --json");
     EXPECT_EQ(outcome.status, 3) << name << " " << outcome.err;
     EXPECT_EQ(lines(outcome.err).size(), 1u) << outcome.err;
