@@ -211,6 +211,10 @@
         <source>its XML is cut off or damaged (near byte %1)</source>
         <translation>ihr XML ist abgeschnitten oder beschädigt (bei Byte %1)</translation>
     </message>
+    <message>
+        <source>must be a colour such as #ff8000</source>
+        <translation>muss eine Farbe sein, wie #ff8000</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -6251,10 +6255,6 @@
         <translation>sie enthält keine Presets</translation>
     </message>
     <message>
-        <source>Values were rounded to whole ones: Weasis has no others.</source>
-        <translation>Werte wurden auf ganze gerundet: Weasis hat keine anderen.</translation>
-    </message>
-    <message>
         <source>Its gradient opacity was left out: Weasis has none.</source>
         <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Weasis hat keine.</translation>
     </message>
@@ -6289,6 +6289,26 @@
     <message>
         <source>OsiriX, Horos or InVesalius 3D preset</source>
         <translation>3D-Preset von OsiriX, Horos oder InVesalius</translation>
+    </message>
+    <message>
+        <source>Values were rounded to whole ones, by up to %1: Weasis has no others.</source>
+        <translation>Werte wurden auf ganze gerundet, um bis zu %1: Weasis hat keine anderen.</translation>
+    </message>
+    <message>
+        <source>Its values in percent were taken of the range of values.</source>
+        <translation>Ihre Werte in Prozent wurden auf den Wertebereich bezogen.</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity was left out: it follows another measure of the gradient.</source>
+        <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Sie folgt einem anderen Maß des Gradienten.</translation>
+    </message>
+    <message>
+        <source>Its colours beyond its ends were left out: the curve goes on with its last ones.</source>
+        <translation>Ihre Farben jenseits ihrer Enden wurden weggelassen: Die Kurve setzt sich mit dem fort, was sie zuletzt hat.</translation>
+    </message>
+    <message>
+        <source>Weasis colour maps</source>
+        <translation>Farbtabellen von Weasis</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@ LookFormat mrmlFormat();
 LookFormat osirixPlistFormat();
 LookFormat paraViewJsonFormat();
 LookFormat weasisJsonFormat();
+LookFormat weasisMapsFormat();
 LookFormat inviwoFunctionFormat();
 LookFormat voreenFunctionFormat();
 LookFormat mitkFunctionFormat();

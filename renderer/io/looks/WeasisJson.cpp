@@ -4,11 +4,10 @@
 #include "io/json/JsonFields.h"
 #include "io/looks/Families.h"
 #include "io/looks/LookCurves.h"
-#include "io/looks/LookLight.h"
 #include "io/looks/LookText.h"
 #include "io/looks/LookUnits.h"
 #include "io/looks/VtkProperty.h"
-#include "io/reading/HeaderText.h"
+#include "io/looks/WeasisPoints.h"
 #include "io/reading/ReadError.h"
 
 #include <nlohmann/json.hpp>
@@ -32,84 +31,20 @@ bool isWeasisJson(std::string_view text) {
          text.find("\"group\"") != std::string_view::npos;
 }
 
-// A number, which may be a text. False where it is absent.
-bool weasisNumber(JsonFields& fields, const std::string& key, double& target) {
-  if (!fields.has(key) || fields.child(key).is_null())
-    return false;
-  if (!fields.child(key).is_string())
-    return fields.number(key, target);
-  const std::optional<double> number = numberIn(trimmed(fields.child(key).get_ref<const std::string&>()));
-  if (!number)
-    fields.fail(key, Message::tr("must be a number"));
-  if (!std::isfinite(*number))
-    fields.fail(key, Message::tr("must be a finite number"));
-  target = *number;
-  return true;
-}
-
-bool weasisFlag(JsonFields& fields, const std::string& key, bool absent) {
-  if (!fields.has(key))
-    return absent;
-  const json& value = fields.child(key);
-  return value == true || (value.is_string() && lowerCase(value.get<std::string>()) == "true");
-}
-
-/// Gathers the points of a look.
-struct WeasisPoints {
-  std::vector<ControlPoint> opacity;
-  std::vector<ControlPoint> color;
-  // Sums over points with a light, weighted by opacity and not.
-  std::vector<std::pair<glm::dvec3, double>> lights; // ambient, diffuse, specular; opacity
-
-  void add(JsonFields& fields) {
-    ControlPoint point;
-    if (!weasisNumber(fields, "intensity", point.value))
-      fields.fail("intensity", Message::tr("is missing"));
-    if (!weasisNumber(fields, "opacity", point.opacity))
-      fields.fail("opacity", Message::tr("is missing"));
-    opacity.push_back(point);
-    point.color = glm::dvec3(0.0);
-    if (weasisNumber(fields, "red", point.color.r)) {
-      weasisNumber(fields, "green", point.color.g);
-      weasisNumber(fields, "blue", point.color.b);
-      color.push_back(point);
-    }
-    glm::dvec3 light(0.2, 0.9, 0.2); // what Weasis takes for those that are absent
-    const bool hasAmbient = weasisNumber(fields, "ambient", light.x);
-    const bool hasDiffuse = weasisNumber(fields, "diffuse", light.y);
-    if (weasisNumber(fields, "specular", light.z) || hasAmbient || hasDiffuse)
-      lights.emplace_back(light, point.opacity);
-  }
-};
-
-// One light for all points: theirs where they agree, otherwise the mean by opacity.
-HeadLight lightOf(const WeasisPoints& points, std::vector<Message>& changes) {
-  HeadLight light{true, 0.2, 0.9, 0.2, 10.0, Reflection::blinn};
-  if (points.lights.empty())
-    return light;
-  glm::dvec3 mean = points.lights.front().first;
-  const bool isOne = std::all_of(points.lights.begin(), points.lights.end(),
-                                 [&](const auto& entry) { return entry.first == mean; });
-  if (!isOne) {
-    glm::dvec3 sum(0.0);
-    double weights = 0.0;
-    for (const auto& [coefficients, opacity] : points.lights) {
-      const double weight = std::max(opacity, 1e-6); // where all are transparent, the plain mean
-      sum += weight * coefficients;
-      weights += weight;
-    }
-    mean = sum / weights;
-    tell(changes,
-         Message::tr("Ambient, diffuse and specular light that differ from point to point became their mean, "
-                     "weighted by opacity: %1, %2 and %3.")
-             .arg(Message::rounded(mean.x, 3))
-             .arg(Message::rounded(mean.y, 3))
-             .arg(Message::rounded(mean.z, 3)));
-  }
-  light.ambient = mean.x;
-  light.diffuse = mean.y;
-  light.specular = mean.z;
-  return light;
+void addPoint(WeasisPoints& points, JsonFields& fields) {
+  ControlPoint point;
+  if (!weasisNumber(fields, "intensity", point.value))
+    fields.fail("intensity", Message::tr("is missing"));
+  if (!weasisNumber(fields, "opacity", point.opacity))
+    fields.fail("opacity", Message::tr("is missing"));
+  points.opacity.push_back(point);
+  points.addLight(fields, point.opacity);
+  point.color = glm::dvec3(0.0);
+  if (!weasisNumber(fields, "red", point.color.r))
+    return;
+  weasisNumber(fields, "green", point.color.g);
+  weasisNumber(fields, "blue", point.color.b);
+  points.color.push_back(point);
 }
 
 WeasisPoints pointsIn(JsonFields& fields) {
@@ -122,7 +57,7 @@ WeasisPoints pointsIn(JsonFields& fields) {
       group.fail("point", Message::tr("must be a list of points"));
     for (const json& point : group.child("point")) {
       JsonFields pointFields(point, fields.document(), "point");
-      points.add(pointFields);
+      addPoint(points, pointFields);
     }
   }
   return points;
@@ -137,21 +72,11 @@ ReadLook weasisLook(const json& item, const std::string& file, std::size_t index
   preset.name = preset.name.empty() ? lookNameOf(file, index) : plainText(preset.name, 200);
   preset.modality = preset.modality == everyModality ? "" : plainText(preset.modality, 40);
   WeasisPoints points = pointsIn(fields);
-  if (!std::is_sorted(points.opacity.begin(), points.opacity.end(),
-                      [](const ControlPoint& a, const ControlPoint& b) { return a.value < b.value; }))
-    tell(read.changes,
-         Message::tr("Its points do not ascend in value and were sorted; Weasis would draw some of them "
-                     "otherwise."));
-  if (points.color.empty() && !points.opacity.empty()) {
-    points.color.push_back(points.opacity.front());
-    tell(read.changes, Message::tr("None of its points has a colour; white was taken."));
-  }
-  HeadLight light = lightOf(points, read.changes);
+  HeadLight light = weasisLight(points, read.changes);
   light.isOn = weasisFlag(fields, "shade", false);
   weasisNumber(fields, "specularPower", light.exponent);
   preset.shading = shadingOf(light, read.changes);
-  const std::vector<ControlPoint> opacity = checkedCurve(std::move(points.opacity), file, read.changes);
-  preset.transferFunction = merged(opacity, checkedCurve(std::move(points.color), file, read.changes));
+  preset.transferFunction = weasisFunction(std::move(points), file, read.changes);
   tell(read.changes, oneMillimetreTaken);
   return read;
 }
@@ -172,11 +97,11 @@ std::vector<ReadLook> readWeasisJson(std::string_view text, const std::string& n
 ordered_json weasisPoints(const std::vector<ControlPoint>& points, const HeadLight& light,
                           std::vector<Message>& changes) {
   ordered_json list = ordered_json::array();
+  double farthest = 0.0;
   for (const ControlPoint& point : points) {
     constexpr double most = std::numeric_limits<std::int32_t>::max();
     const double whole = std::round(std::clamp(point.value, -most, most));
-    if (whole != point.value)
-      tell(changes, Message::tr("Values were rounded to whole ones: Weasis has no others."));
+    farthest = std::max(farthest, std::abs(whole - point.value));
     list.push_back({{"intensity", std::to_string(static_cast<std::int32_t>(whole))},
                     {"opacity", shortest(point.opacity)},
                     {"red", shortest(point.color.r)},
@@ -186,6 +111,9 @@ ordered_json weasisPoints(const std::vector<ControlPoint>& points, const HeadLig
                     {"diffuse", shortest(light.diffuse)},
                     {"specular", shortest(light.specular)}});
   }
+  if (farthest > 0.0)
+    tell(changes, Message::tr("Values were rounded to whole ones, by up to %1: Weasis has no others.")
+                      .arg(Message::rounded(farthest, 3)));
   return list;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
+#include "io/looks/ColorSpaces.h"
+
 namespace limn {
 namespace {
 
@@ -107,8 +109,71 @@ TEST(WeasisLook, valuesBetweenWholeOnesAreRoundedAndTold) {
   Preset preset;
   preset.name = "Fine";
   preset.transferFunction.points = {{0.4, glm::dvec3(0.0), 0}, {99.6, glm::dvec3(1.0), 1}};
-  EXPECT_TRUE(isTold(lookAs("a.weasis.json", preset).changes, "rounded to whole ones"));
+  EXPECT_TRUE(isTold(lookAs("a.weasis.json", preset).changes, "rounded to whole ones, by up to 0.4"));
   EXPECT_EQ(test::readBack(preset, "a.weasis.json").preset.transferFunction.points.back().value, 100.0);
+}
+
+// A map as Weasis keeps them since 2026, with further keys.
+std::string weasisMap(const std::string& stops, const std::string& more = "") {
+  return R"({"schema": 1, "maps": [{"name": "Map", "type": "transfer", "modality": ["CT"], )" + more +
+         R"("domain": {"kind": "absolute", "unit": "HU", "min": 0, "max": 100}, "stops": [)" + stops + "]}]}";
+}
+
+constexpr const char* mapStops = R"({"pos": 0, "color": "#000000", "alpha": 0}, {"pos": "20", "alpha": 0.5},
+  {"pos": 60, "color": "#ff8000"}, {"pos": 60, "alpha": 0.25}, {"pos": 60, "alpha": 1}, {"pos": 100, "color": "#fff"})";
+
+TEST(WeasisLook, stopsOfAMapAreTwoCurvesWithSteps) {
+  const ReadLook look = onlyLook(weasisMap(mapStops));
+  const auto expected = [](double value) {
+    return Classified{{linearAt({{0, 0}, {60, 1}}, value),
+                       linearAt({{0, 0}, {60, 128 / 255.0}, {100, 1}}, value),
+                       linearAt({{0, 0}, {60, 0}, {100, 1}}, value)},
+                      value < 60 ? linearAt({{0, 0}, {20, 0.5}, {60, 0.25}}, value) : 1.0};
+  };
+  EXPECT_LE(test::largestDifference(look.preset.transferFunction, expected, -10.0, 120.0), test::sameCurve);
+  EXPECT_EQ(look.preset.modality, "CT");
+  EXPECT_FALSE(look.preset.shading);
+}
+
+TEST(WeasisLook, aMapHasLightAndIsRelativeUnlessItSays) {
+  const ReadLook lit =
+      onlyLook(weasisMap(mapStops, R"("lighting": {"shade": true, "specularPower": "20"}, )"));
+  ASSERT_TRUE(lit.preset.shading);
+  EXPECT_EQ(lit.preset.shading->exponent, 20.0);
+  const ReadLook relative =
+      onlyLook(R"({"name": "Ramp", "stops": [{"pos": 0, "color": "#000"}, {"pos": 1, "color": "#fff"}]})",
+               LookTarget{-1000.0, 3000.0, 1.0});
+  EXPECT_EQ(classify(relative.preset.transferFunction, 1000.0).color, glm::dvec3(0.5));
+  EXPECT_EQ(classify(relative.preset.transferFunction, 1000.0).opacity, 1.0) << "without an opacity, opaque";
+}
+
+TEST(WeasisLook, stepsAndColourSpacesOfAMapAreFollowed) {
+  const std::string ends =
+      R"({"pos": 0, "color": "#ff0000", "alpha": 0.5}, {"pos": 100, "color": "#0000ff", "alpha": 1})";
+  const TransferFunction steps =
+      onlyLook(weasisMap(ends, R"("interpolation": "step", )")).preset.transferFunction;
+  EXPECT_EQ(classify(steps, 99.0).color, glm::dvec3(1, 0, 0)) << "each holds up to the next";
+  EXPECT_EQ(classify(steps, 99.0).opacity, 0.5);
+  EXPECT_EQ(classify(steps, 100.0).color, glm::dvec3(0, 0, 1));
+  const ReadLook lab = onlyLook(weasisMap(ends, R"("space": "lab", "outside": {"low": "transparent"}, )"));
+  EXPECT_LE(test::largestDifference(
+                lab.preset.transferFunction,
+                [](double value) {
+                  return Classified{mixed(ColorSpace::lab, {1, 0, 0}, {0, 0, 1}, value / 100.0),
+                                    0.5 + value / 200.0};
+                },
+                0.0, 100.0),
+            0.01);
+  EXPECT_TRUE(isTold(lab.changes, "beyond its ends"));
+}
+
+TEST(WeasisLook, aColourThatIsNoneIsRefused) {
+  for (const char* color : {"#12", "red", "#gg0000", "#ff00f"})
+    EXPECT_NE(
+        test::refusal(weasisMap(R"({"pos": 0, "color": ")" + std::string(color) + "\"}")).find("#ff8000"),
+        std::string::npos)
+        << color;
+  EXPECT_NE(test::refusal(weasisMap("")).find("no points"), std::string::npos);
 }
 
 } // namespace
