@@ -66,6 +66,8 @@ public:
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
+  QAction* importLooks = nullptr;
+  QAction* exportLook = nullptr;
   QAction* suggest = nullptr;
   QAction* takeSnapshot = nullptr;
   QAction* compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
