@@ -1549,6 +1549,34 @@
         <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
         <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
     </message>
+    <message>
+        <source>Looks of Limn and other programs (%1)</source>
+        <translation>Darstellungen von Limn und anderen Programmen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>nicht importiert</translation>
+    </message>
+    <message>
+        <source>imported as %1</source>
+        <translation>importiert als %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>There is another preset &quot;%1&quot; already, so that this one is called &quot;%2&quot;.</source>
+        <translation>Es gibt schon ein anderes Preset „%1“; dieses heißt deshalb „%2“.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2122,6 +2150,22 @@
     <message>
         <source>Ends the comparison of two looks.</source>
         <translation>Beendet den Vergleich zweier Darstellungen.</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Makes presets of your own from files of Limn or another program.</source>
+        <translation>Macht aus Dateien von Limn oder einem anderen Programm eigene Presets.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the curve and the light that are shown as a file of Limn or another program.</source>
+        <translation>Schreibt die gezeigte Kurve und das gezeigte Licht als Datei von Limn oder einem anderen Programm.</translation>
     </message>
 </context>
 <context>
@@ -3437,6 +3481,64 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LookDesk</name>
+    <message>
+        <source>Import looks</source>
+        <translation>Darstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Presets imported: %1</source>
+        <translation>Importierte Presets: %1</translation>
+    </message>
+    <message>
+        <source>Imported &quot;%1&quot;</source>
+        <translation>„%1“ importiert</translation>
+    </message>
+    <message>
+        <source>%1. Files refused: %2</source>
+        <translation>%1. Abgelehnte Dateien: %2</translation>
+    </message>
+    <message>
+        <source>Imported looks</source>
+        <translation>Importierte Darstellungen</translation>
+    </message>
+    <message>
+        <source>%1. What became of each file:</source>
+        <translation>%1. Was aus jeder Datei wurde:</translation>
+    </message>
+    <message>
+        <source>Export the look</source>
+        <translation>Darstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Exported look</source>
+        <translation>Exportierte Darstellung</translation>
+    </message>
+    <message>
+        <source>The file was written. It does not hold all that is shown:</source>
+        <translation>Die Datei wurde geschrieben. Sie enthält nicht alles, was gezeigt wird:</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LookReport</name>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -6310,6 +6412,14 @@
         <source>Weasis colour maps</source>
         <translation>Farbtabellen von Weasis</translation>
     </message>
+    <message>
+        <source>its values are fractions of a volume&apos;s range</source>
+        <translation>ihre Werte sind Bruchteile des Wertebereichs eines Volumens</translation>
+    </message>
+    <message>
+        <source>open the volume that it is for, then import it again</source>
+        <translation>öffnen Sie das Volumen, für das sie gemeint ist, und importieren Sie sie dann erneut</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -6480,10 +6590,6 @@
     <message>
         <source>Open a volume, session, scene or Limn picture</source>
         <translation>Volumen, Sitzung, Szene oder Limn-Bild öffnen</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open a DICOM folder or an image stack</source>
