@@ -25,10 +25,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
-#include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
@@ -65,6 +63,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_presets(PresetStore(m_folders.presets),
                 {m_session, m_document, *m_panels.presets, *m_centre.messages, m_notes, m_settings, *this}),
       m_earlier({m_session, m_document, *m_centre.messages, *m_actions.earlierLook}),
+      m_looks(PresetStore(m_folders.presets),
+              {m_session, m_presets, *m_centre.messages, m_notes, m_settings, *statusBar(), *this}),
       m_thumbnails({m_session, *m_panels.presets, [this] { return m_presets.fittedPresets(); },
                     [this] { return m_centre.view->pictureAspect(); }},
                    this),
@@ -83,9 +83,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_opening(
           m_settings, *m_actions.patientInTitle, *m_menus.recentSources, *m_centre.messages,
           [this] { return m_safety.savingOfNow(); }, *this),
-      m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this) {
+      m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this), m_drops(*this) {
   setObjectName(QStringLiteral("limnWindow"));
-  setAcceptDrops(true);
   setMinimumSize(800, 560);
   connectSettings();
   connectView();
@@ -169,6 +168,7 @@ void MainWindow::connectPanels() {
   connect(m_panels.presets, &PresetBrowser::folderRequested, &m_presets, &PresetDesk::moveTo);
   connect(m_panels.presets, &PresetBrowser::newFolderRequested, &m_presets, &PresetDesk::moveToNewFolder);
   connect(m_panels.presets, &PresetBrowser::duplicateRequested, &m_presets, &PresetDesk::duplicate);
+  connect(m_panels.presets, &PresetBrowser::exportRequested, &m_looks, &LookDesk::exportPreset);
   connect(m_centre.view, &CompareView::effectsChanged, m_panels.effects, &EffectsPanel::setRows);
   connect(m_centre.view, &CompareView::effectTimesChanged, m_panels.effects, &EffectsPanel::setTimes);
   connect(m_panels.effects, &EffectsPanel::measureRequested, m_centre.view, &CompareView::measureEffects);
@@ -205,6 +205,14 @@ void MainWindow::connectOpening() {
   connect(&m_opening, &OpeningDesk::progressed, m_centre.view, &CompareView::setLoading);
   connect(&m_opening, &OpeningDesk::ended, m_centre.view, &CompareView::clearLoading);
   connect(&m_opening, &OpeningDesk::loaded, this, &MainWindow::showLoaded);
+  connect(&m_opening, &OpeningDesk::looksChosen, &m_looks, &LookDesk::importFiles);
+  connect(&m_drops, &DropDesk::looksDropped, &m_looks, &LookDesk::importFiles);
+  connect(&m_drops, &DropDesk::sourceDropped, this, [this](const QString& path) {
+    if (m_session.scene().volume && isNamedLikeLabels(path))
+      m_regions.openLabels(path);
+    else
+      openSource(path);
+  });
   connect(&m_dialogs, &DialogDesk::clearRecentRequested, &m_opening, &OpeningDesk::clearRecent);
   EmptyPanel& empty = m_centre.view->emptyPanel();
   connect(&empty, &EmptyPanel::openFolderRequested, &m_opening, &OpeningDesk::askForFolder);
@@ -262,6 +270,8 @@ void MainWindow::connectActions() {
     m_panels.presets->focusSearch();
   });
   run(m_actions.savePreset, &m_presets, &PresetDesk::askForName);
+  run(m_actions.importLooks, &m_looks, &LookDesk::askForLooks);
+  run(m_actions.exportLook, &m_looks, &LookDesk::exportShown);
 }
 
 // Actions that show settings and change them.
@@ -377,20 +387,6 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (m_centre.view->tool() == ViewTool::rotate)
     m_focus.leave();
   m_centre.view->setTool(ViewTool::rotate);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile())
-    event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  event->acceptProposedAction();
-  const QString path = event->mimeData()->urls().front().toLocalFile();
-  if (m_session.scene().volume && isNamedLikeLabels(path))
-    m_regions.openLabels(path);
-  else
-    openSource(path);
 }
 
 } // namespace limn

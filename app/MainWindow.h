@@ -7,8 +7,10 @@
 #include "app/actions/Menus.h"
 #include "app/document/OpenDocument.h"
 #include "app/figure/FigureDesk.h"
+#include "app/opening/DropDesk.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/presets/EarlierLook.h"
+#include "app/presets/LookDesk.h"
 #include "app/presets/PresetDesk.h"
 #include "app/presets/ProjectionCurves.h"
 #include "app/presets/ThumbnailDesk.h"
@@ -70,8 +72,6 @@ public:
 protected:
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
 
 private:
   void connectView();
@@ -119,6 +119,7 @@ private:
   EmphasisDesk m_emphasis;
   PresetDesk m_presets;
   EarlierLook m_earlier;
+  LookDesk m_looks;
   ThumbnailDesk m_thumbnails;
   ProjectionCurves m_projections;
   AccuracyDesk m_accuracy;
@@ -128,6 +129,7 @@ private:
   SessionSafety m_safety;
   OpeningDesk m_opening;
   RemarksDesk m_remarks;
+  DropDesk m_drops;
 };
 
 } // namespace limn

@@ -191,6 +191,30 @@
         <source>Cannot open %1: it is no figure of Limn; choose a volume, a scene or a picture.</source>
         <translation>%1 kann nicht geöffnet werden: Die Datei ist keine Abbildung von Limn; wählen Sie ein Volumen, eine Szene oder ein Bild.</translation>
     </message>
+    <message>
+        <source>save the look again in the program that made it</source>
+        <translation>speichern Sie die Darstellung in ihrem Programm neu</translation>
+    </message>
+    <message>
+        <source>its entry &quot;%1&quot; is missing</source>
+        <translation>ihr Eintrag „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>it is a file of Voreen without a transfer function of values</source>
+        <translation>sie ist eine Datei von Voreen ohne Transferfunktion über Werte</translation>
+    </message>
+    <message>
+        <source>save a one-dimensional transfer function (.tfi) in Voreen</source>
+        <translation>speichern Sie in Voreen eine eindimensionale Transferfunktion (.tfi)</translation>
+    </message>
+    <message>
+        <source>its XML is cut off or damaged (near byte %1)</source>
+        <translation>ihr XML ist abgeschnitten oder beschädigt (bei Byte %1)</translation>
+    </message>
+    <message>
+        <source>must be a colour such as #ff8000</source>
+        <translation>muss eine Farbe sein, wie #ff8000</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1551,6 +1575,34 @@
         <source>the look of the volume that was open before</source>
         <translation>Darstellung des zuvor geöffneten Volumens</translation>
     </message>
+    <message>
+        <source>Looks of Limn and other programs (%1)</source>
+        <translation>Darstellungen von Limn und anderen Programmen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>not imported</source>
+        <translation>nicht importiert</translation>
+    </message>
+    <message>
+        <source>imported as %1</source>
+        <translation>importiert als %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>There is another preset &quot;%1&quot; already, so that this one is called &quot;%2&quot;.</source>
+        <translation>Es gibt schon ein anderes Preset „%1“; dieses heißt deshalb „%2“.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2136,6 +2188,22 @@
     <message>
         <source>Shows this volume with curve and light of the one that was open before it.</source>
         <translation>Zeigt dieses Volumen mit Kurve und Licht des zuvor geöffneten.</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Makes presets of your own from files of Limn or another program.</source>
+        <translation>Macht aus Dateien von Limn oder einem anderen Programm eigene Presets.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the curve and the light that are shown as a file of Limn or another program.</source>
+        <translation>Schreibt die gezeigte Kurve und das gezeigte Licht als Datei von Limn oder einem anderen Programm.</translation>
     </message>
 </context>
 <context>
@@ -3466,6 +3534,64 @@
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LookDesk</name>
+    <message>
+        <source>Import looks</source>
+        <translation>Darstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Presets imported: %1</source>
+        <translation>Importierte Presets: %1</translation>
+    </message>
+    <message>
+        <source>Imported &quot;%1&quot;</source>
+        <translation>„%1“ importiert</translation>
+    </message>
+    <message>
+        <source>%1. Files refused: %2</source>
+        <translation>%1. Abgelehnte Dateien: %2</translation>
+    </message>
+    <message>
+        <source>Imported looks</source>
+        <translation>Importierte Darstellungen</translation>
+    </message>
+    <message>
+        <source>%1. What became of each file:</source>
+        <translation>%1. Was aus jeder Datei wurde:</translation>
+    </message>
+    <message>
+        <source>Export the look</source>
+        <translation>Darstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Exported look</source>
+        <translation>Exportierte Darstellung</translation>
+    </message>
+    <message>
+        <source>The file was written. It does not hold all that is shown:</source>
+        <translation>Die Datei wurde geschrieben. Sie enthält nicht alles, was gezeigt wird:</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>limn::LookReport</name>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -5711,6 +5837,642 @@
         <source>must be a list of 1 to %1 panels</source>
         <translation>muss eine Liste von 1 bis %1 Teilbildern sein</translation>
     </message>
+    <message>
+        <source>%1 has no look &quot;%2&quot;; it has: %3.</source>
+        <translation>%1 hat keine Darstellung „%2“; vorhanden sind: %3.</translation>
+    </message>
+    <message>
+        <source>Of its %1 looks the first, &quot;%2&quot;, was taken.</source>
+        <translation>Von ihren %1 Darstellungen wurde die erste genommen, „%2“.</translation>
+    </message>
+    <message>
+        <source>The look was fitted to the volume&apos;s values.</source>
+        <translation>Die Darstellung wurde an die Werte des Volumens angepasst.</translation>
+    </message>
+    <message>
+        <source>The format has 256 places for points: the values of some moved, by up to %1.</source>
+        <translation>Das Format hat 256 Stellen für Punkte: Die Werte einiger haben sich verschoben, um bis zu %1.</translation>
+    </message>
+    <message>
+        <source>The format has colours and opacities in 256 levels: some were rounded, by up to %1.</source>
+        <translation>Das Format hat Farben und Deckkraft in 256 Stufen: Einige wurden gerundet, um bis zu %1.</translation>
+    </message>
+    <message>
+        <source>its range of values ends before it begins</source>
+        <translation>ihr Wertebereich endet, bevor er beginnt</translation>
+    </message>
+    <message>
+        <source>the intensity of one of its points is not in 0..255</source>
+        <translation>die Intensität eines ihrer Punkte liegt nicht in 0..255</translation>
+    </message>
+    <message>
+        <source>%1 points lie closer together than the format can tell and were left out.</source>
+        <translation>%1 Punkte liegen enger beieinander, als das Format unterscheidet, und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>its scale is logarithmic, but not all of its values are above 0</source>
+        <translation>ihre Skala ist logarithmisch, aber nicht alle ihre Werte liegen über 0</translation>
+    </message>
+    <message>
+        <source>save it with a linear scale</source>
+        <translation>speichern Sie sie mit linearer Skala</translation>
+    </message>
+    <message>
+        <source>a midpoint or sharpness in it is no number</source>
+        <translation>ein Mittelpunkt oder eine Schärfe darin ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Curved segments became straight ones that differ from them by at most %1.</source>
+        <translation>Gebogene Abschnitte wurden zu geraden, die um höchstens %1 von ihnen abweichen.</translation>
+    </message>
+    <message>
+        <source>straight segments for its curves need more than %1 points</source>
+        <translation>gerade Abschnitte für ihre Kurven brauchen mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>save it with fewer points</source>
+        <translation>speichern Sie sie mit weniger Punkten</translation>
+    </message>
+    <message>
+        <source>its row %1 does not have four numbers</source>
+        <translation>ihre Zeile %1 hat nicht vier Zahlen</translation>
+    </message>
+    <message>
+        <source>it has more than %1 rows</source>
+        <translation>sie hat mehr als %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>save it with fewer rows</source>
+        <translation>speichern Sie sie mit weniger Zeilen</translation>
+    </message>
+    <message>
+        <source>it has %1 rows where it says another number</source>
+        <translation>sie hat %1 Zeilen, nennt aber eine andere Anzahl</translation>
+    </message>
+    <message>
+        <source>Its %1 rows became %2 points, within %3 of colour and opacity.</source>
+        <translation>Ihre %1 Zeilen wurden zu %2 Punkten, auf %3 in Farbe und Deckkraft genau.</translation>
+    </message>
+    <message>
+        <source>This format divides a volume&apos;s range of values into rows, and there is no volume; open or name the volume that it is for (--for VOLUME).</source>
+        <translation>Dieses Format teilt den Wertebereich eines Volumens in Zeilen, und es gibt kein Volumen; öffnen oder nennen Sie das Volumen, für das es gedacht ist (--for VOLUME).</translation>
+    </message>
+    <message>
+        <source>The curve became %1 rows from %2 to %3, which differ from it by up to %4.</source>
+        <translation>Die Kurve wurde zu %1 Zeilen von %2 bis %3, die um bis zu %4 von ihr abweichen.</translation>
+    </message>
+    <message>
+        <source>ImageVis3D table</source>
+        <translation>Tabelle von ImageVis3D</translation>
+    </message>
+    <message>
+        <source>its mask hides all values</source>
+        <translation>ihre Maske verbirgt alle Werte</translation>
+    </message>
+    <message>
+        <source>clear the mask in Inviwo and save it again</source>
+        <translation>löschen Sie die Maske in Inviwo, und speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Its mask became points, outside which the opacity is 0.</source>
+        <translation>Ihre Maske wurde zu Punkten, außerhalb derer die Deckkraft 0 ist.</translation>
+    </message>
+    <message>
+        <source>it is a file of Inviwo without a transfer function of its own</source>
+        <translation>sie ist eine Datei von Inviwo ohne eigene Transferfunktion</translation>
+    </message>
+    <message>
+        <source>save the transfer function alone (.itf) in Inviwo</source>
+        <translation>speichern Sie in Inviwo die Transferfunktion allein (.itf)</translation>
+    </message>
+    <message>
+        <source>Its points are joined by curves, which became straight lines.</source>
+        <translation>Ihre Punkte sind durch Bögen verbunden, die zu Geraden wurden.</translation>
+    </message>
+    <message>
+        <source>Inviwo transfer function</source>
+        <translation>Transferfunktion von Inviwo</translation>
+    </message>
+    <message>
+        <source>Limn preset</source>
+        <translation>Preset von Limn</translation>
+    </message>
+    <message>
+        <source>it is no look that Limn knows</source>
+        <translation>sie ist keine Darstellung, die Limn kennt</translation>
+    </message>
+    <message>
+        <source>open a preset of Limn or another program that `limn presets convert --help` lists</source>
+        <translation>öffnen Sie ein Preset von Limn oder eines der Programme, die `limn presets convert --help` auflistet</translation>
+    </message>
+    <message>
+        <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
+        <translation>Die Endung von %1 steht für keine Darstellung, die Limn schreibt; diese tun es: %2.</translation>
+    </message>
+    <message>
+        <source>one of its curves has no points</source>
+        <translation>eine ihrer Kurven hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>one of its curves has more than %1 points</source>
+        <translation>eine ihrer Kurven hat mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>Opacities or colours outside 0 to 1 were limited to it.</source>
+        <translation>Deckkraft oder Farben außerhalb von 0 bis 1 wurden darauf begrenzt.</translation>
+    </message>
+    <message>
+        <source>Opacity and colour end at different values; the shorter curve goes on with its last ones.</source>
+        <translation>Deckkraft und Farbe enden bei verschiedenen Werten; die kürzere Kurve setzt sich mit dem fort, was sie zuletzt hat.</translation>
+    </message>
+    <message>
+        <source>The shading model %1 became the classic one, whose opacity and highlights do not follow the gradient.</source>
+        <translation>Das Schattierungsmodell %1 wurde zum klassischen, dessen Deckkraft und Glanzlichter nicht dem Gradienten folgen.</translation>
+    </message>
+    <message>
+        <source>The light&apos;s direction was left out: it comes from the viewer there.</source>
+        <translation>Die Richtung des Lichts wurde weggelassen: Dort kommt es vom Betrachter.</translation>
+    </message>
+    <message>
+        <source>Surfaces turned away from the light are lit there, too.</source>
+        <translation>Dort werden auch Oberflächen beleuchtet, die vom Licht abgewandt sind.</translation>
+    </message>
+    <message>
+        <source>Highlights in the material&apos;s colour became white ones.</source>
+        <translation>Glanzlichter in der Farbe des Materials wurden zu weißen.</translation>
+    </message>
+    <message>
+        <source>The exponent %1 of highlights after Blinn-Phong became %2 after Phong, which are as wide.</source>
+        <translation>Der Exponent %1 der Glanzlichter nach Blinn-Phong wurde zu %2 nach Phong; sie sind gleich breit.</translation>
+    </message>
+    <message>
+        <source>The exponent %1 of highlights after Phong became %2 after Blinn-Phong, which are as wide.</source>
+        <translation>Der Exponent %1 der Glanzlichter nach Phong wurde zu %2 nach Blinn-Phong; sie sind gleich breit.</translation>
+    </message>
+    <message>
+        <source>Numbers of the light were limited to what Limn draws: no coefficient below 0, exponents from %1 to %2.</source>
+        <translation>Zahlen des Lichts wurden auf das begrenzt, was Limn zeichnet: kein Koeffizient unter 0, Exponenten von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>The look says nothing of light; the usual one of such programs was written.</source>
+        <translation>Die Darstellung sagt nichts über Licht; geschrieben wurde das übliche solcher Programme.</translation>
+    </message>
+    <message>
+        <source>Gradient opacity was converted between value per voxel and value per mm for voxels of %1 mm.</source>
+        <translation>Die Deckkraft nach Gradient wurde zwischen Wert je Voxel und Wert je mm umgerechnet, für Voxel von %1&#xa0;mm.</translation>
+    </message>
+    <message>
+        <source>Gradient opacity was converted between value per voxel and value per mm for voxels of 1 mm; name the volume for which the look is meant (--for) to have its own.</source>
+        <translation>Die Deckkraft nach Gradient wurde zwischen Wert je Voxel und Wert je mm umgerechnet, für Voxel von 1&#xa0;mm; nennen Sie das Volumen, für das die Darstellung gedacht ist (--for), damit dessen Voxel gelten.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Its values are relative, from 0 to 1, and stay so; name the volume for which the look is meant (--for) to stretch them over its range.</source>
+        <translation>Ihre Werte sind relativ, von 0 bis 1, und bleiben es; nennen Sie das Volumen, für das die Darstellung gedacht ist (--for), um sie über dessen Wertebereich zu strecken.</translation>
+    </message>
+    <message>
+        <source>Its values from 0 to 1 were stretched over %1.</source>
+        <translation>Ihre Werte von 0 bis 1 wurden über %1 gestreckt.</translation>
+    </message>
+    <message>
+        <source>Its values from %1 became relative ones from 0 to 1.</source>
+        <translation>Ihre Werte von %1 wurden zu relativen von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>Points beyond the range of the volume were left out.</source>
+        <translation>Punkte außerhalb des Wertebereichs des Volumens wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Opacities over %1 mm became those over 1 mm, within %2.</source>
+        <translation>Deckkraft über %1&#xa0;mm wurde zu solcher über 1&#xa0;mm, auf %2 genau.</translation>
+    </message>
+    <message>
+        <source>The projection &quot;%1&quot; was left out.</source>
+        <translation>Die Projektion „%1“ wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>How the look moves to data of another scale was left out.</source>
+        <translation>Wie sich die Darstellung an Daten anderer Skala anpasst, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>MITK transfer function</source>
+        <translation>Transferfunktion von MITK</translation>
+    </message>
+    <message>
+        <source>it has &quot;%1&quot; where a number is needed</source>
+        <translation>sie hat „%1“, wo eine Zahl stehen muss</translation>
+    </message>
+    <message>
+        <source>a colour has another number of parts than four</source>
+        <translation>eine Farbe hat nicht vier Teile</translation>
+    </message>
+    <message>
+        <source>it has fewer points than it says</source>
+        <translation>sie hat weniger Punkte, als sie nennt</translation>
+    </message>
+    <message>
+        <source>It has more points than the %1 that it counts; those behind them were left out.</source>
+        <translation>Sie hat mehr Punkte als die %1, die sie zählt; die dahinter wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>MRIcroGL colour map</source>
+        <translation>Farbtabelle von MRIcroGL</translation>
+    </message>
+    <message>
+        <source>it has something else where a number is needed</source>
+        <translation>sie hat etwas anderes, wo eine Zahl stehen muss</translation>
+    </message>
+    <message>
+        <source>its list &quot;%1&quot; is missing</source>
+        <translation>ihre Liste „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>it is no colour map</source>
+        <translation>sie ist keine Farbtabelle</translation>
+    </message>
+    <message>
+        <source>it colours labels and not values</source>
+        <translation>sie färbt Labels und keine Werte</translation>
+    </message>
+    <message>
+        <source>open a colour map of values instead</source>
+        <translation>öffnen Sie stattdessen eine Farbtabelle für Werte</translation>
+    </message>
+    <message>
+        <source>its lists of colours have different lengths</source>
+        <translation>ihre Farblisten sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>niivue colour map</source>
+        <translation>Farbtabelle von niivue</translation>
+    </message>
+    <message>
+        <source>The numbers of its light &quot;%1&quot; are not in the file; those of &quot;%2&quot; were taken.</source>
+        <translation>Die Zahlen ihres Lichts „%1“ stehen nicht in der Datei; die von „%2“ wurden genommen.</translation>
+    </message>
+    <message>
+        <source>a point in it lacks its place</source>
+        <translation>einem Punkt darin fehlt seine Stelle</translation>
+    </message>
+    <message>
+        <source>a curve in it has %1 points and %2 colours</source>
+        <translation>eine Kurve darin hat %1 Punkte und %2 Farben</translation>
+    </message>
+    <message>
+        <source>it has %1 curves and colours for %2</source>
+        <translation>sie hat %1 Kurven und Farben für %2</translation>
+    </message>
+    <message>
+        <source>it has no curves</source>
+        <translation>sie hat keine Kurven</translation>
+    </message>
+    <message>
+        <source>it has more than %1 curves</source>
+        <translation>sie hat mehr als %1 Kurven</translation>
+    </message>
+    <message>
+        <source>save it with fewer curves</source>
+        <translation>speichern Sie sie mit weniger Kurven</translation>
+    </message>
+    <message>
+        <source>Curves that overlap became one; where they do, the most opaque shows.</source>
+        <translation>Kurven, die sich überlappen, wurden zu einer; wo sie es tun, ist die deckendste zu sehen.</translation>
+    </message>
+    <message>
+        <source>Its colour table &quot;%1&quot; is another file; greys took its place.</source>
+        <translation>Ihre Farbtabelle „%1“ ist eine andere Datei; an ihre Stelle traten Grauwerte.</translation>
+    </message>
+    <message>
+        <source>a channel of its colour table has %1 entries instead of %2</source>
+        <translation>ein Kanal ihrer Farbtabelle hat %1 Einträge statt %2</translation>
+    </message>
+    <message>
+        <source>the width of its window is not above 0</source>
+        <translation>ihre Fensterbreite liegt nicht über 0</translation>
+    </message>
+    <message>
+        <source>Its opacity table &quot;%1&quot; is not in the file; a linear one took its place.</source>
+        <translation>Ihre Deckkrafttabelle „%1“ steht nicht in der Datei; an ihre Stelle trat eine lineare.</translation>
+    </message>
+    <message>
+        <source>Its camera, which is not perspective, was left out: looks hold none.</source>
+        <translation>Ihre Kamera, die nicht perspektivisch ist, wurde weggelassen: Darstellungen haben keine.</translation>
+    </message>
+    <message>
+        <source>Its filters of the volume were left out.</source>
+        <translation>Ihre Filter des Volumens wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Its background was left out: looks hold none.</source>
+        <translation>Ihr Hintergrund wurde weggelassen: Darstellungen haben keinen.</translation>
+    </message>
+    <message>
+        <source>it is a property list, but no look of OsiriX, Horos or InVesalius</source>
+        <translation>sie ist eine Property List, aber keine Darstellung von OsiriX, Horos oder InVesalius</translation>
+    </message>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>it is a property list in binary</source>
+        <translation>sie ist eine binäre Property List</translation>
+    </message>
+    <message>
+        <source>make it XML first (plutil -convert xml1)</source>
+        <translation>wandeln Sie sie zuerst in XML um (plutil -convert xml1)</translation>
+    </message>
+    <message>
+        <source>it is damaged XML</source>
+        <translation>sie ist beschädigtes XML</translation>
+    </message>
+    <message>
+        <source>copy or save it again</source>
+        <translation>kopieren oder speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>it is a property list without a look</source>
+        <translation>sie ist eine Property List ohne Darstellung</translation>
+    </message>
+    <message>
+        <source>Its light became &quot;%1&quot;, the nearest that such files can name.</source>
+        <translation>Ihr Licht wurde zu „%1“, dem nächsten, das solche Dateien nennen können.</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity was left out: such files have none.</source>
+        <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Solche Dateien haben keine.</translation>
+    </message>
+    <message>
+        <source>must be a list with %1 numbers for each point</source>
+        <translation>muss eine Liste mit %1 Zahlen je Punkt sein</translation>
+    </message>
+    <message>
+        <source>Its opacities for ParaView and for VolView differ; those for ParaView were taken.</source>
+        <translation>Ihre Deckkraft für ParaView und die für VolView unterscheiden sich; die für ParaView wurde genommen.</translation>
+    </message>
+    <message>
+        <source>It has colours alone; its opacity became a ramp from 0 to 1 over them.</source>
+        <translation>Sie hat nur Farben; ihre Deckkraft wurde zu einer Rampe von 0 bis 1 darüber.</translation>
+    </message>
+    <message>
+        <source>Its colour space &quot;%1&quot; became %2.</source>
+        <translation>Ihr Farbraum „%1“ wurde zu %2.</translation>
+    </message>
+    <message>
+        <source>Colours between points in the colour space %1 became points in RGB.</source>
+        <translation>Farben zwischen Punkten im Farbraum %1 wurden zu Punkten in RGB.</translation>
+    </message>
+    <message>
+        <source>Its logarithmic scale became a linear one with points in between.</source>
+        <translation>Ihre logarithmische Skala wurde zu einer linearen mit Punkten dazwischen.</translation>
+    </message>
+    <message>
+        <source>Its colour of values that are no number was left out: Limn has none such.</source>
+        <translation>Ihre Farbe für Werte, die keine Zahl sind, wurde weggelassen: Limn hat keine solchen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was passed over: it names colours for single values, which is no curve.</source>
+        <translation>„%1“ wurde übergangen: Es nennt Farben für einzelne Werte, was keine Kurve ist.</translation>
+    </message>
+    <message>
+        <source>it holds no colour map</source>
+        <translation>sie enthält keine Farbtabelle</translation>
+    </message>
+    <message>
+        <source>its indexed colours belong to single values, which is no curve</source>
+        <translation>ihre indizierten Farben gehören zu einzelnen Werten, was keine Kurve ist</translation>
+    </message>
+    <message>
+        <source>choose a colour map over a range of values</source>
+        <translation>wählen Sie eine Farbtabelle über einen Wertebereich</translation>
+    </message>
+    <message>
+        <source>Its light was left out: such files hold curves alone.</source>
+        <translation>Ihr Licht wurde weggelassen: Solche Dateien haben nur Kurven.</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity was left out: such files hold curves alone.</source>
+        <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Solche Dateien haben nur Kurven.</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; is no finite number</source>
+        <translation>ihr „%1“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>its &quot;%1&quot; is no list</source>
+        <translation>ihr „%1“ ist keine Liste</translation>
+    </message>
+    <message>
+        <source>Light and material were left out: the format has no place for them.</source>
+        <translation>Licht und Material wurden weggelassen: Das Format hat keinen Platz dafür.</translation>
+    </message>
+    <message>
+        <source>The opacity by gradient was left out: the format has no place for it.</source>
+        <translation>Die Deckkraft nach Gradient wurde weggelassen: Das Format hat keinen Platz dafür.</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>Its interpolation &quot;%1&quot; became linear.</source>
+        <translation>Ihre Interpolation „%1“ wurde linear.</translation>
+    </message>
+    <message>
+        <source>Of its %1 components only the first was taken.</source>
+        <translation>Von ihren %1 Komponenten wurde nur die erste genommen.</translation>
+    </message>
+    <message>
+        <source>Its isosurfaces were left out.</source>
+        <translation>Ihre Isoflächen wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Its scattering was left out.</source>
+        <translation>Ihre Streuung wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The value that it gives clipped voxels was left out.</source>
+        <translation>Der Wert, den sie abgeschnittenen Voxeln gibt, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>The weight of its component was left out.</source>
+        <translation>Das Gewicht ihrer Komponente wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>a volume property in it has no components</source>
+        <translation>eine Volumeneigenschaft darin hat keine Komponenten</translation>
+    </message>
+    <message>
+        <source>it holds no volume property</source>
+        <translation>sie enthält keine Volumeneigenschaft</translation>
+    </message>
+    <message>
+        <source>The damaged number &quot;%1&quot; was read as %2, as other programs do.</source>
+        <translation>Die beschädigte Zahl „%1“ wurde als %2 gelesen, wie es andere Programme tun.</translation>
+    </message>
+    <message>
+        <source>one of its functions should have %1 numbers, %2 for each point, and has %3</source>
+        <translation>eine ihrer Funktionen sollte %1 Zahlen haben, %2 je Punkt, und hat %3</translation>
+    </message>
+    <message>
+        <source>Its interpolation, which is not linear, became so.</source>
+        <translation>Ihre Interpolation, die nicht linear ist, wurde es.</translation>
+    </message>
+    <message>
+        <source>it has %1 lines instead of %2</source>
+        <translation>sie hat %1 Zeilen statt %2</translation>
+    </message>
+    <message>
+        <source>it has no volume property with functions of its own</source>
+        <translation>sie hat keine Volumeneigenschaft mit eigenen Funktionen</translation>
+    </message>
+    <message>
+        <source>save the volume property itself from 3D Slicer</source>
+        <translation>speichern Sie aus 3D Slicer die Volumeneigenschaft selbst</translation>
+    </message>
+    <message>
+        <source>Its opacity is switched off, so that nothing is seen.</source>
+        <translation>Ihre Deckkraft ist ausgeschaltet, sodass nichts zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>It shows all that is seen at all as opaque, which became steps.</source>
+        <translation>Sie zeigt alles, was überhaupt zu sehen ist, deckend; daraus wurden Stufen.</translation>
+    </message>
+    <message>
+        <source>its gamma is %1</source>
+        <translation>ihr Gamma ist %1</translation>
+    </message>
+    <message>
+        <source>Its gamma of %1 became points, within %2 of the curve.</source>
+        <translation>Ihr Gamma von %1 wurde zu Punkten, auf %2 der Kurve genau.</translation>
+    </message>
+    <message>
+        <source>its threshold hides all values</source>
+        <translation>ihr Schwellwert verbirgt alle Werte</translation>
+    </message>
+    <message>
+        <source>widen the threshold in Voreen and save it again</source>
+        <translation>weiten Sie den Schwellwert in Voreen, und speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Its threshold became points, outside which the opacity is 0.</source>
+        <translation>Ihr Schwellwert wurde zu Punkten, außerhalb derer die Deckkraft 0 ist.</translation>
+    </message>
+    <message>
+        <source>Voreen transfer function</source>
+        <translation>Transferfunktion von Voreen</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity, which is switched off there, was left out.</source>
+        <translation>Ihre Deckkraft nach Gradient, die dort ausgeschaltet ist, wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>a number of its light is not finite</source>
+        <translation>eine Zahl ihres Lichts ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the length over which its opacities hold is not a positive number</source>
+        <translation>die Länge, über die ihre Deckkraft gilt, ist keine positive Zahl</translation>
+    </message>
+    <message>
+        <source>The file does not say over which length its opacities hold; 1 mm was taken.</source>
+        <translation>Die Datei sagt nicht, über welche Länge ihre Deckkraft gilt; 1&#xa0;mm wurde angenommen.</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>Ambient, diffuse and specular light that differ from point to point became their mean, weighted by opacity: %1, %2 and %3.</source>
+        <translation>Umgebungs-, diffuses und spiegelndes Licht, die sich von Punkt zu Punkt unterscheiden, wurden zu ihrem Mittel, nach Deckkraft gewichtet: %1, %2 und %3.</translation>
+    </message>
+    <message>
+        <source>must be a list of groups of points</source>
+        <translation>muss eine Liste von Gruppen von Punkten sein</translation>
+    </message>
+    <message>
+        <source>must be a list of points</source>
+        <translation>muss eine Liste von Punkten sein</translation>
+    </message>
+    <message>
+        <source>Its points do not ascend in value and were sorted; Weasis would draw some of them otherwise.</source>
+        <translation>Ihre Punkte steigen im Wert nicht an und wurden sortiert; Weasis würde einige davon anders zeichnen.</translation>
+    </message>
+    <message>
+        <source>None of its points has a colour; white was taken.</source>
+        <translation>Keiner ihrer Punkte hat eine Farbe; Weiß wurde genommen.</translation>
+    </message>
+    <message>
+        <source>it holds no presets</source>
+        <translation>sie enthält keine Presets</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity was left out: Weasis has none.</source>
+        <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Weasis hat keine.</translation>
+    </message>
+    <message>
+        <source>its attribute &quot;%1&quot; of &lt;%2&gt; is &quot;%3&quot; and no number</source>
+        <translation>ihr Attribut „%1“ von &lt;%2&gt; ist „%3“ und keine Zahl</translation>
+    </message>
+    <message>
+        <source>&lt;%1&gt; has no attribute &quot;%2&quot;</source>
+        <translation>&lt;%1&gt; hat kein Attribut „%2“</translation>
+    </message>
+    <message>
+        <source>ParaView, vtk.js or VolView colour map</source>
+        <translation>Farbtabelle von ParaView, vtk.js oder VolView</translation>
+    </message>
+    <message>
+        <source>3D Slicer volume property</source>
+        <translation>Volumeneigenschaft von 3D Slicer</translation>
+    </message>
+    <message>
+        <source>3D Slicer volume property (older)</source>
+        <translation>Volumeneigenschaft von 3D Slicer (älter)</translation>
+    </message>
+    <message>
+        <source>3D Slicer scene or presets (MRML)</source>
+        <translation>Szene oder Presets von 3D Slicer (MRML)</translation>
+    </message>
+    <message>
+        <source>Weasis presets</source>
+        <translation>Presets von Weasis</translation>
+    </message>
+    <message>
+        <source>OsiriX, Horos or InVesalius 3D preset</source>
+        <translation>3D-Preset von OsiriX, Horos oder InVesalius</translation>
+    </message>
+    <message>
+        <source>Values were rounded to whole ones, by up to %1: Weasis has no others.</source>
+        <translation>Werte wurden auf ganze gerundet, um bis zu %1: Weasis hat keine anderen.</translation>
+    </message>
+    <message>
+        <source>Its values in percent were taken of the range of values.</source>
+        <translation>Ihre Werte in Prozent wurden auf den Wertebereich bezogen.</translation>
+    </message>
+    <message>
+        <source>Its gradient opacity was left out: it follows another measure of the gradient.</source>
+        <translation>Ihre Deckkraft nach Gradient wurde weggelassen: Sie folgt einem anderen Maß des Gradienten.</translation>
+    </message>
+    <message>
+        <source>Its colours beyond its ends were left out: the curve goes on with its last ones.</source>
+        <translation>Ihre Farben jenseits ihrer Enden wurden weggelassen: Die Kurve setzt sich mit dem fort, was sie zuletzt hat.</translation>
+    </message>
+    <message>
+        <source>Weasis colour maps</source>
+        <translation>Farbtabellen von Weasis</translation>
+    </message>
+    <message>
+        <source>its values are fractions of a volume&apos;s range</source>
+        <translation>ihre Werte sind Bruchteile des Wertebereichs eines Volumens</translation>
+    </message>
+    <message>
+        <source>open the volume that it is for, then import it again</source>
+        <translation>öffnen Sie das Volumen, für das sie gemeint ist, und importieren Sie sie dann erneut</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -5881,10 +6643,6 @@
     <message>
         <source>Open a volume, session, scene or Limn picture</source>
         <translation>Volumen, Sitzung, Szene oder Limn-Bild öffnen</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open a DICOM folder or an image stack</source>

@@ -256,6 +256,13 @@ void Actions::makeEngines() {
 void Actions::makeOtherActions() {
   findPreset = made("findPreset", {.text = tr("&Find preset"), .shortcut = QKeySequence::Find});
   savePreset = made("savePreset", {.text = tr("&Save as preset…")});
+  importLooks = made("importLooks",
+                     {.text = tr("&Import…"),
+                      .toolTip = tr("Makes presets of your own from files of Limn or another program.")});
+  exportLook =
+      made("exportLook", {.text = tr("&Export…"),
+                          .toolTip = tr("Writes the curve and the light that are shown as a file of Limn or "
+                                        "another program.")});
   suggest =
       made("suggest", {.text = tr("S&uggest from boundaries…"),
                        .toolTip = tr("Finds where materials touch in this volume and proposes a band of "
@@ -288,9 +295,9 @@ void Actions::makeOtherActions() {
 }
 
 void Actions::setVolumeOpen(bool isOpen) const {
-  for (QAction* action :
-       {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture, saveFigure, saveTurntable,
-        closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest, takeSnapshot})
+  for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
+                          saveFigure, saveTurntable, closeVolume, copyPicture, resetCamera, orthographic,
+                          cropBox, savePreset, exportLook, suggest, takeSnapshot})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools, layouts, planeLayouts, models[0], models[1]})
     for (QAction* action : group->actions())

@@ -66,6 +66,8 @@ public:
 
   QAction* findPreset = nullptr;
   QAction* savePreset = nullptr;
+  QAction* importLooks = nullptr;
+  QAction* exportLook = nullptr;
   QAction* suggest = nullptr;
   QAction* earlierLook = nullptr; ///< out of use until a second volume is open
   QAction* takeSnapshot = nullptr;

@@ -114,6 +114,8 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   QMenu* presets = bar.addMenu(QObject::tr("&Preset"));
   presets->addActions({actions.findPreset, actions.savePreset, actions.earlierLook, actions.suggest});
   presets->addSeparator();
+  presets->addActions({actions.importLooks, actions.exportLook});
+  presets->addSeparator();
   presets->addActions({actions.takeSnapshot, actions.compareSnapshot, actions.compareModels});
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});
   makeToolBar(window, actions, shared);

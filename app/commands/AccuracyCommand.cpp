@@ -3,6 +3,7 @@
 
 #include "accuracy/sweep/FigureText.h"
 #include "app/PrivateNames.h"
+#include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
 #include "app/engines/RealRenderers.h"
 #include "app/language/Language.h"
@@ -37,7 +38,7 @@ std::string nameOf(const SceneArguments& arguments, const LoadedScene& loaded) {
   // The report may travel.
   const QString file = shareableName(QString::fromStdString(arguments.source.source), *loaded.scene.volume);
   std::string name = std::filesystem::path(file.toStdString()).stem().stem().string();
-  const std::string preset = arguments.preset.empty() ? loaded.preset : arguments.preset;
+  const std::string preset = arguments.preset.empty() ? loaded.preset : calledName(arguments.preset);
   if (!preset.empty())
     name += ", " + preset;
   return name;

@@ -2,6 +2,7 @@
 #include "app/commands/Commands.h"
 
 #include "app/PrivateNames.h"
+#include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
 #include "app/measure/bench/ScaleBench.h"
 #include "app/presets/PresetStore.h"
@@ -45,13 +46,21 @@ struct BenchScene {
   std::string volumePath;
 };
 
-std::vector<Preset> presetsFor(const std::vector<std::string>& names) {
-  if (names == std::vector<std::string>{"all"})
-    return builtInPresets();
-  const std::vector<Preset> known = allPresets(PresetStore::ofThisUser());
+// As they look on a volume.
+std::vector<Preset> presetsFor(const std::vector<std::string>& names, const Volume& volume, bool isQuiet) {
+  const bool isAll = names == std::vector<std::string>{"all"};
+  const std::vector<Preset> known = isAll ? builtInPresets() : allPresets(PresetStore::ofThisUser());
+  const auto fitted = [&](const Preset& preset) {
+    return fittedTo(preset, histogramOf(volume), volume.grid());
+  };
   std::vector<Preset> presets;
-  for (const std::string& name : names)
-    presets.push_back(presetNamed(known, name));
+  if (isAll)
+    for (const Preset& preset : known)
+      presets.push_back(fitted(preset));
+  else
+    for (const std::string& name : names)
+      presets.push_back(namesLookFile(name) ? presetAskedFor(name, volume, isQuiet)
+                                            : fitted(presetNamed(known, name)));
   return presets;
 }
 
@@ -61,11 +70,8 @@ std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments
   const QString file = shareableName(QString::fromStdString(source), *loaded.scene.volume);
   const std::string stem = std::filesystem::path(file.toStdString()).stem().string();
   std::vector<BenchScene> scenes;
-  for (const Preset& preset : presetsFor(arguments.presets))
-    scenes.push_back({stem + ", " + preset.name,
-                      withPreset(loaded.scene, fittedTo(preset, histogramOf(*loaded.scene.volume),
-                                                        loaded.scene.volume->grid())),
-                      loaded.volumePath});
+  for (const Preset& preset : presetsFor(arguments.presets, *loaded.scene.volume, arguments.source.quiet))
+    scenes.push_back({stem + ", " + preset.name, withPreset(loaded.scene, preset), loaded.volumePath});
   if (scenes.empty())
     scenes.push_back(
         {loaded.preset.empty() ? stem : stem + ", " + loaded.preset, loaded.scene, loaded.volumePath});
@@ -261,8 +267,9 @@ void addBenchCommand(CommandSyntax& root) {
       .within(1, 10000);
   command.option("--model", arguments->models, "shading models, such as classic,enhanced")
       .separatedByCommas();
-  command.option("--preset", arguments->presets,
-                 "name of a preset, several times if wanted, or all: every built-in one");
+  command.option(
+      "--preset", arguments->presets,
+      "name of a preset or a file with a look, several times if wanted, or all: every built-in preset");
   command
       .option("--engine", arguments->engines,
               "gl (default), cpu, slices, reference, vtk-gpu, vtk-fixedpoint, or several: gl,cpu; cpu where "

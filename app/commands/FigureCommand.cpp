@@ -4,6 +4,7 @@
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
 #include "app/commands/FigureArguments.h"
+#include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
 #include "app/figure/FigureFiles.h"
 #include "app/figure/FigureScenes.h"
@@ -132,7 +133,7 @@ void addWord(Plan& plan, const LoadedScene& loaded, SceneArguments arguments, co
       std::ranges::any_of(shadingModels, [&](ShadingModel model) { return word == nameOf(model); });
   if (!isModel) {
     arguments.preset = word;
-    panel.name = QString::fromStdString(word);
+    panel.name = QString::fromStdString(calledName(word));
   }
   panel.scene = adjusted(loaded, arguments);
   if (isModel)

@@ -2,13 +2,11 @@
 #include "app/commands/SceneArguments.h"
 
 #include "app/KeptRegion.h"
-#include "app/presets/PresetStore.h"
+#include "app/commands/NamedLook.h"
 #include "app/turntable/Turntable.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
-#include "scene/presets/PresetFit.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
@@ -19,19 +17,6 @@ const std::map<std::string, StandardView> views{
     {"anterior", StandardView::anterior}, {"posterior", StandardView::posterior},
     {"left", StandardView::left},         {"right", StandardView::right},
     {"superior", StandardView::superior}, {"inferior", StandardView::inferior}};
-
-// Own presets were shaped on data like this; built-in ones fit themselves to it.
-Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
-  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), arguments.preset);
-  const std::vector<Preset> builtIn = builtInPresets();
-  if (std::find(builtIn.begin(), builtIn.end(), preset) == builtIn.end())
-    return preset;
-  if (isForHounsfield(preset) && !looksLikeHounsfield(volume) && !arguments.source.quiet)
-    note("\"" + preset.name +
-         "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
-         "or the wrong tissue.");
-  return fittedTo(preset, histogramOf(volume), volume.grid());
-}
 
 /// The angle of a part of a turn, radians: "3/36".
 double angleOf(const std::string& turn) {
@@ -75,7 +60,8 @@ Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
   if (!arguments.preset.empty())
-    scene = withPreset(scene, presetFor(*scene.volume, arguments), true);
+    scene = withPreset(scene, presetAskedFor(arguments.preset, *scene.volume, arguments.source.quiet),
+                       !arguments.model.empty() || !namesLookFile(arguments.preset));
   if (!arguments.keep.empty()) {
     const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
     scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
@@ -119,7 +105,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command.option(
       "--preset", arguments.preset,
-      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
+      "name of a built-in or own preset (see `limn presets list`), or a file with a look of Limn or another "
+      "program (see `limn presets convert --help`); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
   command.option("--turn", arguments.turn,
                  "turned about the patient's upright axis by a part of a turn, such as 3/36");

@@ -9,9 +9,11 @@
 
 namespace limn {
 
-QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings) {
   QFileDialog dialog(parent, question.title, settings.dialogFolder());
-  dialog.setFileMode(question.isFolder ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  dialog.setFileMode(question.isFolder ? QFileDialog::Directory
+                     : question.isMany ? QFileDialog::ExistingFiles
+                                       : QFileDialog::ExistingFile);
   dialog.setOption(QFileDialog::HideNameFilterDetails); // a list of endings would be cut off
   dialog.setOption(QFileDialog::ShowDirsOnly, question.isFolder);
   if (!question.filters.isEmpty())
@@ -19,9 +21,13 @@ QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& s
   giveRoom(dialog);
   if (dialog.exec() != QDialog::Accepted)
     return {};
-  const QString path = dialog.selectedFiles().value(0);
-  settings.setDialogFolder(QFileInfo(path).absolutePath());
-  return path;
+  const QStringList paths = dialog.selectedFiles();
+  settings.setDialogFolder(QFileInfo(paths.value(0)).absolutePath());
+  return paths;
+}
+
+QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+  return askForPaths(parent, question, settings).value(0);
 }
 
 } // namespace limn

@@ -4,6 +4,7 @@
 #include "app/Settings.h"
 #include "app/opening/OpenDialog.h"
 #include "app/opening/SeriesDialog.h"
+#include "app/presets/LookFiles.h"
 #include "app/window/MessageBar.h"
 #include "widgets/ValueText.h"
 
@@ -50,6 +51,10 @@ OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu&
 void OpeningDesk::open(const QString& source, const SourceOptions& options) {
   // A path means the same from wherever the next window is started.
   const QString path = QString::fromStdString(absoluteSource(source.toStdString()));
+  if (holdsLooks(path)) {
+    emit looksChosen({path});
+    return;
+  }
   // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
   start({path, options}, m_showsPatient.isChecked() ? tr("Opening %1").arg(QFileInfo(path).fileName())
                                                     : tr("Opening the volume"));
@@ -86,9 +91,10 @@ void OpeningDesk::askForFile() {
   const QString path = askWhatToOpen(
       &m_window,
       {.title = tr("Open a volume, session, scene or Limn picture"),
-       .filters = {tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
-                      "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)"),
-                   tr("All files (*)")}},
+       .filters =
+           QStringList{tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
+                          "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)")} +
+           readLookFilters()},
       m_settings);
   if (!path.isEmpty())
     open(path);

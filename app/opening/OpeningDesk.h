@@ -27,7 +27,8 @@ public:
 
   const VolumeLoader& loader() const { return m_loader; }
 
-  /// Starts loading a volume, DICOM folder, scene, session or Limn picture.
+  /// Starts loading a volume, DICOM folder, scene, session or Limn picture; looks alone are not for it to
+  /// open (looksChosen).
   void open(const QString& source, const SourceOptions& options = {});
   void openSample() { open(QStringLiteral("sample")); }
   /// Starts loading a session that Limn kept.
@@ -53,6 +54,7 @@ public:
 
 signals:
   void recentChanged(const QStringList& texts);
+  void looksChosen(const QStringList& paths);
   /// Something is read, or asked about no longer; `fraction` 0..1, or less than 0 where it is unknown.
   void progressed(double fraction, const QString& what);
   void ended();

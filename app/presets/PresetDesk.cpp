@@ -118,6 +118,12 @@ void PresetDesk::readAgain(const QString& name) {
   }
 }
 
+QString PresetDesk::nameShown() const {
+  const OpenDocument::PresetInUse preset = m_with.document.presetInUse();
+  const QString name = QString::fromStdString(preset.name);
+  return name.isEmpty() ? tr("My preset") : preset.isModified ? tr("My %1").arg(name) : name;
+}
+
 void PresetDesk::use(const QString& name) {
   readAgain(name);
   const std::optional<Preset> preset = fitted(name);

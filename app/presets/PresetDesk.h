@@ -48,6 +48,9 @@ public:
   /// All presets as they are shown of the volume that is open, in the order of the list.
   std::vector<Preset> fittedPresets() const;
 
+  /// What the look that is shown is called: the preset in use, marked as the user's where it was changed.
+  QString nameShown() const;
+
   void use(const QString& name);
   /// Shows a preset for a while; an empty name ends that.
   void preview(const QString& name);

@@ -266,6 +266,7 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
   deeds.compare = ask(&PresetBrowser::compareRequested);
   deeds.toggleFavourite = [this, name, is = preset.isFavourite] { emit favouriteRequested(name, !is); };
   deeds.duplicate = ask(&PresetBrowser::duplicateRequested);
+  deeds.exportIt = ask(&PresetBrowser::exportRequested);
   deeds.rename = ask(&PresetBrowser::renameRequested);
   deeds.editNote = ask(&PresetBrowser::noteRequested);
   deeds.remove = ask(&PresetBrowser::deleteRequested);

@@ -76,6 +76,7 @@ signals:
   void saveRequested();
   /// A preset is to be kept as one of the user's own under another name.
   void duplicateRequested(const QString& name);
+  void exportRequested(const QString& name);
   /// A preset is to be seen beside what is shown.
   void compareRequested(const QString& name);
   void favouriteRequested(const QString& name, bool isFavourite);

@@ -35,6 +35,7 @@ QMenu* makePresetMenu(const PresetInHand& preset, const PresetDeeds& deeds, QWid
                   menu, deeds.toggleFavourite);
   menu->addSeparator();
   menu->addAction(QObject::tr("Duplicate…"), menu, deeds.duplicate);
+  menu->addAction(QObject::tr("Export…"), menu, deeds.exportIt);
   if (preset.isOwn) {
     menu->addAction(QObject::tr("Rename…"), menu, deeds.rename);
     menu->addAction(QObject::tr("Note…"), menu, deeds.editNote);

@@ -24,7 +24,7 @@ struct PresetInHand {
 
 /// What can be done with it. Those of own presets are offered for these alone.
 struct PresetDeeds {
-  std::function<void()> use, compare, toggleFavourite, duplicate;
+  std::function<void()> use, compare, toggleFavourite, duplicate, exportIt;
   std::function<void()> rename, editNote, remove, moveToNewFolder;
   std::function<void(const QString& folder)> moveTo; ///< empty: in none
 };

@@ -129,8 +129,7 @@ TEST_F(OpeningWindow, aForeignFileIsRefusedAndTheSentenceGoesWithTheNextStep) {
   ASSERT_TRUE(open(QStringLiteral("phantom:6")));
   test::writeBytes(
       folder.path() / "vr.json",
-      R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/volume-property-schema.json#",
-                       "volumeProperties": []})");
+      R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/markups-schema.json#", "markups": []})");
   ASSERT_TRUE(open(pathTo("vr.json")));
   EXPECT_TRUE(messages().isVisible());
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("3D Slicer")))

@@ -3,6 +3,7 @@
 #include "app/figure/FigurePreview.h"
 #include "app/opening/SeriesDialog.h"
 #include "app/pictures/PicturedWindow.h"
+#include "app/presets/LookReport.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -21,8 +22,9 @@ protected:
 };
 
 TEST_F(DialogPictures, ofEveryDialog) {
-  for (const char* name : {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs",
-                           "openFile", "openFolder", "savePreset", "saveTurntable"})
+  for (const char* name :
+       {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs", "openFile",
+        "openFolder", "savePreset", "importLooks", "exportLook", "saveTurntable"})
     takeDialogOf(name, QStringLiteral("dialog-") + QLatin1String(name));
 }
 
@@ -55,6 +57,26 @@ TEST_F(DialogPictures, ofTheChoiceOfASeries) {
                       window.get());
   dialog.open();
   take(QStringLiteral("dialog-series"), dialog);
+}
+
+TEST_F(DialogPictures, ofAReportOnLooks) {
+  LookReport dialog(
+      QStringLiteral("Imported looks"),
+      QStringLiteral("Presets imported: 2. Files refused: 1. What became of each file:"),
+      {{"CT_Bones.clut", "imported as CT_Bones", {}, false},
+       {"ramp.itf",
+        "imported as ramp",
+        {"Its values from 0 to 1 were stretched over -1024 to 3071.",
+         "Its mask became points, outside which the opacity is 0."},
+        false},
+       {"skull.tfi",
+        "not imported",
+        {"Cannot read skull.tfi: its XML is cut off or damaged (near byte 812); save the look again in "
+         "the program that made it."},
+        true}},
+      window.get());
+  dialog.show();
+  take(QStringLiteral("dialog-look-report"), dialog);
 }
 
 TEST_F(DialogPictures, ofEveryMenu) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/looks/Look.h"
+
+namespace limn {
+
+// One function a family; each stands in a file of its own.
+LookFormat limnPresetFormat();
+LookFormat slicerJsonFormat();
+LookFormat slicerTextFormat();
+LookFormat mrmlFormat();
+LookFormat osirixPlistFormat();
+LookFormat paraViewJsonFormat();
+LookFormat weasisJsonFormat();
+LookFormat weasisMapsFormat();
+LookFormat inviwoFunctionFormat();
+LookFormat voreenFunctionFormat();
+LookFormat mitkFunctionFormat();
+LookFormat mricroglClutFormat();
+LookFormat niivueMapFormat();
+LookFormat imageVisTableFormat();
+
+} // namespace limn

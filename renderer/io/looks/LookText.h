@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace limn {
+
+/// A number with which a text starts, as C's atof takes "-250.0.0" for -250, in the C locale; "nan" and "inf"
+/// too. `used`, if given, receives how many letters it takes. Nothing where the text starts otherwise.
+std::optional<double> leadingNumber(std::string_view text, std::size_t* used = nullptr);
+
+/// The shortest text that reads back as the same number, in the C locale.
+std::string shortest(double number);
+
+} // namespace limn

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LookFuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  limn::test::fuzzLook(limn::osirixPlistFormat(), limn::test::textOf(data, size));
+  return 0;
+}
