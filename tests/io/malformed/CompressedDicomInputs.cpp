@@ -150,7 +150,11 @@ void addFragments(Corpus& corpus) {
 
 void addDeflated(Corpus& corpus) {
   const std::string good = deflatedFile(rawDeflated(dataSet()));
-  corpus.addCuts("a.dcm", good, good.size() - 12, good.size()); // at every byte: none may be made up
+  corpus.addCuts("a.dcm", good, good.size() - 12);
+  // Near the end at every byte: no sample may be made up of bits that are not there.
+  for (std::size_t length = good.size() - 64; length < good.size(); ++length)
+    corpus.addFile("truncated", "a.dcm", good.substr(0, length),
+                   length < good.size() - 12 ? Outcomes{refused} : anyOutcome);
   corpus.addFile("wrong magic", "a.dcm", deflatedFile(dataSet()), {refused});
   corpus.addFile("decompression bomb", "a.dcm", deflatedFile(bomb(dataSet(), 1024, -15)),
                  {correct, warned, refused});
