@@ -18,8 +18,8 @@ bool isPalette(const DicomHeader& header) {
   return header.format.photometric == "PALETTE COLOR";
 }
 
-// An array of `count` zeros in the narrowest type that holds the stored values of every slice.
-VoxelArray arrayFor(const DicomSeries& series, std::size_t count) {
+// An empty array of the narrowest type that holds the stored values of every slice.
+VoxelArray arrayFor(const DicomSeries& series) {
   int bits = 8;
   bool anySigned = false;
   bool anyUnsigned = false;
@@ -31,12 +31,21 @@ VoxelArray arrayFor(const DicomSeries& series, std::size_t count) {
   if (anySigned && anyUnsigned)
     bits *= 2; // the next wider signed type holds both
   if (bits > 32)
-    return std::vector<double>(count);
+    return std::vector<double>();
   if (bits == 32)
-    return anySigned ? VoxelArray(std::vector<std::int32_t>(count)) : std::vector<std::uint32_t>(count);
+    return anySigned ? VoxelArray(std::vector<std::int32_t>()) : std::vector<std::uint32_t>();
   if (bits == 16)
-    return anySigned ? VoxelArray(std::vector<std::int16_t>(count)) : std::vector<std::uint16_t>(count);
-  return anySigned ? VoxelArray(std::vector<std::int8_t>(count)) : std::vector<std::uint8_t>(count);
+    return anySigned ? VoxelArray(std::vector<std::int16_t>()) : std::vector<std::uint16_t>();
+  return anySigned ? VoxelArray(std::vector<std::int8_t>()) : std::vector<std::uint8_t>();
+}
+
+// The place of slice `index` of `count`. Room is made when a slice arrives: nothing of a picture that does
+// not decode is held, whatever its header promises.
+template <class T>
+T* placeOf(std::vector<T>& array, std::size_t index, std::size_t count, std::size_t perSlice) {
+  array.reserve(count * perSlice);
+  array.resize(std::max(array.size(), (index + 1) * perSlice));
+  return array.data() + index * perSlice;
 }
 
 Rescale rescaleOf(const DicomSlice& slice) {
@@ -95,14 +104,13 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
 
 DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
                        DicomUnpackNotes& notes) {
-  DicomVoxels voxels{arrayFor(series, perSlice * series.size()), rescaleOf(series.front()),
-                     series.front().header->padding};
+  DicomVoxels voxels{arrayFor(series), rescaleOf(series.front()), series.front().header->padding};
   std::visit(
       [&](auto& array) {
         using Value = typename std::decay_t<decltype(array)>::value_type;
         if constexpr (!std::is_same_v<Value, float>)
           forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
-            unpackFrame(*slice.header, raw, array.data() + index * perSlice, notes);
+            unpackFrame(*slice.header, raw, placeOf(array, index, series.size(), perSlice), notes);
           });
       },
       voxels.stored);
@@ -111,11 +119,11 @@ DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const Pr
 
 DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
                                DicomUnpackNotes& notes) {
-  std::vector<float> values(perSlice * series.size());
+  std::vector<float> values;
   std::vector<double> stored(perSlice);
   forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const DicomRawFrame& raw) {
     unpackFrame(*slice.header, raw, stored.data(), notes);
-    std::ranges::transform(stored, values.begin() + static_cast<std::ptrdiff_t>(index * perSlice),
+    std::ranges::transform(stored, placeOf(values, index, series.size(), perSlice),
                            [&](double value) { return modalityValue(slice, value); });
   });
   return {std::move(values), Rescale{}, std::nullopt};

@@ -92,13 +92,16 @@ TEST(DicomLostSlice, objectsWithoutPicturesByTheirKindAreLeftAlone) {
   const TemporaryFolder folder;
   writeSeries(folder.path(), ".dcm");
   const std::string before = saidOf(folder.path());
-  // A report, a presentation state, a structure set, raw data, spectra, an index, a private kind.
+  // A report, a presentation state, a structure set, raw data, spectra, how two pictures of the eye lie to
+  // each other, an inventory of images (of 2023), an index, a private kind.
   const std::vector<std::pair<std::string, std::string>> kinds = {
       {"1.2.840.10008.5.1.4.1.1.88.33", "SR"},
       {"1.2.840.10008.5.1.4.1.1.11.1", "PR"},
       {"1.2.840.10008.5.1.4.1.1.481.3", "RTSTRUCT"},
       {"1.2.840.10008.5.1.4.1.1.66", "CT"},
       {"1.2.840.10008.5.1.4.1.1.4.2", "MR"},
+      {"1.2.840.10008.5.1.4.1.1.77.1.5.3", "SMR"},
+      {"1.2.840.10008.5.1.4.1.1.201.1", "DOC"},
       {"1.2.840.10008.1.3.10", ""},
       {"1.3.12.2.1107.5.9.1", "MR"}};
   int number = 10;
@@ -109,6 +112,17 @@ TEST(DicomLostSlice, objectsWithoutPicturesByTheirKindAreLeftAlone) {
     object.write(folder.path() / ("IM01" + std::to_string(number++) + ".dcm"));
   }
   EXPECT_EQ(saidOf(folder.path()), before);
+}
+
+TEST(DicomLostSlice, imagesOfAnyAgeAreMissedByTheirKind) {
+  // CT; a segmentation; its labels in one map (of 2023); a picture on film, retired.
+  for (const char* kind : {"1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.66.4",
+                           "1.2.840.10008.5.1.4.1.1.66.7", "1.2.840.10008.5.1.1.29"}) {
+    DicomBuilder object;
+    object.text(0x00080016, "UI", kind).text(0x00080018, "UI", "1.2.9.1").text(0x00080060, "CS", "CT");
+    const std::string refusal = dicomRefusal(object);
+    EXPECT_NE(refusal.find("is cut off before its picture"), std::string::npos) << kind << ": " << refusal;
+  }
 }
 
 TEST(DicomLostSlice, aCutFileByItselfSaysThatItIsCutOff) {

@@ -104,6 +104,23 @@ void addVast(Corpus& corpus) {
                      {refused});
 }
 
+// A picture of 64 MiB whose samples are missing but for its first: a decoder that carries on fills it with
+// grey.
+void addGuessed(Corpus& corpus) {
+  constexpr std::uint16_t size = 8192;
+  const std::string one = std::string("\xFF\xC4\0\x14", 4); // a table of one code
+  std::string stream = std::string("\xFF\xD8\xFF\xDB\0\x43\0", 7) + std::string(64, '\1') +
+                       std::string("\xFF\xC0\0\x0B\x08", 5) + bigEndian(size, 2) + bigEndian(size, 2) +
+                       std::string("\1\1\x11\0", 4);
+  for (const char table : {'\0', '\x10'})
+    stream += one + table + std::string("\1", 1) + std::string(16, '\0');
+  stream += std::string("\xFF\xDA\0\x08\1\1\0\0\x3F\0\x12\x34\xFF\xD9", 14);
+  DicomBuilder guessed = compressed(jpeg, {stream + std::string(70000, '\0')});
+  guessed.text(0x00280008, "IS", "1").us(0x00280010, {size}).us(0x00280011, {size});
+  guessed.us(0x00280100, {8}).us(0x00280101, {8}).us(0x00280102, {7}).us(0x00280103, {0});
+  corpus.addFile("truncated", "a.dcm", guessed.bytes(), {refused}, "damaged or cut off (");
+}
+
 void addFragments(Corpus& corpus) {
   const std::string good = compressed(runLength, goodRuns()).bytes();
   const std::size_t table = good.find(littleEndian(0xE000FFFE, 4));
@@ -134,6 +151,10 @@ void addFragments(Corpus& corpus) {
 void addDeflated(Corpus& corpus) {
   const std::string good = deflatedFile(rawDeflated(dataSet()));
   corpus.addCuts("a.dcm", good, good.size() - 12);
+  // Near the end at every byte: no sample may be made up of bits that are not there.
+  for (std::size_t length = good.size() - 64; length < good.size(); ++length)
+    corpus.addFile("truncated", "a.dcm", good.substr(0, length),
+                   length < good.size() - 12 ? Outcomes{refused} : anyOutcome);
   corpus.addFile("wrong magic", "a.dcm", deflatedFile(dataSet()), {refused});
   corpus.addFile("decompression bomb", "a.dcm", deflatedFile(bomb(dataSet(), 1024, -15)),
                  {correct, warned, refused});
@@ -152,6 +173,7 @@ void addCompressedDicomInputs(Corpus& corpus) {
   corpus.addSound("a.dcm", deflatedFile(rawDeflated(dataSet())));
   addRuns(corpus);
   addVast(corpus);
+  addGuessed(corpus);
   addFragments(corpus);
   addDeflated(corpus);
 }

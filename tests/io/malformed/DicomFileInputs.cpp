@@ -104,7 +104,7 @@ std::string nested(int count, bool isKnown) {
 void addStructures(Corpus& corpus) {
   const std::string bytes = whole().bytes();
   const std::size_t at = bytes.find(std::string("\x08\0\x60\0CS", 6)); // behind (0008,0060)
-  for (const int depth : {40, 5000})
+  for (const int depth : {40, 5000, 10000})
     for (const bool isKnown : {true, false}) {
       std::string deep = bytes;
       corpus.addFile("endless or cyclic", "a.dcm", deep.insert(at, nested(depth, isKnown)),

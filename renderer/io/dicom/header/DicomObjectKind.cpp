@@ -5,34 +5,14 @@
 #include <array>
 #include <string_view>
 
+#include <dcmtk/config/osconfig.h> // before other headers of DCMTK
+
+#include <dcmtk/dcmdata/dcuid.h>
+
 namespace limn {
 namespace {
 
 constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
-constexpr std::string_view doseClass = "481.2"; // may give the dose of single points, without a picture
-
-// Whether a class is `root` or a part of it.
-bool isBelow(std::string_view name, std::string_view root) {
-  return name.starts_with(root) && (name.size() == root.size() || name[root.size()] == '.');
-}
-
-template <std::size_t count>
-bool isBelowAny(std::string_view name, const std::array<std::string_view, count>& roots) {
-  return std::any_of(roots.begin(), roots.end(), [&](std::string_view root) { return isBelow(name, root); });
-}
-
-// Whether a storage class, given by what follows the common root, is one of images.
-bool isImageClass(std::string_view name) {
-  // Radiotherapy images; segmentations among the results of registration and measurement.
-  static constexpr std::array<std::string_view, 6> images = {"481.1", "481.23", "481.24",
-                                                             "66.4",  "66.7",   "66.8"};
-  // Spectra; overlays, curves and waveforms; presentation states; raw data, registrations and surfaces; real
-  // world values; measurements of the eye; reports; annotations; documents; protocols; inventories; plans.
-  static constexpr std::array<std::string_view, 21> others = {
-      "4.2", "8",  "9",  "10",  "11",  "66",  "67",  "68",  "78",  "79",   "80",
-      "88",  "90", "91", "104", "129", "131", "200", "201", "481", "501.3"};
-  return isBelowAny(name, images) || !isBelowAny(name, others);
-}
 
 bool isImageModality(std::string_view modality) {
   static constexpr std::array<std::string_view, 36> others = {
@@ -46,15 +26,18 @@ bool isImageModality(std::string_view modality) {
 } // namespace
 
 bool hasLostPicture(const DicomHeader& header) {
+  const std::string& kind = header.sopClass;
   if (header.pixels)
     return false;
-  const std::string_view name = header.sopClass;
-  if (name.empty())
+  if (dcmIsImageStorageSOPClassUID(kind.c_str()) || kind == UID_SegmentationStorage)
+    return true;
+  const bool isDose = kind == UID_RTDoseStorage; // may give the dose of single points, without a picture
+  if (!isDose && dcmIsaStorageSOPClassUID(kind.c_str(), ESSC_All))
+    return false;
+  // A class of the standard that DCMTK does not know is younger than it: the modality is left to tell.
+  if (kind.empty() || (!isDose && kind.starts_with(storage)))
     return isImageModality(header.modality);
-  const bool describesPixels = header.rows > 0 || header.columns > 0;
-  if (!name.starts_with(storage) || isBelow(name.substr(storage.size()), doseClass))
-    return describesPixels;
-  return isImageClass(name.substr(storage.size()));
+  return header.rows > 0 || header.columns > 0;
 }
 
 } // namespace limn
