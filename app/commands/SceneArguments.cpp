@@ -3,6 +3,7 @@
 
 #include "app/KeptRegion.h"
 #include "app/presets/PresetStore.h"
+#include "io/looks/Look.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 #include "scene/presets/PresetFit.h"
@@ -28,6 +29,21 @@ Preset presetFor(const Volume& volume, const SceneArguments& arguments) {
          "\" is made for Hounsfield units, which this volume does not have: it may show nothing, "
          "or the wrong tissue.");
   return fittedTo(preset, histogramOf(volume), volume.grid());
+}
+
+// A look of Limn's or another program's, with what was changed on the way said.
+std::optional<Preset> lookInFile(const Volume& volume, const SceneArguments& arguments) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(arguments.preset, unknown))
+    return std::nullopt;
+  const Grid& grid = volume.grid();
+  const LookTarget target{volume.range().lowest, volume.range().highest,
+                          (grid.spacingMm.x + grid.spacingMm.y + grid.spacingMm.z) / 3.0};
+  const ReadLook look = readLooks(arguments.preset, target).front();
+  if (!arguments.source.quiet)
+    for (const Message& change : look.changes)
+      note(change.english());
+  return look.preset;
 }
 
 enum class Keep { all, body };
@@ -58,8 +74,11 @@ Camera viewOf(const Scene& scene, const std::string& view, double aspect) {
 
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   Scene scene = loaded.scene;
-  if (!arguments.preset.empty())
-    scene = withPreset(scene, presetFor(*scene.volume, arguments), true);
+  if (!arguments.preset.empty()) {
+    // A file says how it is lit; a preset by name leaves the model to the scene.
+    const std::optional<Preset> look = lookInFile(*scene.volume, arguments);
+    scene = look ? withPreset(scene, *look) : withPreset(scene, presetFor(*scene.volume, arguments), true);
+  }
   if (!arguments.keep.empty()) {
     const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
     scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
@@ -101,7 +120,8 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command.option(
       "--preset", arguments.preset,
-      "name of a built-in or own preset (see `limn presets list`); without it the best fitting one");
+      "name of a built-in or own preset (see `limn presets list`), or a file with a look (a preset, a DICOM "
+      "presentation state); without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
   command.option("--keep", arguments.keep,
                  "all, or body: without the table, the holder and what else lies beside it");

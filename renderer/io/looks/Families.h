@@ -7,5 +7,6 @@ namespace limn {
 
 // One function a family; each stands in a file of its own.
 LookFormat limnPresetFormat();
+LookFormat dicomFormat();
 
 } // namespace limn

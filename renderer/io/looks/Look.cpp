@@ -44,7 +44,7 @@ std::string writtenEndings() {
 } // namespace
 
 const std::vector<LookFormat>& lookFormats() {
-  static const std::vector<LookFormat> formats{limnPresetFormat()};
+  static const std::vector<LookFormat> formats{limnPresetFormat(), dicomFormat()};
   return formats;
 }
 

@@ -90,7 +90,7 @@ TEST(Network, theProgramNamesNoLibraryForIt) {
   const Needs needs = needsOf(test::programPath());
   ASSERT_TRUE(needs.libraries.contains("libQt6Core.so.6")) << "the libraries were not read";
   for (const std::string& library : needs.libraries)
-    for (const char* kind : {"Network", "curl", "WebSockets", "WebEngine", "soup", "neon", "ssl"})
+    for (const char* kind : {"Network", "curl", "WebSockets", "WebEngine", "soup", "neon", "ssl", "dcmnet", "dcmtls"})
       EXPECT_EQ(library.find(kind), std::string::npos) << library;
 }
 
