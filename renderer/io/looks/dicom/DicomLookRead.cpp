@@ -22,7 +22,7 @@ using namespace dicom;
 
 constexpr std::string_view stateClasses = "1.2.840.10008.5.1.4.1.1.11.";
 constexpr std::size_t classIsWithin = 1024; // bytes from the start
-constexpr std::size_t largestLook = std::size_t{64} << 20;
+constexpr std::size_t largestLook = std::size_t{16} << 20;
 
 void requireDrawable(DcmItem& object, const std::string& name) {
   const std::string kind = textIn(object, DCM_SOPClassUID);
@@ -82,10 +82,8 @@ ImageSettings imageOf(double aspect) {
 
 bool isDicomLook(std::string_view bytes) {
   const std::string_view start = bytes.substr(0, classIsWithin);
-  // With a preamble, or with the first group right away.
-  const bool isDicom = (start.size() > 132 && start.substr(128, 4) == "DICM") ||
-                       (start.size() > 8 && (start[0] == 2 || start[0] == 8) && start[1] == 0);
-  return isDicom && start.find(stateClasses) != std::string_view::npos;
+  return start.size() > 132 && start.substr(128, 4) == "DICM" &&
+         start.find(stateClasses) != std::string_view::npos;
 }
 
 bool isDicomLookFile(const std::filesystem::path& file) {
@@ -100,8 +98,8 @@ bool isDicomLookFile(const std::filesystem::path& file) {
 }
 
 DicomLook parseDicomLook(std::string_view bytes, const std::string& name) {
-  const auto file = objectIn(bytes, name);
-  DcmItem& object = *file->getDataset();
+  const auto state = objectIn(bytes, name);
+  DcmItem& object = *state;
   requireDrawable(object, name);
   DicomLook look;
   look.study = textIn(object, DCM_StudyInstanceUID);

@@ -70,7 +70,7 @@ void putIdentification(DcmItem& object, const Moment& moment) {
 }
 
 // What a look says of the scene in the standard's words; the sampling step is that of its opacities.
-std::vector<Message> putLook(DcmItem& object, const Scene& scene, const SeriesImages& series) {
+void putLook(DcmItem& object, const Scene& scene, const SeriesImages& series) {
   const std::string inputSet = newUid();
   DcmItem& input = putInput(object, inputSet, series.images);
   putCommonReferences(object, series.series, series.images);
@@ -85,7 +85,6 @@ std::vector<Message> putLook(DcmItem& object, const Scene& scene, const SeriesIm
   const double lengthMm = isProjection ? scene.transferFunction.unitDistanceMm : *geometry.stepMm;
   const ColourTable table = tableOf(scene.transferFunction, window.range, lengthMm);
   putDisplay(object, inputSet, table);
-  return lossesOf(scene, *geometry.stepMm, static_cast<int>(table.entries.size()));
 }
 
 } // namespace
@@ -108,7 +107,8 @@ DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing) {
             writing.version);
   putIdentification(state, moment);
   DicomObjects objects;
-  objects.losses = putLook(state, scene, writing.series);
+  objects.losses = lossesOf(scene);
+  putLook(state, scene, writing.series);
   putReferences(state, DCM_RenderedImageReferenceSequence,
                 {{UID_SecondaryCaptureImageStorage, pictureIdentity.instance}});
   putOwnBlock(state, scene, lookIdentity.instance);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/Losses.h"
 
+#include "io/looks/dicom/ColourTable.h"
 #include "io/looks/dicom/GeometryModule.h"
-#include "io/looks/dicom/ShadingModule.h"
 
 namespace limn {
 namespace {
@@ -46,7 +46,9 @@ void addLight(const Scene& scene, Sentences& losses) {
     losses.push_back(Message::tr("Coefficients times intensity above 1 are limited to 1."));
 }
 
-void addCurve(const Scene& scene, double stepMm, int entries, Sentences& losses) {
+void addCurve(const Scene& scene, Sentences& losses) {
+  const double stepMm = scene.quality.stepVoxels * smallestSpacingMm(scene.volume->grid());
+  const int entries = entriesFor(scene.volume->range());
   losses.push_back(Message::tr("The curve is written as a table of %1 entries over the values of the volume.")
                        .arg(entries));
   if (scene.transferFunction.unitDistanceMm != stepMm)
@@ -97,11 +99,11 @@ void addCamera(const Scene& scene, Sentences& losses) {
 
 } // namespace
 
-std::vector<Message> lossesOf(const Scene& scene, double stepMm, int tableEntries) {
+std::vector<Message> lossesOf(const Scene& scene) {
   Sentences losses;
   addModel(scene.shading, losses);
   addLight(scene, losses);
-  addCurve(scene, stepMm, tableEntries, losses);
+  addCurve(scene, losses);
   addRays(scene, losses);
   addQuality(scene, losses);
   addCamera(scene, losses);

@@ -8,7 +8,7 @@
 namespace limn {
 
 /// What the standard attributes of a presentation state cannot hold of a scene, a sentence each, as other
-/// programs see it; Limn itself reads everything back but label maps. `stepMm` is the sampling step.
-std::vector<Message> lossesOf(const Scene& scene, double stepMm, int tableEntries);
+/// programs see it; Limn itself reads everything back but label maps.
+std::vector<Message> lossesOf(const Scene& scene);
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/ObjectBytes.h"
 
+#include "io/looks/dicom/WholeElements.h"
 #include "io/reading/ReadError.h"
 
 #include <dcmtk/dcmdata/dcdeftag.h>
@@ -24,14 +25,17 @@ void silenceLibrary() {
 
 } // namespace
 
-std::unique_ptr<DcmFileFormat> objectIn(std::string_view bytes, const std::string& name) {
+std::unique_ptr<DcmDataset> objectIn(std::string_view bytes, const std::string& name) {
   silenceLibrary();
-  auto object = std::make_unique<DcmFileFormat>();
+  const Encoding encoding = requireWholeElements(bytes, name);
+  const std::string_view attributes = bytes.substr(encoding.start);
+  auto object = std::make_unique<DcmDataset>();
   DcmInputBufferStream stream;
-  stream.setBuffer(bytes.data(), static_cast<offile_off_t>(bytes.size()));
+  stream.setBuffer(attributes.data(), static_cast<offile_off_t>(attributes.size()));
   stream.setEos();
   object->transferInit();
-  const OFCondition read = object->read(stream, EXS_Unknown, EGL_noChange);
+  const OFCondition read = object->read(
+      stream, encoding.isExplicit ? EXS_LittleEndianExplicit : EXS_LittleEndianImplicit, EGL_noChange);
   object->transferEnd();
   if (read.bad())
     failReading(name, Message::tr("it is no DICOM object, or one that is damaged or cut off"), copyAgain);

@@ -14,8 +14,9 @@
 
 namespace limn::dicom {
 
-/// Reads an object. Throws Error (input) where it is no DICOM, truncated, or compressed as a whole.
-std::unique_ptr<DcmFileFormat> objectIn(std::string_view bytes, const std::string& name);
+/// Reads the attributes of an object. Throws Error (input) where it is no DICOM file, truncated, or
+/// compressed as a whole.
+std::unique_ptr<DcmDataset> objectIn(std::string_view bytes, const std::string& name);
 
 /// What a file says before its pixels. Throws Error (input).
 std::unique_ptr<DcmFileFormat> headerOfFile(const std::filesystem::path& file);
