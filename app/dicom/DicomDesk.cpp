@@ -8,11 +8,11 @@
 #include "app/document/DocumentText.h"
 #include "app/document/Session.h"
 #include "app/engines/PictureMaker.h"
-#include "app/language/Language.h"
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "app/window/MessageBar.h"
 #include "io/looks/dicom/Losses.h"
+#include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 
 #include <QAction>

@@ -30,7 +30,9 @@ DicomDialog::DicomDialog(QWidget* parent)
   m_anonymous->setToolTip(tr("The UIDs of study and images stay: by them the look finds its images."));
   m_losses->setObjectName(QStringLiteral("dicomLosses"));
   m_losses->setWordWrap(true);
-  m_losses->setAccessibleName(tr("What other programs do not find in the look"));
+  m_losses->setSpacing(2);
+  m_losses->setSelectionMode(QAbstractItemView::NoSelection);
+  m_losses->setAccessibleName(tr("What other programs see differently"));
   m_text->setObjectName(QStringLiteral("dicomSays"));
   m_text->hide();
   m_bar->setRange(0, 1000);
@@ -40,9 +42,7 @@ DicomDialog::DicomDialog(QWidget* parent)
   m_save->setObjectName(QStringLiteral("dicomSave"));
   m_close->setObjectName(QStringLiteral("dicomClose"));
   auto* lossTitle =
-      wrapped(tr("&Other programs do not find in the look (Limn reads all of it back, but for kept "
-                 "labels):"),
-              this);
+      wrapped(tr("What &others see differently (Limn reads all of it back, but for kept labels):"), this);
   lossTitle->setBuddy(m_losses);
   auto* buttons = new QHBoxLayout;
   buttons->addStretch();

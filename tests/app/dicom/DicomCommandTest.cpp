@@ -74,8 +74,8 @@ TEST_F(DicomCommand, namesThePatientOnlyWhereThatIsWanted) {
   write("--anonymous");
   for (const char* name : {"objects/look.dcm", "objects/picture.dcm"})
     EXPECT_EQ(test::marksIn(bytes(name), searched), std::set<std::string>{"1.2.826.99"}) << name; // UIDs stay
-  const Outcome outcome =
-      run("render " + at("objects/look.dcm") + " --volume " + at("skull") + " --size 16x16 -o " + at("a.png"));
+  const Outcome outcome = run("render " + at("objects/look.dcm") + " --volume " + at("skull") +
+                              " --size 16x16 -o " + at("a.png"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 

@@ -43,14 +43,14 @@ FieldOfView fieldOfViewIn(DcmItem& object, const std::string& name) {
   return view;
 }
 
-Camera::Projection cameraProjectionIn(DcmItem& object, const std::string& name) {
+bool isPerspectiveIn(DcmItem& object, const std::string& name) {
   const std::string text = textIn(object, DCM_RenderProjection);
   if (text != "PERSPECTIVE" && text != "ORTHOGRAPHIC")
     failReading(
         name,
         Message::tr("%1 is \"%2\", which Limn does not know").arg(nameOf(DCM_RenderProjection)).arg(text),
         exportAgain);
-  return text == "PERSPECTIVE" ? Camera::Projection::perspective : Camera::Projection::orthographic;
+  return text == "PERSPECTIVE";
 }
 
 Projection methodIn(DcmItem& object, const std::string& name) {
@@ -145,7 +145,8 @@ void putGeometry(DcmItem& object, const Geometry& geometry) {
 Geometry geometryIn(DcmItem& object, const std::string& name, std::vector<Message>& changes) {
   Geometry geometry;
   Camera& camera = geometry.camera;
-  camera.projection = cameraProjectionIn(object, name);
+  camera.projection =
+      isPerspectiveIn(object, name) ? Camera::Projection::perspective : Camera::Projection::orthographic;
   camera.position = vectorIn(object, DCM_ViewpointPosition, name);
   camera.target = vectorIn(object, DCM_ViewpointLookAtPoint, name);
   camera.up = vectorIn(object, DCM_ViewpointUpDirection, name);

@@ -23,6 +23,10 @@ void silenceLibrary() {
   std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
 }
 
+[[noreturn]] void failMaking() {
+  throw Error(Error::Kind::other, Message::tr("The DICOM object cannot be made; please report it."));
+}
+
 } // namespace
 
 std::unique_ptr<DcmDataset> objectIn(std::string_view bytes, const std::string& name) {
@@ -65,7 +69,7 @@ std::string bytesOf(DcmFileFormat& object) {
   offile_off_t length = 0;
   stream.flushBuffer(start, length);
   if (prepared.bad() || written.bad() || start != bytes.data())
-    throw Error(Error::Kind::other, Message::tr("The DICOM object cannot be made; please report it."));
+    failMaking();
   bytes.resize(static_cast<std::size_t>(length));
   return bytes;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/Looks.h"
 
+#include "io/VolumeReader.h"
 #include "reference/ReferenceIntegrator.h"
 #include "stability/scenes/RandomScene.h"
 #include "support/ImageCompare.h"
+#include "support/TestData.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -115,6 +117,14 @@ TEST_F(StrippedLook, drawsProjections) {
     scene.transferFunction.points.front().opacity = 0.3; // the lowest value of most rays is air's
     expectSamePicture(scene, 0.1);
   }
+}
+
+TEST_F(StrippedLook, drawsARealHead) {
+  LIMN_NEEDS_SHARED("data/ct_head_cranium/dicom_explicit_le");
+  Scene scene = test::phantomScene(); // its curve
+  scene.volume = readVolume(test::sharedFolder() / "data/ct_head_cranium/dicom_explicit_le");
+  scene.camera = defaultCamera(scene.volume->grid());
+  expectSamePicture(scene, 0.2);
 }
 
 TEST(DicomLook, aStrippedLookHasTheNearestLight) {
