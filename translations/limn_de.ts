@@ -6108,6 +6108,10 @@
         <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
         <translation>Die Endung von %1 nennt keine Art von Darstellung, die Limn schreibt; diese tun es: %2.</translation>
     </message>
+    <message>
+        <source>A DICOM look is filed with the series that it is for; name the folder of one (--for FOLDER).</source>
+        <translation>Eine Darstellung in DICOM wird bei der Serie abgelegt, für die sie ist; geben Sie den Ordner einer Serie an (--for FOLDER).</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>

@@ -85,9 +85,9 @@ TEST(Layering, stabilityDrawsWithEveryRendererAndReadsNoFiles) {
 
 TEST(Layering, onlyIoTalksToFileLibraries) {
   for (const char* folder : {"renderer", "widgets", "app"})
-    expectNoIncludes(folder,
-                     "^(vtk|itk|gdcm|dcmtk|OpenImageIO|nlohmann|json|pugixml|archive|tiff|zlib|QJson|QXml|QDom)",
-                     "files, JSON and XML are read and written in renderer/io", "renderer/io");
+    expectNoIncludes(
+        folder, "^(vtk|itk|gdcm|dcmtk|OpenImageIO|nlohmann|json|pugixml|archive|tiff|zlib|QJson|QXml|QDom)",
+        "files, JSON and XML are read and written in renderer/io", "renderer/io");
 }
 
 TEST(Layering, theWindowNeedsNoLaboratory) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/Families.h"
 #include "io/looks/dicom/DicomLook.h"
+#include "io/looks/dicom/DicomObjects.h"
+#include "io/looks/dicom/Losses.h"
+#include "scene/basics/Error.h"
 
 #include <algorithm>
 
@@ -37,10 +40,30 @@ std::vector<ReadLook> readDicomState(std::string_view text, const std::string& n
   return {{preset, look.changes}};
 }
 
+// Curve and light alone make no state: it is seen from the front, and filed with a series.
+WrittenLook writeDicomState(const Preset& preset, const std::optional<LookTarget>& target) {
+  const auto refuse = [] {
+    throw Error(Error::Kind::usage, Message::tr("A DICOM look is filed with the series that it is for; name "
+                                                "the folder of one (--for FOLDER)."));
+  };
+  if (!target || !target->series || target->series->volume->info().format != "DICOM")
+    refuse();
+  const LookTarget::Series& series = *target->series;
+  const std::vector<SeriesImages> all = imagesUnder(series.path, {});
+  if (series.number < 1 || static_cast<std::size_t>(series.number) > all.size())
+    refuse();
+  Scene scene;
+  scene.volume = series.volume;
+  scene.camera = defaultCamera(series.volume->grid());
+  scene = withPreset(scene, preset);
+  return {dicomLookOf(scene, all[static_cast<std::size_t>(series.number - 1)], LIMN_VERSION),
+          lossesOf(scene)};
+}
+
 } // namespace
 
 LookFormat dicomFormat() {
-  return {"DICOM presentation state of a volume", {".dcm"}, isDicomLook, readDicomState, nullptr};
+  return {"DICOM presentation state of a volume", {".dcm"}, isDicomLook, readDicomState, writeDicomState};
 }
 
 } // namespace limn

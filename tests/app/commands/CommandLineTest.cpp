@@ -30,7 +30,7 @@ protected:
 
 TEST_F(CommandLine, helpOfEveryCommandShowsAnExample) {
   for (const char* command :
-       {"", "info", "render", "effects", "presets", "presets show", "bench", "accuracy"}) {
+       {"", "info", "render", "dicom", "effects", "presets", "presets show", "bench", "accuracy"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example: limn"), std::string::npos) << outcome.out;

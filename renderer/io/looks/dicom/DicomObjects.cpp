@@ -87,41 +87,60 @@ void putLook(DcmItem& object, const Scene& scene, const SeriesImages& series) {
   putDisplay(object, inputSet, table);
 }
 
+SubjectCopy subjectOf(const DicomWriting& writing) {
+  return writing.isAnonymous ? SubjectCopy::anonymous : SubjectCopy::whole;
+}
+
+std::string lookFile(const Scene& scene, const DicomWriting& writing, DcmItem& image,
+                     const std::string& pictureInstance) {
+  const Identity identity;
+  DcmFileFormat file;
+  DcmItem& object = *file.getDataset();
+  putSubject(object, image, subjectOf(writing));
+  putOrigin(object, UID_VolumeRenderingVolumetricPresentationStateStorage, "PR", "Limn look", identity,
+            writing.version);
+  putIdentification(object, now());
+  putLook(object, scene, writing.series);
+  if (!pictureInstance.empty())
+    putReferences(object, DCM_RenderedImageReferenceSequence,
+                  {{UID_SecondaryCaptureImageStorage, pictureInstance}});
+  putOwnBlock(object, scene, identity.instance);
+  return bytesOf(file);
+}
+
+std::string pictureFile(const DicomWriting& writing, DcmItem& image, const Identity& identity) {
+  const Moment moment = now();
+  DcmFileFormat file;
+  DcmItem& object = *file.getDataset();
+  putSubject(object, image, subjectOf(writing));
+  putOrigin(object, UID_SecondaryCaptureImageStorage, "OT", "Limn picture", identity, writing.version);
+  putText(object, DCM_ContentDate, moment.date);
+  putText(object, DCM_ContentTime, moment.time);
+  putPicture(object, image, writing);
+  return bytesOf(file);
+}
+
+// The header of an image of the series, with a frame of reference for both objects where it has none.
+std::unique_ptr<DcmFileFormat> imageOf(const SeriesImages& series) {
+  auto file = headerOfFile(series.firstFile);
+  for (const DcmTagKey& tag : {DCM_StudyInstanceUID, DCM_FrameOfReferenceUID})
+    if (!holds(*file->getDataset(), tag))
+      putText(*file->getDataset(), tag, newUid());
+  return file;
+}
+
 } // namespace
 
 DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing) {
-  const auto source = headerOfFile(writing.series.firstFile);
-  DcmItem& image = *source->getDataset();
-  const SubjectCopy copy = writing.isAnonymous ? SubjectCopy::anonymous : SubjectCopy::whole;
-  const Moment moment = now();
-  const Identity lookIdentity, pictureIdentity;
-  DcmFileFormat look, picture;
-  for (DcmFileFormat* file : {&look, &picture})
-    putSubject(*file->getDataset(), image, copy);
-  // Made up where the images have none: it is the same in both.
-  putText(*picture.getDataset(), DCM_FrameOfReferenceUID,
-          textIn(*look.getDataset(), DCM_FrameOfReferenceUID));
+  const auto image = imageOf(writing.series);
+  const Identity picture;
+  return {lookFile(scene, writing, *image->getDataset(), picture.instance),
+          pictureFile(writing, *image->getDataset(), picture), lossesOf(scene)};
+}
 
-  DcmItem& state = *look.getDataset();
-  putOrigin(state, UID_VolumeRenderingVolumetricPresentationStateStorage, "PR", "Limn look", lookIdentity,
-            writing.version);
-  putIdentification(state, moment);
-  DicomObjects objects;
-  objects.losses = lossesOf(scene);
-  putLook(state, scene, writing.series);
-  putReferences(state, DCM_RenderedImageReferenceSequence,
-                {{UID_SecondaryCaptureImageStorage, pictureIdentity.instance}});
-  putOwnBlock(state, scene, lookIdentity.instance);
-
-  DcmItem& shown = *picture.getDataset();
-  putOrigin(shown, UID_SecondaryCaptureImageStorage, "OT", "Limn picture", pictureIdentity, writing.version);
-  putText(shown, DCM_ContentDate, moment.date);
-  putText(shown, DCM_ContentTime, moment.time);
-  putPicture(shown, image, writing);
-
-  objects.look = bytesOf(look);
-  objects.picture = bytesOf(picture);
-  return objects;
+std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const std::string& version) {
+  const auto image = imageOf(series);
+  return lookFile(scene, {series, {}, version, false}, *image->getDataset(), {});
 }
 
 void writeDicomObjects(const std::filesystem::path& folder, const DicomObjects& objects) {

@@ -30,6 +30,9 @@ struct DicomObjects {
 /// UIDs. They hold no path and no name of a file. Throws Error.
 DicomObjects dicomObjectsOf(const Scene& scene, const DicomWriting& writing);
 
+/// The look alone, without a picture that goes with it. Throws Error.
+std::string dicomLookOf(const Scene& scene, const SeriesImages& series, const std::string& version);
+
 /// Writes both as `look.dcm` and `picture.dcm` into a folder that is there. Throws Error.
 void writeDicomObjects(const std::filesystem::path& folder, const DicomObjects& objects);
 

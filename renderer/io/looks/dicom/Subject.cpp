@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/Subject.h"
 
-#include "io/looks/dicom/NewUid.h"
-
 namespace limn::dicom {
 namespace {
 
@@ -74,16 +72,11 @@ bool copyElement(DcmItem& object, DcmItem& image, const DcmTagKey& tag) {
   return holds(object, tag);
 }
 
-void putUid(DcmItem& object, DcmItem& image, const DcmTagKey& tag) {
-  const std::string uid = textIn(image, tag);
-  putText(object, tag, uid.empty() ? newUid() : uid);
-}
-
 } // namespace
 
 void putSubject(DcmItem& object, DcmItem& image, SubjectCopy copy) {
-  putUid(object, image, DCM_StudyInstanceUID);
-  putUid(object, image, DCM_FrameOfReferenceUID);
+  for (const DcmTagKey& tag : {DCM_StudyInstanceUID, DCM_FrameOfReferenceUID})
+    copyElement(object, image, tag);
   for (const DcmTagKey& tag : presentAnyway)
     putNothing(object, tag);
   if (copy == SubjectCopy::anonymous) {

@@ -14,7 +14,7 @@ enum class SubjectCopy {
 };
 
 /// Writes the modules Patient, General Study, Patient Study and Frame of Reference from an image of the
-/// series. A UID of the frame of reference that the image does not have is made up.
+/// series, which has the UIDs of study and frame.
 void putSubject(DcmItem& object, DcmItem& image, SubjectCopy copy);
 
 } // namespace limn::dicom

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/ForeignLook.h"
+#include "io/dicom/SyntheticSeries.h"
 #include "io/looks/dicom/Looks.h"
 
+#include "io/VolumeReader.h"
 #include "io/looks/Look.h"
 
 #include <glm/trigonometric.hpp>
@@ -255,6 +257,24 @@ TEST(ForeignLook, givesAPresetCurveAndLight) {
   EXPECT_EQ(looks[0].preset.transferFunction.points.size(), 3u);
   EXPECT_EQ(looks[0].preset.shading->model, ShadingModel::none);
   EXPECT_FALSE(looks[0].preset.projection);
+}
+
+// Written under the ending alone where the series is known that it is filed with.
+TEST(DicomPreset, isWrittenForASeries) {
+  Preset preset;
+  preset.name = "veil";
+  preset.modality = "CT";
+  preset.transferFunction.points = {{-100.0, {1, 0, 0}, 0.0}, {300.0, {1, 1, 1}, 0.25}};
+  EXPECT_THROW(lookAs("veil.dcm", preset), Error);
+  test::TemporaryFolder folder;
+  test::slice(1, 0.0).write(folder.path() / "1");
+  test::slice(2, 1.0).write(folder.path() / "2");
+  LookTarget target;
+  target.series = {readVolume(folder.path()), folder.path(), 1};
+  const WrittenLook written = lookAs("veil.dcm", preset, target);
+  EXPECT_EQ(parseLooks(written.text, "veil.dcm").front().preset.transferFunction, preset.transferFunction);
+  EXPECT_TRUE(test::says(written.changes, "table of"));
+  EXPECT_EQ(parseDicomLook(written.text, "veil.dcm").images.size(), 2u);
 }
 
 TEST(LookSeries, isTheOneThatHoldsEveryImage) {
