@@ -110,8 +110,9 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
 }
 
 void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models) {
-  addSourceArguments(command, arguments.source,
-                     "scene or session file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+  addSourceArguments(
+      command, arguments.source,
+      "scene or session file, volume, DICOM folder or look, Limn picture, or `phantom:SPACING`");
   command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command.option("--model", arguments.model, models);
   addLookOptions(command, arguments);

@@ -36,6 +36,8 @@ DicomDesk::DicomDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts
     if (m_dialog && !isSeries(scene))
       m_dialog->close();
   });
+  // Queued: the view has the scene by then.
+  connect(&parts.session, &Session::sceneChanged, this, &DicomDesk::showLosses, Qt::QueuedConnection);
   // Queued: what was loaded is shown first, or left.
   connect(&parts.opening, &OpeningDesk::loaded, this,
           [this](const LoadedScene& loaded, const Histogram&, const Request& request) {
@@ -73,13 +75,19 @@ void DicomDesk::show() {
       m_dialog->endProgress(tr("Cancelled; nothing was written."));
     });
   }
+  m_dialog->show();
+  m_dialog->raise();
+  m_dialog->activateWindow();
+  showLosses();
+}
+
+void DicomDesk::showLosses() {
+  if (!m_dialog || !m_dialog->isVisible() || !isSeries(m_parts.document.scene()))
+    return;
   QStringList losses;
   for (const Message& loss : lossesOf(sceneToSave()))
     losses << translated(loss);
   m_dialog->setLosses(losses);
-  m_dialog->show();
-  m_dialog->raise();
-  m_dialog->activateWindow();
 }
 
 void DicomDesk::save() {

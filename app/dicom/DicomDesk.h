@@ -41,6 +41,7 @@ public:
 
 private:
   void show();
+  void showLosses(); ///< of what would be saved now
   void save();
   void lookForLooks(const LoadedScene& loaded, const Request& request);
   void offer(const QStringList& looks);

@@ -74,6 +74,9 @@ bool DicomDialog::isAnonymous() const {
 }
 
 void DicomDialog::setLosses(const QStringList& sentences) {
+  if (sentences == m_shown)
+    return; // or a screen reader would lose its place whenever the camera moves
+  m_shown = sentences;
   m_losses->clear();
   m_losses->addItems(sentences);
 }

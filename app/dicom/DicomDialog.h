@@ -39,6 +39,7 @@ protected:
 private:
   QCheckBox* m_anonymous;
   QListWidget* m_losses;
+  QStringList m_shown; ///< in the list
   QLabel* m_text;
   QProgressBar* m_bar;
   QPushButton* m_save;

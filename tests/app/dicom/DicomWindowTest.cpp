@@ -99,6 +99,18 @@ TEST_F(DicomWindow, isInTheFileMenuOfASeriesAlone) {
   EXPECT_FALSE(saveDicom().isEnabled());
 }
 
+TEST_F(DicomWindow, itsSentencesFollowTheScene) {
+  setLayout(CompareLayout::single);
+  ask();
+  const auto* losses = dialog().findChild<QListWidget*>(QStringLiteral("dicomLosses"));
+  const QString fog = QStringLiteral("The fog is not kept.");
+  EXPECT_TRUE(losses->findItems(fog, Qt::MatchExactly).isEmpty());
+  Fog some;
+  some.mode = Fog::Mode::exp;
+  session().setFog(some, {});
+  EXPECT_TRUE(test::waitUntil([&] { return losses->findItems(fog, Qt::MatchExactly).size() == 1; }));
+}
+
 TEST_F(DicomWindow, closesWithEsc) {
   ask();
   QTest::keyClick(&dialog(), Qt::Key_Escape);
