@@ -79,6 +79,7 @@ int runCommandLine(int argc, char** argv) {
   syntax.footer("Example: limn head.nii.gz");
   addInfoCommand(syntax);
   addRenderCommand(syntax);
+  addDicomCommand(syntax);
   addFigureCommand(syntax);
   addTurntableCommand(syntax);
   addJobsCommand(syntax);

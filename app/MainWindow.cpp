@@ -83,7 +83,10 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_opening(
           m_settings, *m_actions.patientInTitle, *m_menus.recentSources, *m_centre.messages,
           [this] { return m_safety.savingOfNow(); }, *this),
-      m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this), m_drops(*this) {
+      m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this),
+      m_dicom({m_session, m_document, *m_centre.view, m_opening, m_settings, m_notes, *m_centre.messages,
+               *m_actions.saveDicom, *this}),
+      m_drops(*this) {
   setObjectName(QStringLiteral("limnWindow"));
   setMinimumSize(800, 560);
   connectSettings();

@@ -5,6 +5,7 @@
 #include "app/UserFolders.h"
 #include "app/actions/Actions.h"
 #include "app/actions/Menus.h"
+#include "app/dicom/DicomDesk.h"
 #include "app/document/OpenDocument.h"
 #include "app/figure/FigureDesk.h"
 #include "app/opening/DropDesk.h"
@@ -129,6 +130,7 @@ private:
   SessionSafety m_safety;
   OpeningDesk m_opening;
   RemarksDesk m_remarks;
+  DicomDesk m_dicom;
   DropDesk m_drops;
 };
 

@@ -2,6 +2,7 @@
 #include "app/SceneSource.h"
 
 #include "app/KeptRegion.h"
+#include "app/dicom/LookSource.h"
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/ForeignJson.h"
@@ -255,6 +256,21 @@ LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progr
   return loaded;
 }
 
+// A look names its images, not where they lie, and measures in millimetres what a scene measures in voxels.
+LoadedScene loadLook(const fs::path& path, SourceOptions options, const Progress& progress) {
+  PlacedLook placed = placedLook(path, options, progress);
+  options.volume = placed.folder;
+  options.read.series = placed.series;
+  options.opened.clear(); // they may be of other series of the folder
+  std::vector<Message> changes = placed.look.changes;
+  const OpenedVolume opened = openVolume(placed.folder.string(), options.read, progress, changes);
+  options.opened.emplace(opened.path, opened.volume);
+  const SceneDocument document = sceneOf(placed.look, opened.volume->grid(), changes);
+  LoadedScene loaded = loadDocument(document, options, progress);
+  loaded.notes.insert(loaded.notes.begin(), changes.begin(), changes.end());
+  return loaded;
+}
+
 } // namespace
 
 std::optional<std::filesystem::path> installedSampleHead() {
@@ -289,6 +305,8 @@ static LoadedScene loadUnframed(const std::string& source, const SourceOptions& 
   if (const std::optional<std::string> text = sceneText(source))
     return looksLikeSession(*text) ? loadSession(source, options, progress)
                                    : loadDocument(readSceneFile(source), options, progress);
+  if (isDicomLookFile(source))
+    return loadLook(source, options, progress);
   if (auto document = sceneInPicture(source))
     return loadDocument(std::move(*document), options, progress);
   if (auto figure = figureIn(source)) {

@@ -25,6 +25,8 @@ public:
                                       .arg(expected.filename().string())
                                       .arg(expected.string())),
         m_expected(expected) {}
+  VolumeMissing(const std::filesystem::path& expected, const Message& sentence)
+      : Error(Error::Kind::input, sentence), m_expected(expected) {}
 
   const std::filesystem::path& expected() const { return m_expected; }
 
@@ -72,9 +74,9 @@ struct LoadedFigure {
 };
 
 /// Loads anything that names a scene: a volume (see readVolume), a scene or session file, a picture or figure
-/// written by Limn (of a figure the first panel), `sample` (the CT head of an installed example, otherwise
-/// the phantom) or `phantom[:spacing in mm]`. A volume gets its first view and the best-fitting preset.
-/// Throws Error and Cancelled.
+/// written by Limn (of a figure the first panel), a DICOM look (LookSource.h), `sample` (the CT head of an
+/// installed example, otherwise the phantom) or `phantom[:spacing in mm]`. A volume gets its first view and
+/// the best-fitting preset. Throws Error and Cancelled.
 LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress);
 
 /// Loads every panel of a figure that Limn wrote; nothing where the source is none. Panels of one volume

@@ -2205,6 +2205,14 @@
         <source>Writes the curve and the light that are shown as a file of Limn or another program.</source>
         <translation>Schreibt die gezeigte Kurve und das gezeigte Licht als Datei von Limn oder einem anderen Programm.</translation>
     </message>
+    <message>
+        <source>Save to D&amp;ICOM…</source>
+        <translation>In D&amp;ICOM speichern…</translation>
+    </message>
+    <message>
+        <source>Saves picture and look of a DICOM series for an archive, filed with its patient and study.</source>
+        <translation>Speichert Bild und Darstellung einer DICOM-Serie für ein Archiv, bei ihrem Patienten und ihrer Studie.</translation>
+    </message>
 </context>
 <context>
     <name>limn::AppearanceDesk</name>
@@ -2493,6 +2501,92 @@
     <message>
         <source>From there it refines while nothing moves. A level is the smallest step of brightness on a screen, of 255.</source>
         <translation>Von dort wird verfeinert, solange sich nichts bewegt. Eine Stufe ist der kleinste Helligkeitsschritt eines Bildschirms, einer von 255.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::DicomDesk</name>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save picture and look in a new folder</source>
+        <translation>Bild und Darstellung in einem neuen Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Folder with picture.dcm and look.dcm (*.dicom)</source>
+        <translation>Ordner mit picture.dcm und look.dcm (*.dicom)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>Beside this series lies a look that belongs to it.</source>
+        <translation>Neben dieser Serie liegt eine Darstellung, die zu ihr gehört.</translation>
+    </message>
+    <message>
+        <source>Beside this series lie %1 looks that belong to it; this is the newest.</source>
+        <translation>Neben dieser Serie liegen %1 Darstellungen, die zu ihr gehören; dies ist die neueste.</translation>
+    </message>
+    <message>
+        <source>Show the look</source>
+        <translation>Darstellung zeigen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+</context>
+<context>
+    <name>limn::DicomDialog</name>
+    <message>
+        <source>&amp;Leave out what the series says of its patient and study</source>
+        <translation>&amp;Weglassen, was die Serie über Patient und Studie sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save to DICOM</source>
+        <translation>In DICOM speichern</translation>
+    </message>
+    <message>
+        <source>The UIDs of study and images stay: by them the look finds its images.</source>
+        <translation>Die UIDs von Studie und Bildern bleiben: An ihnen findet die Darstellung ihre Bilder.</translation>
+    </message>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Das Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Saves two files for an archive: the picture (picture.dcm) and the look that it was made with (look.dcm), which other programs and Limn can open.</source>
+        <translation>Speichert zwei Dateien für ein Archiv: das Bild (picture.dcm) und die Darstellung, mit der es gezeichnet wurde (look.dcm); andere Programme und Limn können sie öffnen.</translation>
+    </message>
+    <message>
+        <source>The two files carry what the series says of its patient, because an archive files them by it. Nothing else that Limn writes does.</source>
+        <translation>Die beiden Dateien enthalten, was die Serie über ihren Patienten sagt, weil ein Archiv sie danach ablegt. Nichts anderes, was Limn schreibt, enthält das.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Drawing the picture…</source>
+        <translation>Das Bild wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>What other programs see differently</source>
+        <translation>Was andere Programme anders sehen</translation>
+    </message>
+    <message>
+        <source>What &amp;others see differently (Limn reads all of it back, but for kept labels):</source>
+        <translation>Was &amp;andere anders sehen (Limn liest alles davon zurück, nur behaltene Labels nicht):</translation>
     </message>
 </context>
 <context>
@@ -5958,6 +6052,350 @@
         <translation>Preset von Limn</translation>
     </message>
     <message>
+        <source>Only a DICOM series, or a scene of one, can be saved to DICOM, because picture and look are filed with its patient and study; open the series that %1 was made from.</source>
+        <translation>Nur eine DICOM-Serie oder eine Szene davon lässt sich in DICOM speichern, weil Bild und Darstellung bei ihrem Patienten und ihrer Studie abgelegt werden; öffnen Sie die Serie, aus der %1 entstand.</translation>
+    </message>
+    <message>
+        <source>The series that the look %1 belongs to is not beside it; say where it is (--volume PATH).</source>
+        <translation>Die Serie, zu der die Darstellung %1 gehört, liegt nicht daneben; geben Sie an, wo sie ist (--volume PATH).</translation>
+    </message>
+    <message>
+        <source>it is cropped, and %1 does not say how</source>
+        <translation>sie ist zugeschnitten, und %1 sagt nicht, wie</translation>
+    </message>
+    <message>
+        <source>it is cropped by specification %1, which is missing</source>
+        <translation>sie ist nach Vorgabe %1 zugeschnitten, die fehlt</translation>
+    </message>
+    <message>
+        <source>%1 is missing or damaged</source>
+        <translation>%1 fehlt oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>It is cropped by oblique planes, which Limn does not draw: what they cut away is shown.</source>
+        <translation>Sie ist durch schräge Ebenen zugeschnitten, die Limn nicht zeichnet: Was sie abschneiden, ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>it is cropped by &quot;%1&quot;, which Limn cannot draw</source>
+        <translation>sie ist durch „%1“ zugeschnitten, was Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>export a look without segmentations</source>
+        <translation>exportieren Sie eine Darstellung ohne Segmentierungen</translation>
+    </message>
+    <message>
+        <source>export a look of one volume</source>
+        <translation>exportieren Sie eine Darstellung eines einzelnen Volumens</translation>
+    </message>
+    <message>
+        <source>it shows a segmented volume, whose parts Limn cannot colour separately</source>
+        <translation>sie zeigt ein segmentiertes Volumen, dessen Teile Limn nicht einzeln färben kann</translation>
+    </message>
+    <message>
+        <source>it shows several volumes together, which Limn cannot draw</source>
+        <translation>sie zeigt mehrere Volumen zusammen, was Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>it shows reformatted slices, not a volume</source>
+        <translation>sie zeigt reformatierte Schichten, kein Volumen</translation>
+    </message>
+    <message>
+        <source>it is no presentation state of a volume</source>
+        <translation>sie ist kein Presentation State eines Volumens</translation>
+    </message>
+    <message>
+        <source>The animation (%1) is not played.</source>
+        <translation>Die Animation (%1) wird nicht abgespielt.</translation>
+    </message>
+    <message>
+        <source>The annotations in the volume are not shown.</source>
+        <translation>Die Beschriftungen im Volumen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The annotations on the picture are not shown.</source>
+        <translation>Die Beschriftungen auf dem Bild werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It does not say over which length its opacities hold (Sampling Step Size); they hold over 1 mm.</source>
+        <translation>Sie sagt nicht, über welche Länge ihre Deckkraft gilt (Sampling Step Size); sie gilt über 1&#xa0;mm.</translation>
+    </message>
+    <message>
+        <source>What the near plane cuts away is shown.</source>
+        <translation>Was die nahe Ebene abschneidet, ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>What the far plane cuts away is shown.</source>
+        <translation>Was die ferne Ebene abschneidet, ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>The crop leaves nothing of the volume; all of it is shown.</source>
+        <translation>Der Zuschnitt lässt nichts vom Volumen übrig; es wird ganz gezeigt.</translation>
+    </message>
+    <message>
+        <source>its window is given by a table, which Limn does not apply</source>
+        <translation>ihre Fensterung ist durch eine Tabelle gegeben, die Limn nicht anwendet</translation>
+    </message>
+    <message>
+        <source>export the look with a window of centre and width</source>
+        <translation>exportieren Sie die Darstellung mit Fensterlage und Fensterbreite</translation>
+    </message>
+    <message>
+        <source>its window has no centre, or a width that is none</source>
+        <translation>ihre Fensterung hat keine Lage, oder eine Breite, die keine ist</translation>
+    </message>
+    <message>
+        <source>The window&apos;s function %1 was read as a straight line.</source>
+        <translation>Die Funktion %1 der Fensterung wurde als Gerade gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>it classifies its volume several times, which Limn cannot draw</source>
+        <translation>sie klassifiziert ihr Volumen mehrmals, was Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>its colours depend on two values at a time (TWO_TO_RGBA), which Limn cannot draw</source>
+        <translation>ihre Farben hängen von je zwei Werten ab (TWO_TO_RGBA), was Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>export a look whose colours depend on one</source>
+        <translation>exportieren Sie eine Darstellung, deren Farben von einem abhängen</translation>
+    </message>
+    <message>
+        <source>the kind of its colours, &quot;%1&quot;, is unknown</source>
+        <translation>die Art ihrer Farben, „%1“, ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the tables of its colours and opacity differ in length or bits</source>
+        <translation>die Tabellen ihrer Farben und Deckkraft unterscheiden sich in Länge oder Bits</translation>
+    </message>
+    <message>
+        <source>its table has a single entry</source>
+        <translation>ihre Tabelle hat einen einzigen Eintrag</translation>
+    </message>
+    <message>
+        <source>the kind of its opacities, &quot;%1&quot;, is unknown</source>
+        <translation>die Art ihrer Deckkraft, „%1“, ist unbekannt</translation>
+    </message>
+    <message>
+        <source>it has neither a window nor a table</source>
+        <translation>sie hat weder Fensterung noch Tabelle</translation>
+    </message>
+    <message>
+        <source>%1 contradicts itself</source>
+        <translation>%1 widerspricht sich</translation>
+    </message>
+    <message>
+        <source>%1 is &quot;%2&quot;, which Limn does not know</source>
+        <translation>%1 ist „%2“, was Limn nicht kennt</translation>
+    </message>
+    <message>
+        <source>The field of view lies beside the axis of the view; it was centred.</source>
+        <translation>Das Blickfeld liegt neben der Blickachse; es wurde auf sie gerückt.</translation>
+    </message>
+    <message>
+        <source>its viewpoint is the point that it looks at</source>
+        <translation>ihr Blickpunkt ist der Punkt, auf den sie blickt</translation>
+    </message>
+    <message>
+        <source>The attribute %1 cannot be written; please report it.</source>
+        <translation>Das Attribut %1 kann nicht geschrieben werden; bitte melden Sie es.</translation>
+    </message>
+    <message>
+        <source>export the look again</source>
+        <translation>exportieren Sie die Darstellung noch einmal</translation>
+    </message>
+    <message>
+        <source>it belongs to another series: none of its %1 images is in %2</source>
+        <translation>sie gehört zu einer anderen Serie: Keines ihrer %1 Bilder liegt in %2</translation>
+    </message>
+    <message>
+        <source>name the folder of its series (--volume PATH)</source>
+        <translation>geben Sie den Ordner ihrer Serie an (--volume PATH)</translation>
+    </message>
+    <message>
+        <source>%1 of the %2 images that it belongs to are missing in %3</source>
+        <translation>%1 der %2 Bilder, zu denen sie gehört, fehlen in %3</translation>
+    </message>
+    <message>
+        <source>fetch the whole series again</source>
+        <translation>holen Sie die ganze Serie noch einmal</translation>
+    </message>
+    <message>
+        <source>The model is written as classic: exponents by gradient are not kept.</source>
+        <translation>Das Modell wird als klassisch geschrieben: Exponenten nach dem Gradienten gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Opacity by gradient (O) is not kept: the curve&apos;s own opacity is written.</source>
+        <translation>Die Deckkraft nach dem Gradienten (O) geht verloren: Geschrieben wird die der Kurve.</translation>
+    </message>
+    <message>
+        <source>What robust adds (energy factor, significance, knee) is not kept: sums are clamped.</source>
+        <translation>Was Robust hinzufügt (Energiefaktor, Signifikanz, Knie), geht verloren: Summen werden begrenzt.</translation>
+    </message>
+    <message>
+        <source>Highlights are written as Phong&apos;s, with a quarter of the exponent of Blinn-Phong, as wide.</source>
+        <translation>Glanzlichter werden als solche von Phong geschrieben, mit einem Viertel des Exponenten von Blinn-Phong, ebenso breit.</translation>
+    </message>
+    <message>
+        <source>Highlights in the material&apos;s colour are not kept: they are white.</source>
+        <translation>Glanzlichter in der Farbe des Materials gehen verloren: Sie sind weiß.</translation>
+    </message>
+    <message>
+        <source>The headlight is written as parallel light along the view, so it no longer follows the camera, and towards the edges of the picture it differs.</source>
+        <translation>Das Licht vom Betrachter wird als paralleles Licht in Blickrichtung geschrieben; es folgt der Kamera nicht mehr, und zum Bildrand hin weicht es ab.</translation>
+    </message>
+    <message>
+        <source>The headlight is written as light along the view, so it no longer follows the camera.</source>
+        <translation>Das Licht vom Betrachter wird als Licht in Blickrichtung geschrieben; es folgt der Kamera nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Coefficients times intensity above 1 are limited to 1.</source>
+        <translation>Koeffizient mal Intensität über 1 wird auf 1 begrenzt.</translation>
+    </message>
+    <message>
+        <source>The curve is written as a table of %1 entries over the values of the volume.</source>
+        <translation>Die Kurve wird als Tabelle von %1 Einträgen über die Werte des Volumens geschrieben.</translation>
+    </message>
+    <message>
+        <source>The unit distance of %1 mm is not kept: opacities are written over the step of %2 mm.</source>
+        <translation>Die Einheitslänge von %1&#xa0;mm geht verloren: Die Deckkraft wird über den Schritt von %2&#xa0;mm geschrieben.</translation>
+    </message>
+    <message>
+        <source>The gradient opacity is not kept.</source>
+        <translation>Die Deckkraftkurve über dem Gradienten geht verloren.</translation>
+    </message>
+    <message>
+        <source>The average is not kept: the look is a composite.</source>
+        <translation>Der Mittelwert geht verloren: Die Darstellung ist ein Composite.</translation>
+    </message>
+    <message>
+        <source>The X-ray is not kept: the look is a composite.</source>
+        <translation>Das Röntgenbild geht verloren: Die Darstellung ist ein Composite.</translation>
+    </message>
+    <message>
+        <source>The isosurface is not kept: the look is a composite.</source>
+        <translation>Die Isofläche geht verloren: Die Darstellung ist ein Composite.</translation>
+    </message>
+    <message>
+        <source>The fog is not kept.</source>
+        <translation>Der Nebel geht verloren.</translation>
+    </message>
+    <message>
+        <source>That the body alone is kept is lost: table and holder are shown.</source>
+        <translation>Dass allein der Körper bleibt, geht verloren: Tisch und Kopfhalterung sind zu sehen.</translation>
+    </message>
+    <message>
+        <source>The kept labels are lost, for Limn as well: a look names no label map; save the scene beside it.</source>
+        <translation>Die behaltenen Labels gehen verloren, auch für Limn: Eine Darstellung nennt keine Segmentierung; speichern Sie die Szene daneben.</translation>
+    </message>
+    <message>
+        <source>The error wished for is not kept: steps are equal.</source>
+        <translation>Der gewünschte Fehler geht verloren: Die Schritte sind gleich.</translation>
+    </message>
+    <message>
+        <source>The jitter is not kept.</source>
+        <translation>Das Verwackeln (Jitter) geht verloren.</translation>
+    </message>
+    <message>
+        <source>That the curve is pre-integrated is not kept.</source>
+        <translation>Dass die Kurve vorintegriert wird, geht verloren.</translation>
+    </message>
+    <message>
+        <source>Where rays end early is left to the program that draws.</source>
+        <translation>Wo Strahlen früh enden, bleibt dem Programm überlassen, das zeichnet.</translation>
+    </message>
+    <message>
+        <source>The background is not kept.</source>
+        <translation>Der Hintergrund geht verloren.</translation>
+    </message>
+    <message>
+        <source>Of the picture&apos;s size only the shape is kept, not its pixels.</source>
+        <translation>Von der Bildgröße bleibt nur die Form, nicht die Pixelzahl.</translation>
+    </message>
+    <message>
+        <source>The near plane lies just before the eye, which is within the volume or beside it.</source>
+        <translation>Die nahe Ebene liegt dicht vor dem Auge, das im Volumen oder daneben liegt.</translation>
+    </message>
+    <message>
+        <source>The DICOM object cannot be made; please report it.</source>
+        <translation>Das DICOM-Objekt kann nicht erzeugt werden; bitte melden Sie es.</translation>
+    </message>
+    <message>
+        <source>it is no DICOM object, or one that is damaged or cut off</source>
+        <translation>sie ist kein DICOM-Objekt, oder ein beschädigtes oder abgeschnittenes</translation>
+    </message>
+    <message>
+        <source>what it says of its patient and study cannot be copied</source>
+        <translation>was sie über Patient und Studie sagt, lässt sich nicht übernehmen</translation>
+    </message>
+    <message>
+        <source>It was written by a later Limn, so what only that knows was left aside: update Limn.</source>
+        <translation>Sie wurde von einem neueren Limn geschrieben; was nur dieses kennt, blieb unbeachtet: Aktualisieren Sie Limn.</translation>
+    </message>
+    <message>
+        <source>It was changed by another program since Limn wrote it, so its standard attributes alone were read.</source>
+        <translation>Sie wurde von einem anderen Programm verändert, seit Limn sie schrieb; gelesen wurden allein ihre Standardattribute.</translation>
+    </message>
+    <message>
+        <source>its images are deformed by a non-linear registration, which Limn cannot draw</source>
+        <translation>ihre Bilder werden durch eine nichtlineare Registrierung verformt, was Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>its images are moved by a registration, which Limn does not read</source>
+        <translation>ihre Bilder werden durch eine Registrierung verschoben, die Limn nicht liest</translation>
+    </message>
+    <message>
+        <source>export a look of the images as they are</source>
+        <translation>exportieren Sie eine Darstellung der Bilder, wie sie sind</translation>
+    </message>
+    <message>
+        <source>it has %1 inputs, and Limn draws one volume at a time</source>
+        <translation>sie hat %1 Eingaben, und Limn zeichnet ein Volumen zur Zeit</translation>
+    </message>
+    <message>
+        <source>its input is of the kind &quot;%1&quot;, which Limn cannot draw</source>
+        <translation>ihre Eingabe ist von der Art „%1“, die Limn nicht zeichnen kann</translation>
+    </message>
+    <message>
+        <source>it does not say which images it belongs to</source>
+        <translation>sie sagt nicht, zu welchen Bildern sie gehört</translation>
+    </message>
+    <message>
+        <source>%1 is not within 0 to 1</source>
+        <translation>%1 liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>The direction of the light is missing; it comes from the viewer.</source>
+        <translation>Die Richtung des Lichts fehlt; es kommt vom Betrachter.</translation>
+    </message>
+    <message>
+        <source>the table %1 has %2 entries, where its descriptor announces %3</source>
+        <translation>die Tabelle %1 hat %2 Einträge, wo ihre Beschreibung %3 ankündigt</translation>
+    </message>
+    <message>
+        <source>the table %1 is made of segments that refer to others</source>
+        <translation>die Tabelle %1 besteht aus Segmenten, die auf andere verweisen</translation>
+    </message>
+    <message>
+        <source>export the look with plain tables</source>
+        <translation>exportieren Sie die Darstellung mit einfachen Tabellen</translation>
+    </message>
+    <message>
+        <source>the descriptor %1 does not give the length, first value and bits (8 or 16) of its table</source>
+        <translation>die Beschreibung %1 nennt nicht Länge, ersten Wert und Bits (8 oder 16) ihrer Tabelle</translation>
+    </message>
+    <message>
+        <source>it is compressed as a whole, or big endian</source>
+        <translation>sie ist als Ganzes komprimiert oder Big Endian</translation>
+    </message>
+    <message>
+        <source>export it as explicit little endian</source>
+        <translation>exportieren Sie sie als Explicit Little Endian</translation>
+    </message>
+    <message>
         <source>it is no look that Limn knows</source>
         <translation>sie ist keine Darstellung, die Limn kennt</translation>
     </message>
@@ -6473,6 +6911,17 @@
         <source>open the volume that it is for, then import it again</source>
         <translation>öffnen Sie das Volumen, für das sie gemeint ist, und importieren Sie sie dann erneut</translation>
     </message>
+    <message>
+        <translation>öffnen Sie ein Preset von Limn oder eines anderen Programms, das `limn presets convert --help` nennt</translation>
+    </message>
+    <message>
+        <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
+        <translation>Die Endung von %1 nennt keine Art von Darstellung, die Limn schreibt; diese tun es: %2.</translation>
+    </message>
+    <message>
+        <source>A DICOM look is filed with the series that it is for; name the folder of one (--for FOLDER).</source>
+        <translation>Eine Darstellung in DICOM wird bei der Serie abgelegt, für die sie ist; geben Sie den Ordner einer Serie an (--for FOLDER).</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -6671,6 +7120,10 @@
     <message>
         <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</source>
         <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</translation>
+    </message>
+    <message>
+        <source>The series that this look belongs to is not beside it.</source>
+        <translation>Die Serie, zu der diese Darstellung gehört, liegt nicht daneben.</translation>
     </message>
 </context>
 <context>

@@ -96,6 +96,9 @@ void Actions::makeFileActions() {
   saveTurntable = made("saveTurntable", {.text = tr("Save &turntable…"),
                                          .toolTip = tr("Saves the picture from all around, as frames or a "
                                                        "video.")});
+  saveDicom = made("saveDicom", {.text = tr("Save to D&ICOM…"),
+                                 .toolTip = tr("Saves picture and look of a DICOM series for an archive, "
+                                               "filed with its patient and study.")});
   closeVolume = made("closeVolume", {.text = tr("&Close volume"), .shortcut = QKeySequence::Close});
   quit = made("quit", {.text = tr("&Quit"), .shortcut = QKeySequence::Quit});
 }

@@ -37,6 +37,7 @@ public:
   QAction* savePicture = nullptr;
   QAction* saveFigure = nullptr;
   QAction* saveTurntable = nullptr;
+  QAction* saveDicom = nullptr; ///< enabled while a DICOM series is open
   QAction* closeVolume = nullptr;
   QAction* quit = nullptr;
 

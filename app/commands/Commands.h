@@ -14,6 +14,9 @@ void addInfoCommand(CommandSyntax& root);
 /// `limn render`: a picture of a scene, or of two shading models side by side.
 void addRenderCommand(CommandSyntax& root);
 
+/// `limn dicom SOURCE -o FOLDER`: picture and look of a DICOM series as objects for an archive.
+void addDicomCommand(CommandSyntax& root);
+
 /// `limn figure SCENE…`: a labelled figure of one to four pictures.
 void addFigureCommand(CommandSyntax& root);
 

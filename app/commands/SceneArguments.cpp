@@ -27,6 +27,21 @@ double angleOf(const std::string& turn) {
   return 2.0 * std::numbers::pi * part / parts;
 }
 
+// A look of Limn's or another program's, with what was changed on the way said.
+std::optional<Preset> lookInFile(const Volume& volume, const SceneArguments& arguments) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(arguments.preset, unknown))
+    return std::nullopt;
+  const Grid& grid = volume.grid();
+  const LookTarget target{volume.range().lowest, volume.range().highest,
+                          (grid.spacingMm.x + grid.spacingMm.y + grid.spacingMm.z) / 3.0};
+  const ReadLook look = readLooks(arguments.preset, target).front();
+  if (!arguments.source.quiet)
+    for (const Message& change : look.changes)
+      note(change.english());
+  return look.preset;
+}
+
 enum class Keep { all, body };
 
 Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
@@ -95,8 +110,9 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
 }
 
 void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models) {
-  addSourceArguments(command, arguments.source,
-                     "scene or session file, volume, DICOM folder, Limn picture, or `phantom:SPACING`");
+  addSourceArguments(
+      command, arguments.source,
+      "scene or session file, volume, DICOM folder or look, Limn picture, or `phantom:SPACING`");
   command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command.option("--model", arguments.model, models);
   addLookOptions(command, arguments);
@@ -106,7 +122,7 @@ void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
   command.option(
       "--preset", arguments.preset,
       "name of a built-in or own preset (see `limn presets list`), or a file with a look of Limn or another "
-      "program (see `limn presets convert --help`); without it the best fitting one");
+      "program (see `limn presets convert --help`) or of an archive; without it the best fitting one");
   command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
   command.option("--turn", arguments.turn,
                  "turned about the patient's upright axis by a part of a turn, such as 3/36");

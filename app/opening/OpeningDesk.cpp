@@ -6,6 +6,7 @@
 #include "app/opening/SeriesDialog.h"
 #include "app/presets/LookFiles.h"
 #include "app/window/MessageBar.h"
+#include "io/looks/dicom/DicomLook.h"
 #include "widgets/ValueText.h"
 
 #include <QAction>
@@ -40,7 +41,9 @@ OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu&
   });
   connect(&m_loader, &VolumeLoader::volumeMissing, this,
           [this](const QString& source, const QString& expected) {
-            m_failure = tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+            m_failure = isDicomLookFile(source.toStdString())
+                            ? tr("The series that this look belongs to is not beside it.")
+                            : tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
             m_messages.show(MessageBar::Kind::error, m_failure, {},
                             {tr("Locate volume…"), [this, source] { locateVolume(source); }});
           });
@@ -77,8 +80,11 @@ void OpeningDesk::start(const Request& request, const QString& what) {
 }
 
 void OpeningDesk::locateVolume(const QString& scene) {
-  const QString path = askWhatToOpen(
-      &m_window, {.title = tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName())}, m_settings);
+  const QString path =
+      askWhatToOpen(&m_window,
+                    {.title = tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()),
+                     .isFolder = isDicomLookFile(scene.toStdString())}, // many images
+                    m_settings);
   if (path.isEmpty())
     return;
   Request request = m_requested;

@@ -39,17 +39,6 @@ std::uint8_t level(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
 }
 
-// Lays the premultiplied pixels over the background.
-std::vector<std::uint8_t> composited(const Image& image, const glm::dvec3& background) {
-  std::vector<std::uint8_t> levels;
-  levels.reserve(image.pixels.size() * 3);
-  for (const glm::vec4& pixel : image.pixels)
-    for (int c = 0; c < 3; ++c)
-      levels.push_back(
-          level(static_cast<double>(pixel[c]) + (1.0 - static_cast<double>(pixel.a)) * background[c]));
-  return levels;
-}
-
 void writeAtomically(const fs::path& path, const PictureToWrite& picture) {
   replaceAtomically(path, [&](const fs::path& temporary) {
     const std::string problem = pictureLibrary().write(temporary.string(), picture);
@@ -74,6 +63,17 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
 
 } // namespace
 
+BytePicture bytesOverBackground(const Image& image, const glm::dvec3& background) {
+  BytePicture picture;
+  picture.size = image.size;
+  picture.bytes.reserve(image.pixels.size() * 3);
+  for (const glm::vec4& pixel : image.pixels)
+    for (int c = 0; c < 3; ++c)
+      picture.bytes.push_back(
+          level(static_cast<double>(pixel[c]) + (1.0 - static_cast<double>(pixel.a)) * background[c]));
+  return picture;
+}
+
 void writeImage(const fs::path& path, const Image& image, const glm::dvec3& background,
                 const std::string& description) {
   const Format format = formatOf(path);
@@ -83,7 +83,7 @@ void writeImage(const fs::path& path, const Image& image, const glm::dvec3& back
   if (format == Format::jpeg)
     requireJpegCanHold(path, image.size, description);
   const std::vector<std::uint8_t> levels =
-      format == Format::exr ? std::vector<std::uint8_t>() : composited(image, background);
+      format == Format::exr ? std::vector<std::uint8_t>() : bytesOverBackground(image, background).bytes;
   const void* pixels = format == Format::exr ? static_cast<const void*>(image.pixels.data()) : levels.data();
   writeAtomically(path, {format, image.size.x, image.size.y, pixels, description});
 }

@@ -25,6 +25,9 @@ struct BytePicture {
   double dotsPerInch = 0.0;        ///< at which it is meant to be printed; 0: nothing is said
 };
 
+/// A picture of 8 bits as it is seen: composited over `background` (0..1), RGB, each value rounded.
+BytePicture bytesOverBackground(const Image& image, const glm::dvec3& background);
+
 /// Writes such a picture as PNG or TIFF by its extension, as writeImage does. Throws Error.
 void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
                 const std::string& description);

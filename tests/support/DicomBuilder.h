@@ -35,6 +35,20 @@ public:
     return *this;
   }
 
+  DicomBuilder& fds(std::uint32_t tag, const std::vector<double>& values) {
+    std::vector<std::uint64_t> bits;
+    for (const double value : values)
+      bits.push_back(std::bit_cast<std::uint64_t>(value));
+    m_elements[tag] = {"FD", littleEndian(bits)};
+    return *this;
+  }
+
+  /// 16-bit words of VR OW or SS.
+  DicomBuilder& words(std::uint32_t tag, const std::string& vr, const std::vector<std::uint16_t>& words) {
+    m_elements[tag] = {vr, littleEndian(words)};
+    return *this;
+  }
+
   DicomBuilder& sequence(std::uint32_t tag, const std::vector<DicomBuilder>& items) {
     std::string bytes;
     for (const DicomBuilder& item : items) {

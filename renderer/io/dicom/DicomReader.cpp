@@ -196,10 +196,7 @@ std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const
   requireImages(path, scan);
   std::vector<Message> warnings;
   noteScan(path, scan, warnings);
-  DicomSeries series = sorted(chosenSeries(path, seriesOf(scan.images), options, warnings));
-  series = withoutCopies(std::move(series), warnings);
-  if (isPlaced(series))
-    series = onePhase(series, warnings);
+  const DicomSeries series = shownOf(chosenSeries(path, seriesOf(scan.images), options, warnings), warnings);
   requireSeries(series);
   return volumeOf(path, series, options, progress, std::move(warnings));
 }

@@ -7,6 +7,7 @@ namespace limn {
 
 // One function a family; each stands in a file of its own.
 LookFormat limnPresetFormat();
+LookFormat dicomFormat();
 LookFormat slicerJsonFormat();
 LookFormat slicerTextFormat();
 LookFormat mrmlFormat();

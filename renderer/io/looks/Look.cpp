@@ -53,10 +53,10 @@ std::string writtenEndings() {
 
 const std::vector<LookFormat>& lookFormats() {
   static const std::vector<LookFormat> formats{
-      limnPresetFormat(),    slicerJsonFormat(),     weasisJsonFormat(),     weasisMapsFormat(),
-      paraViewJsonFormat(),  niivueMapFormat(),      osirixPlistFormat(),    mrmlFormat(),
-      mitkFunctionFormat(),  inviwoFunctionFormat(), voreenFunctionFormat(), mricroglClutFormat(),
-      imageVisTableFormat(), slicerTextFormat()};
+      limnPresetFormat(),   dicomFormat(),         slicerJsonFormat(),     weasisJsonFormat(),
+      weasisMapsFormat(),   paraViewJsonFormat(),  niivueMapFormat(),      osirixPlistFormat(),
+      mrmlFormat(),         mitkFunctionFormat(),  inviwoFunctionFormat(), voreenFunctionFormat(),
+      mricroglClutFormat(), imageVisTableFormat(), slicerTextFormat()};
   return formats;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/presets/Preset.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,14 @@ struct LookTarget {
   double low = 0.0;           ///< the volume's lowest and highest value, low < high
   double high = 1.0;          //
   double meanSpacingMm = 1.0; ///< mean of the three distances between voxels: the unit of VTK's gradients
+
+  /// A DICOM series, with which looks for an archive are filed.
+  struct Series {
+    std::shared_ptr<const Volume> volume;
+    std::filesystem::path path; ///< as readVolume took it
+    int number = 1;             ///< as listSeries numbers it there
+  };
+  std::optional<Series> series = {};
 };
 
 /// What a volume gives such formats; a constant one has a range of 1.

@@ -29,8 +29,8 @@ protected:
 };
 
 TEST_F(CommandLine, helpOfEveryCommandShowsAnExample) {
-  for (const char* command :
-       {"", "info", "render", "effects", "presets", "presets show", "presets convert", "bench", "accuracy"}) {
+  for (const char* command : {"", "info", "render", "dicom", "jobs", "effects", "presets", "presets show",
+                              "presets convert", "bench", "accuracy"}) {
     const Outcome outcome = run(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example: limn"), std::string::npos) << outcome.out;

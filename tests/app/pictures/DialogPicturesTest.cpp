@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dicom/DicomDialog.h"
 #include "app/figure/FigureDialog.h"
 #include "app/figure/FigurePreview.h"
 #include "app/opening/SeriesDialog.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/presets/LookReport.h"
+#include "io/looks/dicom/Losses.h"
+#include "widgets/Translated.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -77,6 +80,16 @@ TEST_F(DialogPictures, ofAReportOnLooks) {
       window.get());
   dialog.show();
   take(QStringLiteral("dialog-look-report"), dialog);
+}
+
+TEST_F(DialogPictures, ofSavingToDicom) {
+  DicomDialog dialog(window.get());
+  QStringList losses;
+  for (const Message& loss : lossesOf(session().scene()))
+    losses << translated(loss);
+  dialog.setLosses(losses);
+  dialog.open();
+  take(QStringLiteral("dialog-dicom"), dialog);
 }
 
 TEST_F(DialogPictures, ofEveryMenu) {

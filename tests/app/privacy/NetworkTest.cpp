@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/privacy/Marks.h"
 #include "support/FileBytes.h"
 #include "support/Places.h"
 #include "support/TemporaryFolder.h"
@@ -90,7 +91,8 @@ TEST(Network, theProgramNamesNoLibraryForIt) {
   const Needs needs = needsOf(test::programPath());
   ASSERT_TRUE(needs.libraries.contains("libQt6Core.so.6")) << "the libraries were not read";
   for (const std::string& library : needs.libraries)
-    for (const char* kind : {"Network", "curl", "WebSockets", "WebEngine", "soup", "neon", "ssl"})
+    for (const char* kind :
+         {"Network", "curl", "WebSockets", "WebEngine", "soup", "neon", "ssl", "dcmnet", "dcmtls"})
       EXPECT_EQ(library.find(kind), std::string::npos) << library;
 }
 
@@ -138,6 +140,12 @@ TEST_F(Traced, noCommandMakesOne) {
   EXPECT_EQ(internetSockets(program + "info --system"), "");
   EXPECT_EQ(internetSockets(program + "render phantom:8 --size 32x32 -o " + out), "");
   EXPECT_EQ(internetSockets(program + "effects phantom:8 --size 32x32"), "");
+  test::writeMarkedSeries(folder.path() / "series");
+  const std::string at = folder.path().string();
+  EXPECT_EQ(internetSockets(program + "dicom " + at + "/series --size 32x32 -o " + at + "/objects"), "");
+  EXPECT_EQ(
+      internetSockets(program + "render " + at + "/objects/look.dcm --volume " + at + "/series -o " + out),
+      "");
 }
 
 TEST_F(Traced, theWindowMakesNone) {

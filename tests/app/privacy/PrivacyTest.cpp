@@ -113,6 +113,9 @@ protected:
     for (const char* output : {"f.png", "f.tif", "f.exr", "f.pdf"})
       EXPECT_EQ(limn("figure " + at + " " + at + " --size 200 --dpi 72 --text 4 -o " + output), 0)
           << output << ": " << lastWords();
+    EXPECT_EQ(limn("dicom " + at + " --size 32x32 -o objects"), 0) << lastWords();
+    EXPECT_EQ(limn("dicom " + at + " --size 32x32 --anonymous -o nobodys"), 0) << lastWords();
+    EXPECT_EQ(limn("render objects/look.dcm --volume " + at + " -o looked.png"), 0) << lastWords();
     EXPECT_EQ(limn("turntable " + at + " --frames 2 --size 32x32 -o turn"), 0) << lastWords();
     EXPECT_EQ(limn("accuracy " + at + " --quick --size 32x32 -o report"), 0) << lastWords();
     EXPECT_EQ(limn("render " + at + " -o no/such/folder.png"), 1) << lastWords();
@@ -121,6 +124,15 @@ protected:
     const std::string self = fs::read_symlink("/proc/self/exe").string();
     EXPECT_EQ(run(self, "--gtest_also_run_disabled_tests --gtest_filter='MarkedWindow.*'"), 0) << lastWords();
     EXPECT_EQ(limn("render session.json --volume " + at + " --size 64x48 -o t.png"), 0) << lastWords();
+  }
+
+  // An archive files these two by their patient; without, the UIDs stay by which the look finds its images.
+  bool mayCarry(const fs::path& file, const std::string& mark) const {
+    if (file == root() / "out/objects/look.dcm" || file == root() / "out/objects/picture.dcm")
+      return true;
+    const bool isAnonymous =
+        file == root() / "out/nobodys/look.dcm" || file == root() / "out/nobodys/picture.dcm";
+    return isAnonymous && mark == "1.2.826.99";
   }
 
   // Searches every file below root() but those that `isExempt`.
@@ -136,12 +148,13 @@ protected:
       ++files;
       bytes += entry.file_size();
       for (const std::string& mark : test::marksIn(test::bytesOfFile(entry.path()), searched))
-        ADD_FAILURE() << mark << " in " << entry.path();
+        if (!mayCarry(entry.path(), mark))
+          ADD_FAILURE() << mark << " in " << entry.path();
     }
     for (const char* written :
          {"config/limn/settings.json", "data/limn/limn/presets/Marked.json", "out/session.json",
           "out/scene.json", "out/window.exr", "out/report/accuracy.html", "out/shown.png", "out/f.pdf",
-          "out/turn/frame-0002.png"})
+          "out/turn/frame-0002.png", "out/objects/look.dcm", "out/nobodys/picture.dcm", "out/looked.png"})
       EXPECT_TRUE(fs::exists(root() / written)) << written;
     EXPECT_TRUE(fs::exists(root() / "data/limn/limn/sessions/windows"));
     EXPECT_FALSE(fs::is_empty(root() / "data/limn/limn/sessions/closed"));

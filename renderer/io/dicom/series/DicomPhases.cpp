@@ -163,4 +163,9 @@ DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings) 
   return result;
 }
 
+DicomSeries shownOf(const DicomSeries& series, std::vector<Message>& warnings) {
+  DicomSeries shown = withoutCopies(sorted(series), warnings);
+  return isPlaced(shown) ? onePhase(shown, warnings) : shown;
+}
+
 } // namespace limn

@@ -44,4 +44,7 @@ DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings);
 /// trigger time, echo …) one is kept, with a warning. Returns them sorted.
 DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings);
 
+/// The slices of which the volume of a series is made: sorted, without copies, of one phase.
+DicomSeries shownOf(const DicomSeries& series, std::vector<Message>& warnings);
+
 } // namespace limn

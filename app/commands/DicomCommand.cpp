@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Commands.h"
+
+#include "app/Settings.h"
+#include "app/commands/SceneArguments.h"
+#include "app/dicom/DicomSaving.h"
+#include "app/engines/PictureMaker.h"
+
+#include <memory>
+
+namespace limn {
+namespace {
+
+struct DicomArguments {
+  SceneArguments scene;
+  std::string out;
+  std::string engine = "auto";
+  int threads = 0;
+  bool isAnonymous = false;
+};
+
+const std::map<std::string, PictureEngine> dicomEngines{{"auto", PictureEngine::automatic},
+                                                        {"gl", PictureEngine::gl},
+                                                        {"slices", PictureEngine::slices},
+                                                        {"cpu", PictureEngine::cpu},
+                                                        {"reference", PictureEngine::reference}};
+
+void runDicom(const DicomArguments& arguments) {
+  const bool isQuiet = arguments.scene.source.quiet;
+  const Progress progress = terminalProgress(isQuiet);
+  const PictureEngine engine = chosen(dicomEngines, arguments.engine, "--engine");
+  const LoadedScene loaded =
+      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const SeriesImages series =
+      shownSeries(*loaded.scene.volume, loaded.volumePath, loaded.read.series, progress);
+  Scene scene = adjusted(loaded, arguments.scene);
+  if (!arguments.scene.model.empty())
+    scene.shading.model = modelNamed(arguments.scene.model, "--model");
+  Settings settings;
+  const MadePicture picture = makePictures({scene}, {scene.image.width, scene.image.height}, engine,
+                                           arguments.threads, anyMb, settings.engineMemory())
+                                  .front();
+  const std::vector<Message> losses =
+      saveToDicom(arguments.out, scene, picture.image, series, arguments.isAnonymous);
+  if (isQuiet)
+    return;
+  for (const Message& remark : loaded.notes)
+    note(remark.english());
+  for (const Message& warning : scene.volume->info().warnings)
+    note(warning.english());
+  for (const Message& loss : losses)
+    note(loss.english());
+  note(
+      arguments.isAnonymous
+          ? "look.dcm and picture.dcm leave out what the series says of its patient; its UIDs stay."
+          : "look.dcm and picture.dcm carry what the series says of its patient; --anonymous leaves it out.");
+}
+
+} // namespace
+
+void addDicomCommand(CommandSyntax& root) {
+  auto arguments = std::make_shared<DicomArguments>();
+  CommandSyntax command = root.command(
+      "dicom", "picture and look of a DICOM series as objects for an archive: picture.dcm and look.dcm");
+  addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  command.option("-o,--output", arguments->out, "folder to write picture.dcm and look.dcm to").required();
+  command.option("--engine", arguments->engine,
+                 "auto (the faster of gl and cpu), gl, slices, cpu, or reference (double precision, slow)");
+  command
+      .option("--threads", arguments->threads,
+              "threads of the CPU engine and the reference (default: every core)")
+      .within(1, 4096);
+  command.flag("--anonymous", arguments->isAnonymous,
+               "leave out what the series says of its patient and study, but for the UIDs by which the look "
+               "finds its images");
+  command.footer("Example: limn dicom head/ --model classic -o for-the-archive");
+  command.runs([arguments] { runDicom(*arguments); });
+}
+
+} // namespace limn

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/looks/dicom/Items.h"
+#include "scene/Scene.h"
+
+// The Volume Render Geometry module (PS3.3 C.11.30): from where, how wide, in which way.
+
+namespace limn::dicom {
+
+/// What the module holds, in patient millimetres.
+struct Geometry {
+  Camera camera;
+  double aspect = 1.0; ///< width over height of the picture
+  double nearMm = 0.0; ///< what lies nearer than this or farther than that is cut away
+  double farMm = 0.0;
+  Projection projection = Projection::composite; ///< composite, mip or minip
+  std::optional<double> stepMm;                  ///< along the ray
+};
+
+/// What of a scene goes into the module: near and far lie outside the volume (near never behind the eye).
+Geometry geometryOf(const Scene& scene);
+
+/// How a projection is written: one that the standard does not know as composite.
+Projection standardProjection(Projection projection);
+
+void putGeometry(DcmItem& object, const Geometry& geometry);
+
+/// Throws Error (input) where it is missing or contradicts itself.
+Geometry geometryIn(DcmItem& object, const std::string& name, std::vector<Message>& changes);
+
+/// The nearest and farthest depth of the volume's corners before the eye, mm.
+ValueRange depthsOf(const Camera& camera, const Grid& grid);
+
+} // namespace limn::dicom
