@@ -27,21 +27,6 @@ double angleOf(const std::string& turn) {
   return 2.0 * std::numbers::pi * part / parts;
 }
 
-// A look of Limn's or another program's, with what was changed on the way said.
-std::optional<Preset> lookInFile(const Volume& volume, const SceneArguments& arguments) {
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(arguments.preset, unknown))
-    return std::nullopt;
-  const Grid& grid = volume.grid();
-  const LookTarget target{volume.range().lowest, volume.range().highest,
-                          (grid.spacingMm.x + grid.spacingMm.y + grid.spacingMm.z) / 3.0};
-  const ReadLook look = readLooks(arguments.preset, target).front();
-  if (!arguments.source.quiet)
-    for (const Message& change : look.changes)
-      note(change.english());
-  return look.preset;
-}
-
 enum class Keep { all, body };
 
 Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
