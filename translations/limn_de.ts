@@ -6912,15 +6912,16 @@
         <translation>öffnen Sie das Volumen, für das sie gemeint ist, und importieren Sie sie dann erneut</translation>
     </message>
     <message>
-        <translation>öffnen Sie ein Preset von Limn oder eines anderen Programms, das `limn presets convert --help` nennt</translation>
-    </message>
-    <message>
         <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
         <translation>Die Endung von %1 nennt keine Art von Darstellung, die Limn schreibt; diese tun es: %2.</translation>
     </message>
     <message>
         <source>A DICOM look is filed with the series that it is for; name the folder of one (--for FOLDER).</source>
         <translation>Eine Darstellung in DICOM wird bei der Serie abgelegt, für die sie ist; geben Sie den Ordner einer Serie an (--for FOLDER).</translation>
+    </message>
+    <message>
+        <source>Where the opacity is fully sharp it steps, as it was meant; programs on VTK since 2023 draw a ramp there by mistake.</source>
+        <translation>Wo die Deckkraft ganz scharf ist, springt sie, wie es gemeint war; Programme mit VTK zeichnen dort seit 2023 irrtümlich eine Rampe.</translation>
     </message>
 </context>
 <context>

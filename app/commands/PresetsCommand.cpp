@@ -48,8 +48,20 @@ struct ConvertArguments {
   bool json = false;
 };
 
-std::shared_ptr<const Volume> volumeNamed(const std::string& volume) {
-  return volume.empty() ? nullptr : loadScene(volume, {}, terminalProgress(false)).scene.volume;
+/// The volume that a look is for, and what that gives formats.
+struct Meant {
+  std::shared_ptr<const Volume> volume; ///< null: none was named
+  std::optional<LookTarget> target;
+};
+
+Meant meantFor(const std::string& named) {
+  if (named.empty())
+    return {};
+  const LoadedScene loaded = loadScene(named, {}, terminalProgress(false));
+  Meant meant{loaded.scene.volume, lookTargetOf(*loaded.scene.volume)};
+  if (loaded.scene.volume->info().format == "DICOM")
+    meant.target->series = {loaded.scene.volume, loaded.volumePath, loaded.read.series.value_or(1)};
+  return meant;
 }
 
 // A look that knows the data it was shaped on is fitted to the volume: other programs' files cannot move.
@@ -69,8 +81,7 @@ ReadLook lookToConvert(const ConvertArguments& arguments, const std::optional<Lo
 // Nothing is written before everything is known to be right.
 void convertLook(const ConvertArguments& arguments) {
   requireLookEnding(arguments.out);
-  const std::shared_ptr<const Volume> volume = volumeNamed(arguments.volume);
-  const std::optional<LookTarget> target = volume ? std::optional(lookTargetOf(*volume)) : std::nullopt;
+  const auto [volume, target] = meantFor(arguments.volume);
   ReadLook read = lookToConvert(arguments, target);
   if (volume)
     fitTo(*volume, read);

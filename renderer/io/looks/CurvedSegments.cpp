@@ -146,12 +146,21 @@ std::vector<BentPoint> checkedCurve(std::vector<BentPoint> points, const std::st
   return points;
 }
 
+static bool isOpacityStep(const BentPoint& from, const BentPoint& to) {
+  return isStep(from.sharpness) && from.point.opacity != to.point.opacity &&
+         from.point.value < to.point.value;
+}
+
 std::vector<ControlPoint> straightened(const std::vector<BentPoint>& points, const SegmentRule& rule,
                                        const std::string& name, std::vector<Message>& changes) {
   requireSoundRule(points, rule, name);
   std::vector<ControlPoint> straight;
   for (std::size_t i = 0; i < points.size(); ++i) {
     straight.push_back(points[i].point);
+    if (i + 1 < points.size() && isOpacityStep(points[i], points[i + 1]))
+      tell(changes,
+           Message::tr("Where the opacity is fully sharp it steps, as it was meant; programs on VTK since "
+                       "2023 draw a ramp there by mistake."));
     if (i + 1 < points.size() && Segment(points[i], points[i + 1], rule).appendTo(straight))
       tell(changes, Message::tr("Curved segments became straight ones that differ from them by at most %1.")
                         .arg(Message::rounded(segmentTolerance, 2)));

@@ -36,8 +36,8 @@ std::vector<BentPoint> checkedCurve(std::vector<BentPoint> points, const std::st
 
 /// The curve with straight segments, within segmentTolerance of the curved ones with as few points as that
 /// needs; straight ones and steps stay exact. `points` ascend in value. A sentence is added where it is an
-/// approximation. Throws Error (input), naming `name`, where a logarithmic curve has values that are not
-/// positive, or more than mostLookPoints would be needed.
+/// approximation, and where VTK itself would draw an opacity otherwise. Throws Error (input), naming `name`,
+/// where a logarithmic curve has values that are not positive, or more than mostLookPoints would be needed.
 std::vector<ControlPoint> straightened(const std::vector<BentPoint>& points, const SegmentRule& rule,
                                        const std::string& name, std::vector<Message>& changes);
 

@@ -63,7 +63,11 @@ WrittenLook writeDicomState(const Preset& preset, const std::optional<LookTarget
 } // namespace
 
 LookFormat dicomFormat() {
-  return {"DICOM presentation state of a volume", {".dcm"}, isDicomLook, readDicomState, writeDicomState};
+  return {Message::tr("DICOM presentation state of a volume"),
+          {".dcm"},
+          isDicomLook,
+          readDicomState,
+          writeDicomState};
 }
 
 } // namespace limn

@@ -182,6 +182,15 @@ TEST(SlicerLook, aSceneHoldsSeveralPropertiesByName) {
   EXPECT_TRUE(isTold(looks[1].changes, "interpolation"));
 }
 
+TEST(SlicerLook, anEffectiveRangeIsNoPartOfALook) {
+  for (const char* range : {"0 -1", "-250.0.0 1500", ""})
+    EXPECT_EQ(onlyLook("<MRML><VolumeProperty name=\"CT\" effectiveRange=\"" + std::string(range) +
+                       "\" scalarOpacity=\"4 0 0 9 1\" colorTransfer=\"4 0 1 1 1\"/></MRML>")
+                  .preset.transferFunction.points.size(),
+              2u)
+        << range;
+}
+
 TEST(SlicerLook, whatWasWrittenReadsBackEqual) {
   const std::string text = slicerLines("8 -250 0 60.25 0 60.25 0.9 3071 0.1", "6 0 0.25 47 0.5 128 1",
                                        "8 -250 0.2 0 0 3071 1 1 0.9");
