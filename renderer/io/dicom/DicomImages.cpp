@@ -24,6 +24,9 @@ std::vector<SeriesImages> imagesUnder(const std::filesystem::path& path, const P
     for (const DicomSlice& slice : shown)
       if (listed.insert(slice.header).second)
         images.images.push_back({slice.header->sopClass, slice.header->sopInstance});
+    for (const DicomSlice& slice : series)
+      if (listed.insert(slice.header).second)
+        images.leftOut.push_back(slice.header->sopInstance);
     all.push_back(std::move(images));
   }
   return all;

@@ -23,6 +23,8 @@ struct SeriesImages {
   std::string series;
   std::vector<DicomReference> images; ///< each once, in the order of the slices
   std::filesystem::path firstFile;    ///< the file of the first of them
+  /// Instances of the series that the volume is not made of: other phases.
+  std::vector<std::string> leftOut = {};
 };
 
 /// The series under a path, in the order of listSeries, each without copies and with the images of the phase

@@ -17,6 +17,15 @@ std::size_t countHeld(const std::set<std::string>& wanted, const SeriesImages& s
   return held.size();
 }
 
+// Of a look of several phases one is shown: the others have to be there all the same.
+std::size_t countMissing(const std::set<std::string>& wanted, const SeriesImages& series) {
+  std::set<std::string> there(series.leftOut.begin(), series.leftOut.end());
+  for (const DicomReference& image : series.images)
+    there.insert(image.sopInstance);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(wanted, [&](const std::string& image) { return !there.contains(image); }));
+}
+
 std::set<std::string> instancesOf(const DicomLook& look) {
   std::set<std::string> instances;
   for (const DicomReference& image : look.images)
@@ -39,10 +48,10 @@ const SeriesImages& seriesOf(const DicomLook& look, const std::vector<SeriesImag
                     .arg(wanted.size())
                     .arg(place),
                 Message::tr("name the folder of its series (--volume PATH)"));
-  if (held < wanted.size())
+  if (const std::size_t missing = countMissing(wanted, *best); missing > 0)
     failReading(name,
                 Message::tr("%1 of the %2 images that it belongs to are missing in %3")
-                    .arg(wanted.size() - held)
+                    .arg(missing)
                     .arg(wanted.size())
                     .arg(place),
                 Message::tr("fetch the whole series again"));
@@ -51,8 +60,8 @@ const SeriesImages& seriesOf(const DicomLook& look, const std::vector<SeriesImag
 
 bool belongsToOne(const DicomLook& look, const std::vector<SeriesImages>& all) {
   const std::set<std::string> wanted = instancesOf(look);
-  return std::ranges::any_of(
-      all, [&](const SeriesImages& series) { return countHeld(wanted, series) == wanted.size(); });
+  return std::ranges::any_of(all,
+                             [&](const SeriesImages& series) { return countMissing(wanted, series) == 0; });
 }
 
 } // namespace limn

@@ -298,7 +298,10 @@ TEST(LookSeries, isTheOneThatHoldsEveryImage) {
   };
   EXPECT_NE(refusal({all[0]}).find("another series"), std::string::npos) << refusal({all[0]});
   EXPECT_NE(refusal({}).find("another series"), std::string::npos);
-  EXPECT_NE(refusal({series(1, {{"a", "2"}})}).find("1 of the 2 images"), std::string::npos);
+  SeriesImages part = series(1, {{"a", "2"}});
+  EXPECT_NE(refusal({part}).find("1 of the 2 images"), std::string::npos);
+  part.leftOut = {"1"}; // another phase, which the volume is not made of
+  EXPECT_EQ(seriesOf(look, {part}, "look.dcm", "folder").number, 1);
 }
 
 } // namespace
