@@ -16,8 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Sweep nothingGiven() {
+  Sweep sweep;
+  sweep.engine.clear();
+  return sweep;
+}
+
 struct JobsArguments {
-  Sweep given{.engine = ""}; ///< what of it is not given is empty
+  Sweep given = nothingGiven(); ///< what of it is not given is empty
   std::string from;
 };
 
