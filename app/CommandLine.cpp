@@ -81,6 +81,7 @@ int runCommandLine(int argc, char** argv) {
   addRenderCommand(syntax);
   addFigureCommand(syntax);
   addTurntableCommand(syntax);
+  addSurfaceCommand(syntax);
   addEffectsCommand(syntax);
   addPresetsCommand(syntax);
   addAccuracyCommand(syntax);

@@ -20,6 +20,9 @@ void addFigureCommand(CommandSyntax& root);
 /// `limn turntable`: pictures from all around, as frames or a video.
 void addTurntableCommand(CommandSyntax& root);
 
+/// `limn surface SOURCE --value V -o OUT`: the isosurface as a mesh.
+void addSurfaceCommand(CommandSyntax& root);
+
 /// `limn effects`: what a picture simulates, why, and what each effect costs.
 void addEffectsCommand(CommandSyntax& root);
 
