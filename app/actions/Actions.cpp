@@ -96,6 +96,11 @@ void Actions::makeFileActions() {
   saveTurntable = made("saveTurntable", {.text = tr("Save &turntable…"),
                                          .toolTip = tr("Saves the picture from all around, as frames or a "
                                                        "video.")});
+  exportSurface =
+      made("exportSurface",
+           {.text = tr("E&xport surface…"),
+            .toolTip = tr("Makes a mesh of the surface at a value, to print or to model with: STL, "
+                          "PLY or OBJ, in millimetres.")});
   closeVolume = made("closeVolume", {.text = tr("&Close volume"), .shortcut = QKeySequence::Close});
   quit = made("quit", {.text = tr("&Quit"), .shortcut = QKeySequence::Quit});
 }
@@ -285,9 +290,9 @@ void Actions::makeOtherActions() {
 }
 
 void Actions::setVolumeOpen(bool isOpen) const {
-  for (QAction* action :
-       {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture, saveFigure, saveTurntable,
-        closeVolume, copyPicture, resetCamera, orthographic, cropBox, savePreset, suggest, takeSnapshot})
+  for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
+                          saveFigure, saveTurntable, exportSurface, closeVolume, copyPicture, resetCamera,
+                          orthographic, cropBox, savePreset, suggest, takeSnapshot})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools, layouts, planeLayouts, models[0], models[1]})
     for (QAction* action : group->actions())

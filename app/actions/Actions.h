@@ -37,6 +37,7 @@ public:
   QAction* savePicture = nullptr;
   QAction* saveFigure = nullptr;
   QAction* saveTurntable = nullptr;
+  QAction* exportSurface = nullptr;
   QAction* closeVolume = nullptr;
   QAction* quit = nullptr;
 

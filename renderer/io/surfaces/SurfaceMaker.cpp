@@ -86,7 +86,9 @@ SurfaceMesh chosenTriangles(const ExtractedSurface& closed, MadeSurface& made) {
 SurfaceEstimate estimatedSurface(const Scene& scene, const SurfaceOrder& order, const Progress& progress) {
   requireInRange(*scene.volume, order.isovalue);
   const Solid solid(scene, order.isovalue);
-  return estimateOf(SurfaceLattice(solid, order.cells), order, progress);
+  const SurfaceEstimate estimate = estimateOf(SurfaceLattice(solid, order.cells), order, progress);
+  requireMemoryFor(estimate, order);
+  return estimate;
 }
 
 MadeSurface makeSurface(const Scene& scene, const SurfaceOrder& order, const Progress& progress) {

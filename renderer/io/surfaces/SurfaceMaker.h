@@ -49,7 +49,7 @@ SurfaceEstimate estimatedSurface(const Scene& scene, const SurfaceOrder& order,
                                  const Progress& progress = {});
 
 /// Makes the isosurface of the scene's volume within its crop and kept region, and measures it. Throws as
-/// estimatedSurface does, and Error (input) before it begins where memory would not suffice.
+/// estimatedSurface does, before it begins.
 MadeSurface makeSurface(const Scene& scene, const SurfaceOrder& order, const Progress& progress = {});
 
 } // namespace limn

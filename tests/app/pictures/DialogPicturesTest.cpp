@@ -22,7 +22,7 @@ protected:
 
 TEST_F(DialogPictures, ofEveryDialog) {
   for (const char* name : {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs",
-                           "openFile", "openFolder", "savePreset", "saveTurntable"})
+                           "openFile", "openFolder", "savePreset", "saveTurntable", "exportSurface"})
     takeDialogOf(name, QStringLiteral("dialog-") + QLatin1String(name));
 }
 
