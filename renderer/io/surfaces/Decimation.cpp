@@ -35,7 +35,8 @@ public:
   NearBoundary(const Solid& solid, double toleranceMm)
       : m_solid(solid), m_toleranceMm(toleranceMm), m_voxelMm(smallestSpacingMm(solid.volume().grid())) {}
 
-  // The boundary is crossed between a point within the solid on one side and one outside on the other.
+  // From each point tried the boundary is met within the tolerance: outwards where the point lies in the
+  // solid, inwards where it lies outside. Inwards beyond a face of the crop, the face counts.
   bool has(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
     const glm::dvec3 away = m_solid.vectorToIndex(m_toleranceMm * normal);
@@ -46,7 +47,9 @@ public:
     for (int i = 0; i <= steps; ++i)
       for (int j = 0; i + j <= steps; ++j) {
         const glm::dvec3 at = from + (1.0 * i * toB + 1.0 * j * toC) / (1.0 * steps);
-        if (m_solid.contains(at + away) || !m_solid.contains(at - away))
+        const bool isNear = m_solid.contains(at) ? !m_solid.contains(at + away)
+                                                 : m_solid.contains(m_solid.withinCrop(at - away));
+        if (!isNear)
           return false;
       }
     return true;

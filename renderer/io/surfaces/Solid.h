@@ -19,6 +19,7 @@ public:
   /// The crop within the volume box, which ends half a voxel beyond the outermost centres.
   const glm::dvec3& lower() const { return m_lower; }
   const glm::dvec3& upper() const { return m_upper; }
+  glm::dvec3 withinCrop(const glm::dvec3& index) const { return glm::clamp(index, m_lower, m_upper); }
   bool isWholeVolumeKept() const { return !m_isRestricted; }
 
   /// How far the field lies above the isovalue, and the region's weight above ½.

@@ -99,26 +99,26 @@ std::optional<glm::dvec3> wayAlongDirections(const Solid& solid, const glm::dvec
   return std::nullopt;
 }
 
-// To the nearest place where an edge between voxel centres around the point crosses the boundary: what is too
-// small to lie in any direction is met there.
+// To the nearest place where an edge of the cell around, which ends where the crop does, crosses the
+// boundary: what is too small to lie in any direction is met there.
 std::optional<glm::dvec3> wayToCell(const Solid& solid, const glm::dvec3& pointMm) {
-  const Grid& grid = solid.volume().grid();
-  const glm::dvec3 last(grid.dims - 1);
-  const glm::dvec3 low = glm::clamp(glm::floor(solid.toIndex(pointMm)), glm::dvec3(0.0), last);
+  const glm::dvec3 low = glm::floor(solid.withinCrop(solid.toIndex(pointMm)));
   std::optional<glm::dvec3> nearest;
   for (int edge = 0; edge < 12; ++edge) {
     const int axis = edge / 4;
-    glm::dvec3 from = low, step(0.0);
+    glm::dvec3 from = low;
     from[(axis + 1) % 3] += edge & 1;
     from[(axis + 2) % 3] += edge >> 1 & 1;
-    step[axis] = 1.0;
-    from = glm::min(from, last);
+    glm::dvec3 to = from;
+    to[axis] += 1.0;
+    from = solid.withinCrop(from);
+    to = solid.withinCrop(to);
     const bool isInside = solid.contains(from);
-    if (solid.contains(from + step) == isInside)
+    if (solid.contains(to) == isInside)
       continue;
-    const double at = changeBetween(
-        0.0, 1.0, [&](double share) { return solid.contains(from + share * step) != isInside; });
-    const glm::dvec3 way = indexToWorld(grid, from + at * step) - pointMm;
+    const double share = changeBetween(
+        0.0, 1.0, [&](double at) { return solid.contains(glm::mix(from, to, at)) != isInside; });
+    const glm::dvec3 way = indexToWorld(solid.volume().grid(), glm::mix(from, to, share)) - pointMm;
     if (!nearest || glm::length(way) < glm::length(*nearest))
       nearest = way;
   }

@@ -122,6 +122,19 @@ TEST(Surface, isClosedFlatAtTheCropOrLeftOpenThere) {
   EXPECT_LT(open.mesh.triangles.size(), closed.mesh.triangles.size());
 }
 
+TEST(Surface, isMeasuredAtSpecksInThePlaneOfTheCropToo) {
+  // Of one bright voxel the crop leaves what rises towards it: in the plane, 0.7 voxels before its centre,
+  // the field reaches 30 at a single place, and no other direction than those of the grid leads there.
+  Grid grid;
+  grid.dims = {9, 9, 9};
+  Scene scene =
+      sampledScene(grid, [](const glm::dvec3& mm) { return mm == glm::dvec3(5.0, 4.0, 4.0) ? 100.0 : 0.0; });
+  scene.crop.upper.x = (4.3 + 0.5) / 9.0;
+  const MadeSurface made = makeSurface(scene, at(29.999));
+  EXPECT_TRUE(made.edges.isWatertight());
+  EXPECT_LT(made.error.largest(), 0.002) << "points stay 0.001 voxels from a corner";
+}
+
 TEST(Surface, endsWhereTheVolumeEndsHalfAVoxelBeyondTheLastCentre) {
   // The same value everywhere but in one voxel: the surface at a value between is the box but for a corner.
   Grid grid;
