@@ -24,7 +24,7 @@ vtkNew<vtkPolyData> polyDataOf(const SurfaceMesh& mesh) {
   vtkNew<vtkCellArray> cells;
   cells->Use32BitStorage();
   cells->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size()),
-                       static_cast<vtkIdType>(3 * mesh.triangles.size()));
+                       3 * static_cast<vtkIdType>(mesh.triangles.size()));
   for (const glm::uvec3& triangle : mesh.triangles)
     cells->InsertNextCell({triangle.x, triangle.y, triangle.z});
   vtkNew<vtkPolyData> data;

@@ -36,9 +36,9 @@ std::string descriptionOf(const MadeSurface& made, const std::string& unit) {
 
 std::vector<FileToWrite> filesOf(const std::vector<MadeSurface>& made, const fs::path& path,
                                  const std::string& unit) {
-  std::vector<double> isovalues;
-  for (const MadeSurface& surface : made)
-    isovalues.push_back(surface.order.isovalue);
+  std::vector<double> isovalues(made.size());
+  std::transform(made.begin(), made.end(), isovalues.begin(),
+                 [](const MadeSurface& surface) { return surface.order.isovalue; });
   std::vector<FileToWrite> files;
   for (std::size_t i = 0; const fs::path& file : surfacePaths(path, isovalues)) {
     if (files.empty() || files.back().path != file)
@@ -98,12 +98,13 @@ std::vector<fs::path> surfacePaths(const fs::path& path, const std::vector<doubl
 std::vector<WrittenSurface> exportSurfaces(const Scene& scene, const std::vector<SurfaceOrder>& orders,
                                            const fs::path& path, const Progress& progress) {
   surfaceFormatOf(path);
-  std::vector<double> isovalues;
-  for (const SurfaceOrder& order : orders)
-    isovalues.push_back(order.isovalue);
+  std::vector<double> isovalues(orders.size());
+  std::transform(orders.begin(), orders.end(), isovalues.begin(),
+                 [](const SurfaceOrder& order) { return order.isovalue; });
   requireDifferent(isovalues);
   constexpr double shareOfMaking = 0.9;
   std::vector<MadeSurface> made;
+  made.reserve(orders.size());
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const double share = shareOfMaking / static_cast<double>(orders.size());
     made.push_back(
@@ -113,9 +114,9 @@ std::vector<WrittenSurface> exportSurfaces(const Scene& scene, const std::vector
   writeFrom(0, filesOf(made, path, scene.volume->info().unit), part(progress, shareOfMaking, 1.0));
   std::vector<WrittenSurface> written;
   const std::vector<fs::path> paths = surfacePaths(path, isovalues);
-  for (std::size_t i = 0; i < made.size(); ++i) {
+  written.reserve(made.size());
+  for (std::size_t i = 0; i < made.size(); ++i)
     written.push_back({paths[i], std::move(made[i])});
-  }
   return written;
 }
 
