@@ -83,6 +83,7 @@ int runCommandLine(int argc, char** argv) {
   addFigureCommand(syntax);
   addTurntableCommand(syntax);
   addJobsCommand(syntax);
+  addSurfaceCommand(syntax);
   addEffectsCommand(syntax);
   addPresetsCommand(syntax);
   addAccuracyCommand(syntax);

@@ -78,6 +78,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                  *m_actions.saveFigure, *this}),
       m_turntables(
           {m_document, *m_centre.view, m_saving, m_settings, m_notes, *m_actions.saveTurntable, *this}),
+      m_surfaces({m_session, m_document, *m_panels.curves->valueEditor()->canvas(), m_settings, m_notes,
+                  *m_actions.exportSurface, *this}),
       m_safety(m_document, [this] { return sessionDocument(); },
                {*m_centre.recovery, *m_centre.unsafe, *m_menus.unsavedSessions, *this}),
       m_opening(

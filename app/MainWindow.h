@@ -20,6 +20,7 @@
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
 #include "app/suggestions/SuggestionDesk.h"
+#include "app/surface/SurfaceDesk.h"
 #include "app/turntable/TurntableDesk.h"
 #include "app/window/AccuracyDesk.h"
 #include "app/window/AppearanceDesk.h"
@@ -127,6 +128,7 @@ private:
   SavingDesk m_saving;
   FigureDesk m_figures;
   TurntableDesk m_turntables;
+  SurfaceDesk m_surfaces;
   SessionSafety m_safety;
   OpeningDesk m_opening;
   RemarksDesk m_remarks;

@@ -1603,6 +1603,62 @@
         <source>Export…</source>
         <translation>Exportieren…</translation>
     </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1&#xa0;Millionen</translation>
+    </message>
+    <message>
+        <source>The isosurface that the picture shows.</source>
+        <translation>Die Isofläche, die das Bild zeigt.</translation>
+    </message>
+    <message>
+        <source>The value that is pinned on the curve.</source>
+        <translation>Der Wert, der auf der Kurve angeheftet ist.</translation>
+    </message>
+    <message>
+        <source>The value of the selected point of the curve.</source>
+        <translation>Der Wert des gewählten Punkts der Kurve.</translation>
+    </message>
+    <message>
+        <source>Pin a value with a Shift+click in the picture to begin with that.</source>
+        <translation>Heften Sie mit Umschalt+Klick im Bild einen Wert an, um mit ihm zu beginnen.</translation>
+    </message>
+    <message>
+        <source>About %1 triangles, %2 MB as STL; making it takes %3 MB of memory.</source>
+        <translation>Etwa %1 Dreiecke, %2&#xa0;MB als STL; die Berechnung braucht %3&#xa0;MB Speicher.</translation>
+    </message>
+    <message>
+        <source>Those that the distance allows are taken away.</source>
+        <translation>Wie viele davon wegfallen, bestimmt der Abstand.</translation>
+    </message>
+    <message>
+        <source>Millimetres in the patient&apos;s axes: x to the left, y to the back, z to the head (LPS).</source>
+        <translation>Millimeter in den Achsen des Patienten: x nach links, y nach hinten, z zum Kopf (LPS).</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 triangles.</source>
+        <translation>%1 gespeichert: %2 Dreiecke.</translation>
+    </message>
+    <message>
+        <source>It is watertight: every edge is used twice.</source>
+        <translation>Die Oberfläche ist wasserdicht: Jede Kante gehört zu zwei Dreiecken.</translation>
+    </message>
+    <message>
+        <source>It is open: %1 edges lie at the rims of holes.</source>
+        <translation>Die Oberfläche ist offen: %1 Kanten liegen am Rand von Löchern.</translation>
+    </message>
+    <message>
+        <source>It lies at most %1 mm from the isosurface (%2 mm in the mean), measured at %3 points each way.</source>
+        <translation>Sie liegt höchstens %1&#xa0;mm von der Isofläche entfernt (im Mittel %2&#xa0;mm), gemessen an je %3 Punkten in beiden Richtungen.</translation>
+    </message>
+    <message>
+        <source>That is more than the %1 mm asked for, because the cells are too coarse in places; choose more detail.</source>
+        <translation>Das ist mehr als die gewünschten %1&#xa0;mm, weil die Zellen stellenweise zu grob sind; wählen Sie mehr Details.</translation>
+    </message>
+    <message>
+        <source>Small parts left out: %1; small hollows filled: %2.</source>
+        <translation>Kleine Teile weggelassen: %1; kleine Hohlräume gefüllt: %2.</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2212,6 +2268,14 @@
     <message>
         <source>Saves picture and look of a DICOM series for an archive, filed with its patient and study.</source>
         <translation>Speichert Bild und Darstellung einer DICOM-Serie für ein Archiv, bei ihrem Patienten und ihrer Studie.</translation>
+    </message>
+    <message>
+        <source>E&amp;xport surface…</source>
+        <translation>Oberfläche e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Makes a mesh of the surface at a value, to print or to model with: STL, PLY or OBJ, in millimetres.</source>
+        <translation>Macht aus der Fläche bei einem Wert ein Dreiecksnetz zum Drucken oder Modellieren: STL, PLY oder OBJ, in Millimetern.</translation>
     </message>
 </context>
 <context>
@@ -6923,6 +6987,58 @@
         <source>Where the opacity is fully sharp it steps, as it was meant; programs on VTK since 2023 draw a ramp there by mistake.</source>
         <translation>Wo die Deckkraft ganz scharf ist, springt sie, wie es gemeint war; Programme mit VTK zeichnen dort seit 2023 irrtümlich eine Rampe.</translation>
     </message>
+    <message>
+        <source>Taking away triangles</source>
+        <translation>Dreiecke werden verringert</translation>
+    </message>
+    <message>
+        <source>Finding the surface</source>
+        <translation>Oberfläche wird gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring the surface</source>
+        <translation>Oberfläche wird vermessen</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2; choose another folder or make room.</source>
+        <translation>%1 kann nicht geschrieben werden: %2; wählen Sie einen anderen Ordner oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The value %1 was given twice; give each once.</source>
+        <translation>Der Wert %1 ist doppelt angegeben; geben Sie jeden einmal an.</translation>
+    </message>
+    <message>
+        <source>Writing the surface</source>
+        <translation>Oberfläche wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its ending names no format of surfaces; use .stl, .ply or .obj.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Endung nennt kein Format für Oberflächen; verwenden Sie .stl, .ply oder .obj.</translation>
+    </message>
+    <message>
+        <source>There is no surface at %1, because the volume has values from %2 to %3; choose one between them.</source>
+        <translation>Bei %1 gibt es keine Oberfläche, weil das Volumen Werte von %2 bis %3 hat; wählen Sie einen dazwischen.</translation>
+    </message>
+    <message>
+        <source>There is no surface at %1: nothing within the crop and what is kept reaches it; choose a lower value or a larger crop.</source>
+        <translation>Bei %1 gibt es keine Oberfläche: Nichts in Zuschnitt und behaltenem Bereich erreicht den Wert; wählen Sie einen kleineren Wert oder einen größeren Zuschnitt.</translation>
+    </message>
+    <message>
+        <source>The surface would have about %1 million triangles, which need %2 GiB of memory where %3 are free; crop the volume, choose another value or open a coarser volume.</source>
+        <translation>Die Oberfläche hätte etwa %1&#xa0;Millionen Dreiecke, die %2&#xa0;GiB Speicher brauchen, wo %3 frei sind; schneiden Sie das Volumen zu, wählen Sie einen anderen Wert oder öffnen Sie ein gröberes Volumen.</translation>
+    </message>
+    <message>
+        <source>Counting triangles</source>
+        <translation>Dreiecke werden gezählt</translation>
+    </message>
+    <message>
+        <source>Measuring gradients</source>
+        <translation>Gradienten werden gemessen</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
@@ -8449,6 +8565,124 @@
     <message>
         <source>Use the band %1</source>
         <translation>Band %1 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SurfaceDesk</name>
+    <message>
+        <source>Cancelled; nothing was written.</source>
+        <translation>Abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Counting triangles…</source>
+        <translation>Dreiecke werden gezählt…</translation>
+    </message>
+    <message>
+        <source>Export the surface</source>
+        <translation>Oberfläche exportieren</translation>
+    </message>
+    <message>
+        <source>STL, for printing (*.stl)</source>
+        <translation>STL, zum Drucken (*.stl)</translation>
+    </message>
+    <message>
+        <source>PLY, with normals (*.ply)</source>
+        <translation>PLY, mit Normalen (*.ply)</translation>
+    </message>
+    <message>
+        <source>OBJ, with normals (*.obj)</source>
+        <translation>OBJ, mit Normalen (*.obj)</translation>
+    </message>
+</context>
+<context>
+    <name>limn::SurfaceDialog</name>
+    <message>
+        <source>&amp;Close holes where crop or volume end (printing needs it)</source>
+        <translation>Löcher an Zuschnitt und Volumenende s&amp;chließen (zum Drucken nötig)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Export a surface</source>
+        <translation>Oberfläche exportieren</translation>
+    </message>
+    <message>
+        <source>Specks that enclose less are left out, and smaller hollows filled; 0 keeps all.</source>
+        <translation>Teilchen, die weniger umschließen, fallen weg, und kleinere Hohlräume werden gefüllt; 0 behält alles.</translation>
+    </message>
+    <message>
+        <source>Triangles are taken away as far as this distance from the isosurface allows; 0 keeps all.</source>
+        <translation>Dreiecke fallen weg, soweit dieser Abstand von der Isofläche es erlaubt; 0 behält alle.</translation>
+    </message>
+    <message>
+        <source>As fine as the voxels</source>
+        <translation>So fein wie die Voxel</translation>
+    </message>
+    <message>
+        <source>Twice as fine (4 times the triangles)</source>
+        <translation>Doppelt so fein (4-mal so viele Dreiecke)</translation>
+    </message>
+    <message>
+        <source>3 times as fine (9 times the triangles)</source>
+        <translation>3-mal so fein (9-mal so viele Dreiecke)</translation>
+    </message>
+    <message>
+        <source>Value of the surface</source>
+        <translation>Wert der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Smallest part in cubic millimetres</source>
+        <translation>Kleinster Teil in Kubikmillimetern</translation>
+    </message>
+    <message>
+        <source>Distance from the isosurface in millimetres</source>
+        <translation>Abstand von der Isofläche in Millimetern</translation>
+    </message>
+    <message>
+        <source>Making the surface</source>
+        <translation>Oberfläche wird berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;Value</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>Leave out &amp;parts below</source>
+        <translation>&amp;Teile weglassen unter</translation>
+    </message>
+    <message>
+        <source>mm³</source>
+        <translation>mm³</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify within</source>
+        <translation>&amp;Vereinfachen bis auf</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>&amp;Detail</source>
+        <translation>&amp;Details</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Making the surface and measuring it…</source>
+        <translation>Oberfläche wird berechnet und vermessen…</translation>
+    </message>
+    <message>
+        <source>Flat faces close the surface where the crop, the volume or what is kept of it ends.</source>
+        <translation>Ebene Flächen schließen die Oberfläche, wo der Zuschnitt, das Volumen oder der behaltene Bereich endet.</translation>
     </message>
 </context>
 <context>

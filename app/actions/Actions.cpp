@@ -99,6 +99,11 @@ void Actions::makeFileActions() {
   saveDicom = made("saveDicom", {.text = tr("Save to D&ICOM…"),
                                  .toolTip = tr("Saves picture and look of a DICOM series for an archive, "
                                                "filed with its patient and study.")});
+  exportSurface =
+      made("exportSurface",
+           {.text = tr("E&xport surface…"),
+            .toolTip = tr("Makes a mesh of the surface at a value, to print or to model with: STL, "
+                          "PLY or OBJ, in millimetres.")});
   closeVolume = made("closeVolume", {.text = tr("&Close volume"), .shortcut = QKeySequence::Close});
   quit = made("quit", {.text = tr("&Quit"), .shortcut = QKeySequence::Quit});
 }
@@ -299,8 +304,8 @@ void Actions::makeOtherActions() {
 
 void Actions::setVolumeOpen(bool isOpen) const {
   for (QAction* action : {openLabels, bodyOnly, saveSession, saveSessionAs, saveScene, savePicture,
-                          saveFigure, saveTurntable, closeVolume, copyPicture, resetCamera, orthographic,
-                          cropBox, savePreset, exportLook, suggest, takeSnapshot})
+                          saveFigure, saveTurntable, exportSurface, closeVolume, copyPicture, resetCamera,
+                          orthographic, cropBox, savePreset, exportLook, suggest, takeSnapshot})
     action->setEnabled(isOpen);
   for (const QActionGroup* group : {views, tools, layouts, planeLayouts, models[0], models[1]})
     for (QAction* action : group->actions())

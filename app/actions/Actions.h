@@ -38,6 +38,7 @@ public:
   QAction* saveFigure = nullptr;
   QAction* saveTurntable = nullptr;
   QAction* saveDicom = nullptr; ///< enabled while a DICOM series is open
+  QAction* exportSurface = nullptr;
   QAction* closeVolume = nullptr;
   QAction* quit = nullptr;
 

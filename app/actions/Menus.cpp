@@ -23,7 +23,8 @@ ChangingMenus makeFileMenu(QMenuBar& bar, const Actions& actions) {
   menus.unsavedSessions->setToolTip(QObject::tr("Sessions that were left with unsaved changes."));
   menus.file->addSeparator();
   menus.file->addActions({actions.saveSession, actions.saveSessionAs, actions.saveScene, actions.savePicture,
-                          actions.saveFigure, actions.saveTurntable, actions.saveDicom});
+                          actions.saveFigure, actions.saveTurntable, actions.exportSurface,
+                          actions.saveDicom});
   menus.file->addSeparator();
   menus.file->addActions({actions.closeVolume, actions.quit});
   menus.file->setToolTipsVisible(true);

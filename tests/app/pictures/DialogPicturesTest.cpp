@@ -27,7 +27,7 @@ protected:
 TEST_F(DialogPictures, ofEveryDialog) {
   for (const char* name :
        {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs", "openFile",
-        "openFolder", "savePreset", "importLooks", "exportLook", "saveTurntable"})
+        "openFolder", "savePreset", "importLooks", "exportLook", "saveTurntable", "exportSurface"})
     takeDialogOf(name, QStringLiteral("dialog-") + QLatin1String(name));
 }
 

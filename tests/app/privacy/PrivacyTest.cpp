@@ -117,6 +117,8 @@ protected:
     EXPECT_EQ(limn("dicom " + at + " --size 32x32 --anonymous -o nobodys"), 0) << lastWords();
     EXPECT_EQ(limn("render objects/look.dcm --volume " + at + " -o looked.png"), 0) << lastWords();
     EXPECT_EQ(limn("turntable " + at + " --frames 2 --size 32x32 -o turn"), 0) << lastWords();
+    for (const char* output : {"s.stl", "s.ply", "s.obj"})
+      EXPECT_EQ(limn("surface " + at + " --value 100 -o " + output), 0) << output << ": " << lastWords();
     EXPECT_EQ(limn("accuracy " + at + " --quick --size 32x32 -o report"), 0) << lastWords();
     EXPECT_EQ(limn("render " + at + " -o no/such/folder.png"), 1) << lastWords();
     EXPECT_EQ(limn("render " + at + " --preset none -o a.png"), 2) << lastWords();
