@@ -45,7 +45,7 @@ QList<HelpRow> pictureRows() {
       {QObject::tr("Shift+click"),
        QObject::tr("keep that value: buttons make its tissue more or less opaque")},
       {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
-      {keys({"End", "PgDn", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
+      {keys({"End", "PgDown", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
       {QObject::tr("R"), QObject::tr("reset the camera")},
       {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
       {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},

@@ -76,6 +76,8 @@ void PresetDesk::markShown() {
   if (m_with.session.scene().volume != m_volume)
     showStanding();
   const OpenDocument::PresetInUse preset = m_with.document.presetInUse();
+  if (!m_saidOf.empty() && m_saidOf != preset.name && m_with.messages.sentence() == m_said)
+    m_with.messages.hide(); // it was about another preset
   m_with.browser.setCurrent(QString::fromStdString(preset.name), preset.isModified);
 }
 
@@ -129,8 +131,6 @@ void PresetDesk::use(const QString& name) {
   const std::optional<Preset> preset = fitted(name);
   if (!preset || !m_with.session.scene().volume)
     return;
-  if (!m_said.isEmpty() && m_with.messages.sentence() == m_said)
-    m_with.messages.hide(); // it was about another preset
   show(*preset, tr("use preset %1").arg(presetWords(name)));
   if (const Preset known = *find(name); isInOtherUnits(known))
     isBuiltIn(name) ? sayHowItWasFitted(known) : offerToFit(known);
@@ -190,6 +190,7 @@ void PresetDesk::offerToFit(const Preset& preset) {
 
 void PresetDesk::say(const QString& sentence, const MessageBar::Action& action) {
   m_said = sentence;
+  m_saidOf = m_with.document.presetInUse().name;
   m_with.messages.show(MessageBar::Kind::warning, sentence, {}, action);
 }
 
@@ -249,7 +250,9 @@ void PresetDesk::save(const QString& name) {
   if (!mayBeCalled(name))
     return;
   Preset preset = presetOf(m_with.session.scene(), name.toStdString());
+  std::optional<Preset> replaced;
   if (const auto before = named(m_own, name); before != m_own.end()) {
+    replaced = *before;
     preset.note = before->note;
     preset.folder = before->folder;
   }
@@ -258,16 +261,41 @@ void PresetDesk::save(const QString& name) {
     refresh();
     m_with.session.adoptPreset(preset);
     markShown();
+    if (replaced)
+      offerBack(*replaced, tr("\"%1\" was replaced by what is shown.").arg(name), tr("Take the old one back"),
+                false);
   };
   m_with.notes.attempt(write);
 }
 
+// Nobody is asked before: what was is brought back by one click.
+void PresetDesk::offerBack(const Preset& preset, const QString& sentence, const QString& label,
+                           bool isFavourite) {
+  const auto bringBack = [this, preset, isFavourite] {
+    m_with.notes.attempt([&] {
+      m_store.save(preset);
+      if (isFavourite)
+        m_with.settings.setFavourite(preset.name, true);
+      refresh();
+      markShown();
+    });
+  };
+  say(sentence, {label, bringBack});
+  m_saidOf.clear(); // it holds whatever is shown
+}
+
 void PresetDesk::remove(const QString& name) {
+  const auto known = named(m_own, name);
+  if (known == m_own.end())
+    return;
+  const Preset removed = *known;
   try {
-    m_store.remove(name.toStdString());
-    if (m_with.settings.favourites().contains(name.toStdString()))
-      m_with.settings.setFavourite(name.toStdString(), false);
+    m_store.remove(removed.name);
+    const bool isFavourite = m_with.settings.favourites().contains(removed.name);
+    if (isFavourite)
+      m_with.settings.setFavourite(removed.name, false);
     refresh();
+    offerBack(removed, tr("\"%1\" was deleted.").arg(name), tr("Bring it back"), isFavourite);
   } catch (const Error& error) {
     m_with.messages.show(MessageBar::Kind::error, translated(error.sentence()));
   }

@@ -87,6 +87,7 @@ private:
   bool isBuiltIn(const QString& name) const;
   void offerToFit(const Preset& preset);
   void sayHowItWasFitted(const Preset& preset);
+  void offerBack(const Preset& preset, const QString& sentence, const QString& label, bool isFavourite);
   void say(const QString& sentence, const MessageBar::Action& action = {});
   void ask(const QString& title, const QString& label, const QString& name,
            const std::function<void(const QString&)>& answer);
@@ -106,7 +107,8 @@ private:
   std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
   QString m_previewed;                    ///< what is seen for a while; empty: nothing
   Scene m_previewedFrom;                  ///< the session's, then
-  QString m_said;                         ///< in the message bar, of the preset used last
+  QString m_said;                         ///< in the message bar
+  std::string m_saidOf;                   ///< the preset in use that it is about; empty: of none
 };
 
 } // namespace limn

@@ -87,10 +87,12 @@ void SuggestionDialog::setSuggestions(const std::vector<Suggestion>& suggestions
 }
 
 void SuggestionDialog::setShown(const std::vector<bool>& shown) {
+  m_isSettling = true; // a button that falls out of use gives the focus on: nobody went to the next row
   for (std::size_t i = 0; i < std::min(shown.size(), m_buttons.size()); ++i) {
     m_buttons[i]->setEnabled(!shown[i]);
     m_buttons[i]->setText(shown[i] ? tr("In the curve") : tr("Use"));
   }
+  m_isSettling = false;
 }
 
 void SuggestionDialog::clearRows() {
@@ -135,7 +137,8 @@ QWidget* SuggestionDialog::rowFor(const Suggestion& suggestion, std::size_t inde
 bool SuggestionDialog::eventFilter(QObject* watched, QEvent* event) {
   const QVariant index = watched->property(indexProperty);
   const bool isRow = watched->objectName() == QLatin1String("suggestionRow");
-  if (index.isValid() && (event->type() == QEvent::FocusIn || (isRow && event->type() == QEvent::Enter)))
+  if (index.isValid() && !m_isSettling &&
+      (event->type() == QEvent::FocusIn || (isRow && event->type() == QEvent::Enter)))
     preview(static_cast<std::size_t>(index.toULongLong()));
   if (index.isValid() && (event->type() == QEvent::FocusOut || (isRow && event->type() == QEvent::Leave)))
     preview(std::nullopt);

@@ -55,6 +55,7 @@ private:
   QProgressBar* m_bar;
   QVBoxLayout* m_rows;
   std::vector<QPushButton*> m_buttons; ///< of the rows
+  bool m_isSettling = false;           ///< buttons change by themselves
   std::optional<std::size_t> m_previewed;
 };
 

@@ -90,7 +90,8 @@ void PlaneDesk::showProbe(const std::optional<Probe>& probe) {
   const bool hasCrosshair = m_content.volume && m_content.settings.layout != PlaneLayout::pictureOnly;
   m_parts.curve.setMarkedValue(probe          ? std::optional(probe->value)
                                : hasCrosshair ? valueUnderCrosshair(m_content)
-                                              : std::nullopt);
+                                              : std::nullopt,
+                               probe.has_value());
   m_parts.status.showProbe(probe, m_content.volume.get());
 }
 

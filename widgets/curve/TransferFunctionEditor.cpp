@@ -180,8 +180,8 @@ void TransferFunctionEditor::setUnit(const QString& unit) {
   showSelection();
 }
 
-void TransferFunctionEditor::setMarkedValue(std::optional<double> value) {
-  m_canvas->setMarkedValue(value);
+void TransferFunctionEditor::setMarkedValue(std::optional<double> value, bool isProbed) {
+  m_canvas->setMarkedValue(value, isProbed);
 }
 
 void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {

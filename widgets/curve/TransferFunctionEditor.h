@@ -49,7 +49,7 @@ public:
   void setUnit(const QString& unit);
 
   /// Marks the value under the pointer in the picture.
-  void setMarkedValue(std::optional<double> value);
+  void setMarkedValue(std::optional<double> value, bool isProbed);
 
   /// Marks a value until another is pinned or its mark is removed from the plot's menu, and offers less or
   /// more of its tissue until a point is selected.

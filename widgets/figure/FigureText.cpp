@@ -78,7 +78,8 @@ QString panelDetails(const FigurePanel& panel) {
     return usesLight(panel.scene.projection) ? sideDetails(panel.scene, {}).join(QStringLiteral(" · "))
                                              : QString();
   const PlaneContent content = planeContentOf(panel);
-  return slicePlaceText(content, *panel.plane) + QStringLiteral(" · ") + windowText(content);
+  // What is shown comes first: where there is little room, the end is cut.
+  return windowText(content) + QStringLiteral(" · ") + slicePlaceText(content, *panel.plane);
 }
 
 PlaneContent planeContentOf(const FigurePanel& panel) {

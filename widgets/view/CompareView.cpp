@@ -80,6 +80,7 @@ void CompareView::connectInput() {
   connect(m_input, &ViewInput::cropEdited, this, &CompareView::cropEdited);
   connect(m_input, &ViewInput::wipeEdited, this, &CompareView::moveWipe);
   connect(m_input, &ViewInput::probed, this, &CompareView::probed);
+  connect(m_input, &ViewInput::overlayChanged, this, &CompareView::repaintOverlay);
   connect(m_input, &ViewInput::pinRequested, this, &CompareView::pinRequested);
   connect(m_input, &ViewInput::placePinned, this, &CompareView::placePinned);
   connect(m_input, &ViewInput::modelsRequested, this, &CompareView::offerModels);

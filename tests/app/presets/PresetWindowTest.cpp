@@ -229,5 +229,42 @@ TEST_F(PresetWindow, whatFitsTheVolumeBestStandsFirst) {
   EXPECT_EQ(browser().presets().front().toStdString(), session().preset().name);
 }
 
+TEST_F(PresetWindow, whatIsDeletedOrReplacedIsBroughtBackByOneClick) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto saveAsMine = [this] {
+    onceAsked<QInputDialog>([](QInputDialog& dialog) {
+      dialog.setTextValue(QStringLiteral("Mine"));
+      dialog.accept();
+    });
+    window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+    return test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Mine")).isValid(); });
+  };
+  const auto kept = [this] {
+    const std::vector<Preset> own = PresetStore(UserFolders::below(folder.path()).presets).read().presets;
+    return own.empty() ? std::nullopt : std::optional(own.front());
+  };
+  const auto bringBack = [this] {
+    QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  };
+  ASSERT_TRUE(saveAsMine());
+  const std::optional<Preset> first = kept();
+  ASSERT_TRUE(first);
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0),
+                                {nextGestureId(), QStringLiteral("shift")});
+  ASSERT_TRUE(saveAsMine());
+  EXPECT_NE(kept(), first);
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was replaced")))
+      << messages().sentence().toStdString();
+  bringBack();
+  EXPECT_EQ(kept(), first);
+  emit browser().deleteRequested(QStringLiteral("Mine"));
+  EXPECT_FALSE(kept());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was deleted")))
+      << messages().sentence().toStdString();
+  bringBack();
+  EXPECT_EQ(kept(), first);
+  EXPECT_TRUE(rowOf(browser(), QStringLiteral("Mine")).isValid());
+}
+
 } // namespace
 } // namespace limn

@@ -99,6 +99,8 @@ TEST_F(SuggestionWindow, oneIsTakenOverByMouseOrKeyInOneStep) {
   QPushButton* const used = usable();
   QTest::mouseClick(used, Qt::LeftButton);
   EXPECT_FALSE(used->isEnabled()) << "the curve shows it";
+  EXPECT_EQ(view().scene(), scene())
+      << "and the next row, which has the focus now, is not shown in its place";
   EXPECT_EQ(used->text(), QStringLiteral("In the curve"));
   const TransferFunction first = scene().transferFunction;
   EXPECT_NE(first, before);

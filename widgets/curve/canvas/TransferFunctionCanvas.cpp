@@ -126,6 +126,7 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.selected = m_plot.selected;
   picture.hoveredValue = m_hoveredValue;
   picture.markedValue = m_markedValue;
+  picture.isMarkProbed = m_isMarkProbed;
   picture.pinnedValue = m_pinnedValue;
   picture.hoveredPart = m_hovered.part;
   picture.focused = hasFocus();

@@ -34,7 +34,11 @@ public:
     update();
   }
   void setUnit(const QString& unit) { setShown(m_plot.unit, unit); }
-  void setMarkedValue(std::optional<double> value) { setShown(m_markedValue, value); }
+  /// A value is marked: that under the pointer in the picture (probed), or that at the slices' crosshair.
+  void setMarkedValue(std::optional<double> value, bool isProbed = false) {
+    setShown(m_isMarkProbed, isProbed);
+    setShown(m_markedValue, value);
+  }
   void setPinnedValue(std::optional<double> value) {
     setShown(m_pinnedValue, value);
     emit pinChanged();
@@ -138,6 +142,7 @@ private:
   QString m_hint;
   ValueRange m_visible{0.0, 1.0};
   std::optional<double> m_markedValue;
+  bool m_isMarkProbed = false;
   std::optional<double> m_pinnedValue;
   bool m_fineLowOpacities = false;
 

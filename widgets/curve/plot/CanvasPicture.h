@@ -28,7 +28,8 @@ struct CanvasPicture {
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;
-  std::optional<double> markedValue;  ///< probed in the picture
+  std::optional<double> markedValue;  ///< at the crosshair, or under the pointer
+  bool isMarkProbed = false;          ///< it is the latter
   std::optional<double> pinnedValue;  ///< kept from a click in the picture
   std::optional<QRectF> band;         ///< of the selection under way
   std::optional<std::size_t> readOut; ///< the point whose numbers show beside it

@@ -124,9 +124,10 @@ void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
         painter, picture, *picture.pinnedValue, Qt::SolidLine,
         QObject::tr("pinned: %1").arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
   if (picture.markedValue)
-    paintValueLine(painter, picture, *picture.markedValue, Qt::DashLine,
-                   QObject::tr("at the crosshair: %1")
-                       .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
+    paintValueLine(
+        painter, picture, *picture.markedValue, Qt::DashLine,
+        (picture.isMarkProbed ? QObject::tr("under the pointer: %1") : QObject::tr("at the crosshair: %1"))
+            .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
 }
 
 void paintPoints(QPainter& painter, const CanvasPicture& picture) {

@@ -82,7 +82,7 @@ void ViewInput::press(const QMouseEvent& event) {
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
   if (handle) {
     m_hovered.face = handle->face;
-    m_view->update();
+    emit overlayChanged();
   }
 }
 
@@ -114,7 +114,7 @@ void ViewInput::cancelDrag(const Scene& shown) {
   const ViewDrag drag = *m_drag;
   m_drag.reset();
   ask(undone(drag, shown), drag.gesture);
-  m_view->update();
+  emit overlayChanged();
 }
 
 void ViewInput::doubleClick(const QMouseEvent& event) {
@@ -161,7 +161,7 @@ void ViewInput::hover(const QMouseEvent& event) {
   if (now != m_hovered) {
     m_hovered = now;
     showCursor(handle);
-    m_view->update();
+    emit overlayChanged();
   }
   m_view->setToolTip(toolTipAt(source, point));
   const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
@@ -189,7 +189,7 @@ void ViewInput::showProbe(const std::optional<Probe>& probe, const QPointF& poin
     return;
   m_read = probe ? std::optional(ReadValue{probe->value, point}) : std::nullopt;
   emit probed(probe);
-  m_view->update();
+  emit overlayChanged();
 }
 
 void ViewInput::stopReading() {
@@ -210,7 +210,7 @@ void ViewInput::leave() {
   stopReading();
   m_hovered = {};
   showCursor(std::nullopt);
-  m_view->update();
+  emit overlayChanged();
 }
 
 bool ViewInput::obey(const ViewCommand& command) {

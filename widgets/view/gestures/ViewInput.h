@@ -74,6 +74,7 @@ signals:
   void windowPresetRequested(int number);
   void shortcutListRequested();
   void swapRequested();
+  void overlayChanged(); ///< what lies over the pictures is to be painted anew
   void toolChanged(limn::ViewTool tool);
 
 private:
