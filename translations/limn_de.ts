@@ -1659,6 +1659,10 @@
         <source>Small parts left out: %1; small hollows filled: %2.</source>
         <translation>Kleine Teile weggelassen: %1; kleine Hohlräume gefüllt: %2.</translation>
     </message>
+    <message>
+        <source>under the pointer: %1</source>
+        <translation>unter dem Zeiger: %1</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -6976,10 +6980,6 @@
         <translation>öffnen Sie das Volumen, für das sie gemeint ist, und importieren Sie sie dann erneut</translation>
     </message>
     <message>
-        <source>The ending of %1 names no kind of look that Limn writes; these do: %2.</source>
-        <translation>Die Endung von %1 nennt keine Art von Darstellung, die Limn schreibt; diese tun es: %2.</translation>
-    </message>
-    <message>
         <source>A DICOM look is filed with the series that it is for; name the folder of one (--for FOLDER).</source>
         <translation>Eine Darstellung in DICOM wird bei der Serie abgelegt, für die sie ist; geben Sie den Ordner einer Serie an (--for FOLDER).</translation>
     </message>
@@ -7038,6 +7038,18 @@
     <message>
         <source>the disk is full</source>
         <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>DICOM presentation state of a volume</source>
+        <translation>DICOM-Präsentationszustand eines Volumens</translation>
+    </message>
+    <message>
+        <source>must be a list of texts</source>
+        <translation>muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>Bilderreihe</translation>
     </message>
 </context>
 <context>
@@ -8049,6 +8061,22 @@
     <message>
         <source>Use it as it is</source>
         <translation>Unverändert verwenden</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was replaced by what is shown.</source>
+        <translation>„%1“ wurde durch das Gezeigte ersetzt.</translation>
+    </message>
+    <message>
+        <source>Take the old one back</source>
+        <translation>Das alte zurückholen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was deleted.</source>
+        <translation>„%1“ wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Zurückholen</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ void addTurntableCommand(CommandSyntax& root);
 
 /// `limn jobs VOLUME… -o DIR`: the commands of many pictures, one a line.
 void addJobsCommand(CommandSyntax& root);
+
 /// `limn surface SOURCE --value V -o OUT`: the isosurface as a mesh.
 void addSurfaceCommand(CommandSyntax& root);
 
