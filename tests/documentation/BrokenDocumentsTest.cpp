@@ -78,6 +78,7 @@ TEST(BrokenCommands, areNamed) {
             Faults{"names the option --sise, which the program does not know"});
   EXPECT_EQ(test::brokenCommands("`limn_oi_tests`", known),
             Faults{"names limn_oi_tests, which is not built"});
+  EXPECT_EQ(test::brokenCommands("`{\"limn_oi\": 1}`", known), Faults{}) << "a key of a file";
   EXPECT_EQ(test::brokenCommands("`limn_io_tests --gtest_filter='Other*'`", known),
             Faults{"names the tests Other*, of which there is none"});
 }
