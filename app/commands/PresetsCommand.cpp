@@ -6,7 +6,7 @@
 #include "app/commands/NamedLook.h"
 #include "app/presets/PresetStore.h"
 #include "io/AtomicFile.h"
-#include "io/looks/LookChanges.h"
+#include "io/looks/text/LookChanges.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/presets/PresetFit.h"
 

@@ -88,10 +88,12 @@ void PlaneDesk::show() {
 void PlaneDesk::showProbe(const std::optional<Probe>& probe) {
   m_probe = probe;
   const bool hasCrosshair = m_content.volume && m_content.settings.layout != PlaneLayout::pictureOnly;
-  m_parts.curve.setMarkedValue(probe          ? std::optional(probe->value)
-                               : hasCrosshair ? valueUnderCrosshair(m_content)
-                                              : std::nullopt,
-                               probe.has_value());
+  std::optional<ValueMark> mark;
+  if (probe)
+    mark = {probe->value, true};
+  else if (const auto value = hasCrosshair ? valueUnderCrosshair(m_content) : std::nullopt)
+    mark = {*value, false};
+  m_parts.curve.setMark(mark);
   m_parts.status.showProbe(probe, m_content.volume.get());
 }
 

@@ -3,7 +3,7 @@
 
 #include "FuzzInput.h"
 
-#include "io/looks/Families.h"
+#include "io/looks/families/Families.h"
 #include "io/scenefile/SceneFile.h"
 
 #include <algorithm>

@@ -44,7 +44,7 @@ void saveEditor(const QString& prefix) {
   save(editor, {1200, 120}, prefix + "editor_low.png");
   save(editor, {1200, 260}, prefix + "editor_no_volume.png");
   editor.setHistogram(sampleHistogram());
-  editor.setMarkedValue(700.0);
+  editor.setMark(ValueMark{700.0});
   editor.canvas()->selectPoints({2});
   const PlotTransform plot = editor.canvas()->transform();
   const QPointF hovered(xOfValue(plot, -90.0), yOfOpacity(plot, 0.7));

@@ -180,8 +180,8 @@ void TransferFunctionEditor::setUnit(const QString& unit) {
   showSelection();
 }
 
-void TransferFunctionEditor::setMarkedValue(std::optional<double> value, bool isProbed) {
-  m_canvas->setMarkedValue(value, isProbed);
+void TransferFunctionEditor::setMark(const std::optional<ValueMark>& mark) {
+  m_canvas->setMark(mark);
 }
 
 void TransferFunctionEditor::setPinnedValue(std::optional<double> value) {

@@ -5,6 +5,7 @@
 #include "scene/volume/Histogram.h"
 #include "widgets/Gesture.h"
 #include "widgets/curve/edits/CurveSubject.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 
 #include <QWidget>
 
@@ -49,7 +50,7 @@ public:
   void setUnit(const QString& unit);
 
   /// Marks the value under the pointer in the picture.
-  void setMarkedValue(std::optional<double> value, bool isProbed);
+  void setMark(const std::optional<ValueMark>& mark);
 
   /// Marks a value until another is pinned or its mark is removed from the plot's menu, and offers less or
   /// more of its tissue until a point is selected.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/Look.h"
 
-#include "io/looks/Families.h"
+#include "io/looks/families/Families.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 #include "io/scenefile/SceneFile.h"

@@ -45,7 +45,10 @@ protected:
     return view.mapTo(window.get(), pointOf(view.frame(), worldMm)).toPoint();
   }
 
-  std::optional<double> markedValue() const { return curves().valueEditor()->canvas()->markedValue(); }
+  std::optional<double> markedValue() const {
+    const std::optional<ValueMark> mark = curves().valueEditor()->canvas()->mark();
+    return mark ? std::optional(mark->value) : std::nullopt;
+  }
 
   double valueAtCrosshair() const {
     const Volume& volume = *scene().volume;

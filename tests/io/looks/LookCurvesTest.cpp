@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
-#include "io/looks/LookCurves.h"
-#include "io/looks/OverlappingCurves.h"
-#include "io/looks/Simplified.h"
+#include "io/looks/curves/LookCurves.h"
+#include "io/looks/curves/OverlappingCurves.h"
+#include "io/looks/curves/Simplified.h"
 
 #include <random>
 

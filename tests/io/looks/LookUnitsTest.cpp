@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
-#include "io/looks/LookLight.h"
-#include "io/looks/LookUnits.h"
+#include "io/looks/curves/LookLight.h"
+#include "io/looks/curves/LookUnits.h"
 
 namespace limn {
 namespace {

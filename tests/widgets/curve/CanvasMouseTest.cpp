@@ -16,7 +16,7 @@ TEST_F(CanvasFixture, settingValuesEmitsNothing) {
   m_canvas.setTransferFunction(shifted(sampleFunction(), 10.0));
   m_canvas.setHistogram(sampleHistogram());
   m_canvas.setUnit(QStringLiteral("HU"));
-  m_canvas.setMarkedValue(12.0);
+  m_canvas.setMark(ValueMark{12.0});
   m_canvas.setPinnedValue(40.0);
   m_canvas.setFineLowOpacities(true);
   EXPECT_TRUE(m_edits.empty());

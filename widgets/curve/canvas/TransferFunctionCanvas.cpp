@@ -125,8 +125,7 @@ CanvasPicture TransferFunctionCanvas::picture() {
   picture.hint = m_hint.isEmpty() && !m_plot.values ? tr("Open a volume to see its histogram") : m_hint;
   picture.selected = m_plot.selected;
   picture.hoveredValue = m_hoveredValue;
-  picture.markedValue = m_markedValue;
-  picture.isMarkProbed = m_isMarkProbed;
+  picture.mark = m_mark;
   picture.pinnedValue = m_pinnedValue;
   picture.hoveredPart = m_hovered.part;
   picture.focused = hasFocus();

@@ -5,6 +5,7 @@
 #include "widgets/curve/canvas/CurveDrag.h"
 #include "widgets/curve/canvas/CurveInput.h"
 #include "widgets/curve/edits/CurvePlot.h"
+#include "widgets/curve/plot/CanvasPicture.h"
 #include "widgets/curve/plot/HistogramPicture.h"
 
 #include <QWidget>
@@ -34,11 +35,7 @@ public:
     update();
   }
   void setUnit(const QString& unit) { setShown(m_plot.unit, unit); }
-  /// A value is marked: that under the pointer in the picture (probed), or that at the slices' crosshair.
-  void setMarkedValue(std::optional<double> value, bool isProbed = false) {
-    setShown(m_isMarkProbed, isProbed);
-    setShown(m_markedValue, value);
-  }
+  void setMark(const std::optional<ValueMark>& mark) { setShown(m_mark, mark); }
   void setPinnedValue(std::optional<double> value) {
     setShown(m_pinnedValue, value);
     emit pinChanged();
@@ -53,7 +50,7 @@ public:
   const QString& unit() const { return m_plot.unit; }
   const CurvePlot& plot() const { return m_plot; }
   bool hasPin() const { return m_pinnedValue.has_value(); }
-  std::optional<double> markedValue() const { return m_markedValue; }
+  const std::optional<ValueMark>& mark() const { return m_mark; }
   std::optional<double> pinnedValue() const { return m_pinnedValue; }
   PlotTransform transform() const;
 
@@ -141,8 +138,7 @@ private:
   HistogramCache m_histogram;
   QString m_hint;
   ValueRange m_visible{0.0, 1.0};
-  std::optional<double> m_markedValue;
-  bool m_isMarkProbed = false;
+  std::optional<ValueMark> m_mark;
   std::optional<double> m_pinnedValue;
   bool m_fineLowOpacities = false;
 

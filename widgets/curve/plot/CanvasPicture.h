@@ -15,6 +15,13 @@ class QPainter;
 
 namespace limn {
 
+/// A value that is pointed out on the axis.
+struct ValueMark {
+  double value = 0.0;
+  bool isProbed = false; ///< it lies under the pointer in the picture, otherwise at the slices' crosshair
+  bool operator==(const ValueMark&) const = default;
+};
+
 /// Everything the plot shows, as one value for the painting functions.
 struct CanvasPicture {
   CurveSubject subject = CurveSubject::value;
@@ -28,8 +35,7 @@ struct CanvasPicture {
   PointIndices selected;
   std::optional<std::size_t> hoveredPoint;
   std::optional<double> hoveredValue;
-  std::optional<double> markedValue;  ///< at the crosshair, or under the pointer
-  bool isMarkProbed = false;          ///< it is the latter
+  std::optional<ValueMark> mark;
   std::optional<double> pinnedValue;  ///< kept from a click in the picture
   std::optional<QRectF> band;         ///< of the selection under way
   std::optional<std::size_t> readOut; ///< the point whose numbers show beside it

@@ -123,11 +123,11 @@ void paintMarkedValues(QPainter& painter, const CanvasPicture& picture) {
     paintValueLine(
         painter, picture, *picture.pinnedValue, Qt::SolidLine,
         QObject::tr("pinned: %1").arg(valueText(*picture.pinnedValue, picture.unit, picture.decimals)));
-  if (picture.markedValue)
+  if (picture.mark)
     paintValueLine(
-        painter, picture, *picture.markedValue, Qt::DashLine,
-        (picture.isMarkProbed ? QObject::tr("under the pointer: %1") : QObject::tr("at the crosshair: %1"))
-            .arg(valueText(*picture.markedValue, picture.unit, picture.decimals)));
+        painter, picture, picture.mark->value, Qt::DashLine,
+        (picture.mark->isProbed ? QObject::tr("under the pointer: %1") : QObject::tr("at the crosshair: %1"))
+            .arg(valueText(picture.mark->value, picture.unit, picture.decimals)));
 }
 
 void paintPoints(QPainter& painter, const CanvasPicture& picture) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/looks/Look.h"
+#include "io/looks/curves/ColorSpaces.h"
+
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// A control point of a curve that may bend towards the next one, as VTK has them. `midpoint` is where, as a
+/// fraction of the way, half of the change is done; `sharpness` leads from a straight line (0) to a step (1).
+struct BentPoint {
+  ControlPoint point;
+  double midpoint = 0.5;
+  double sharpness = 0.0;
+};
+
+/// What lies between the points of a curve.
+struct SegmentRule {
+  ColorSpace space = ColorSpace::rgb;
+  bool isLogarithmic = false; ///< fractions of the way are taken of log10 of the value
+};
+
+/// By how much straight segments may differ from curved ones, in opacity and colour.
+inline constexpr double segmentTolerance = 0.01;
+
+/// How much of the change from a point to the next is done at a fraction `u` of the way, 0..1: VTK's rule
+/// (vtkPiecewiseFunction), with a true step at the midpoint where the sharpness is over 0.99.
+double changeDone(double u, double midpoint, double sharpness);
+
+/// As checkedCurve of straight curves (LookCurves.h).
+std::vector<BentPoint> checkedCurve(std::vector<BentPoint> points, const std::string& name,
+                                    std::vector<Message>& changes);
+
+/// The curve with straight segments, within segmentTolerance of the curved ones with as few points as that
+/// needs; straight ones and steps stay exact. `points` ascend in value. A sentence is added where it is an
+/// approximation, and where VTK itself would draw an opacity otherwise. Throws Error (input), naming `name`,
+/// where a logarithmic curve has values that are not positive, or more than mostLookPoints would be needed.
+std::vector<ControlPoint> straightened(const std::vector<BentPoint>& points, const SegmentRule& rule,
+                                       const std::string& name, std::vector<Message>& changes);
+
+} // namespace limn
