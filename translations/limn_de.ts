@@ -2130,7 +2130,7 @@
         <translation>Speichert Ihre ganze Arbeit außer dem Volumen selbst: Darstellung und Kamera, Vergleich, Schnitte und Bereiche.</translation>
     </message>
     <message>
-        <source>Save look and camera (s&amp;cene)…</source>
+        <source>Save look and ca&amp;mera (scene)…</source>
         <translation>Darstellung und Kamera speichern (S&amp;zene)…</translation>
     </message>
     <message>

@@ -79,7 +79,7 @@ void Actions::makeFileActions() {
                           "slices and panels.")});
   saveSessionAs = made("saveSessionAs", {.text = tr("Save session &as…")});
   saveScene =
-      made("saveScene", {.text = tr("Save look and camera (s&cene)…"),
+      made("saveScene", {.text = tr("Save look and ca&mera (scene)…"),
                          .toolTip = tr("Saves how the volume is shown: curve, light, camera, crop. For "
                                        "another volume, or for the command line.")});
   savePicture = made("savePicture",

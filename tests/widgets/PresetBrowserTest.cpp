@@ -173,8 +173,8 @@ TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   EXPECT_EQ(list()->currentIndex().data().toString(), QStringLiteral("CT bone"));
   EXPECT_EQ(marked(), QStringLiteral("CT bone"));
   EXPECT_EQ(m_chosen.size(), 1);
-  EXPECT_EQ(menuTexts(),
-            (QStringList{"Use", "Compare with the picture", "Add to favourites", "Duplicate…", "Copy name"}))
+  EXPECT_EQ(menuTexts(), (QStringList{"Use", "Compare with the picture", "Add to favourites", "Duplicate…",
+                                      "Export…", "Copy name"}))
       << "built-in ones stay as they are";
   trigger("Use");
   EXPECT_EQ(marked(), QStringLiteral("CT lung"));
@@ -185,9 +185,9 @@ TEST_F(PresetBrowserTest, theMenuOfTheKeyboardIsAboutTheRowInHand) {
   m_browser.setCurrent(QStringLiteral("My temporal bone"), true);
   QContextMenuEvent asked(QContextMenuEvent::Keyboard, {}, {});
   QCoreApplication::sendEvent(list(), &asked);
-  EXPECT_EQ(menuTexts(),
-            (QStringList{"Reset to this preset", "Compare with the picture", "Add to favourites",
-                         "Duplicate…", "Rename…", "Note…", "Move to folder", "Delete", "Copy name"}));
+  EXPECT_EQ(menuTexts(), (QStringList{"Reset to this preset", "Compare with the picture", "Add to favourites",
+                                      "Duplicate…", "Export…", "Rename…", "Note…", "Move to folder", "Delete",
+                                      "Copy name"}));
   trigger("Reset to this preset");
   EXPECT_EQ(marked(), QStringLiteral("My temporal bone"));
 }
