@@ -12,7 +12,7 @@ namespace limn {
 
 /// From which pictures of a figure are made.
 struct FigureIngredients {
-  Scene scene;              ///< with a volume
+  Scene scene;                      ///< with a volume
   std::vector<Scene> sides;         ///< what is on screen, from left to right
   std::optional<ComparedLook> look; ///< that is compared on screen with the scene's own
   std::optional<Preset> remembered; ///< the look remembered as "before"

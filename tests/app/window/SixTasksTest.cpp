@@ -183,7 +183,8 @@ TEST_P(SixTasks, theErrorOfThePictureIsThereWithoutAny) {
   const auto says = [this] {
     for (const QWidget* part : window->statusBar()->findChildren<QWidget*>())
       for (const char* text : {"text", "accessibleName"})
-        if (part->isVisible() && part->property(text).toString().contains(QStringLiteral("exact to the screen")))
+        if (part->isVisible() &&
+            part->property(text).toString().contains(QStringLiteral("exact to the screen")))
           return true;
     return false;
   };
