@@ -172,11 +172,11 @@ Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
   if (held == all)
     return {};
   if (held == 1)
-    return Message::tr(
-               "The figure has %1 panels; the first is shown (`limn figure` draws all of them again).")
+    return Message::tr("The figure has %1 panels, of which the window shows the first; the command limn "
+                       "figure draws all of them again.")
         .arg(all);
-  return Message::tr(
-             "The figure has %1 panels; %2 of them are shown (`limn figure` draws all of them again).")
+  return Message::tr("The figure has %1 panels, of which the window shows %2; the command limn figure draws "
+                     "all of them again.")
       .arg(all)
       .arg(held);
 }

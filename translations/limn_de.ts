@@ -5960,12 +5960,12 @@
         <translation>Die Preset-Datei %1 wird ausgelassen: Ein anderes Preset heißt „%2“; geben Sie ihr einen eigenen Namen.</translation>
     </message>
     <message>
-        <source>The figure has %1 panels; the first is shown (`limn figure` draws all of them again).</source>
-        <translation>Die Abbildung hat %1 Teilbilder; das erste wird gezeigt („limn figure“ zeichnet wieder alle).</translation>
+        <source>The figure has %1 panels, of which the window shows the first; the command limn figure draws all of them again.</source>
+        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster das erste zeigt; der Befehl limn figure zeichnet alle erneut.</translation>
     </message>
     <message>
-        <source>The figure has %1 panels; %2 of them are shown (`limn figure` draws all of them again).</source>
-        <translation>Die Abbildung hat %1 Teilbilder; %2 davon werden gezeigt („limn figure“ zeichnet wieder alle).</translation>
+        <source>The figure has %1 panels, of which the window shows %2; the command limn figure draws all of them again.</source>
+        <translation>Die Abbildung hat %1 Teilbilder, von denen das Fenster %2 zeigt; der Befehl limn figure zeichnet alle erneut.</translation>
     </message>
     <message>
         <source>Cannot write %1: this picture needs the ending .png or .tif.</source>

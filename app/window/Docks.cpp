@@ -84,7 +84,7 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   m_right[2] = addRight(tr("&Accuracy"), "accuracyDock", panels.accuracy);
   window.tabifyDockWidget(m_right[1], m_right[2]);
   panels.ray = new RayPanel(&window);
-  m_ray = add(tr("Ra&y"), "rayDock", panels.ray, Qt::RightDockWidgetArea);
+  m_ray = addRight(tr("Ra&y"), "rayDock", panels.ray);
   window.tabifyDockWidget(m_right[2], m_ray);
   m_ray->hide();
   connect(m_ray->toggleViewAction(), &QAction::triggered, m_ray, [this](bool isShown) {
