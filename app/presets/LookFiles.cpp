@@ -30,7 +30,8 @@ bool holdsLooks(const QString& path) {
     return false;
   try {
     const std::string text = readTextFile(path.toStdString());
-    return lookFormatOf(text) && !looksLikeSession(text) && !looksLikeScene(text);
+    const LookFormat* format = lookFormatOf(text);
+    return format && !format->isScene && !looksLikeSession(text) && !looksLikeScene(text);
   } catch (const Error&) {
     return false;
   }

@@ -54,6 +54,7 @@ struct LookFormat {
   std::vector<ReadLook> (*read)(std::string_view text, const std::string& name,
                                 const std::optional<LookTarget>&);
   WrittenLook (*write)(const Preset&, const std::optional<LookTarget>&); ///< null: only read
+  bool isScene = false; ///< its files say what is seen from where, too: they are opened rather than imported
 };
 
 /// Every family, in the order in which a file is asked for its own.

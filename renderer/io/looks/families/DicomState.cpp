@@ -67,7 +67,8 @@ LookFormat dicomFormat() {
           {".dcm"},
           isDicomLook,
           readDicomState,
-          writeDicomState};
+          writeDicomState,
+          true};
 }
 
 } // namespace limn
