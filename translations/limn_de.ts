@@ -2605,6 +2605,10 @@
         <source>Not now</source>
         <translation>Jetzt nicht</translation>
     </message>
+    <message>
+        <source>The picture: %1, %2 × %3 pixels, without marks on it.</source>
+        <translation>Das Bild: %1, %2 × %3 Pixel, ohne Beschriftung.</translation>
+    </message>
 </context>
 <context>
     <name>limn::DicomDialog</name>
@@ -2655,6 +2659,10 @@
     <message>
         <source>What &amp;others see differently (Limn reads all of it back, but for kept labels):</source>
         <translation>Was &amp;andere anders sehen (Limn liest alles davon zurück, nur behaltene Labels nicht):</translation>
+    </message>
+    <message>
+        <source>The two files name nobody. They keep the UIDs of the study and of its images, by which the look finds them.</source>
+        <translation>Die beiden Dateien nennen niemanden. Sie behalten die UIDs der Studie und ihrer Bilder, über die die Darstellung sie findet.</translation>
     </message>
 </context>
 <context>
@@ -3733,12 +3741,12 @@
         <translation>Exportierte Darstellung</translation>
     </message>
     <message>
-        <source>The file was written. It does not hold all that is shown:</source>
-        <translation>Die Datei wurde geschrieben. Sie enthält nicht alles, was gezeigt wird:</translation>
-    </message>
-    <message>
         <source>written</source>
         <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>The file was written. What it holds otherwise than shown, or not at all:</source>
+        <translation>Die Datei wurde geschrieben. Was sie anders enthält als gezeigt, oder gar nicht:</translation>
     </message>
 </context>
 <context>
@@ -7247,8 +7255,8 @@
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</source>
-        <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)</translation>
+        <source>Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf *.clut *.tfi *.1dt)</source>
+        <translation>Alles, was Limn liest (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm *.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf *.clut *.tfi *.1dt)</translation>
     </message>
     <message>
         <source>The series that this look belongs to is not beside it.</source>

@@ -14,13 +14,20 @@
 #include "io/looks/dicom/Losses.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QAction>
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <cmath>
+
 namespace limn {
 namespace {
+
+// Of a picture for an archive, pixels.
+constexpr double leastSide = 1024.0;
 
 bool isSeries(const Scene& scene) {
   return scene.volume && scene.volume->info().format == "DICOM";
@@ -54,13 +61,15 @@ DicomDesk::DicomDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts
   });
 }
 
-// What is on the left, in the size that it is seen in.
+// What is on the left, in the shape that it is seen in, and large enough to be read in an archive.
 Scene DicomDesk::sceneToSave() const {
   Scene scene = m_parts.view.sceneOfSide(0);
   const QRectF picture = m_parts.view.logicalRect(0);
   const double density = m_parts.window.devicePixelRatioF();
-  scene.image.width = std::max(1, static_cast<int>(picture.width() * density));
-  scene.image.height = std::max(1, static_cast<int>(picture.height() * density));
+  const double shorter = std::max(1.0, std::min(picture.width(), picture.height()) * density);
+  const double scale = density * std::max(1.0, leastSide / shorter);
+  scene.image.width = std::max(1, static_cast<int>(std::lround(picture.width() * scale)));
+  scene.image.height = std::max(1, static_cast<int>(std::lround(picture.height() * scale)));
   return scene;
 }
 
@@ -84,8 +93,13 @@ void DicomDesk::show() {
 void DicomDesk::showLosses() {
   if (!m_dialog || !m_dialog->isVisible() || !isSeries(m_parts.document.scene()))
     return;
+  const Scene scene = sceneToSave();
+  m_dialog->setPicture(tr("The picture: %1, %2 × %3 pixels, without marks on it.")
+                           .arg(sideTitle(scene))
+                           .arg(scene.image.width)
+                           .arg(scene.image.height));
   QStringList losses;
-  for (const Message& loss : lossesOf(sceneToSave()))
+  for (const Message& loss : lossesOf(scene))
     losses << translated(loss);
   m_dialog->setLosses(losses);
 }

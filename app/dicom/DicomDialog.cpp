@@ -21,7 +21,7 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
 } // namespace
 
 DicomDialog::DicomDialog(QWidget* parent)
-    : QDialog(parent),
+    : QDialog(parent), m_picture(wrapped({}, this)), m_carries(wrapped({}, this)),
       m_anonymous(new QCheckBox(tr("&Leave out what the series says of its patient and study"), this)),
       m_losses(new QListWidget(this)), m_text(wrapped({}, this)), m_bar(new QProgressBar(this)),
       m_save(new QPushButton(tr("&Save…"), this)), m_close(new QPushButton(tr("Close"), this)) {
@@ -55,9 +55,8 @@ DicomDialog::DicomDialog(QWidget* parent)
       wrapped(tr("Saves two files for an archive: the picture (picture.dcm) and the look that it "
                  "was made with (look.dcm), which other programs and Limn can open."),
               this));
-  column->addWidget(wrapped(tr("The two files carry what the series says of its patient, because an archive "
-                               "files them by it. Nothing else that Limn writes does."),
-                            this));
+  column->addWidget(m_picture);
+  column->addWidget(m_carries);
   column->addWidget(m_anonymous);
   column->addWidget(lossTitle);
   column->addWidget(m_losses, 1);
@@ -65,12 +64,26 @@ DicomDialog::DicomDialog(QWidget* parent)
   column->addWidget(m_bar);
   column->addLayout(buttons);
   setMinimumWidth(520);
+  connect(m_anonymous, &QCheckBox::toggled, this, &DicomDialog::sayWhatTheyCarry);
+  sayWhatTheyCarry();
   connect(m_save, &QPushButton::clicked, this, &DicomDialog::saveRequested);
   connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
 bool DicomDialog::isAnonymous() const {
   return m_anonymous->isChecked();
+}
+
+void DicomDialog::sayWhatTheyCarry() {
+  m_carries->setText(isAnonymous()
+                         ? tr("The two files name nobody. They keep the UIDs of the study and of its images, "
+                              "by which the look finds them.")
+                         : tr("The two files carry what the series says of its patient, because an archive "
+                              "files them by it. Nothing else that Limn writes does."));
+}
+
+void DicomDialog::setPicture(const QString& sentence) {
+  m_picture->setText(sentence);
 }
 
 void DicomDialog::setLosses(const QStringList& sentences) {

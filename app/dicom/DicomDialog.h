@@ -22,6 +22,9 @@ public:
 
   bool isAnonymous() const;
 
+  /// What the picture shows, and in which size.
+  void setPicture(const QString& sentence);
+
   /// What other programs do not find in the look, a sentence each.
   void setLosses(const QStringList& sentences);
 
@@ -37,6 +40,10 @@ protected:
   void done(int result) override;
 
 private:
+  void sayWhatTheyCarry();
+
+  QLabel* m_picture;
+  QLabel* m_carries; ///< what the files say of the patient
   QCheckBox* m_anonymous;
   QListWidget* m_losses;
   QStringList m_shown; ///< in the list

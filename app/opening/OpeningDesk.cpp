@@ -99,7 +99,8 @@ void OpeningDesk::askForFile() {
       {.title = tr("Open a volume, session, scene or Limn picture"),
        .filters =
            QStringList{tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
-                          "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf)")} +
+                          "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf "
+                          "*.clut *.tfi *.1dt)")} +
            readLookFilters()},
       m_settings);
   if (!path.isEmpty())

@@ -122,7 +122,8 @@ void LookDesk::write(const Preset& preset, const QString& path) {
     writeFileAtomically(target, written.text);
   };
   if (m_with.notes.attempt(writeFile, path) && !written.changes.empty())
-    report(tr("Exported look"), tr("The file was written. It does not hold all that is shown:"),
+    report(tr("Exported look"),
+           tr("The file was written. What it holds otherwise than shown, or not at all:"),
            {{QFileInfo(path).fileName(), tr("written"), sentencesOf(written.changes), false}});
 }
 

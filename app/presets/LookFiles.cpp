@@ -49,7 +49,7 @@ QStringList readLookFilters() {
 QStringList writtenLookFilters() {
   QStringList filters;
   for (const LookFormat& format : lookFormats())
-    if (format.write)
+    if (format.write && !format.isScene) // those are saved with a series
       filters << QStringLiteral("%1 (%2)").arg(translated(format.name), patterns(format));
   return filters;
 }

@@ -17,7 +17,7 @@ constexpr double bytesEachTakenAway = 220.0;
 
 Message valueText(const Volume& volume, double value) {
   const Message number = Message::rounded(value, 6);
-  return volume.info().unit.empty() ? number : Message("%1 %2").arg(number).arg(volume.info().unit);
+  return volume.info().unit.empty() ? number : number.followedBy(" ", volume.info().unit);
 }
 
 void requireInRange(const Volume& volume, double isovalue) {

@@ -2,8 +2,8 @@
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/curves/PointLook.h"
 #include "io/looks/families/Families.h"
+#include "io/looks/families/XmlText.h"
 #include "io/looks/text/LookText.h"
-#include "io/looks/text/XmlText.h"
 #include "io/reading/ReadError.h"
 
 #include <limits>

@@ -6,9 +6,9 @@
 #include "io/looks/curves/LookUnits.h"
 #include "io/looks/curves/OverlappingCurves.h"
 #include "io/looks/families/Families.h"
+#include "io/looks/families/PlistFields.h"
 #include "io/looks/families/VtkProperty.h"
 #include "io/looks/text/LookText.h"
-#include "io/looks/text/PlistFields.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/looks/text/XmlText.h"
+#include "io/looks/families/XmlText.h"
 
 #include "io/looks/curves/LookCurves.h"
 #include "io/reading/HeaderText.h"
