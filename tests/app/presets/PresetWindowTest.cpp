@@ -252,7 +252,7 @@ TEST_F(PresetWindow, whatIsDeletedOrReplacedIsBroughtBackByOneClick) {
   session().setTransferFunction(shifted(scene().transferFunction, 50.0),
                                 {nextGestureId(), QStringLiteral("shift")});
   ASSERT_TRUE(saveAsMine());
-  EXPECT_NE(kept(), first);
+  ASSERT_TRUE(test::waitUntil([&] { return kept() != first; }));
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was replaced")))
       << messages().sentence().toStdString();
   bringBack();
