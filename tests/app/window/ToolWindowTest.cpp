@@ -196,6 +196,8 @@ TEST_F(ToolWindow, theWindowsOfTheSlicesDoNotLookHoveredOnceTheirMenuIsLeft) {
   ASSERT_NE(button, nullptr);
   const QImage idleLook = button->grab().toImage();
   const QPoint middle = button->mapTo(window.get(), button->rect().center());
+  QCursor::setPos(window->mapToGlobal(QPoint(1, 1))); // one that is there already does not enter
+  ASSERT_TRUE(test::waitUntil([&] { return !button->underMouse(); }));
   QCursor::setPos(window->mapToGlobal(middle));
   ASSERT_TRUE(test::waitUntil([&] { return button->underMouse(); }));
   QTimer leave;
