@@ -82,13 +82,7 @@ void putDisplay(DcmItem& object, const std::string& inputSet, const ColourTable&
   for (std::size_t c = 0; c < tableChannels().size(); ++c)
     putChannel(component, tableChannels()[c], table, c);
   putNothing(object, DCM_PresentationStateCompositorComponentSequence); // one volume: nothing to composite
-  const std::string profile = srgbProfile();
-  require(object
-              .putAndInsertUint8Array(DCM_ICCProfile, reinterpret_cast<const Uint8*>(profile.data()),
-                                      static_cast<unsigned long>(profile.size()))
-              .good(),
-          DCM_ICCProfile);
-  putText(object, DCM_ColorSpace, "SRGB");
+  putSrgb(object);
 }
 
 } // namespace limn::dicom

@@ -25,13 +25,7 @@ void putPixels(DcmItem& object, const BytePicture& picture) {
                                       static_cast<unsigned long>(bytes.size()))
               .good(),
           DCM_PixelData);
-  const std::string profile = srgbProfile();
-  require(object
-              .putAndInsertUint8Array(DCM_ICCProfile, reinterpret_cast<const Uint8*>(profile.data()),
-                                      static_cast<unsigned long>(profile.size()))
-              .good(),
-          DCM_ICCProfile);
-  putText(object, DCM_ColorSpace, "SRGB");
+  putSrgb(object);
 }
 
 // Once lossy, always lossy: a picture of such images is one as well.

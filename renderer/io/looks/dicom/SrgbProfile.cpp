@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/SrgbProfile.h"
 
+#include "io/looks/dicom/Items.h"
+
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -85,6 +87,16 @@ std::string srgbProfile() {
     data += content;
   }
   return header(start + static_cast<std::uint32_t>(data.size())) + table + data;
+}
+
+void dicom::putSrgb(DcmItem& object) {
+  const std::string profile = srgbProfile();
+  require(object
+              .putAndInsertUint8Array(DCM_ICCProfile, reinterpret_cast<const Uint8*>(profile.data()),
+                                      static_cast<unsigned long>(profile.size()))
+              .good(),
+          DCM_ICCProfile);
+  putText(object, DCM_ColorSpace, "SRGB");
 }
 
 } // namespace limn
