@@ -34,12 +34,11 @@ struct RootArguments {
   SourceArguments source;
 };
 
-int parseAndRun(ProgramSyntax& program, int argc, char** argv, RootArguments& arguments) {
+} // namespace
+
+int statusOf(const std::function<int()>& work) {
   try {
-    if (const std::optional<int> status = program.run(argc, argv))
-      return *status;
-    arguments.window.options = sourceOptions(arguments.source);
-    return runWindow(argc, argv, arguments.window);
+    return work();
   } catch (const Error& error) {
     note(error.what());
     return statusOf(error.kind());
@@ -53,14 +52,20 @@ int parseAndRun(ProgramSyntax& program, int argc, char** argv, RootArguments& ar
   }
 }
 
-} // namespace
+std::string versionOfProgram() {
+  return LIMN_VERSION;
+}
 
-int runCommandLine(int argc, char** argv) {
+void nameProgram() {
   QCoreApplication::setApplicationName(QStringLiteral("limn"));
   QCoreApplication::setOrganizationName(QStringLiteral("limn"));
   QCoreApplication::setApplicationVersion(QStringLiteral(LIMN_VERSION));
   // What commands print and write is the same everywhere; the window asks for the user's locale.
   QLocale::setDefault(QLocale::c());
+}
+
+int runCommandLine(int argc, char** argv) {
+  nameProgram();
   ProgramSyntax program("limn",
                         "Limn shows CT and MR volumes: shape a transfer function, compare classic and "
                         "gradient-enhanced Blinn-Phong. Not for diagnosis.",
@@ -68,10 +73,14 @@ int runCommandLine(int argc, char** argv) {
   RootArguments arguments;
   WindowArguments& window = arguments.window;
   CommandSyntax syntax = program.words();
-  syntax.option("PATH", window.path,
-                "open the window on this volume, DICOM folder, session, scene or Limn picture");
-  syntax.option("--screenshot", window.screenshot,
-                "save a PNG of the window once its picture rests, then quit");
+  syntax
+      .option("PATH", window.path,
+              "open the window on this volume, DICOM folder, session, scene or Limn picture")
+      .words({"sample"})
+      .file();
+  syntax
+      .option("--screenshot", window.screenshot, "save a PNG of the window once its picture rests, then quit")
+      .file({".png"});
   syntax.option("--theme", window.theme, "light, dark or contrast (high), for this run")
       .oneOf({"light", "dark", "contrast"});
   syntax.option("--language", window.language, "of the window for this run: en or de").oneOf({"en", "de"});
@@ -89,7 +98,14 @@ int runCommandLine(int argc, char** argv) {
   addAccuracyCommand(syntax);
   addStabilityCommand(syntax);
   addBenchCommand(syntax);
-  return parseAndRun(program, argc, argv, arguments);
+  addGuideCommand(syntax);
+  addDescribeCommand(syntax, program, LIMN_VERSION);
+  return statusOf([&] {
+    if (const std::optional<int> status = program.run(argc, argv))
+      return *status;
+    arguments.window.options = sourceOptions(arguments.source);
+    return runWindow(argc, argv, arguments.window);
+  });
 }
 
 } // namespace limn

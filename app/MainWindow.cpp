@@ -4,6 +4,7 @@
 #include "app/actions/ModelMenus.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
+#include "app/window/FirstSize.h"
 #include "app/window/MessageBar.h"
 #include "scene/framing/Framing.h"
 #include "widgets/accuracy/AccuracyPanel.h"
@@ -88,7 +89,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
       m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this),
       m_dicom({m_session, m_document, *m_centre.view, m_opening, m_settings, m_notes, *m_centre.messages,
                *m_actions.saveDicom, *this}),
-      m_drops(*this) {
+      m_drops(*this),
+      m_tour({m_session, m_settings, *m_actions.tour, *m_actions.openSample, *m_centre.tour, *this}) {
   setObjectName(QStringLiteral("limnWindow"));
   setMinimumSize(800, 560);
   connectSettings();
@@ -100,7 +102,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
   connectActions();
   m_panels.history->setStack(&m_session.undoStack());
   m_presets.refresh();
-  resize(QSize(1440, 900).boundedTo(screen()->availableSize())); // at 200 % a screen may have less
+  resize(firstWindowSize(screen()->availableSize()));
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
   m_title.show();
@@ -244,7 +246,7 @@ void MainWindow::connectSaving() {
 }
 
 void MainWindow::connectActions() {
-  const auto run = [this](const QAction* action, auto* receiver, auto slot) {
+  const auto run = [](const QAction* action, auto* receiver, auto slot) {
     connect(action, &QAction::triggered, receiver, slot);
   };
   run(m_actions.openFile, &m_opening, &OpeningDesk::askForFile);

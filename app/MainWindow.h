@@ -21,6 +21,7 @@
 #include "app/saving/SavingDesk.h"
 #include "app/suggestions/SuggestionDesk.h"
 #include "app/surface/SurfaceDesk.h"
+#include "app/tour/TourDesk.h"
 #include "app/turntable/TurntableDesk.h"
 #include "app/window/AccuracyDesk.h"
 #include "app/window/AppearanceDesk.h"
@@ -63,6 +64,9 @@ public:
 
   /// From now on the session is autosaved, and what an earlier window left behind is offered.
   void keepSessions() { m_safety.begin(m_folders.sessions); }
+
+  /// Offers a tour of the window to who has not seen it.
+  void offerTour() { m_tour.offer(); }
 
   /// What a session file of this moment says, but for where its volume is and its own place.
   SessionDocument sessionDocument() const;
@@ -134,6 +138,7 @@ private:
   RemarksDesk m_remarks;
   DicomDesk m_dicom;
   DropDesk m_drops;
+  TourDesk m_tour;
 };
 
 } // namespace limn

@@ -12,7 +12,6 @@
 
 #include <QFileInfo>
 
-#include <algorithm>
 #include <utility>
 
 namespace limn {
@@ -31,10 +30,12 @@ const std::string patientKey = "showPatient";
 const std::string movingKey = "movingMs";
 const std::string engineKey = "engine";
 const std::string galleryKey = "presetGallery";
+const std::string tourKey = "tourIsKnown";
 const std::string favouritePrefix = "favourite/";
 const std::string trialPrefix = "trial/";
 const std::string folderKey = "dialogFolder";
 const std::string saveFolderKey = "saveFolder";
+const std::string lookEndingKey = "lookEnding";
 const std::string recentPrefix = "recent/";
 const std::string knownPrefix = "known/";
 const std::string volumePrefix = "volume/";
@@ -198,6 +199,14 @@ void Settings::setDialogFolder(const QString& folder) {
   set(folderKey, folder);
 }
 
+QString Settings::lookEnding() const {
+  return text(lookEndingKey);
+}
+
+void Settings::setLookEnding(const QString& ending) {
+  set(lookEndingKey, ending);
+}
+
 std::string Settings::referenceTo(const std::string& path, const std::string& kind) {
   readAgain();
   if (const std::string known = nameOf(m_values, volumePrefix, path); !known.empty())
@@ -296,6 +305,14 @@ void Settings::setEngine(EngineSetting engine) {
   for (const auto& [setting, name] : engineWords)
     if (setting == engine)
       set(engineKey, QLatin1String(name));
+}
+
+bool Settings::tourIsKnown() const {
+  return text(tourKey) == written(true);
+}
+
+void Settings::setTourIsKnown(bool isKnown) {
+  set(tourKey, written(isKnown));
 }
 
 bool Settings::presetsAreGallery() const {

@@ -61,6 +61,10 @@ public:
   QString saveFolder() const;
   void setSaveFolder(const QString& folder);
 
+  /// Of the kind of file that a look was exported as last, with its dot; empty at first.
+  QString lookEnding() const;
+  void setLookEnding(const QString& ending);
+
   /// A name that stands for a path which must not be written elsewhere, the same each time. A new one begins
   /// with `kind`.
   std::string referenceTo(const std::string& path, const std::string& kind);
@@ -98,6 +102,10 @@ public:
   /// Whether presets are shown as a gallery; false at first.
   bool presetsAreGallery() const;
   void setPresetsAreGallery(bool areGallery);
+
+  /// Whether the tour of the window was taken or declined; false at first.
+  bool tourIsKnown() const;
+  void setTourIsKnown(bool isKnown);
 
   /// The presets, by name, that are listed first; those of other windows too.
   std::set<std::string> favourites();

@@ -2,6 +2,7 @@
 #include "app/WindowProgram.h"
 
 #include "app/MainWindow.h"
+#include "app/help/GuideWindow.h"
 #include "app/language/Language.h"
 #include "scene/basics/Error.h"
 #include "widgets/Icons.h"
@@ -11,18 +12,35 @@
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QScreen>
 #include <QTimer>
+#include <QWindow>
 
 #include <cstdio>
+#include <functional>
 
 namespace limn {
 namespace {
 
-bool hasDisplay() {
-  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
-         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
-}
+// Runs something once the platform shows a window, which it does in its own time.
+class OnceExposed : public QObject {
+public:
+  OnceExposed(QWidget& window, std::function<void()> run) : QObject(&window), m_run(std::move(run)) {
+    window.windowHandle()->installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Expose && qobject_cast<QWindow*>(watched)->isExposed()) {
+      watched->removeEventFilter(this);
+      QTimer::singleShot(0, this, m_run); // after it has painted
+    }
+    return false;
+  }
+
+private:
+  std::function<void()> m_run;
+};
 
 void grabAndQuit(MainWindow& window, const QString& path) {
   // Paint what is due, at once.
@@ -53,7 +71,7 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
                      QApplication::exit(3);
                    });
   if (!window.loader().isLoading()) {
-    QTimer::singleShot(0, &window, [&window, path] { grabAndQuit(window, path); });
+    new OnceExposed(window, [&window, path] { grabAndQuit(window, path); });
     return;
   }
   QObject::connect(&window.view(), &CompareView::pictureStateChanged, &window,
@@ -72,7 +90,33 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   });
 }
 
+// Theme and language as asked for, or as set.
+void dress(QApplication& application, const std::string& theme, const std::string& language) {
+  const Settings settings;
+  useLanguage(application, language.empty() ? settings.language() : QString::fromStdString(language));
+  applyTheme(application, themeNamed(theme.empty() ? settings.theme() : QString::fromStdString(theme)));
+  QApplication::setWindowIcon(programIcon());
+  QApplication::setDesktopFileName(QStringLiteral("org.limn.Limn")); // whose icon Wayland shows
+}
+
 } // namespace
+
+bool hasDisplay() {
+  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
+void runGuideWindow(const QString& words) {
+  int count = 1;
+  char name[] = "limn";
+  char* arguments[] = {name, nullptr};
+  QApplication application(count, arguments);
+  dress(application, {}, {});
+  GuideWindow guide;
+  guide.look(words);
+  guide.show();
+  QApplication::exec();
+}
 
 int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   if (!hasDisplay())
@@ -80,16 +124,13 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
                 "There is no display to open a window on; `limn render` makes pictures without one.");
   QSurfaceFormat::setDefaultFormat(limnSurfaceFormat());
   QApplication application(argc, argv);
-  const QString theme =
-      arguments.theme.empty() ? Settings().theme() : QString::fromStdString(arguments.theme);
-  useLanguage(application, arguments.language.empty() ? Settings().language()
-                                                      : QString::fromStdString(arguments.language));
-  applyTheme(application, themeNamed(theme));
-  QApplication::setWindowIcon(programIcon());
+  dress(application, arguments.theme, arguments.language);
   MainWindow window;
   window.show();
-  if (arguments.screenshot.empty())
+  if (arguments.screenshot.empty()) {
     window.keepSessions();
+    window.offerTour();
+  }
   if (!arguments.path.empty())
     window.openSource(QString::fromStdString(arguments.path), arguments.options);
   if (!arguments.screenshot.empty())

@@ -3,6 +3,8 @@
 
 #include "app/SceneSource.h"
 
+#include <QString>
+
 #include <string>
 
 namespace limn {
@@ -15,6 +17,12 @@ struct WindowArguments {
   std::string theme;      ///< "light" or "dark"; empty: as set
   std::string language;   ///< the code of one of `languagesSpoken`; empty: as set
 };
+
+/// Whether there is a display to open a window on.
+bool hasDisplay();
+
+/// Opens the guide alone, where `words` stand first if it says something of them, and runs until it closes.
+void runGuideWindow(const QString& words);
 
 /// Opens the window and runs until it closes. Returns the exit status. Throws Error (openGl) where there is
 /// no display.

@@ -215,6 +215,10 @@
         <source>must be a colour such as #ff8000</source>
         <translation>muss eine Farbe sein, wie #ff8000</translation>
     </message>
+    <message>
+        <source>So little memory is not enough for any volume; give at least %1 MB (--memory).</source>
+        <translation>So wenig Speicher reicht für kein Volumen; mindestens %1 MB angeben (--memory).</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1663,6 +1667,22 @@
         <source>under the pointer: %1</source>
         <translation>unter dem Zeiger: %1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The volume does not lie in memory: while something moves the picture is drawn from 1/%1 of the voxels along each axis, whose values differ by at most %2 % of the range; at rest from all of them.</source>
+        <translation>Das Volumen liegt nicht im Speicher: Solange sich etwas bewegt, wird das Bild aus 1/%1 der Voxel entlang jeder Achse gezeichnet, deren Werte um höchstens %2&#xa0;% des Wertebereichs abweichen; in Ruhe aus allen.</translation>
+    </message>
+    <message>
+        <source>○ preview, voxels %1× coarser</source>
+        <translation>○ Vorschau, Voxel %1× gröber</translation>
+    </message>
+    <message>
+        <source>preview from 1/%1 of the voxels along each axis</source>
+        <translation>Vorschau aus 1/%1 der Voxel entlang jeder Achse</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -2267,7 +2287,7 @@
     </message>
     <message>
         <source>Save to D&amp;ICOM…</source>
-        <translation>In D&amp;ICOM speichern…</translation>
+        <translation>Als D&amp;ICOM speichern…</translation>
     </message>
     <message>
         <source>Saves picture and look of a DICOM series for an archive, filed with its patient and study.</source>
@@ -2280,6 +2300,22 @@
     <message>
         <source>Makes a mesh of the surface at a value, to print or to model with: STL, PLY or OBJ, in millimetres.</source>
         <translation>Macht aus der Fläche bei einem Wert ein Dreiecksnetz zum Drucken oder Modellieren: STL, PLY oder OBJ, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>&amp;Guide</source>
+        <translation>&amp;Leitfaden</translation>
+    </message>
+    <message>
+        <source>Opens the guide at what it says of the panel with the keyboard.</source>
+        <translation>Öffnet den Leitfaden dort, wo er von dem Bereich handelt, der die Tastatur hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the window</source>
+        <translation>&amp;Rundgang durch das Fenster</translation>
+    </message>
+    <message>
+        <source>?</source>
+        <translation>?</translation>
     </message>
 </context>
 <context>
@@ -2298,6 +2334,25 @@
     <message>
         <source>An unexpected error: %1.</source>
         <translation>Unerwarteter Fehler: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::Callout</name>
+    <message>
+        <source>End tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
     </message>
 </context>
 <context>
@@ -2621,12 +2676,8 @@
         <translation>&amp;Speichern…</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Save to DICOM</source>
-        <translation>In DICOM speichern</translation>
+        <translation>Als DICOM speichern</translation>
     </message>
     <message>
         <source>The UIDs of study and images stay: by them the look finds its images.</source>
@@ -2643,10 +2694,6 @@
     <message>
         <source>The two files carry what the series says of its patient, because an archive files them by it. Nothing else that Limn writes does.</source>
         <translation>Die beiden Dateien enthalten, was die Serie über ihren Patienten sagt, weil ein Archiv sie danach ablegt. Nichts anderes, was Limn schreibt, enthält das.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Drawing the picture…</source>
@@ -2912,10 +2959,6 @@
 <context>
     <name>limn::FigureDesk</name>
     <message>
-        <source>Drawing the figure…</source>
-        <translation>Abbildung wird gezeichnet…</translation>
-    </message>
-    <message>
         <source>Cancelled; nothing was saved.</source>
         <translation>Abgebrochen; nichts wurde gespeichert.</translation>
     </message>
@@ -2975,10 +3018,6 @@
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>&amp;Save…</source>
         <translation>&amp;Speichern…</translation>
     </message>
@@ -2987,8 +3026,8 @@
         <translation>Kopiert die Abbildung in voller Größe in die Zwischenablage.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <source>Drawing the figure…</source>
+        <translation>Abbildung wird gezeichnet…</translation>
     </message>
 </context>
 <context>
@@ -3394,6 +3433,60 @@
     <message>
         <source>Dim broad highlights</source>
         <translation>Breite Glanzlichter dämpfen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::GuideView</name>
+    <message>
+        <source>Guide</source>
+        <translation>Leitfaden</translation>
+    </message>
+</context>
+<context>
+    <name>limn::GuideWindow</name>
+    <message>
+        <source>Limn: the guide</source>
+        <translation>Limn: der Leitfaden</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Find in the guide (Ctrl+F)</source>
+        <translation>Im Leitfaden suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Im Leitfaden suchen</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Vorherige</translation>
+    </message>
+    <message>
+        <source>The place before (Shift+F3)</source>
+        <translation>Die Stelle davor (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>The next place (F3, Enter)</source>
+        <translation>Die nächste Stelle (F3, Eingabe)</translation>
+    </message>
+    <message>
+        <source>The guide is written in English.</source>
+        <translation>Der Leitfaden ist englisch.</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -4478,10 +4571,6 @@
     <message>
         <source>estimated within %1, with %2</source>
         <translation>nach Schätzung auf %1 genau, mit %2</translation>
-    </message>
-    <message>
-        <source>A slice of the volume takes more than 4 GiB, which the CPU engine does not draw; draw a part of it or a reduced copy.</source>
-        <translation>Eine Schicht des Volumens braucht mehr als 4&#xa0;GiB, was die CPU-Engine nicht zeichnet; zeichnen Sie einen Teil davon oder eine verkleinerte Kopie.</translation>
     </message>
     <message>
         <source>The step is so small that long rays would need more than %1 samples; they are drawn with that number.</source>
@@ -6129,7 +6218,7 @@
     </message>
     <message>
         <source>Only a DICOM series, or a scene of one, can be saved to DICOM, because picture and look are filed with its patient and study; open the series that %1 was made from.</source>
-        <translation>Nur eine DICOM-Serie oder eine Szene davon lässt sich in DICOM speichern, weil Bild und Darstellung bei ihrem Patienten und ihrer Studie abgelegt werden; öffnen Sie die Serie, aus der %1 entstand.</translation>
+        <translation>Nur eine DICOM-Serie oder eine Szene davon lässt sich als DICOM speichern, weil Bild und Darstellung bei ihrem Patienten und ihrer Studie abgelegt werden; öffnen Sie die Serie, aus der %1 entstand.</translation>
     </message>
     <message>
         <source>The series that the look %1 belongs to is not beside it; say where it is (--volume PATH).</source>
@@ -7032,10 +7121,6 @@
         <translation>Bei %1 gibt es keine Oberfläche: Nichts in Zuschnitt und behaltenem Bereich erreicht den Wert; wählen Sie einen kleineren Wert oder einen größeren Zuschnitt.</translation>
     </message>
     <message>
-        <source>The surface would have about %1 million triangles, which need %2 GiB of memory where %3 are free; crop the volume, choose another value or open a coarser volume.</source>
-        <translation>Die Oberfläche hätte etwa %1&#xa0;Millionen Dreiecke, die %2&#xa0;GiB Speicher brauchen, wo %3 frei sind; schneiden Sie das Volumen zu, wählen Sie einen anderen Wert oder öffnen Sie ein gröberes Volumen.</translation>
-    </message>
-    <message>
         <source>Counting triangles</source>
         <translation>Dreiecke werden gezählt</translation>
     </message>
@@ -7052,12 +7137,64 @@
         <translation>DICOM-Präsentationszustand eines Volumens</translation>
     </message>
     <message>
+        <source>is missing: this is no report of limn accuracy</source>
+        <translation>fehlt: Das ist kein Bericht von limn accuracy</translation>
+    </message>
+    <message>
         <source>must be a list of texts</source>
         <translation>muss eine Liste von Texten sein</translation>
     </message>
     <message>
         <source>sweep</source>
         <translation>Bilderreihe</translation>
+    </message>
+    <message>
+        <source>The surface would have about %1 million triangles, which need %2 MB of memory where %3 are free; crop the volume, choose another value or open a coarser volume.</source>
+        <translation>Die Oberfläche hätte etwa %1&#xa0;Millionen Dreiecke, die %2&#xa0;MB Speicher brauchen, wo %3 frei sind; schneiden Sie das Volumen zu, wählen Sie einen anderen Wert oder öffnen Sie ein gröberes Volumen.</translation>
+    </message>
+    <message>
+        <source>The volume has more rows, or longer ones, than the CPU engine counts: it draws up to %1 rows of %2 voxels; draw a part of it or a reduced copy.</source>
+        <translation>Das Volumen hat mehr oder längere Zeilen, als die CPU-Engine zählt: Sie zeichnet bis zu %1 Zeilen aus %2 Voxeln; zeichnen Sie einen Teil davon oder eine verkleinerte Kopie.</translation>
+    </message>
+    <message>
+        <source>The volume of %1 voxels does not lie in memory, from where the graphics driver would copy it.</source>
+        <translation>Das Volumen aus %1 Voxeln liegt nicht im Speicher, aus dem der Grafiktreiber es kopieren würde.</translation>
+    </message>
+    <message>
+        <source>Cannot keep the volume&apos;s data in %1: they need %2 GB and %3 GB are free there; make room, or set TMPDIR to a folder on a larger disk.</source>
+        <translation>Die Daten des Volumens lassen sich nicht in %1 ablegen: sie brauchen %2 GB, und dort sind %3 GB frei; Platz schaffen oder TMPDIR auf einen Ordner auf einer größeren Festplatte setzen.</translation>
+    </message>
+    <message>
+        <source>Cannot keep the volume&apos;s data in %1: %2; set TMPDIR to a folder on a disk that can be written.</source>
+        <translation>Die Daten des Volumens lassen sich nicht in %1 ablegen: %2; TMPDIR auf einen Ordner auf einer beschreibbaren Festplatte setzen.</translation>
+    </message>
+    <message>
+        <source>Cannot keep the volume&apos;s data on disk: /var/tmp is missing or lies in memory; set TMPDIR to a folder on a disk.</source>
+        <translation>Die Daten des Volumens lassen sich nicht auf der Festplatte ablegen: /var/tmp fehlt oder liegt im Speicher; TMPDIR auf einen Ordner auf einer Festplatte setzen.</translation>
+    </message>
+    <message>
+        <source>The voxels are kept on disk while the volume is open (%1 GB in %2), because they need more memory than may be used.</source>
+        <translation>Die Voxel liegen auf der Festplatte, solange das Volumen offen ist (%1 GB in %2), weil sie mehr Speicher brauchen, als benutzt werden darf.</translation>
+    </message>
+    <message>
+        <source>it became shorter while it was read, or its disk failed</source>
+        <translation>sie wurde kürzer, während sie gelesen wurde, oder ihre Festplatte hat versagt</translation>
+    </message>
+    <message>
+        <source>Too many volumes are open; close some of them.</source>
+        <translation>Zu viele Volumen sind offen; einige davon schließen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2; copy the file again.</source>
+        <translation>%1 lässt sich nicht lesen: %2; die Datei noch einmal kopieren.</translation>
+    </message>
+    <message>
+        <source>it is too short</source>
+        <translation>sie ist zu kurz</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s file became shorter while it was read, or its disk failed; copy the file again and open it anew.</source>
+        <translation>Die Datei des Volumens wurde kürzer, während sie gelesen wurde, oder ihre Festplatte hat versagt; die Datei noch einmal kopieren und neu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -8641,10 +8778,6 @@
         <translation>&amp;Exportieren…</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Export a surface</source>
         <translation>Oberfläche exportieren</translation>
     </message>
@@ -8709,10 +8842,6 @@
         <translation>&amp;Details</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Making the surface and measuring it…</source>
         <translation>Oberfläche wird berechnet und vermessen…</translation>
     </message>
@@ -8771,6 +8900,77 @@
     <message>
         <source>Do not show it</source>
         <translation>Nicht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>limn::TourDesk</name>
+    <message>
+        <source>New to Limn? A tour shows the window in six short steps.</source>
+        <translation>Neu bei Limn? Ein Rundgang zeigt das Fenster in sechs kurzen Schritten.</translation>
+    </message>
+    <message>
+        <source>Take the tour</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>No, thank you</source>
+        <translation>Nein, danke</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder or a file here, or drop one on the window. To look around first, take the sample head.</source>
+        <translation>Hier einen DICOM-Ordner oder eine Datei öffnen, oder aufs Fenster ziehen. Wer sich erst umsehen will, nimmt den Beispielkopf.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>Drag with the left button to turn, turn the wheel to come nearer. The left side is lit the classic way, the right side enhanced; Space swaps them while held. Esc always returns to turning.</source>
+        <translation>Mit der linken Taste ziehen dreht, das Rad holt näher heran. Links ist klassisch beleuchtet, rechts verstärkt; die Leertaste tauscht beide, solange sie gedrückt ist. Esc kehrt immer zum Drehen zurück.</translation>
+    </message>
+    <message>
+        <source>Shape the curve</source>
+        <translation>Die Kurve formen</translation>
+    </message>
+    <message>
+        <source>Choose a preset</source>
+        <translation>Ein Preset wählen</translation>
+    </message>
+    <message>
+        <source>Each shows what it makes of your volume. Point at one to try it, click to use it. 1 to 9 in the picture are the first of the list.</source>
+        <translation>Jedes zeigt, was es aus dem Volumen macht. Daraufzeigen probiert es aus, ein Klick nimmt es. 1 bis 9 im Bild sind die ersten der Liste.</translation>
+    </message>
+    <message>
+        <source>Light and accuracy</source>
+        <translation>Licht und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Properties has projection, light and crop; Effects lists what is computed and why; Accuracy measures what exactness costs in time. The line below says how exact the picture is.</source>
+        <translation>Eigenschaften hat Projektion, Licht und Zuschnitt; Effekte zeigt, was warum berechnet wird; Genauigkeit misst, was sie an Zeit kostet. Die Zeile unten sagt, wie genau das Bild ist.</translation>
+    </message>
+    <message>
+        <source>Save, and find help</source>
+        <translation>Speichern und Hilfe finden</translation>
+    </message>
+    <message>
+        <source>Snapshot saves the picture with everything that made it; File has figures, sessions and more. F1 opens the guide, ? lists every key, and Help has this tour again.</source>
+        <translation>Bild speichern bewahrt das Bild mit allem, was es ausmacht; Datei hat Abbildungen, Sitzungen und mehr. F1 öffnet den Leitfaden, ? zeigt alle Tasten, und Hilfe hat diesen Rundgang noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Open the sample head</source>
+        <translation>Den Beispielkopf öffnen</translation>
+    </message>
+    <message>
+        <source>The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or click the curve to add one: the picture follows. Ctrl+Z takes anything back.</source>
+        <translation>Die Kurve sagt, wie deckend jeder Wert ist; dahinter steht, wie oft er vorkommt. Einen Punkt ziehen, oder auf die Kurve klicken für einen neuen: Das Bild folgt. Strg+Z nimmt alles zurück.</translation>
     </message>
 </context>
 <context>
@@ -8913,10 +9113,6 @@
         <translation>&amp;Speichern…</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Save a turntable</source>
         <translation>Drehansicht speichern</translation>
     </message>
@@ -8967,10 +9163,6 @@
     <message>
         <source>One turn about the patient&apos;s upright axis: a frame each %1°, %2 s.</source>
         <translation>Eine Umdrehung um die Längsachse des Patienten: ein Einzelbild je %1°, %2&#xa0;s.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Drawing frame %1 of %2…</source>
@@ -9048,6 +9240,17 @@
     <message>
         <source>Measure this picture first: the choice is among what was measured.</source>
         <translation>Messen Sie zuerst dieses Bild: Gewählt wird unter dem Gemessenen.</translation>
+    </message>
+</context>
+<context>
+    <name>limn::WorkDialog</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

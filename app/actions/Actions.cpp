@@ -5,7 +5,6 @@
 #include "app/language/Language.h"
 #include "scene/light/ModelName.h"
 #include "scene/view/CompareLayout.h"
-#include "scene/view/FirstView.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/shading/ModelSection.h"
 #include "widgets/view/gestures/CameraGesture.h"
@@ -298,7 +297,11 @@ void Actions::makeOtherActions() {
       made("stability",
            {.text = tr("&Stability checks…"),
             .toolTip = tr("Checks what this computer's driver draws where renderers are known to fail.")});
-  shortcuts = made("shortcuts", {.text = tr("Mouse and &keys"), .shortcut = QKeySequence::HelpContents});
+  guide = made("guide", {.text = tr("&Guide"),
+                         .shortcut = QKeySequence::HelpContents,
+                         .toolTip = tr("Opens the guide at what it says of the panel with the keyboard.")});
+  tour = made("tour", {.text = tr("&Tour of the window")});
+  shortcuts = made("shortcuts", {.text = QStringLiteral("%1\t%2").arg(tr("Mouse and &keys"), tr("?"))});
   about = made("about", {.text = tr("&About Limn")});
 }
 

@@ -76,6 +76,8 @@ public:
   QAction* compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* compareModels = nullptr;   ///< enabled while looks are compared
   QAction* settings = nullptr;
+  QAction* guide = nullptr;
+  QAction* tour = nullptr;
   QAction* shortcuts = nullptr;
   QAction* stability = nullptr;
   QAction* about = nullptr;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/HelpBoxes.h"
 
-#include "app/actions/Actions.h"
+#include "app/actions/HelpRows.h"
 #include "widgets/Icons.h"
 
 #include <QDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QKeySequence>
 #include <QLabel>
 #include <QList>
 #include <QMessageBox>
@@ -16,103 +15,6 @@
 
 namespace limn {
 namespace {
-
-struct HelpRow {
-  QString gesture; ///< empty: `effect` is a heading
-  QString effect;
-};
-
-// Keys that stand for one thing each, apart, as they are called here: "A · P".
-QString keys(std::initializer_list<const char*> names) {
-  QStringList apart;
-  for (const char* name : names)
-    apart << QKeySequence(QLatin1String(name), QKeySequence::PortableText).toString(QKeySequence::NativeText);
-  return apart.join(QStringLiteral(" · "));
-}
-
-QList<HelpRow> pictureRows() {
-  return {
-      {{}, QObject::tr("Picture")},
-      {QObject::tr("Left drag"), QObject::tr("rotate, or what the chosen tool does")},
-      {keys({"[", "M", "Z", "W"}), QObject::tr("tools: rotate, pan, zoom, window and level")},
-      {QObject::tr("Esc"), QObject::tr("cancel a drag; otherwise rotate again")},
-      {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
-      {QObject::tr("Right drag, wheel, + −"), QObject::tr("zoom")},
-      {QObject::tr("Ctrl+left drag"), QObject::tr("roll")},
-      {QObject::tr("Alt+left drag"), QObject::tr("window and level; with Ctrl: opacity")},
-      {QObject::tr("Arrows"), QObject::tr("rotate")},
-      {QObject::tr("Shift+move"), QObject::tr("value under the pointer; View ▸ Ray: along the ray below it")},
-      {QObject::tr("Shift+click"),
-       QObject::tr("keep that value: buttons make its tissue more or less opaque")},
-      {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
-      {keys({"End", "PgDown", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
-      {QObject::tr("R"), QObject::tr("reset the camera")},
-      {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
-      {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
-      {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
-      {QObject::tr("F11, double click"), QObject::tr("picture and curve only; F11 or Esc: all again")},
-      {{}, QObject::tr("Window")},
-      {QObject::tr("F6, Shift+F6"), QObject::tr("the keyboard goes to the next panel, the one before")},
-      {QObject::tr("Ctrl+F"), QObject::tr("find a preset; Enter uses it and goes on to the picture")},
-      {{}, QObject::tr("Presets")},
-      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
-      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
-      {QObject::tr("Ctrl+L"), QObject::tr("the look of the volume that was open before")},
-      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
-  };
-}
-
-QList<HelpRow> sliceRows() {
-  return {
-      {{}, QObject::tr("Slices")},
-      {QObject::tr("Left drag"), QObject::tr("crosshair, or what the chosen tool does")},
-      {QObject::tr("Wheel, PgUp PgDn"), QObject::tr("through the slices; Shift+keys: ten at a time")},
-      {QObject::tr("Right drag, Alt+left drag"), QObject::tr("window and level")},
-      {QObject::tr("0, 1 2 3 4"), QObject::tr("full range; soft tissue, lung, bone, brain")},
-      {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
-      {QObject::tr("Ctrl+wheel, + −, F"), QObject::tr("zoom, show all of the slice")},
-      {keys({"C", "W", "D"}), QObject::tr("tools: crosshair, window and level, distance")},
-      {QObject::tr("Esc"), QObject::tr("the crosshair again")},
-      {QObject::tr("Arrows, Home"), QObject::tr("move the crosshair; to the middle")},
-      {QObject::tr("Del"), QObject::tr("remove the distance")},
-      {QObject::tr("Double click"), QObject::tr("one slice large, and back")},
-      {QObject::tr("Shift+click the picture"), QObject::tr("the crosshair goes to that place")},
-  };
-}
-
-QList<HelpRow> curveRows() {
-  return {
-      {{}, QObject::tr("Curve")},
-      {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
-      {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt moves finely")},
-      {QObject::tr("Middle click, Del"), QObject::tr("delete")},
-      {QObject::tr("Rest on a point, H"), QObject::tr("what it governs lights up in slices and picture")},
-      {QObject::tr("Double click a point"), QObject::tr("colour and numbers")},
-      {QObject::tr("Drag the handle"), QObject::tr("shift the curve; Alt: width")},
-      {QObject::tr("Wheel, Shift+wheel"), QObject::tr("zoom, pan the value axis")},
-      {QObject::tr("Tab, arrows, Enter"), QObject::tr("walk the points, move, type numbers")},
-      {QObject::tr("N, Ins"), QObject::tr("add a point beside the one in hand")},
-      {QObject::tr("Menu key"), QObject::tr("colour and numbers, delete, show all values")},
-      {QObject::tr("Ctrl with + − 0 ← →"), QObject::tr("zoom the value axis, show all of it, pan")},
-  };
-}
-
-// As the menus have them, so that both always say the same.
-QList<HelpRow> menuRows(const Actions& actions) {
-  QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
-  for (const QAction* action :
-       {actions.openFile, actions.openFolder, actions.saveSession, actions.savePicture, actions.copyPicture,
-        actions.undo, actions.redo, actions.findPreset, actions.settings, actions.shortcuts,
-        actions.closeVolume, actions.quit}) {
-    // Undo also says what it would undo.
-    QString does = action == actions.undo   ? QObject::tr("Undo")
-                   : action == actions.redo ? QObject::tr("Redo")
-                                            : action->text();
-    does.remove(QLatin1Char('&')).remove(QChar(0x2026));
-    rows << HelpRow{action->shortcut().toString(QKeySequence::NativeText), does};
-  }
-  return rows;
-}
 
 // One grid for all that stands below each other, so that its columns do, too.
 void addRows(QGridLayout& grid, const QList<HelpRow>& rows) {
@@ -153,8 +55,9 @@ void showShortcuts(const Actions& actions, QWidget* parent) {
   dialog->setWindowTitle(QObject::tr("Mouse and keys"));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(40);
-  columns->addLayout(columnOf({pictureRows(), curveRows()}), 1);
-  columns->addLayout(columnOf({sliceRows(), menuRows(actions)}), 1);
+  const HelpRows rows = helpRows(actions);
+  columns->addLayout(columnOf({rows.picture, rows.curve}), 1);
+  columns->addLayout(columnOf({rows.slices, rows.menus}), 1);
   auto* close = new QPushButton(QObject::tr("Close"), dialog);
   QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::close);
   auto* all = new QVBoxLayout(dialog);

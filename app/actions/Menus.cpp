@@ -118,7 +118,8 @@ ChangingMenus makeMenus(QMainWindow& window, Actions& actions, const QList<QActi
   presets->addActions({actions.importLooks, actions.exportLook});
   presets->addSeparator();
   presets->addActions({actions.takeSnapshot, actions.compareSnapshot, actions.compareModels});
-  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.stability, actions.about});
+  bar.addMenu(QObject::tr("&Help"))
+      ->addActions({actions.guide, actions.tour, actions.shortcuts, actions.stability, actions.about});
   makeToolBar(window, actions, shared);
   return menus;
 }

@@ -10,8 +10,10 @@
 #include "app/measure/accuracy/AccuracyTable.h"
 #include "app/measure/accuracy/MeasureDecisions.h"
 #include "io/AtomicFile.h"
+#include "io/reports/AccuracyFile.h"
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
+#include "io/scenefile/SceneFile.h"
 #include "widgets/accuracy/chart/AccuracyChartPicture.h"
 
 #include <QApplication>
@@ -25,6 +27,7 @@ namespace {
 
 struct AccuracyArguments {
   SceneArguments scene;
+  std::vector<std::string> reports; ///< to be joined instead of measuring
   std::string folder;
   int threads = 0;
   bool isQuick = false;
@@ -85,7 +88,29 @@ AccuracyReport measuredReport(const std::string& name, const Scene& scene, const
   return report;
 }
 
+// A report by its file, or by the folder that `limn accuracy -o` made.
+NamedReport readReport(const std::string& name) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const fs::path file = fs::is_directory(name, unknown) ? fs::path(name) / "accuracy.json" : fs::path(name);
+  return {name, parseAccuracy(readTextFile(file), file.string())};
+}
+
+void joinReports(const AccuracyArguments& arguments) {
+  std::vector<NamedReport> reports;
+  for (const std::string& name : arguments.reports)
+    reports.push_back(readReport(name));
+  makeReportFolder(arguments.folder);
+  writeFileAtomically(std::filesystem::path(arguments.folder) / "cohort.csv", cohortCsv(reports));
+  std::cout << cohortTable(cohortOf(reports));
+}
+
 void runAccuracy(const AccuracyArguments& arguments) {
+  if (arguments.reports.empty() == arguments.scene.source.source.empty())
+    throw Error(Error::Kind::usage, "limn accuracy measures a SOURCE, or joins reports with --join; give one "
+                                    "of the two.");
+  if (!arguments.reports.empty())
+    return joinReports(arguments);
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
   const LoadedScene loaded =
       loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
@@ -93,6 +118,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   const AccuracyReport report = measuredReport(nameOf(arguments.scene, loaded), scene, arguments, progress);
+  requireWhole(loaded.volumePath, *scene.volume);
   writeReport(report, arguments.folder);
   std::cout << accuracyTable(report);
   if (arguments.withinLevels > 0.0)
@@ -107,8 +133,14 @@ void addAccuracyCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<AccuracyArguments>();
   CommandSyntax command = root.command("accuracy", "error against time of a scene");
   addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
+  command.added("SOURCE").required(false);
   command.option("-o,--output", arguments->folder, "folder for accuracy.json, .csv, .png and .html")
-      .required();
+      .required()
+      .folder();
+  command
+      .option("--join", arguments->reports,
+              "instead of measuring: reports (accuracy.json, or their folders) as one table, cohort.csv")
+      .file({".json"});
   command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
       .within(1, 4096);
   command.flag("--quick", arguments->isQuick,
@@ -121,7 +153,8 @@ void addAccuracyCommand(CommandSyntax& root) {
       .positive();
   command.footer(
       "Errors are told in levels of 255 against a picture in double precision that finer steps no "
-      "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report");
+      "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"
+      "Example: limn accuracy --join reports/* -o cohort");
   command.runs([arguments] { runAccuracy(*arguments); });
 }
 

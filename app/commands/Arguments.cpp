@@ -15,11 +15,15 @@ void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
   command
       .option("--series", arguments.series, "number of the series in a DICOM folder, as `limn info` lists it")
       .within(1, 100000);
-  command.option("--volume", arguments.volume, "where the volume of a scene or picture is now");
+  command.option("--volume", arguments.volume, "where the volume of a scene or picture is now").file();
+  command
+      .option("--memory", arguments.memoryMb,
+              "MB of memory to keep for itself (default: half of what is free); larger volumes stay on disk")
+      .within(1.0, 1e9);
 }
 
 void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, const std::string& what) {
-  command.option("SOURCE", arguments.source, what).required();
+  command.option("SOURCE", arguments.source, what).required().words({"sample"}).file();
   addSourceOptions(command, arguments);
   command.flag("--quiet", arguments.quiet, "no progress and no remarks on stderr");
 }
@@ -40,6 +44,8 @@ SourceOptions sourceOptions(const SourceArguments& arguments) {
   }
   if (arguments.series > 0)
     options.read.series = arguments.series;
+  if (arguments.memoryMb > 0.0)
+    options.read.memory = MemoryBudget(static_cast<std::uint64_t>(1e6 * arguments.memoryMb));
   if (!arguments.volume.empty())
     options.volume = arguments.volume;
   return options;

@@ -15,6 +15,7 @@ struct SourceArguments {
   std::string spacing; ///< "X,Y,Z" in mm
   int series = 0;      ///< 0: not given
   std::string volume;
+  double memoryMb = 0.0; ///< 0: not given
   bool quiet = false;
 };
 

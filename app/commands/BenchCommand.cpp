@@ -6,7 +6,9 @@
 #include "app/commands/SceneArguments.h"
 #include "app/measure/bench/ScaleBench.h"
 #include "app/presets/PresetStore.h"
+#include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"
+#include "io/reports/ScalePage.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"
 
@@ -36,6 +38,7 @@ struct BenchArguments {
   bool equalError = false;
   bool scale = false;
   int largest = 1024; ///< voxels along each axis of the largest volume of --scale
+  std::string page;   ///< where --scale writes it; empty: nowhere
   bool json = false;
 };
 
@@ -192,33 +195,44 @@ void measureScene(const BenchScene& scene, const BenchArguments& arguments, cons
 }
 
 // Volumes of several sizes, each drawn by every renderer before the next is opened.
+ScaleFigures measureSizes(const BenchArguments& arguments, const BenchEntries& entries,
+                          const std::vector<int>& edges, const Progress& progress) {
+  ScaleFigures all;
+  for (std::size_t size = 0; size < edges.size(); ++size) {
+    int done = 0;
+    const auto advance = [&] {
+      const double share = std::min(1.0, static_cast<double>(++done) / scaleSteps(entries, arguments.frames));
+      if (progress.report)
+        progress.report((static_cast<double>(size) + share) / static_cast<double>(edges.size()),
+                        "Measuring " + std::to_string(edges[size]) + " voxels along each axis");
+    };
+    const ScaleFigures more = scaleFigures(edges[size], entries, arguments.frames, advance);
+    all.rows.insert(all.rows.end(), more.rows.begin(), more.rows.end());
+    all.bricks.insert(all.bricks.end(), more.bricks.begin(), more.bricks.end());
+  }
+  return all;
+}
+
 void runScale(const BenchArguments& arguments) {
   if (!arguments.sources.empty())
     throw Error(Error::Kind::usage, "limn bench --scale makes its own volumes; leave " +
                                         arguments.sources.front() + " out, or --scale.");
-  const Progress progress = terminalProgress(arguments.source.quiet);
   const BenchEntries entries = entriesFor(arguments);
   const std::vector<int> edges = scaleEdges(arguments.largest);
-  std::vector<ScaleRow> rows;
-  for (const int edge : edges) {
-    int done = 0;
-    const int steps = 2 + picturesPerRow(arguments.frames) * static_cast<int>(entries.engines.size());
-    const auto advance = [&] {
-      const double share = std::min(1.0, static_cast<double>(++done) / steps);
-      if (progress.report)
-        progress.report((static_cast<double>(rows.size() / entries.engines.size()) + share) /
-                            static_cast<double>(edges.size()),
-                        "Measuring " + std::to_string(edge) + " voxels along each axis");
-    };
-    const auto more = scaleRows(edge, entries, arguments.frames, advance);
-    rows.insert(rows.end(), more.begin(), more.end());
-  }
+  const ScaleFigures figures =
+      measureSizes(arguments, entries, edges, terminalProgress(arguments.source.quiet));
   std::string machine = machineName();
   for (const std::string& engine : entries.engines)
-    for (const ScaleRow& row : rows)
+    for (const ScaleRow& row : figures.rows)
       if (row.edge == edges.front() && row.drawn.missing.empty() && row.drawn.program.ends_with(engine))
         machine += ", " + row.drawn.renderer;
-  std::cout << (arguments.json ? scaleJson(machine, rows) : scaleTable(machine, rows));
+  if (!arguments.page.empty())
+    writeFileAtomically(arguments.page,
+                        scalePage("limn bench --scale --frames " + std::to_string(arguments.frames) +
+                                      " --largest " + std::to_string(arguments.largest),
+                                  machine, figures.rows, figures.bricks));
+  std::cout << (arguments.json ? scaleJson(machine, figures.rows, figures.bricks)
+                               : scaleTable(machine, figures.rows) + brickTable(figures.bricks));
 }
 
 void runBench(const BenchArguments& arguments) {
@@ -255,7 +269,9 @@ void runBench(const BenchArguments& arguments) {
 void addBenchCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<BenchArguments>();
   CommandSyntax command = root.command("bench", "milliseconds per frame by renderer, scene and step");
-  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`");
+  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`")
+      .words({"sample"})
+      .file();
   addSourceOptions(command, arguments->source);
   command.flag("--quiet", arguments->source.quiet, "no progress and no remarks on stderr");
   command.flag("--json", arguments->json, "one JSON object on stdout");
@@ -266,10 +282,14 @@ void addBenchCommand(CommandSyntax& root) {
   command.option("--frames", arguments->frames, "views of one turn of the camera (default 9)")
       .within(1, 10000);
   command.option("--model", arguments->models, "shading models, such as classic,enhanced")
-      .separatedByCommas();
-  command.option(
-      "--preset", arguments->presets,
-      "name of a preset or a file with a look, several times if wanted, or all: every built-in preset");
+      .separatedByCommas()
+      .words(modelWords);
+  command
+      .option(
+          "--preset", arguments->presets,
+          "name of a preset or a file with a look, several times if wanted, or all: every built-in preset")
+      .words(presetWords)
+      .file(lookEndings());
   command
       .option("--engine", arguments->engines,
               "gl (default), cpu, slices, reference, vtk-gpu, vtk-fixedpoint, or several: gl,cpu; cpu where "
@@ -290,13 +310,18 @@ void addBenchCommand(CommandSyntax& root) {
                "also how fast each is where it errs as VTK's GPU mapper does, or else the first of them");
   command.flag(
       "--scale", arguments->scale,
-      "how opening, first picture, frame and memory grow from 128 to 1024 voxels along each axis, with gl "
-      "and cpu unless --engine says otherwise; makes its volumes, of 8 bits, in the folder for "
+      "how opening, first picture, frame and memory grow from 128 to 1024 voxels along each axis, and how "
+      "bricks share the work of 1 to 8 ranks, with gl and cpu unless --engine says otherwise; makes its "
+      "volumes, of 8 bits, in the folder for "
       "temporary files");
   command
       .option("--largest", arguments->largest, "voxels along each axis at most with --scale (default 1024)")
       .within(128, 2048);
-  command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in");
+  command
+      .option("--page", arguments->page,
+              "with --scale: a page (HTML) of the figures, and what follows for 10^12 voxels on 1000 nodes")
+      .file({".html"});
+  command.option("--pictures", arguments->pictures, "folder to save each renderer's picture in").folder();
   command.footer("Each view of one turn is drawn by every renderer before the next view; a frame ends when "
                  "its pixels are there.\nExample: limn bench head.nii.gz --preset \"CT bone\" --step 1,0.5");
   command.runs([arguments] { runBench(*arguments); });

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace limn {
 
 class CommandSyntax;
+class ProgramSyntax;
 
 // The commands of the program; each adds itself to the program's own words.
 
@@ -13,6 +17,7 @@ void addInfoCommand(CommandSyntax& root);
 
 /// `limn render`: a picture of a scene, or of two shading models side by side.
 void addRenderCommand(CommandSyntax& root);
+std::vector<std::string> renderEngineWords(); ///< what its --engine takes
 
 /// `limn dicom SOURCE -o FOLDER`: picture and look of a DICOM series as objects for an archive.
 void addDicomCommand(CommandSyntax& root);
@@ -42,7 +47,14 @@ void addAccuracyCommand(CommandSyntax& root);
 /// one fails.
 void addStabilityCommand(CommandSyntax& root);
 
+/// `limn guide [WORDS]`: the guide, in a window, as a page or as text.
+void addGuideCommand(CommandSyntax& root);
+
 /// `limn bench`: milliseconds per frame by renderer, scene and step.
 void addBenchCommand(CommandSyntax& root);
+
+/// `limn describe`, hidden: manual page and completions, made from `program`'s own words. `version` and
+/// `program` are asked when it runs.
+void addDescribeCommand(CommandSyntax& root, const ProgramSyntax& program, const std::string& version);
 
 } // namespace limn

@@ -40,6 +40,7 @@ void runDicom(const DicomArguments& arguments) {
   const MadePicture picture = makePictures({scene}, {scene.image.width, scene.image.height}, engine,
                                            arguments.threads, anyMb, settings.engineMemory())
                                   .front();
+  requireWhole(loaded.volumePath, *scene.volume);
   const std::vector<Message> losses =
       saveToDicom(arguments.out, scene, picture.image, series, arguments.isAnonymous);
   if (isQuiet)
@@ -63,9 +64,13 @@ void addDicomCommand(CommandSyntax& root) {
   CommandSyntax command = root.command(
       "dicom", "picture and look of a DICOM series as objects for an archive: picture.dcm and look.dcm");
   addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
-  command.option("-o,--output", arguments->out, "folder to write picture.dcm and look.dcm to").required();
-  command.option("--engine", arguments->engine,
-                 "auto (the faster of gl and cpu), gl, slices, cpu, or reference (double precision, slow)");
+  command.option("-o,--output", arguments->out, "folder to write picture.dcm and look.dcm to")
+      .required()
+      .folder();
+  command
+      .option("--engine", arguments->engine,
+              "auto (the faster of gl and cpu), gl, slices, cpu, or reference (double precision, slow)")
+      .words(wordsOf(dicomEngines));
   command
       .option("--threads", arguments->threads,
               "threads of the CPU engine and the reference (default: every core)")

@@ -121,6 +121,7 @@ void runEffects(const EffectsArguments& arguments) {
     return printShader(scene);
   const Report report = raysAtHand() == RaysBy::openGl ? reportWithOpenGl(scene, arguments.frames, progress)
                                                        : reportOnProcessor(scene, arguments.frames, progress);
+  requireWhole(loaded.volumePath, *scene.volume);
   if (arguments.json) {
     printJson(report);
     if (!source.quiet)

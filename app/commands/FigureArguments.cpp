@@ -23,6 +23,12 @@ std::map<std::string, Value> byName(const std::array<Value, count>& values) {
   return words;
 }
 
+std::vector<std::string> markWords() {
+  std::vector<std::string> words = wordsOf(byName(figureMarks));
+  words.insert(words.end(), {"all", "none"});
+  return words;
+}
+
 } // namespace
 
 FigureSettings withSize(FigureSettings settings, const std::string& text) {
@@ -73,11 +79,13 @@ void addFigureOptions(CommandSyntax& command, FigureArguments& arguments) {
       .within(fewestDotsPerInch, mostDotsPerInch);
   command.option("--text", arguments.textPoints, "height of the text in points (default 8)")
       .within(1.0, 200.0);
-  command.option("--page", arguments.page, "white, black or transparent (PNG, TIFF, EXR, PDF)");
+  command.option("--page", arguments.page, "white, black or transparent (PNG, TIFF, EXR, PDF)")
+      .words(wordsOf(byName(figurePages)));
   command
       .option("--marks", arguments.marks,
               "all, none or a list of letters, names, orientation, scale, curve, accuracy, region, note")
-      .separatedByCommas();
+      .separatedByCommas()
+      .words(markWords);
 }
 
 } // namespace limn

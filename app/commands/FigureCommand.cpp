@@ -4,6 +4,7 @@
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
 #include "app/commands/FigureArguments.h"
+#include "app/commands/FontsWithoutDisplay.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
 #include "app/figure/FigureFiles.h"
@@ -11,8 +12,6 @@
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 #include "widgets/figure/FigureText.h"
-
-#include <QGuiApplication>
 
 #include <algorithm>
 #include <array>
@@ -53,35 +52,6 @@ const std::map<std::string, PictureEngine> figureEngines{{"auto", PictureEngine:
                                                          {"gl", PictureEngine::gl},
                                                          {"cpu", PictureEngine::cpu},
                                                          {"reference", PictureEngine::reference}};
-
-// What Qt says of a session that there is none of is nobody's concern.
-class Silence {
-public:
-  Silence() : m_before(qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {})) {}
-  ~Silence() { qInstallMessageHandler(m_before); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  QtMessageHandler m_before;
-};
-
-// Qt's fonts need an application, but no display.
-class FontsWithoutDisplay {
-public:
-  FontsWithoutDisplay() {
-    const Silence silence;
-    m_application.emplace(m_count, m_words.data());
-  }
-
-private:
-  int m_count = 3;
-  std::array<char, 5> m_name{"limn"};
-  std::array<char, 10> m_option{"-platform"};
-  std::array<char, 10> m_platform{"offscreen"};
-  std::array<char*, 4> m_words{m_name.data(), m_option.data(), m_platform.data(), nullptr};
-  std::optional<QGuiApplication> m_application;
-};
 
 void say(Plan& plan, const std::string& sentence) {
   if (!sentence.empty() && std::ranges::find(plan.notes, sentence) == plan.notes.end())
@@ -254,8 +224,10 @@ void runFigure(const FigureRequest& request) {
   const MakingOptions order = orderOf(request, settings, progress);
   const MadeFigure made = makeFigure(withErrors(figure, order), order, pixels);
   std::vector<std::string> volumes;
-  for (const Planned& planned : plan.panels)
+  for (const Planned& planned : plan.panels) {
+    requireWhole(planned.volumePath, *planned.panel.scene.volume);
     volumes.push_back(planned.volumePath);
+  }
   const NameInFile named = [](const std::string& path, const Volume& volume) {
     return shareableName(QString::fromStdString(path), volume).toStdString();
   };
@@ -263,6 +235,15 @@ void runFigure(const FigureRequest& request) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   if (!request.scene.source.quiet)
     tell(made, plan, ms.count());
+}
+
+std::vector<std::string> panelWords() {
+  std::vector<std::string> words = modelWords();
+  for (const PatientPlane plane : patientPlanes)
+    words.emplace_back(nameOf(plane));
+  const std::vector<std::string> presets = presetWords();
+  words.insert(words.end(), presets.begin(), presets.end());
+  return words;
 }
 
 } // namespace
@@ -274,22 +255,30 @@ void addFigureCommand(CommandSyntax& root) {
       .option(
           "SCENE", request->sources,
           "up to four scene or session files, volumes, DICOM folders, Limn pictures, or one figure of Limn")
-      .required();
-  command.option("-o,--output", request->out, "figure to write: .png .tif .exr .pdf").required();
+      .required()
+      .words({"sample"})
+      .file();
+  command.option("-o,--output", request->out, "figure to write: .png .tif .exr .pdf")
+      .required()
+      .file({".png", ".tif", ".exr", ".pdf"});
   addFigureOptions(command, request->figure);
   command
       .option("--panels", request->panels,
               "how one SCENE is shown, a panel each: classic, enhanced, robust, none, axial, coronal, "
               "sagittal, or "
               "names of presets")
-      .separatedByCommas();
+      .separatedByCommas()
+      .words(panelWords);
   command.option("--names", request->names, "what stands above the panels").separatedByCommas();
-  command.option("--model", request->scene.model,
-                 "none, classic, enhanced, robust, or compare (classic and enhanced, a panel each)");
+  command
+      .option("--model", request->scene.model,
+              "none, classic, enhanced, robust, or compare (classic and enhanced, a panel each)")
+      .words(modelWordsAndCompare);
   addLookOptions(command, request->scene);
   addSourceOptions(command, request->scene.source);
   command.flag("--quiet", request->scene.source.quiet, "no progress and no remarks on stderr");
-  command.option("--engine", request->engine, "auto (the faster of gl and cpu), gl, cpu or reference");
+  command.option("--engine", request->engine, "auto (the faster of gl and cpu), gl, cpu or reference")
+      .words(wordsOf(figureEngines));
   command
       .option("--threads", request->threads,
               "threads of the CPU engine and the reference (default: every core)")

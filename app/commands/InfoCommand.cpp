@@ -130,6 +130,7 @@ void runInfo(const InfoArguments& arguments) {
   const FoundModuli gradients = findModuli(*facts.volume, 99.5, effortOf(progress, "Measuring gradients"));
   facts.gradientMax = gradients.largest;
   facts.gradientPercentile = gradients.percentile;
+  requireWhole(loaded.volumePath, *facts.volume);
   if (arguments.json)
     std::cout << volumeJson(facts);
   else

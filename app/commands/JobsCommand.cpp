@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::map<std::string, int> pictureFormats{{"png", 0}, {"tif", 0}, {"jpg", 0}, {"exr", 0}};
+
 Sweep nothingGiven() {
   Sweep sweep;
   sweep.engine.clear();
@@ -73,8 +75,7 @@ Sweep checked(Sweep sweep) {
       modelNamed(model, "--model (beside compare)");
   for (const std::string& view : sweep.views)
     viewNamed(view);
-  const std::map<std::string, int> formats{{"png", 0}, {"tif", 0}, {"jpg", 0}, {"exr", 0}};
-  chosen(formats, sweep.format, "--format");
+  chosen(pictureFormats, sweep.format, "--format");
   return sweep;
 }
 
@@ -108,27 +109,37 @@ void addJobsCommand(CommandSyntax& root) {
   Sweep& given = arguments->given;
   CommandSyntax command =
       root.command("jobs", "many pictures as commands, one a line, for xargs, GNU parallel or a cluster");
-  command.option("VOLUMES", given.volumes, "volumes, DICOM folders, scene files");
-  command.option("--preset", given.presets, "presets, separated by commas").separatedByCommas();
+  command.option("VOLUMES", given.volumes, "volumes, DICOM folders, scene files").file();
+  command.option("--preset", given.presets, "presets, separated by commas")
+      .separatedByCommas()
+      .words(presetWords)
+      .file(lookEndings());
   command.option("--model", given.models, "shading models, separated by commas; compare is one, too")
-      .separatedByCommas();
-  command.option("--view", given.views, "standard views, separated by commas").separatedByCommas();
+      .separatedByCommas()
+      .words(modelWordsAndCompare);
+  command.option("--view", given.views, "standard views, separated by commas")
+      .separatedByCommas()
+      .words(viewWords);
   command.option("--turntable", given.turntable, "so many pictures of one turn about the patient")
       .within(2, mostFrames);
   command.option("--size", given.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
-  command.option("--keep", given.keep, "all, or body");
+  command.option("--keep", given.keep, "all, or body").words(keepWords);
   command.option("--tolerance", given.tolerance, "as of limn render").within(0.01, 255.0);
   command.option("--step", given.stepVoxels, "as of limn render").within(1e-4, 1e4);
-  command.option("--engine", given.engine,
-                 "as of limn render (default: cpu, whose pictures are the same everywhere)");
+  command
+      .option("--engine", given.engine,
+              "as of limn render (default: cpu, whose pictures are the same everywhere)")
+      .words(renderEngineWords);
   command
       .option("--threads", given.threads,
               "of each picture: 1 where several are drawn at once (default: every core)")
       .within(1, 4096);
-  command.option("--format", given.format, "png, tif, jpg or exr (default: png)");
-  command.option("--from", arguments->from,
-                 "a sweep file with all this in JSON; what is given here replaces it");
-  command.option("-o,--output", given.folder, "a folder for the pictures, which is made");
+  command.option("--format", given.format, "png, tif, jpg or exr (default: png)")
+      .words(wordsOf(pictureFormats));
+  command
+      .option("--from", arguments->from, "a sweep file with all this in JSON; what is given here replaces it")
+      .file({".json"});
+  command.option("-o,--output", given.folder, "a folder for the pictures, which is made").folder();
   command.footer("Example: limn jobs *.nii.gz --preset \"CT bone,CT skin\" --threads 1 -o pictures | xargs "
                  "-d '\\n' -n 1 "
                  "-P 8 sh -c");

@@ -4,6 +4,7 @@
 #include "app/SceneSource.h"
 #include "app/commands/Arguments.h"
 #include "app/commands/NamedLook.h"
+#include "app/commands/SceneArguments.h"
 #include "app/presets/PresetStore.h"
 #include "io/AtomicFile.h"
 #include "io/looks/text/LookChanges.h"
@@ -111,10 +112,17 @@ void addConvert(CommandSyntax& presets) {
   auto arguments = std::make_shared<ConvertArguments>();
   CommandSyntax command = presets.command("convert", "a look from one program's format to another's");
   command.option("IN", arguments->in, "a file with a look, told by its content, or the name of a preset")
-      .required();
-  command.option("OUT", arguments->out, "the file to write, in the format of its ending").required();
-  command.option("--for", arguments->volume,
-                 "the volume for which it is meant: gives spacing and range where a format needs them");
+      .required()
+      .words(presetWords)
+      .file(lookEndings());
+  command.option("OUT", arguments->out, "the file to write, in the format of its ending")
+      .required()
+      .file(lookEndings());
+  command
+      .option("--for", arguments->volume,
+              "the volume for which it is meant: gives spacing and range where a format needs them")
+      .words({"sample"})
+      .file();
   command.option("--look", arguments->look, "its name, of several looks in IN (default: the first)");
   command.flag("--json", arguments->json, "what was changed or lost as one JSON object on stdout");
   command.footer("Reads and writes:" + formatList() +
@@ -132,7 +140,10 @@ void addPresetsCommand(CommandSyntax& root) {
   command.command("list", "names, modality and what each shows").runs(listPresets);
   auto name = std::make_shared<std::string>();
   CommandSyntax show = command.command("show", "one preset, or the look in a file, as JSON");
-  show.option("NAME", *name, "the preset's name, or a file").required();
+  show.option("NAME", *name, "the preset's name, or a file")
+      .required()
+      .words(presetWords)
+      .file(lookEndings());
   show.footer("Example: limn presets show \"CT bone\"");
   show.runs([name] { showPreset(*name); });
   addConvert(command);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
+#include "app/commands/RenderWork.h"
 
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
-#include "app/commands/SceneArguments.h"
-#include "app/engines/PictureMaker.h"
-#include "glsl/textures/GraphicsMemory.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
@@ -19,17 +17,6 @@
 namespace limn {
 namespace {
 
-struct RenderArguments {
-  SceneArguments scene;
-  std::string out;
-  std::string engine = "auto";
-  int threads = 0;
-  bool printsFigures = false;
-  bool skipsExisting = false;
-  std::string samplesSpent; ///< empty: not wanted
-  double textureMb = anyMb; ///< the most that the volume may take on the graphics card
-};
-
 const std::map<std::string, PictureEngine> engines{
     {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl},
     {"slices", PictureEngine::slices},  {"slices-back-to-front", PictureEngine::slicesBackToFront},
@@ -40,19 +27,15 @@ Scene withModel(Scene scene, ShadingModel model) {
   return scene;
 }
 
-MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments) {
-  Settings settings;
-  const EngineMemory memory = settings.engineMemory();
-  const PictureEngine engine = chosen(engines, arguments.engine, "--engine");
+MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments, const MakeAll& make) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
   if (arguments.scene.model != "compare")
-    return makePictures({scene}, size, engine, arguments.threads, arguments.textureMb, memory).front();
+    return make({scene}, size).front();
   const glm::ivec2 half(size.x / 2, size.y);
   if (half.x < 1)
     throw Error(Error::Kind::usage, "A comparison needs a picture at least two pixels wide; see --size.");
   std::vector<MadePicture> pair =
-      makePictures({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half,
-                   engine, arguments.threads, arguments.textureMb, memory);
+      make({withModel(scene, ShadingModel::classic), withModel(scene, ShadingModel::enhanced)}, half);
   pair.front().image = sideBySide(pair[0].image, pair[1].image);
   return std::move(pair.front());
 }
@@ -81,7 +64,9 @@ void writeSamples(const MadePicture& picture, const RenderArguments& arguments) 
   note(line);
 }
 
-void runRender(const RenderArguments& arguments) {
+} // namespace
+
+void runRender(const RenderArguments& arguments, const MakeAll& make) {
   if (arguments.textureMb != anyMb && arguments.engine != "auto" && arguments.engine != "gl")
     throw Error(Error::Kind::usage,
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
@@ -100,8 +85,9 @@ void runRender(const RenderArguments& arguments) {
     scene.shading.model = modelNamed(arguments.scene.model, "--model (beside compare)");
   const auto start = std::chrono::steady_clock::now();
   reportOrStop(progress, -1.0, "Drawing");
-  const MadePicture picture = pictureOf(scene, arguments);
+  const MadePicture picture = pictureOf(scene, arguments, make);
   reportOrStop(progress, 1.0, "Drawing");
+  requireWhole(loaded.volumePath, *scene.volume);
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   // The picture may travel: it names its volume without folders, and nobody.
   const auto shareable = [&scene](const std::string& path) {
@@ -132,36 +118,54 @@ void runRender(const RenderArguments& arguments) {
   note(line);
 }
 
-} // namespace
+std::vector<std::string> renderEngineWords() {
+  return wordsOf(engines);
+}
+
+void addRenderOptions(CommandSyntax& command, RenderArguments& arguments) {
+  addSceneArguments(command, arguments.scene,
+                    "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
+  command.option("-o,--output", arguments.out, "picture to write: .png .tif .jpg .exr")
+      .required()
+      .file({".png", ".tif", ".jpg", ".exr"});
+  command
+      .option(
+          "--engine", arguments.engine,
+          "auto (the faster of gl and cpu), gl (ray caster), slices (view-aligned slices blended front to "
+          "back), slices-back-to-front, cpu, or reference (double precision, slow)")
+      .words(renderEngineWords);
+  command
+      .option("--threads", arguments.threads,
+              "threads of the CPU engine and the reference (default: every core)")
+      .within(1, 4096);
+  command.flag("--figures", arguments.printsFigures,
+               "print contrast, overflow of highlights, and how much can be seen of what lies at or above "
+               "the scene's isovalue (300 if not set)");
+  command
+      .option("--samples-spent", arguments.samplesSpent,
+              "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr")
+      .file({".png", ".tif", ".jpg", ".exr"});
+  command
+      .option("--texture-mb", arguments.textureMb,
+              "the most that the volume may take on the graphics card, MB; a larger one is drawn by the "
+              "processor (--engine auto) or with fewer voxels (--engine gl; default: what the driver takes)")
+      .within(1.0, 1e6);
+  command.flag("--skip-existing", arguments.skipsExisting,
+               "draw nothing where the picture is there and whole: work that was interrupted goes on");
+}
 
 void addRenderCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<RenderArguments>();
   CommandSyntax command = root.command("render", "a picture of a scene or volume");
-  addSceneArguments(command, arguments->scene,
-                    "none, classic, enhanced, robust, or compare (classic and enhanced side by side)");
-  command.option("-o,--output", arguments->out, "picture to write: .png .tif .jpg .exr").required();
-  command.option(
-      "--engine", arguments->engine,
-      "auto (the faster of gl and cpu), gl (ray caster), slices (view-aligned slices blended front to back), "
-      "slices-back-to-front, cpu, or reference (double precision, slow)");
-  command
-      .option("--threads", arguments->threads,
-              "threads of the CPU engine and the reference (default: every core)")
-      .within(1, 4096);
-  command.flag("--figures", arguments->printsFigures,
-               "print contrast, overflow of highlights, and how much can be seen of what lies at or above "
-               "the scene's isovalue (300 if not set)");
-  command.option("--samples-spent", arguments->samplesSpent,
-                 "also write how many samples each pixel took, as a picture: .png .tif .jpg .exr");
-  command
-      .option("--texture-mb", arguments->textureMb,
-              "the most that the volume may take on the graphics card, MB; a larger one is drawn by the "
-              "processor (--engine auto) or with fewer voxels (--engine gl; default: what the driver takes)")
-      .within(1.0, 1e6);
-  command.flag("--skip-existing", arguments->skipsExisting,
-               "draw nothing where the picture is there and whole: work that was interrupted goes on");
+  addRenderOptions(command, *arguments);
   command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
-  command.runs([arguments] { runRender(*arguments); });
+  command.runs([arguments] {
+    const PictureEngine engine = chosen(engines, arguments->engine, "--engine");
+    runRender(*arguments, [&](const std::vector<Scene>& scenes, const glm::ivec2& size) {
+      return makePictures(scenes, size, engine, arguments->threads, arguments->textureMb,
+                          Settings().engineMemory());
+    });
+  });
 }
 
 } // namespace limn

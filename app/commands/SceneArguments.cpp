@@ -3,11 +3,11 @@
 
 #include "app/KeptRegion.h"
 #include "app/commands/NamedLook.h"
+#include "app/presets/PresetStore.h"
 #include "app/turntable/Turntable.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 
-#include <cstdio>
 #include <numbers>
 
 namespace limn {
@@ -29,6 +29,8 @@ double angleOf(const std::string& turn) {
 
 enum class Keep { all, body };
 
+const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
+
 Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
   if (keep == Keep::all)
     return {};
@@ -41,6 +43,41 @@ Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
 }
 
 } // namespace
+
+std::vector<std::string> modelWords() {
+  std::vector<std::string> words;
+  for (const ShadingModel model : shadingModels)
+    words.emplace_back(nameOf(model));
+  return words;
+}
+
+std::vector<std::string> modelWordsAndCompare() {
+  std::vector<std::string> words = modelWords();
+  words.emplace_back("compare");
+  return words;
+}
+
+std::vector<std::string> viewWords() {
+  return wordsOf(views);
+}
+
+std::vector<std::string> keepWords() {
+  return wordsOf(keeps);
+}
+
+std::vector<std::string> presetWords() {
+  std::vector<std::string> words;
+  for (const Preset& preset : builtInPresets())
+    words.push_back(preset.name);
+  return words;
+}
+
+std::vector<std::string> lookEndings() {
+  std::vector<std::string> endings{".dcm"};
+  for (const LookFormat& format : lookFormats())
+    endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+  return endings;
+}
 
 ShadingModel modelNamed(const std::string& word, const std::string& option) {
   std::map<std::string, ShadingModel> models;
@@ -62,10 +99,8 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
   if (!arguments.preset.empty())
     scene = withPreset(scene, presetAskedFor(arguments.preset, *scene.volume, arguments.source.quiet),
                        !arguments.model.empty() || !namesLookFile(arguments.preset));
-  if (!arguments.keep.empty()) {
-    const std::map<std::string, Keep> keeps{{"all", Keep::all}, {"body", Keep::body}};
+  if (!arguments.keep.empty())
     scene.keep = keptBy(chosen(keeps, arguments.keep, "--keep"), scene, arguments.source.quiet);
-  }
   if (arguments.stepVoxels > 0.0 && arguments.toleranceLevels > 0.0)
     throw Error(Error::Kind::usage,
                 "--step and --tolerance exclude each other: a tolerance chooses the steps itself.");
@@ -99,20 +134,27 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
       command, arguments.source,
       "scene or session file, volume, DICOM folder or look, Limn picture, or `phantom:SPACING`");
   command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
-  command.option("--model", arguments.model, models);
+  command.option("--model", arguments.model, models)
+      .words(models.find("compare") == std::string::npos ? modelWords : modelWordsAndCompare);
   addLookOptions(command, arguments);
 }
 
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments) {
-  command.option(
-      "--preset", arguments.preset,
-      "name of a built-in or own preset (see `limn presets list`), or a file with a look of Limn or another "
-      "program (see `limn presets convert --help`) or of an archive; without it the best fitting one");
-  command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior");
+  command
+      .option("--preset", arguments.preset,
+              "name of a built-in or own preset (see `limn presets list`), or a file with a look of Limn or "
+              "another program (see `limn presets convert --help`) or of an archive; without it the best "
+              "fitting one")
+      .words(presetWords)
+      .file(lookEndings());
+  command.option("--view", arguments.view, "anterior, posterior, left, right, superior or inferior")
+      .words(viewWords);
   command.option("--turn", arguments.turn,
                  "turned about the patient's upright axis by a part of a turn, such as 3/36");
-  command.option("--keep", arguments.keep,
-                 "all, or body: without the table, the holder and what else lies beside it");
+  command
+      .option("--keep", arguments.keep,
+              "all, or body: without the table, the holder and what else lies beside it")
+      .words(keepWords);
   command.option("--step", arguments.stepVoxels, "sampling step in units of the smallest voxel spacing")
       .within(1e-4, 1e4);
   command

@@ -27,6 +27,15 @@ void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const 
 /// Adds those of the options that change how a scene looks, but for its model.
 void addLookOptions(CommandSyntax& command, SceneArguments& arguments);
 
+// What completions offer: names of shading models, standard views, what is kept of a volume, built-in
+// presets, and endings of files with looks.
+std::vector<std::string> modelWords();
+std::vector<std::string> modelWordsAndCompare();
+std::vector<std::string> viewWords();
+std::vector<std::string> keepWords();
+std::vector<std::string> presetWords();
+std::vector<std::string> lookEndings();
+
 /// The scene with everything that was given but the model; framed anew where it has no camera of its own, on
 /// half the picture where two models are compared. Throws Error (usage).
 Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments);
@@ -51,6 +60,15 @@ Value chosen(const std::map<std::string, Value>& choices, const std::string& wor
   for (const auto& [name, value] : choices)
     known += (known.empty() ? "" : ", ") + name;
   throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
+}
+
+/// The words of a choice.
+template <class Value>
+std::vector<std::string> wordsOf(const std::map<std::string, Value>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : choices)
+    words.push_back(name);
+  return words;
 }
 
 } // namespace limn

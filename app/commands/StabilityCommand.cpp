@@ -149,7 +149,7 @@ void runStability(const StabilityArguments& arguments) {
 void addStabilityCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<StabilityArguments>();
   CommandSyntax command = root.command("stability", "hard cases and random scenes on this driver");
-  command.option("-o,--output", arguments->folder, "folder for stability.json and stability.html");
+  command.option("-o,--output", arguments->folder, "folder for stability.json and stability.html").folder();
   command.option("--only", arguments->only, "these cases alone, e.g. H9,H12").separatedByCommas();
   command
       .option("--fuzz", arguments->seeds,

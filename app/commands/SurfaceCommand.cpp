@@ -24,7 +24,6 @@ struct SurfaceArguments {
   double smallestPartMm3 = 0.0;
   double toleranceMm = 0.0;
   int cells = 1;
-  double memoryMb = 0.0;
   bool json = false;
 };
 
@@ -97,8 +96,9 @@ void makeSurfaces(const SurfaceArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   const Progress progress = stoppableProgress(isQuiet);
   const Scene scene = sceneOf(arguments, part(progress, 0.0, 0.1));
+  const double budget = 1e6 * arguments.source.memoryMb;
   const std::optional<double> memory =
-      arguments.memoryMb > 0.0 ? std::optional(1e6 * arguments.memoryMb) : freeMemory();
+      budget > 0.0 ? std::optional<double>(budget) : std::optional<double>(freeMemory());
   std::vector<SurfaceOrder> orders;
   for (const double value : arguments.values)
     orders.push_back({value, !arguments.isOpen, arguments.smallestPartMm3, arguments.toleranceMm,
@@ -145,7 +145,8 @@ void addSurfaceCommand(CommandSyntax& root) {
   command
       .option("-o,--output", arguments->out,
               "OUT.stl, .ply or .obj; several values are objects of one .obj, or files OUT_VALUE.stl")
-      .required();
+      .required()
+      .file({".stl", ".ply", ".obj"});
   command.flag("--open", arguments->isOpen, "leave the holes where crop, volume or kept region cut");
   command
       .option("--smallest", arguments->smallestPartMm3,
@@ -159,14 +160,12 @@ void addSurfaceCommand(CommandSyntax& root) {
       .option("--finer", arguments->cells,
               "cells along each axis from a voxel to the next: more follow the field closer")
       .within(1, mostCells);
-  command.option("--keep", arguments->keep, "all, or body: without table and holder");
+  command.option("--keep", arguments->keep, "all, or body: without table and holder").words(keepWords);
   command
       .option("--crop", arguments->crop,
               "X0,Y0,Z0,X1,Y1,Z1: the part of the volume, as fractions along its axes")
       .within(0.0, 1.0)
       .separatedByCommas();
-  command.option("--memory", arguments->memoryMb, "MB of memory to stay within (default: what is free)")
-      .within(1.0, 1e9);
   command.flag("--json", arguments->json, "one JSON object on stdout");
   command.footer("Example: limn surface head.nii.gz --value 300 --tolerance 0.2 --smallest 100 -o skull.stl");
   command.runs([arguments] { runSurface(*arguments); });

@@ -45,6 +45,7 @@ void runTurntable(const TurntableArguments& arguments) {
   if (progress.report)
     order.effort.report = [report = progress.report](double fraction) { report(fraction, "Drawing"); };
   const DescribeScene describe = [&](const Scene& scene) {
+    requireWhole(loaded.volumePath, *scene.volume); // before each frame is written
     const auto shareable = [&](const std::string& path) {
       return shareableName(QString::fromStdString(path), *scene.volume).toStdString();
     };
@@ -74,11 +75,13 @@ void addTurntableCommand(CommandSyntax& root) {
       root.command("turntable", "pictures of a scene or volume from all around, as frames or a video");
   addSceneArguments(command, arguments->scene, "none, classic, enhanced or robust");
   command.option("-o,--output", arguments->out, "a folder for frames, or a video: .mp4 (with ffmpeg)")
-      .required();
+      .required()
+      .file({".mp4"});
   command.option("--frames", arguments->frames, "for one turn (default 90)").within(2, mostFrames);
   command.option("--fps", arguments->framesPerSecond, "frames per second of a video (default 25)")
       .within(1.0, 240.0);
-  command.option("--engine", arguments->engine, "auto (the faster of gl and cpu), gl or cpu");
+  command.option("--engine", arguments->engine, "auto (the faster of gl and cpu), gl or cpu")
+      .words(wordsOf(turntableEngines));
   command.option("--threads", arguments->threads, "threads of the CPU engine (default: every core)")
       .within(1, 4096);
   command.footer("Example: limn turntable head.nii.gz --frames 120 --size 800x800 -o head.mp4");

@@ -51,14 +51,6 @@ DicomDesk::DicomDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts
             QMetaObject::invokeMethod(
                 this, [this, loaded, request] { lookForLooks(loaded, request); }, Qt::QueuedConnection);
           });
-  connect(&m_saving, &BackgroundWork::progressed, this, [this](double fraction) {
-    if (m_dialog)
-      m_dialog->showProgress(fraction);
-  });
-  connect(&m_saving, &BackgroundWork::failed, this, [this](const QString& sentence) {
-    if (m_dialog)
-      m_dialog->endProgress(sentence);
-  });
 }
 
 // What is on the left, in the shape that it is seen in, and large enough to be read in an archive.
@@ -78,6 +70,7 @@ void DicomDesk::show() {
     return;
   if (!m_dialog) {
     m_dialog = new DicomDialog(&m_parts.window);
+    m_dialog->follow(m_saving);
     connect(m_dialog, &DicomDialog::saveRequested, this, &DicomDesk::save);
     connect(m_dialog, &DicomDialog::cancelled, this, [this] {
       m_saving.cancel();

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
+#include "app/saving/WorkDialog.h"
+
 #include <QStringList>
 
 class QCheckBox;
 class QLabel;
 class QListWidget;
-class QProgressBar;
-class QPushButton;
 
 namespace limn {
 
 /// Asks how picture and look go to an archive: with or without what the series says of its patient. It writes
 /// nothing.
-class DicomDialog : public QDialog {
+class DicomDialog : public WorkDialog {
   Q_OBJECT
 
 public:
@@ -28,18 +27,11 @@ public:
   /// What other programs do not find in the look, a sentence each.
   void setLosses(const QStringList& sentences);
 
-  void showProgress(double fraction);
-  void endProgress(const QString& text);
-  bool isWorking() const;
-
 signals:
   void saveRequested();
-  void cancelled();
-
-protected:
-  void done(int result) override;
 
 private:
+  QString doing(double fraction) const override;
   void sayWhatTheyCarry();
 
   QLabel* m_picture;
@@ -47,10 +39,6 @@ private:
   QCheckBox* m_anonymous;
   QListWidget* m_losses;
   QStringList m_shown; ///< in the list
-  QLabel* m_text;
-  QProgressBar* m_bar;
-  QPushButton* m_save;
-  QPushButton* m_close;
 };
 
 } // namespace limn

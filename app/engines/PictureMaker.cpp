@@ -167,6 +167,11 @@ PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
 
 } // namespace
 
+MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
+                           const Scene& scene, const glm::ivec2& size, const std::string& name) {
+  return makeWithin(scene, size, draw, StepControl::local, {PictureEngine::cpu, name});
+}
+
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, PictureEngine engine, int threads) {
   if (engine == PictureEngine::reference)
     return figuresBy(

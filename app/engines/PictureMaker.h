@@ -54,6 +54,11 @@ std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const gl
                                       PictureEngine engine, int threads, double textureMb = anyMb,
                                       const EngineMemory& memory = {});
 
+/// The picture of a scene that rays of the CPU engine make elsewhere, such as on many machines: `draw` is
+/// asked for it, and before where a tolerance asks for steps of its own. Throws what it throws.
+MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
+                           const Scene& scene, const glm::ivec2& size, const std::string& name);
+
 /// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
 /// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
 struct PictureFigures {

@@ -22,14 +22,10 @@ std::string fieldOf(const char* file, const std::string& key) {
 }
 
 // /proc counts memory in units of 1024 bytes.
-double kibibytes(const char* file, const char* key) {
-  double count = 0.0;
-  std::istringstream(fieldOf(file, key)) >> count;
-  return count;
-}
-
 double megabytes(const char* key) {
-  return kibibytes("/proc/self/status", key) * 1024.0 / 1e6;
+  double count = 0.0;
+  std::istringstream(fieldOf("/proc/self/status", key)) >> count;
+  return count * 1024.0 / 1e6;
 }
 
 } // namespace
@@ -46,11 +42,6 @@ double residentMb() {
 
 double peakResidentMb() {
   return megabytes("VmHWM");
-}
-
-std::optional<double> freeMemory() {
-  const double count = kibibytes("/proc/meminfo", "MemAvailable");
-  return count > 0.0 ? std::optional(count * 1024.0) : std::nullopt;
 }
 
 void forgetPeak() {

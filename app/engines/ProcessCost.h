@@ -28,9 +28,6 @@ double residentMb();
 /// The most that was resident since the program started or since the last call of `forgetPeak`, MB.
 double peakResidentMb();
 
-/// Memory that programs could still get, bytes; nothing where the system does not tell.
-std::optional<double> freeMemory();
-
 /// Gives free memory back to the system and starts a new peak.
 void forgetPeak();
 

@@ -83,7 +83,7 @@ FigureDesk::FigureDesk(PresetStore presets, const Parts& parts)
   connect(&parts.session, &Session::planesChanged, this, [this] { m_soon.start(); });
   connect(&m_work, &BackgroundWork::progressed, this, [this](double fraction) {
     if (m_dialog && m_dialog->isWorking())
-      m_dialog->showProgress(fraction, tr("Drawing the figure…"));
+      m_dialog->showProgress(fraction);
   });
   connect(&m_work, &BackgroundWork::failed, this, &FigureDesk::endWork);
 }
@@ -229,9 +229,9 @@ void FigureDesk::sayWhatItIs() {
                        .arg(layout.pictureSize().height());
     if (const std::string memory = memoryNote(layout, FigurePixels::bytes); !memory.empty())
       text += QLatin1Char(' ') + QString::fromStdString(memory);
-    m_dialog->say(withNotes(text, m_notes), hasMemoryFor(layout, FigurePixels::bytes));
+    m_dialog->describe(withNotes(text, m_notes), hasMemoryFor(layout, FigurePixels::bytes));
   } catch (const Error& error) {
-    m_dialog->say(translated(error), false);
+    m_dialog->describe(translated(error), false);
   }
 }
 
@@ -257,7 +257,7 @@ MakingOptions FigureDesk::order() const {
 void FigureDesk::make(FigurePixels pixels,
                       const std::function<BackgroundWork::Deliver(const MadeFigure&)>& finish) {
   const Figure figure = wanted();
-  m_dialog->showProgress(0.0, tr("Drawing the figure…"));
+  m_dialog->showProgress(0.0);
   m_work.start([figure, pixels, finish, order = order()](const Effort& effort) {
     constexpr double estimating = 0.15; // of the whole, in time
     const Figure estimated = withErrors(figure, withEffort(order, partOf(effort, 0.0, estimating)));
@@ -280,7 +280,7 @@ void FigureDesk::save() {
   try {
     pixels = pixelsFor(figureFormatOf(file));
   } catch (const Error& error) {
-    return m_dialog->say(translated(error), true);
+    return m_dialog->describe(translated(error), true);
   }
   const std::string volumePath = m_parts.document.volumePath();
   const NameInFile named =
@@ -308,8 +308,7 @@ void FigureDesk::copy() {
 void FigureDesk::endWork(const QString& sentence) {
   if (!m_dialog)
     return;
-  m_dialog->endProgress();
-  m_dialog->say(sentence, true);
+  m_dialog->endProgress(sentence);
   if (m_isStale)
     m_soon.start();
 }

@@ -6,8 +6,6 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -20,28 +18,22 @@ constexpr int sideWidth = 372;
 } // namespace
 
 FigureDialog::FigureDialog(QWidget* parent)
-    : QDialog(parent), m_preview(new FigurePreview(this)), m_panels(new PanelList(this)),
-      m_options(new FigureOptions(this)), m_exact(new QCheckBox(tr("As exact as a screen shows"), this)),
-      m_text(new QLabel(this)), m_bar(new QProgressBar(this)) {
+    : WorkDialog(QStringLiteral("figure"), tr("Making the figure"), parent),
+      m_preview(new FigurePreview(this)), m_panels(new PanelList(this)), m_options(new FigureOptions(this)),
+      m_exact(new QCheckBox(tr("As exact as a screen shows"), this)) {
   setWindowTitle(tr("Save a figure"));
   m_exact->setObjectName(QStringLiteral("figureExact"));
   m_exact->setToolTip(tr("Draws within half a level of 255 of the exact picture, which takes longer than the "
                          "window's own steps."));
   m_exact->setChecked(true);
-  m_text->setWordWrap(true);
-  m_text->setObjectName(QStringLiteral("figureSays"));
-  m_bar->setTextVisible(false);
-  m_bar->setRange(0, 1000);
-  m_bar->setAccessibleName(tr("Making the figure"));
-  m_bar->hide();
+  QWidget* side = makeSide();
+  connect(this, &WorkDialog::workingChanged, side, &QWidget::setDisabled);
   auto* row = new QHBoxLayout;
   row->addWidget(m_preview, 1);
-  row->addWidget(m_side = makeSide());
+  row->addWidget(side);
   auto* column = new QVBoxLayout(this);
   column->addLayout(row, 1);
-  column->addWidget(m_text);
-  column->addWidget(m_bar);
-  column->addWidget(makeButtons());
+  addButtons(column);
   connect(m_panels, &PanelList::edited, this, &FigureDialog::edited);
   connect(m_options, &FigureOptions::edited, this, &FigureDialog::edited);
   connect(m_exact, &QCheckBox::clicked, this, &FigureDialog::edited);
@@ -68,26 +60,15 @@ QWidget* FigureDialog::makeSide() {
   return scroll;
 }
 
-QWidget* FigureDialog::makeButtons() {
-  auto* buttons = new QWidget(this);
-  auto* row = new QHBoxLayout(buttons);
-  row->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](QPushButton*& button, const QString& text, const char* name) {
-    button = new QPushButton(text, buttons);
-    button->setObjectName(QLatin1String(name));
-    button->setAutoDefault(false);
-    row->addWidget(button);
-  };
-  row->addStretch();
-  add(m_copy, tr("&Copy"), "figureCopy");
-  add(m_close, tr("Close"), "figureClose");
-  add(m_save, tr("&Save…"), "figureSave");
-  m_copy->setToolTip(tr("Copies the figure to the clipboard, in full size."));
-  m_save->setDefault(true);
-  connect(m_save, &QPushButton::clicked, this, &FigureDialog::saveRequested);
-  connect(m_copy, &QPushButton::clicked, this, &FigureDialog::copyRequested);
-  connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-  return buttons;
+void FigureDialog::addButtons(QVBoxLayout* column) {
+  auto* save = new QPushButton(tr("&Save…"), this);
+  auto* copy = new QPushButton(tr("&Copy"), this);
+  save->setObjectName(QStringLiteral("figureSave"));
+  copy->setObjectName(QStringLiteral("figureCopy"));
+  copy->setToolTip(tr("Copies the figure to the clipboard, in full size."));
+  connect(save, &QPushButton::clicked, this, &FigureDialog::saveRequested);
+  connect(copy, &QPushButton::clicked, this, &FigureDialog::copyRequested);
+  addFoot(column, save, copy);
 }
 
 Figure FigureDialog::figure() const {
@@ -102,38 +83,13 @@ void FigureDialog::setExact(bool isExact) {
   m_exact->setChecked(isExact);
 }
 
-void FigureDialog::say(const QString& text, bool canBeMade) {
-  m_text->setText(text);
-  m_save->setEnabled(canBeMade && !isWorking());
-  m_copy->setEnabled(canBeMade && !isWorking());
+void FigureDialog::describe(const QString& text, bool canBeMade) {
+  say(text);
+  setStartable(canBeMade && !isWorking());
 }
 
-void FigureDialog::showProgress(double fraction, const QString& doing) {
-  m_bar->setValue(static_cast<int>(1000.0 * fraction));
-  m_bar->show();
-  m_text->setText(doing);
-  m_side->setEnabled(false);
-  m_save->setEnabled(false);
-  m_copy->setEnabled(false);
-  m_close->setText(tr("Cancel"));
-}
-
-void FigureDialog::endProgress() {
-  m_bar->hide();
-  m_side->setEnabled(true);
-  m_close->setText(tr("Close"));
-}
-
-bool FigureDialog::isWorking() const {
-  return !m_bar->isHidden();
-}
-
-// What runs ends first; closing takes a second step.
-void FigureDialog::done(int result) {
-  if (isWorking())
-    emit cancelled();
-  else
-    QDialog::done(result);
+QString FigureDialog::doing(double) const {
+  return tr("Drawing the figure…");
 }
 
 } // namespace limn

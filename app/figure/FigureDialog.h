@@ -2,13 +2,9 @@
 #pragma once
 
 #include "app/figure/PanelList.h"
-
-#include <QDialog>
+#include "app/saving/WorkDialog.h"
 
 class QCheckBox;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace limn {
 
@@ -16,7 +12,7 @@ class FigureOptions;
 class FigurePreview;
 
 /// Asks what a figure shows, with a preview. It draws and saves nothing: it asks for it.
-class FigureDialog : public QDialog {
+class FigureDialog : public WorkDialog {
   Q_OBJECT
 
 public:
@@ -32,36 +28,22 @@ public:
   void setExact(bool isExact);
 
   /// Says what becomes of it: its size, its memory, what is wrong with it.
-  void say(const QString& text, bool canBeMade);
-
-  /// While a figure is made nothing else can be asked for but to cancel.
-  void showProgress(double fraction, const QString& doing);
-  void endProgress();
-  bool isWorking() const;
+  void describe(const QString& text, bool canBeMade);
 
 signals:
   void edited();
   void saveRequested();
   void copyRequested();
-  void cancelled();
-
-protected:
-  void done(int result) override;
 
 private:
+  QString doing(double fraction) const override;
   QWidget* makeSide();
-  QWidget* makeButtons();
+  void addButtons(QVBoxLayout* column);
 
   FigurePreview* m_preview;
   PanelList* m_panels;
   FigureOptions* m_options;
   QCheckBox* m_exact;
-  QLabel* m_text;
-  QProgressBar* m_bar;
-  QPushButton* m_save = nullptr;
-  QPushButton* m_copy = nullptr;
-  QPushButton* m_close = nullptr;
-  QWidget* m_side = nullptr;
 };
 
 } // namespace limn

@@ -2,7 +2,6 @@
 #include "app/figure/PanelSources.h"
 
 #include "scene/light/ModelName.h"
-#include "scene/presets/PresetFit.h"
 #include "widgets/figure/FigureText.h"
 #include "widgets/properties/ProjectionSection.h"
 

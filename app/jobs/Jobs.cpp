@@ -40,7 +40,7 @@ std::string lastNames(const std::string& source, int parts) {
   for (const char* ending : {".nii.gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtk", ".dcm",
                              ".tif", ".tiff", ".inv3", ".json", ".png", ".exr"})
     if (name.size() > std::string_view(ending).size() && name.ends_with(ending)) {
-      name.resize(name.size() - std::string_view(ending).size());
+      name.erase(name.size() - std::string_view(ending).size()); // GCC 12 warns of resize
       break;
     }
   for (rest = rest.parent_path(); parts > 1 && rest.has_filename(); --parts, rest = rest.parent_path())

@@ -18,7 +18,7 @@ EarlierLook::EarlierLook(const Partners& with, QObject* parent) : QObject(parent
 void EarlierLook::follow(const Scene& scene) {
   const std::shared_ptr<const Volume> before = m_volume.lock();
   // Where the voxels of one volume lie may change: orientation can be set by hand.
-  const bool isSame = before && scene.volume && &before->stored() == &scene.volume->stored();
+  const bool isSame = before && scene.volume && before->sharesVoxelsWith(*scene.volume);
   std::optional<Landmarks> landmarks;
   if (isSame) {
     landmarks = m_present->look.landmarks;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/LookDesk.h"
 
+#include "app/Settings.h"
 #include "app/document/Session.h"
 #include "app/opening/OpenDialog.h"
 #include "app/presets/LookFiles.h"
@@ -106,12 +107,16 @@ void LookDesk::exportPreset(const QString& name) {
 }
 
 void LookDesk::askWhereToExport(const Preset& preset) {
-  const QString path = askWhereToSave(
-      &m_with.window,
-      {tr("Export the look"), presetWords(QString::fromStdString(preset.name)), writtenLookFilters()},
-      m_with.settings);
-  if (!path.isEmpty())
-    write(preset, path);
+  const QString path =
+      askWhereToSave(&m_with.window,
+                     {tr("Export the look"), presetWords(QString::fromStdString(preset.name)),
+                      writtenLookFilters(m_with.settings.lookEnding())},
+                     m_with.settings);
+  if (path.isEmpty())
+    return;
+  if (const LookFormat* format = writtenLookFormat(QFileInfo(path).fileName().toStdString()))
+    m_with.settings.setLookEnding(QString::fromStdString(format->endings.front()));
+  write(preset, path);
 }
 
 void LookDesk::write(const Preset& preset, const QString& path) {

@@ -10,6 +10,8 @@
 #include <QFileInfo>
 #include <QObject>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -46,11 +48,14 @@ QStringList readLookFilters() {
           QObject::tr("All files (*)")};
 }
 
-QStringList writtenLookFilters() {
+QStringList writtenLookFilters(const QString& first) {
   QStringList filters;
   for (const LookFormat& format : lookFormats())
-    if (format.write && !format.isScene) // those are saved with a series
-      filters << QStringLiteral("%1 (%2)").arg(translated(format.name), patterns(format));
+    if (format.write && !format.isScene) { // those are saved with a series
+      const QString filter = QStringLiteral("%1 (%2)").arg(translated(format.name), patterns(format));
+      const bool isFirst = std::ranges::find(format.endings, first.toStdString()) != format.endings.end();
+      isFirst ? filters.prepend(filter) : filters.append(filter);
+    }
   return filters;
 }
 

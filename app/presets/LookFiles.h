@@ -8,8 +8,11 @@ namespace limn {
 /// Whether a file holds looks, of Limn or another program: by its ending and by what is in it. Never throws.
 bool holdsLooks(const QString& path);
 
-/// Filters of dialogs: of all files that are read, and of those that are written, the usual kind first.
+/// The filters of a dialog that asks for looks.
 QStringList readLookFilters();
-QStringList writtenLookFilters();
+
+/// The filters of a dialog that asks where to write one, a kind each: first the kind with the ending `first`
+/// (".itf"), if there is one, then Limn's own.
+QStringList writtenLookFilters(const QString& first);
 
 } // namespace limn

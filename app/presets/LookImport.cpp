@@ -32,6 +32,28 @@ std::vector<ReadLook> looksIn(const QString& path, const std::optional<LookTarge
   return parseLooks(text, name, target);
 }
 
+struct NamedRemarks {
+  QString look;
+  QStringList remarks;
+};
+
+/// Each remark on a file's looks once; one that is not on all of them names those that it is on.
+QStringList remarksOnFile(const std::vector<NamedRemarks>& looks) {
+  QStringList all, told;
+  for (const NamedRemarks& look : looks)
+    all << look.remarks;
+  all.removeDuplicates();
+  for (const QString& remark : all) {
+    QStringList names;
+    for (const NamedRemarks& look : looks)
+      if (look.remarks.contains(remark))
+        names << look.look;
+    const bool isOnAll = names.size() == static_cast<qsizetype>(looks.size());
+    told << (isOnAll ? remark : QObject::tr("%1: %2").arg(names.join(QObject::tr(", ")), remark));
+  }
+  return told;
+}
+
 /// Keeps looks beside the presets that there are.
 class LookKeeper {
 public:
@@ -43,18 +65,20 @@ public:
   /// Imports a file; `kept` receives the names of its presets.
   LookReportEntry keep(const QString& path, const std::optional<LookTarget>& target, QStringList& kept) {
     LookReportEntry entry{QFileInfo(path).fileName(), {}, {}, false};
-    QStringList names;
+    QStringList names, renamings, refusal;
+    std::vector<NamedRemarks> looks;
     try {
       for (const ReadLook& look : looksIn(path, target)) {
+        names << keepLook(look.preset, renamings);
+        looks.push_back({names.back(), {}});
         for (const Message& change : look.changes)
-          entry.sentences << translated(change);
-        names << keepLook(look.preset, entry.sentences);
+          looks.back().remarks << translated(change);
       }
     } catch (const Error& error) {
       entry.isRefused = true;
-      entry.sentences << translated(error.sentence());
+      refusal << translated(error.sentence());
     }
-    entry.sentences.removeDuplicates(); // of several looks
+    entry.sentences = remarksOnFile(looks) + renamings + refusal;
     entry.outcome = names.isEmpty() ? QObject::tr("not imported")
                                     : QObject::tr("imported as %1").arg(names.join(QObject::tr(", ")));
     kept << names;

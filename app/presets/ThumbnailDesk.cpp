@@ -7,7 +7,6 @@
 #include "widgets/presets/PresetModel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace limn {

@@ -34,9 +34,6 @@ public:
   /// Which of them the curve shows already.
   void setShown(const std::vector<bool>& shown);
 
-  /// Which one is previewed.
-  const std::optional<std::size_t>& previewedOne() const { return m_previewed; }
-
 signals:
   /// The picture is to show a band, or none any more.
   void previewed(const std::optional<std::size_t>& index);

@@ -46,18 +46,11 @@ SurfaceDesk::SurfaceDesk(const Parts& parts) : QObject(&parts.window), m_parts(p
     if (m_dialog && !m_work.isRunning())
       m_dialog->showRefusal(sentence);
   });
-  connect(&m_work, &BackgroundWork::progressed, this, [this](double fraction) {
-    if (m_dialog)
-      m_dialog->showProgress(fraction);
-  });
-  connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
-    if (m_dialog)
-      m_dialog->endProgress(sentence);
-  });
 }
 
 void SurfaceDesk::makeDialog() {
   m_dialog = new SurfaceDialog(&m_parts.window);
+  m_dialog->follow(m_work);
   connect(m_dialog, &SurfaceDialog::orderEdited, this, &SurfaceDesk::estimate);
   connect(m_dialog, &SurfaceDialog::exportRequested, this, &SurfaceDesk::exportSurface);
   connect(m_dialog, &SurfaceDialog::cancelled, this, [this] {

@@ -8,7 +8,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -26,12 +25,11 @@ QHBoxLayout* withUnit(QWidget* field, QLabel* unit) {
 } // namespace
 
 SurfaceDialog::SurfaceDialog(QWidget* parent)
-    : QDialog(parent), m_value(new NumberField(-1e9, 1e9, 4, this)), m_unit(new QLabel(this)),
-      m_origin(new QLabel(this)),
+    : WorkDialog(QStringLiteral("surface"), tr("Making the surface"), parent),
+      m_value(new NumberField(-1e9, 1e9, 4, this)), m_unit(new QLabel(this)), m_origin(new QLabel(this)),
       m_isClosed(new QCheckBox(tr("&Close holes where crop or volume end (printing needs it)"), this)),
       m_smallest(new NumberField(0.0, 1e9, 1, this)), m_tolerance(new NumberField(0.0, 100.0, 3, this)),
-      m_cells(new QComboBox(this)), m_text(new QLabel(this)), m_bar(new QProgressBar(this)),
-      m_export(new QPushButton(tr("&Export…"), this)), m_close(new QPushButton(tr("Close"), this)) {
+      m_cells(new QComboBox(this)) {
   setWindowTitle(tr("Export a surface"));
   name();
   m_isClosed->setChecked(true);
@@ -47,8 +45,6 @@ SurfaceDialog::SurfaceDialog(QWidget* parent)
   m_cells->addItem(tr("Twice as fine (4 times the triangles)"), 2);
   m_cells->addItem(tr("3 times as fine (9 times the triangles)"), 3);
   layOut();
-  connect(m_export, &QPushButton::clicked, this, &SurfaceDialog::exportRequested);
-  connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
   connect(m_value, &NumberField::numberEdited, this, [this] {
     m_origin->clear();
     emit orderEdited();
@@ -63,13 +59,9 @@ void SurfaceDialog::name() {
   m_smallest->setObjectName(QStringLiteral("surfaceSmallest"));
   m_tolerance->setObjectName(QStringLiteral("surfaceTolerance"));
   m_cells->setObjectName(QStringLiteral("surfaceCells"));
-  m_text->setObjectName(QStringLiteral("surfaceSays"));
-  m_export->setObjectName(QStringLiteral("surfaceExport"));
-  m_close->setObjectName(QStringLiteral("surfaceClose"));
   m_value->setAccessibleName(tr("Value of the surface"));
   m_smallest->setAccessibleName(tr("Smallest part in cubic millimetres"));
   m_tolerance->setAccessibleName(tr("Distance from the isosurface in millimetres"));
-  m_bar->setAccessibleName(tr("Making the surface"));
 }
 
 void SurfaceDialog::layOut() {
@@ -86,24 +78,16 @@ void SurfaceDialog::layOut() {
   add(tr("Leave out &parts below"), m_smallest, new QLabel(tr("mm³"), this));
   add(tr("&Simplify within"), m_tolerance, new QLabel(tr("mm"), this));
   form->addRow(tr("&Detail"), m_cells);
-  m_text->setWordWrap(true);
-  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_text->setMinimumHeight(4 * fontMetrics().lineSpacing());
-  m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_bar->setRange(0, 1000);
-  m_bar->setTextVisible(false);
-  m_bar->hide();
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(m_close);
-  buttons->addWidget(m_export);
-  m_close->setAutoDefault(false);
-  m_export->setDefault(true);
+  text()->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text()->setMinimumHeight(4 * fontMetrics().lineSpacing());
+  text()->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* start = new QPushButton(tr("&Export…"), this);
+  start->setObjectName(QStringLiteral("surfaceExport"));
+  connect(start, &QPushButton::clicked, this, &SurfaceDialog::exportRequested);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
-  column->addWidget(m_text, 1);
-  column->addWidget(m_bar);
-  column->addLayout(buttons);
+  addFoot(column, start);
+  column->setStretchFactor(text(), 1);
   setMinimumWidth(480);
 }
 
@@ -137,39 +121,18 @@ int SurfaceDialog::cells() const {
   return m_cells->currentData().toInt();
 }
 
-void SurfaceDialog::showEstimate(const QString& text) {
-  m_export->setEnabled(true);
-  m_text->setText(text);
+void SurfaceDialog::showEstimate(const QString& sentence) {
+  setStartable(true);
+  say(sentence);
 }
 
 void SurfaceDialog::showRefusal(const QString& sentence) {
-  m_export->setEnabled(false);
-  m_text->setText(sentence);
+  setStartable(false);
+  say(sentence);
 }
 
-void SurfaceDialog::showProgress(double fraction) {
-  m_bar->setValue(static_cast<int>(1000.0 * fraction));
-  m_bar->show();
-  m_export->setEnabled(false);
-  m_close->setText(tr("Cancel"));
-  m_text->setText(tr("Making the surface and measuring it…"));
-}
-
-void SurfaceDialog::endProgress(const QString& text) {
-  m_bar->hide();
-  m_close->setText(tr("Close"));
-  showEstimate(text);
-}
-
-bool SurfaceDialog::isWorking() const {
-  return !m_bar->isHidden();
-}
-
-void SurfaceDialog::done(int result) {
-  if (isWorking())
-    emit cancelled();
-  else
-    QDialog::done(result);
+QString SurfaceDialog::doing(double) const {
+  return tr("Making the surface and measuring it…");
 }
 
 } // namespace limn

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
+#include "app/saving/WorkDialog.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace limn {
 
 class NumberField;
 
 /// Asks how an isosurface is made into a mesh, and says what comes of it. It makes nothing.
-class SurfaceDialog : public QDialog {
+class SurfaceDialog : public WorkDialog {
   Q_OBJECT
 
 public:
@@ -31,23 +29,16 @@ public:
   int cells() const;          ///< along each axis from a voxel to the next
 
   /// What the order would come to, or why it cannot be made; then nothing can be exported.
-  void showEstimate(const QString& text);
+  void showEstimate(const QString& sentence);
   void showRefusal(const QString& sentence);
-
-  void showProgress(double fraction);
-  void endProgress(const QString& text);
-  bool isWorking() const;
 
 signals:
   /// Another surface is wished for than the one that was estimated.
   void orderEdited();
   void exportRequested();
-  void cancelled();
-
-protected:
-  void done(int result) override;
 
 private:
+  QString doing(double fraction) const override;
   void layOut();
   void name();
 
@@ -58,10 +49,6 @@ private:
   NumberField* m_smallest;
   NumberField* m_tolerance;
   QComboBox* m_cells;
-  QLabel* m_text;
-  QProgressBar* m_bar;
-  QPushButton* m_export;
-  QPushButton* m_close;
 };
 
 } // namespace limn

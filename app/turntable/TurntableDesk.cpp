@@ -13,7 +13,6 @@
 #include "widgets/view/CompareView.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
 
@@ -21,14 +20,6 @@ namespace limn {
 
 TurntableDesk::TurntableDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
   connect(&parts.saveTurntable, &QAction::triggered, this, &TurntableDesk::show);
-  connect(&m_work, &BackgroundWork::progressed, this, [this](double fraction) {
-    if (m_dialog)
-      m_dialog->showProgress(fraction);
-  });
-  connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
-    if (m_dialog)
-      m_dialog->endProgress(sentence);
-  });
 }
 
 void TurntableDesk::show() {
@@ -36,6 +27,7 @@ void TurntableDesk::show() {
     return;
   if (!m_dialog) {
     m_dialog = new TurntableDialog(!videoProgram().empty(), &m_parts.window);
+    m_dialog->follow(m_work);
     connect(m_dialog, &TurntableDialog::saveRequested, this, &TurntableDesk::save);
     connect(m_dialog, &TurntableDialog::cancelled, this, [this] {
       m_work.cancel();

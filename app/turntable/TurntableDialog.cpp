@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -24,11 +23,10 @@ constexpr double mostSide = 8192.0;
 } // namespace
 
 TurntableDialog::TurntableDialog(bool hasVideo, QWidget* parent)
-    : QDialog(parent), m_width(new NumberField(16.0, mostSide, 0, this)),
-      m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
-      m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_kind(new QComboBox(this)),
-      m_text(new QLabel(this)), m_bar(new QProgressBar(this)), m_save(new QPushButton(tr("&Save…"), this)),
-      m_close(new QPushButton(tr("Close"), this)) {
+    : WorkDialog(QStringLiteral("turntable"), tr("Drawing the turntable"), parent),
+      m_width(new NumberField(16.0, mostSide, 0, this)), m_height(new NumberField(16.0, mostSide, 0, this)),
+      m_frames(new NumberField(2.0, mostFrames, 0, this)), m_perSecond(new NumberField(1.0, 240.0, 0, this)),
+      m_kind(new QComboBox(this)) {
   setWindowTitle(tr("Save a turntable"));
   m_kind->setObjectName(QStringLiteral("turntableKind"));
   m_kind->addItem(tr("Frames in a folder (PNG)"));
@@ -37,8 +35,6 @@ TurntableDialog::TurntableDialog(bool hasVideo, QWidget* parent)
   m_frames->setObjectName(QStringLiteral("turntableFrames"));
   m_width->setObjectName(QStringLiteral("turntableWidth"));
   m_height->setObjectName(QStringLiteral("turntableHeight"));
-  m_save->setObjectName(QStringLiteral("turntableSave"));
-  m_close->setObjectName(QStringLiteral("turntableClose"));
   m_width->setAccessibleName(tr("Width in pixels"));
   m_height->setAccessibleName(tr("Height in pixels"));
   m_frames->setNumber(90.0);
@@ -58,26 +54,13 @@ TurntableDialog::TurntableDialog(bool hasVideo, QWidget* parent)
     missing->setWordWrap(true);
     form->addRow(missing);
   }
-  m_text->setWordWrap(true);
-  m_text->setObjectName(QStringLiteral("turntableSays"));
-  m_bar->setRange(0, 1000);
-  m_bar->setTextVisible(false);
-  m_bar->setAccessibleName(tr("Drawing the turntable"));
-  m_bar->hide();
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(m_close);
-  buttons->addWidget(m_save);
-  m_close->setAutoDefault(false);
-  m_save->setDefault(true);
+  auto* save = new QPushButton(tr("&Save…"), this);
+  save->setObjectName(QStringLiteral("turntableSave"));
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
-  column->addWidget(m_text);
-  column->addWidget(m_bar);
-  column->addLayout(buttons);
+  addFoot(column, save);
   setMinimumWidth(440);
-  connect(m_save, &QPushButton::clicked, this, &TurntableDialog::saveRequested);
-  connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+  connect(save, &QPushButton::clicked, this, &TurntableDialog::saveRequested);
   for (NumberField* field : {m_frames, m_perSecond})
     connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
   showLength();
@@ -110,36 +93,10 @@ bool TurntableDialog::wantsVideo() const {
   return m_kind->currentIndex() == 1;
 }
 
-void TurntableDialog::say(const QString& text) {
-  m_text->setText(text);
-}
-
-void TurntableDialog::showProgress(double fraction) {
-  m_bar->setValue(static_cast<int>(1000.0 * fraction));
-  m_bar->show();
-  m_save->setEnabled(false);
-  m_close->setText(tr("Cancel"));
-  say(tr("Drawing frame %1 of %2…")
-          .arg(std::min(frames(), static_cast<int>(fraction * frames()) + 1))
-          .arg(frames()));
-}
-
-void TurntableDialog::endProgress(const QString& text) {
-  m_bar->hide();
-  m_save->setEnabled(true);
-  m_close->setText(tr("Close"));
-  say(text);
-}
-
-bool TurntableDialog::isWorking() const {
-  return !m_bar->isHidden();
-}
-
-void TurntableDialog::done(int result) {
-  if (isWorking())
-    emit cancelled();
-  else
-    QDialog::done(result);
+QString TurntableDialog::doing(double fraction) const {
+  return tr("Drawing frame %1 of %2…")
+      .arg(std::min(frames(), static_cast<int>(fraction * frames()) + 1))
+      .arg(frames());
 }
 
 } // namespace limn

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
+#include "app/saving/WorkDialog.h"
 
 #include <glm/glm.hpp>
 
 class QComboBox;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace limn {
 
 class NumberField;
 
 /// Asks how a turntable is saved. It draws nothing.
-class TurntableDialog : public QDialog {
+class TurntableDialog : public WorkDialog {
   Q_OBJECT
 
 public:
@@ -28,19 +25,11 @@ public:
   double framesPerSecond() const;
   bool wantsVideo() const;
 
-  void say(const QString& text);
-  void showProgress(double fraction);
-  void endProgress(const QString& text);
-  bool isWorking() const;
-
 signals:
   void saveRequested();
-  void cancelled();
-
-protected:
-  void done(int result) override;
 
 private:
+  QString doing(double fraction) const override;
   void showLength();
 
   NumberField* m_width;
@@ -48,10 +37,6 @@ private:
   NumberField* m_frames;
   NumberField* m_perSecond;
   QComboBox* m_kind;
-  QLabel* m_text;
-  QProgressBar* m_bar;
-  QPushButton* m_save;
-  QPushButton* m_close;
 };
 
 } // namespace limn

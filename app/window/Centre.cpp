@@ -17,10 +17,11 @@ Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  for (MessageBar** bar : {&recovery, &unsafe, &patient, &messages})
+  for (MessageBar** bar : {&recovery, &unsafe, &patient, &tour, &messages})
     column->addWidget(*bar = new MessageBar(centre));
   recovery->setObjectName(QStringLiteral("recoveryBar"));
   patient->setObjectName(QStringLiteral("patientBar"));
+  tour->setObjectName(QStringLiteral("tourBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
   view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
                           [] { return makeCpuEngine(); }},

@@ -20,6 +20,7 @@ struct Centre {
   MessageBar* recovery; ///< offers what an earlier window left behind
   MessageBar* unsafe;   ///< says so as long as the session cannot be kept
   MessageBar* patient;  ///< asks once whether a patient may be named
+  MessageBar* tour;     ///< offers a tour of the window, once
   MessageBar* messages;
   CompareView* view;
   PlaneDeck* planes; ///< around the view

@@ -3,6 +3,8 @@
 
 #include "app/actions/Actions.h"
 #include "app/actions/HelpBoxes.h"
+#include "app/help/GuidePlaces.h"
+#include "app/help/GuideWindow.h"
 #include "app/window/SettingsDialog.h"
 #include "app/window/StabilityDialog.h"
 
@@ -15,6 +17,7 @@ DialogDesk::DialogDesk(const Actions& actions, QString reports, QWidget& window)
   connect(actions.shortcuts, &QAction::triggered, this, [this] { showShortcuts(m_actions, &m_window); });
   connect(actions.about, &QAction::triggered, this, [this] { showAbout(&m_window); });
   connect(actions.settings, &QAction::triggered, this, &DialogDesk::showSettings);
+  connect(actions.guide, &QAction::triggered, this, &DialogDesk::showGuide);
   connect(actions.stability, &QAction::triggered, this, &DialogDesk::showStability);
 }
 
@@ -34,6 +37,17 @@ void DialogDesk::showStability() {
     m_stability = new StabilityDialog(QCoreApplication::applicationFilePath(), m_reports, &m_window);
   m_stability->show();
   m_stability->raise();
+}
+
+// It stays while it is hidden, where the reader left it.
+void DialogDesk::showGuide() {
+  const QString place = guidePlaceOf(m_window.focusWidget());
+  if (!m_guide)
+    m_guide = new GuideWindow(&m_window);
+  m_guide->show();
+  m_guide->raise();
+  m_guide->activateWindow();
+  m_guide->showPlace(place);
 }
 
 } // namespace limn

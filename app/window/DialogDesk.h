@@ -8,11 +8,12 @@
 namespace limn {
 
 class Actions;
+class GuideWindow;
 class SettingsDialog;
 class StabilityDialog;
 
-/// The dialogs that are about the program and not about what is shown: settings, keys, stability checks,
-/// about. None blocks the window.
+/// The dialogs that are about the program and not about what is shown: settings, guide, keys, stability
+/// checks, about. None blocks the window.
 class DialogDesk : public QObject {
   Q_OBJECT
 
@@ -27,12 +28,14 @@ signals:
 private:
   void showSettings();
   void showStability();
+  void showGuide();
 
   const Actions& m_actions;
   QString m_reports;
   QWidget& m_window;
   QPointer<SettingsDialog> m_settings;
   QPointer<StabilityDialog> m_stability;
+  QPointer<GuideWindow> m_guide;
 };
 
 } // namespace limn

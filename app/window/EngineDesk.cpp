@@ -3,7 +3,6 @@
 
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
-#include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 
@@ -89,8 +88,8 @@ void EngineDesk::showInMenu() {
 // The first picture does not wait.
 void EngineDesk::lookAt(const PictureState& state) {
   const Scene& scene = m_parts.view.scene();
-  if (state.resting && !m_isTried && scene.volume && scene.volume->voxelCount() <= mostVoxelsTried &&
-      chosenEngine(facts()).isGuess)
+  if (state.resting && !m_isTried && scene.volume && !scene.volume->room() &&
+      scene.volume->voxelCount() <= mostVoxelsTried && chosenEngine(facts()).isGuess)
     tryBoth();
 }
 

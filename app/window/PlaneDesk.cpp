@@ -68,7 +68,7 @@ void PlaneDesk::showScene(const Scene& scene) {
   m_content.keep = scene.keep;
   m_content.crop = scene.crop;
   if (scene.volume != before) {
-    const bool hasSameVoxels = scene.volume && before && &scene.volume->stored() == &before->stored();
+    const bool hasSameVoxels = scene.volume && before && scene.volume->sharesVoxelsWith(*before);
     if (scene.volume && !hasSameVoxels)
       m_content.firstWindow = firstWindow(*scene.volume, m_parts.document.histogram());
     m_parts.session.setPlanes(forOtherVolume(m_parts.session.planes(), hasSameVoxels));

@@ -42,7 +42,7 @@ void RemarksDesk::say() {
 void RemarksDesk::followScene(const Scene& scene) {
   if (!m_volume || scene.volume == m_volume)
     return;
-  const bool isPlacedAnew = scene.volume && &scene.volume->stored() == &m_volume->stored();
+  const bool isPlacedAnew = scene.volume && scene.volume->sharesVoxelsWith(*m_volume);
   m_volume = isPlacedAnew ? scene.volume : nullptr;
   if (!isPlacedAnew || m_said.isEmpty() || m_parts.messages.sentence() != m_said ||
       m_parts.messages.isHidden())

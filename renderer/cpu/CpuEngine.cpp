@@ -2,51 +2,96 @@
 #include "cpu/CpuEngine.h"
 
 #include "cpu/CpuCosts.h"
+#include "cpu/StandIns.h"
 
 namespace limn {
 namespace {
 
+// Of the memory that the process keeps for itself, for each level that stands in for a volume: next to it
+// lies what is made of it, and of two pictures.
+constexpr std::uint64_t shareOfBudget = 8;
+
+// Of getting ready, for the ranges of blocks; the rest is for what stands in.
+constexpr double rangesShare = 0.4;
+
 class CpuEngine final : public DrawingEngine {
 public:
-  explicit CpuEngine(int threads) : m_renderer(threads) {}
+  CpuEngine(int threads, const MemoryBudget& budget)
+      : m_threads(threads), m_whole(threads), m_standIns(budget.bytes() / shareOfBudget), m_last(&m_whole) {}
 
   std::optional<Image> draw(const Scene& scene, const glm::ivec2& size, const PixelRect& tile,
                             const IsCancelled& isCancelled) override {
-    return m_renderer.draw(scene, size, tile, isCancelled);
+    return rendererFor(scene).draw(scene, size, tile, isCancelled);
   }
   double makeReady(const Scene& scene, const Effort& effort) override {
-    m_renderer.makeReady(scene, effort);
+    const bool isOnDisk = scene.volume && scene.volume->room();
+    m_whole.makeReady(scene, isOnDisk ? partOf(effort, 0.0, rangesShare) : effort);
+    if (isOnDisk || !m_standIns.levels().empty())
+      readyStandIns(scene, partOf(effort, rangesShare, 1.0));
     return 1.0;
   }
+  std::optional<StandIn> standInFor(const Scene& scene, const glm::ivec2& size) override {
+    return m_standIns.of(scene, size);
+  }
   Image drawUnlimited(const Scene& scene, const glm::ivec2& size) override {
-    return m_renderer.renderUnlimited(scene, size);
+    return rendererFor(scene).renderUnlimited(scene, size);
   }
   bool prepare(const Scene&, const glm::ivec2&) override { return false; }
   std::unique_ptr<EffectMeasurement> measureEffects(const Scene& scene, const glm::ivec2& size) override {
-    return measurementOf(std::make_unique<CpuCosts>(m_renderer), scene, size, m_renderer.plan(scene));
+    CpuRenderer& renderer = rendererFor(scene);
+    return measurementOf(std::make_unique<CpuCosts>(renderer), scene, size, renderer.plan(scene));
   }
 
   DrawingFacts facts(const Scene& scene) override {
+    CpuRenderer& renderer = rendererFor(scene);
     DrawingFacts facts;
-    facts.plan = m_renderer.plan(scene);
-    facts.steepestPerMm = m_renderer.steepestPerMm();
-    facts.takesAllSamples = m_renderer.limitation().empty();
+    facts.plan = renderer.plan(scene);
+    facts.steepestPerMm = renderer.steepestPerMm();
+    facts.takesAllSamples = renderer.limitation().empty();
     return facts;
   }
-  GradientScale gradientScale() const override { return m_renderer.gradientScale(); }
+  GradientScale gradientScale() const override { return m_last->gradientScale(); }
   int compiledPrograms() const override { return 0; }
-  double memoryMb() const override { return m_renderer.memoryMb(); }
-  std::string name() const override { return m_renderer.name(); }
-  Message limitation() const override { return m_renderer.limitation(); }
+  double memoryMb() const override {
+    double all = m_whole.memoryMb();
+    for (const auto& renderer : m_ofLevels)
+      all += renderer->memoryMb();
+    return all;
+  }
+  std::string name() const override { return m_whole.name(); }
+  Message limitation() const override { return m_last->limitation(); }
 
 private:
-  CpuRenderer m_renderer;
+  void readyStandIns(const Scene& scene, const Effort& effort) {
+    m_last = &m_whole;
+    if (!m_standIns.makeReady(scene.volume, effort))
+      return;
+    m_ofLevels.clear();
+    while (m_ofLevels.size() < m_standIns.levels().size())
+      m_ofLevels.push_back(std::make_unique<CpuRenderer>(m_threads));
+  }
+
+  // What stands in for a volume has a renderer of its own: what is known of either stays while they take
+  // turns.
+  CpuRenderer& rendererFor(const Scene& scene) {
+    m_last = &m_whole;
+    for (std::size_t n = 0; n < m_standIns.levels().size(); ++n)
+      if (m_standIns.levels()[n].volume == scene.volume)
+        m_last = m_ofLevels[n].get();
+    return *m_last;
+  }
+
+  int m_threads;
+  CpuRenderer m_whole;
+  cpu::StandIns m_standIns;
+  std::vector<std::unique_ptr<CpuRenderer>> m_ofLevels;
+  CpuRenderer* m_last; // that drew, or told facts
 };
 
 } // namespace
 
-std::unique_ptr<DrawingEngine> makeCpuEngine(int threads) {
-  return std::make_unique<CpuEngine>(threads);
+std::unique_ptr<DrawingEngine> makeCpuEngine(int threads, const MemoryBudget& budget) {
+  return std::make_unique<CpuEngine>(threads, budget);
 }
 
 } // namespace limn

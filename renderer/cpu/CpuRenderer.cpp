@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuRenderer.h"
 
-#include "cpu/Threads.h"
+#include "cpu/Strips.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
 #include "engine/CoveredPixels.h"
@@ -11,9 +11,6 @@
 
 namespace limn {
 namespace {
-
-// Threads take strips of so many pixels of a row.
-constexpr int stripWidth = 64;
 
 EffectSet withMore(EffectSet needed, EffectSet more) {
   return canonical(needed.with(more));
@@ -43,18 +40,10 @@ Image CpuRenderer::drawWith(const Scene& scene, const glm::ivec2& size, const Pi
   const cpu::PictureTerms terms = m_data.terms(scene, size, effects, isCancelled);
   const PixelRect covered =
       intersection(tile, coveredPixels(scene.camera, scene.volume->grid(), terms.visibleBox, size));
-  const glm::ivec2 inTile = covered.topLeft - tile.topLeft;
-  const int strips = (covered.size.x + stripWidth - 1) / stripWidth;
-  cpu::forEach(
-      strips * covered.size.y, m_threads,
-      [&](int strip) {
-        const int y = strip / strips;
-        const int from = strip % strips * stripWidth;
-        const int to = std::min(from + stripWidth, covered.size.x);
-        cpu::drawRow(terms, covered.topLeft.y + y, covered.topLeft.x + from, covered.topLeft.x + to,
-                     &image.at(inTile.x + from, inTile.y + y));
-      },
-      isCancelled);
+  const auto drawStrip = [&](const cpu::Strip& strip) {
+    cpu::drawRow(terms, strip.y, strip.fromX, strip.toX, &image.pixels[strip.inTile]);
+  };
+  cpu::forEachStrip(tile, covered, m_threads, drawStrip, isCancelled);
   return image;
 }
 

@@ -3,6 +3,8 @@
 
 #include "scene/steps/BlockRanges.h"
 
+#include <algorithm>
+
 namespace limn::cpu {
 namespace {
 
@@ -14,16 +16,16 @@ bool placesAreWeights(const Region& region) {
   return std::holds_alternative<std::vector<std::uint8_t>>(region.labels->places());
 }
 
-template <class T>
-VoxelSource sourceOf(VoxelSource::Kind kind, const std::vector<T>& weights, const glm::ivec3& dims,
-                     float scale) {
+template <class Weights>
+VoxelSource sourceOf(VoxelSource::Kind kind, const Weights& weights, const glm::ivec3& dims, float scale) {
+  constexpr std::size_t each = sizeof(typename Weights::value_type);
   VoxelSource source;
   source.kind = kind;
   source.begin = reinterpret_cast<const unsigned char*>(weights.data());
-  source.bytes = static_cast<std::int64_t>(weights.size() * sizeof(T));
+  source.bytes = static_cast<std::int64_t>(weights.size() * each);
   source.scale = scale;
   source.dims = dims;
-  const std::int64_t row = std::int64_t{sizeof(T)} * dims.x;
+  const std::int64_t row = std::int64_t{each} * dims.x;
   source.strideY = dims.y > 1 ? row : 0;
   source.strideZ = dims.z > 1 ? row * dims.y : 0;
   return source;
@@ -31,25 +33,32 @@ VoxelSource sourceOf(VoxelSource::Kind kind, const std::vector<T>& weights, cons
 
 } // namespace
 
-void RegionStore::update(const Region& region, const glm::ivec3& blocks, const Effort& effort) {
-  if (m_region == region)
+void RegionStore::update(const Region& region, const BlockBox& box, const std::shared_ptr<Room>& room,
+                         const Effort& effort) {
+  if (m_region == region && m_box == box)
     return;
   m_region = {}; // should it be cancelled
-  m_shares.clear();
-  m_blocks.clear();
+  m_shares = RoomVector<std::uint16_t>(room);
+  m_blocks = BlockWeights(room);
   if (isRestricting(region)) {
-    m_blocks = blockWeights(region, {blocks, glm::ivec3(blockSize)}, effort);
+    m_blocks = blockWeights(region, {box.upper - box.lower, glm::ivec3(blockSize), box.lower}, effort, room);
     const LabelMap& labels = *region.labels;
     if (placesAreWeights(region)) {
       m_source = sourceOf(VoxelSource::Kind::byte, std::get<std::vector<std::uint8_t>>(labels.places()),
                           labels.dims(), 1.0f);
     } else {
       m_shares.resize(static_cast<std::size_t>(labels.dims().x) * labels.dims().y * labels.dims().z);
-      sharesOf(region, 0, m_shares.size(), m_shares.data());
+      const std::size_t pieces = (m_shares.size() + voxelsPerPiece - 1) / voxelsPerPiece;
+      forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
+        const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
+        const std::size_t count = std::min<std::size_t>(voxelsPerPiece, m_shares.size() - from);
+        sharesOf(region, from, count, &m_shares[from]);
+      });
       m_source = sourceOf(VoxelSource::Kind::half, m_shares, labels.dims(), 1.0f / 65535.0f);
     }
   }
   m_region = region;
+  m_box = box;
 }
 
 } // namespace limn::cpu

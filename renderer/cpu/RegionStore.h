@@ -3,6 +3,7 @@
 
 #include "cpu/rays/PictureTerms.h"
 #include "scene/regions/BlockWeights.h"
+#include "scene/steps/EmptySpace.h"
 
 namespace limn::cpu {
 
@@ -10,22 +11,25 @@ namespace limn::cpu {
 /// for their weights, as those of a body do, they are not copied.
 class RegionStore {
 public:
-  /// Throws Cancelled.
-  void update(const Region& region, const glm::ivec3& blocks, const Effort& effort);
+  /// The weights of the blocks of `box` are found. What it makes lies in the volume's room. Throws Cancelled;
+  /// what Room does.
+  void update(const Region& region, const BlockBox& box, const std::shared_ptr<Room>& room,
+              const Effort& effort);
 
   const VoxelSource& source() const { return m_source; }
 
   /// Of the blocks in which rays step over what is empty; none where all is kept.
-  const std::vector<BlockWeight>& blocks() const { return m_blocks; }
+  const BlockWeights& blocks() const { return m_blocks; }
 
   /// What it takes beside the region, bytes.
   std::size_t ownBytes() const { return m_shares.size() * sizeof(std::uint16_t) + m_blocks.size(); }
 
 private:
   Region m_region;
-  std::vector<std::uint16_t> m_shares;
+  BlockBox m_box;
+  RoomVector<std::uint16_t> m_shares;
   VoxelSource m_source;
-  std::vector<BlockWeight> m_blocks;
+  BlockWeights m_blocks;
 };
 
 } // namespace limn::cpu

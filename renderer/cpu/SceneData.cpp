@@ -22,6 +22,12 @@ glm::vec3 asFloats(const glm::dvec3& v) {
   return {asFloat(v.x), asFloat(v.y), asFloat(v.z)};
 }
 
+// What a brick leaves of a box; a little more, for which samples are a brick's is decided elsewhere.
+IndexBox withinBrick(const IndexBox& box, const IndexBox& brick) {
+  const glm::dvec3 margin(1.0 / 64.0);
+  return {glm::max(box.lower, brick.lower - margin), glm::min(box.upper, brick.upper + margin)};
+}
+
 // A range of one value has no unit: scalars are differences from it.
 double rangeUnit(const ValueRange& range) {
   const double width = range.highest - range.lowest;
@@ -67,7 +73,7 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
     m_gradientCurve = tableOf(curve, unitPerMm);
     m_gradientOpacityKept = curve;
   }
-  m_region.update(scene.keep, m_voxels->blocks().blocks(), effort);
+  m_region.update(scene.keep, m_voxels->part(), m_volume->room(), effort);
   updateEmptySpace(scene, effort);
   updateLocalSteps(scene, effort);
 }
@@ -77,20 +83,47 @@ void SceneData::makeReady(const Scene& scene, const Effort& effort) {
   updateVolume(scene, {m_threads, effort.isCancelled, effort.report});
 }
 
+// The blocks that samples of the brick can meet. Those on its far side are met by pre-integrated steps, and
+// by surfaces that lie before a sample; one block more knows its neighbours.
+BlockBox SceneData::partOf(const Scene& scene) const {
+  const Grid& grid = scene.volume->grid();
+  const BlockBox whole{glm::ivec3(0), blocksOf(grid.dims)};
+  if (!m_brick)
+    return whole;
+  const glm::dvec3 reach = glm::dvec3(2.0 + scene.quality.stepVoxels);
+  const glm::dvec3 last(grid.dims);
+  const glm::dvec3 lower = glm::clamp(m_brick->lower + centreIndex(grid) - reach, glm::dvec3(0.0), last);
+  const glm::dvec3 upper = glm::clamp(m_brick->upper + centreIndex(grid) + reach, glm::dvec3(0.0), last);
+  const glm::ivec3 first = glm::clamp(glm::ivec3(lower) / blockSize - 1, glm::ivec3(0), whole.upper - 1);
+  const glm::ivec3 end = glm::clamp(glm::ivec3(upper) / blockSize + 2, first + 1, whole.upper);
+  return {first, end};
+}
+
 void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
-  if (m_volume == scene.volume)
+  const BlockBox part = partOf(scene);
+  if (m_volume == scene.volume && m_voxels->part() == part)
     return;
+  if (m_volume == scene.volume) {
+    m_emptySpaceKept.reset();
+    m_volume.reset(); // should it be cancelled
+    m_voxels.reset();
+    m_voxels.emplace(scene.volume, part, effort);
+    m_volume = scene.volume;
+    return;
+  }
   m_voxels.reset();
   m_volume.reset(); // should the new one be refused
   m_facts.reset();
   m_localSteps.reset();
-  m_voxels.emplace(scene.volume, effort);
+  m_empty = {};
+  m_voxels.emplace(scene.volume, part, effort);
   m_volume = scene.volume;
   m_steepness.reset();
   m_gradientScales.setVolume(m_volume);
   m_functionKept.reset();
   m_gradientOpacityKept.reset();
   m_emptySpaceKept.reset();
+  m_empty.distances = BlockDistances(m_volume->room());
 }
 
 void SceneData::updateLocalSteps(const Scene& scene, const Effort& effort) {
@@ -151,10 +184,12 @@ IndexBox SceneData::visibleBox(const Scene& scene) const {
   const double margin = 1.0 / 64.0;
   IndexBox box = whole;
   for (int axis = 0; axis < 3; ++axis) {
-    if (m_empty.visible.lower[axis] > 0)
-      box.lower[axis] = m_empty.visible.lower[axis] * blockSize - margin - centreIndex(grid)[axis];
-    if (m_empty.visible.upper[axis] < m_voxels->blocks().blocks()[axis])
-      box.upper[axis] = m_empty.visible.upper[axis] * blockSize + margin - centreIndex(grid)[axis];
+    const int lower = m_voxels->part().lower[axis] + m_empty.visible.lower[axis];
+    const int upper = m_voxels->part().lower[axis] + m_empty.visible.upper[axis];
+    if (lower > 0)
+      box.lower[axis] = lower * blockSize - margin - centreIndex(grid)[axis];
+    if (upper < blocksOf(grid.dims)[axis])
+      box.upper[axis] = upper * blockSize + margin - centreIndex(grid)[axis];
   }
   return box;
 }
@@ -177,9 +212,14 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);
   const bool skips = effects.has(Effect::emptySpaceSkipping) && !classifiesOnce(scene.projection);
   if (skips) {
-    terms.empty = {m_empty.distances.data(), m_voxels->blocks().blocks()};
-    terms.visibleBox = visibleBox(scene);
+    terms.empty = {m_empty.distances.data(), m_voxels->blocks().blocks(), m_voxels->part().lower};
+    // A surface may be met before the first sample or behind the last, where another brick shows it.
+    if (!m_brick || !showsSurface(scene.projection))
+      terms.visibleBox = visibleBox(scene);
   }
+  terms.brick = m_brick;
+  if (m_brick)
+    terms.visibleBox = withinBrick(terms.visibleBox, *m_brick);
   terms.centre = centreIndex(grid);
   terms.lengthMm = smallestSpacingMm(grid);
   terms.stepLengths = scene.quality.stepVoxels;
@@ -197,10 +237,9 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
 }
 
 double SceneData::memoryMb() const {
-  return m_voxels
-             ? static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_empty.distances.size()) /
-                   1e6
-             : 0.0;
+  if (!m_voxels || m_volume->room())
+    return 0.0;
+  return static_cast<double>(m_voxels->ownBytes() + m_region.ownBytes() + m_empty.distances.size()) / 1e6;
 }
 
 } // namespace limn::cpu

@@ -17,6 +17,9 @@ public:
   explicit SceneData(int threads, bool skipsEmptySpace)
       : m_threads(threads), m_skipsEmptySpace(skipsEmptySpace) {}
 
+  /// Only what rays read in this box is made ready from now on; absent: everything.
+  void setBrick(const std::optional<IndexBox>& brick) { m_brick = brick; }
+
   /// Reads the volume and tabulates the functions of the scene that is drawn from now on. Asks `isCancelled`,
   /// which may be empty, at least every 10 ms. Throws Error; Cancelled, and then goes on from where it was.
   void update(const Scene& scene, const std::function<bool()>& isCancelled = {});
@@ -37,7 +40,7 @@ public:
   /// Of the picture whose terms were last asked for; meaningful where its lighting reads the gradient.
   const GradientScale& gradientScale() const { return m_gradientScale; }
 
-  /// What it keeps of the volume beside the volume itself, MB (10⁶ bytes).
+  /// What it keeps of the volume in memory beside the volume itself, MB (10⁶ bytes).
   double memoryMb() const;
 
 private:
@@ -51,12 +54,14 @@ private:
   };
 
   void updateVolume(const Scene& scene, const Effort& effort);
+  BlockBox partOf(const Scene& scene) const;
   void updateEmptySpace(const Scene& scene, const Effort& effort);
   void updateLocalSteps(const Scene& scene, const Effort& effort);
   IndexBox visibleBox(const Scene& scene) const;
 
   int m_threads;
   bool m_skipsEmptySpace;
+  std::optional<IndexBox> m_brick;
   std::shared_ptr<const Volume> m_volume;
   std::optional<VoxelStore> m_voxels;
   RegionStore m_region;

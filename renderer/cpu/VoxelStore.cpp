@@ -7,40 +7,51 @@
 #include "scene/volume/RowPieces.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <type_traits>
 
 namespace limn::cpu {
 namespace {
 
-// Offsets within a slice are 32-bit numbers that count from its middle.
-constexpr std::size_t mostSliceBytes = std::size_t{1} << 32;
+// Rays number rows along x in 32 bits, and bytes within one (simd/Field-inl.h).
+constexpr std::int64_t mostRows = std::int64_t{1} << 30;
+constexpr std::int64_t mostRowBytes = std::int64_t{1} << 30;
 
 // By how much the largest stored number may exceed the width of the range before floats lose too much of it.
 constexpr double mostMagnitude = 16.0;
 
+// Ranges of floats whose squares are floats, too, and their reciprocals.
+constexpr double leastFloatRange = 1e-15;
+constexpr double mostFloatRange = 1e15;
+
 template <class T>
-constexpr bool isNarrow = sizeof(T) <= 2;
+constexpr bool isReadable = sizeof(T) <= 2 || std::is_same_v<T, float>;
 
 template <class T>
 bool canStayAsStored(const Volume& volume) {
-  if constexpr (!isNarrow<T>)
+  if constexpr (!isReadable<T>)
     return false;
   const ValueRange& range = volume.range();
   const Rescale& rescale = volume.rescale();
   const double a = (range.lowest - rescale.intercept) / rescale.slope;
   const double b = (range.highest - rescale.intercept) / rescale.slope;
   const double most = std::max(std::abs(a), std::abs(b));
+  // In memory a copy costs little, and keeps pictures of the same multiples of any number the same.
+  if (std::is_floating_point_v<T> &&
+      !(volume.room() && std::abs(a - b) >= leastFloatRange && std::abs(a - b) <= mostFloatRange))
+    return false;
   return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) * mostMagnitude >= most;
 }
 
 template <class T>
 constexpr VoxelSource::Kind
-    kindOf = std::is_signed_v<T>
+    kindOf = std::is_floating_point_v<T> ? VoxelSource::Kind::single
+             : std::is_signed_v<T>
                  ? (sizeof(T) == 1 ? VoxelSource::Kind::signedByte : VoxelSource::Kind::signedHalf)
                  : (sizeof(T) == 1 ? VoxelSource::Kind::byte : VoxelSource::Kind::half);
 
 template <class T>
-VoxelSource asStored(const std::vector<T>& stored, const Volume& volume) {
+VoxelSource asStored(const StoredVoxels<T>& stored, const Volume& volume) {
   VoxelSource source;
   source.kind = kindOf<T>;
   source.begin = reinterpret_cast<const unsigned char*>(stored.data());
@@ -54,35 +65,50 @@ VoxelSource asStored(const std::vector<T>& stored, const Volume& volume) {
   return source;
 }
 
+// The voxels on and in some blocks, half open.
+struct VoxelBox {
+  glm::ivec3 lower, upper;
+};
+
+VoxelBox voxelsOf(const BlockBox& part, const glm::ivec3& dims) {
+  return {part.lower * blockSize, glm::min(part.upper * blockSize + 1, dims)};
+}
+
 template <class T>
-void copyNormalised(const std::vector<T>& stored, const Volume& volume, const Effort& effort,
-                    std::vector<float>& floats) {
-  floats.resize(stored.size());
-  const std::size_t pieces = (stored.size() + voxelsPerPiece - 1) / voxelsPerPiece;
+void copyNormalised(const StoredVoxels<T>& stored, const Volume& volume, const VoxelBox& box,
+                    const Effort& effort, RoomVector<float>& floats) {
+  floats = RoomVector<float>(stored.size(), volume.room());
+  const glm::ivec3 dims = volume.grid().dims;
+  const RowPieces rows(box.upper - box.lower);
   const Rescale rescale = volume.rescale();
   const ValueRange range = volume.range();
-  forEachPiece(static_cast<int>(pieces), effort, [&](int piece) {
-    const std::size_t from = static_cast<std::size_t>(piece) * voxelsPerPiece;
-    const std::size_t to = std::min(from + voxelsPerPiece, stored.size());
-    for (std::size_t n = from; n < to; ++n)
-      floats[n] = static_cast<float>(
-          normalisedValue(range, rescale.slope * static_cast<double>(stored[n]) + rescale.intercept));
+  forEachPiece(rows.pieces(), effort, [&](int piece) {
+    rows.forEachRow(piece, [&](int j, int k) {
+      const std::size_t row = voxelOffset(dims, 0, box.lower.y + j, box.lower.z + k);
+      for (std::size_t n = row + box.lower.x; n < row + box.upper.x; ++n)
+        floats[n] = static_cast<float>(
+            normalisedValue(range, rescale.slope * static_cast<double>(stored[n]) + rescale.intercept));
+    });
   });
 }
 
-// Lowest and highest normalised scalar of each block, the voxels on its faces included.
+// Writes lowest and highest normalised scalar of each block in some planes of a part, the voxels on its faces
+// included. Planes count from the part's first.
 template <class T>
-UninitialisedVector<glm::vec2> gatherBlocks(const T* voxels, const glm::ivec3& dims,
-                                            const Rescale& toNormalised, const Effort& effort) {
-  const glm::ivec3 blocks = blocksOf(dims);
-  UninitialisedVector<glm::vec2> result(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
-  const RowPieces rows(blocks, blockSize * blockSize * blockSize);
+void gatherPlanes(const T* voxels, const glm::ivec3& dims, const BlockBox& part, const Rescale& toNormalised,
+                  int first, int end, glm::vec2* result, const Effort& effort) {
+  const glm::ivec3 blocks = part.upper - part.lower;
+  // A row is looked at where it is the part's alone.
+  const VoxelBox box = voxelsOf(part, dims);
+  const glm::ivec3 inRows(box.upper.x - box.lower.x, dims.y, dims.z);
+  const RowPieces rows({blocks.x, blocks.y, end - first}, blockSize * blockSize * blockSize);
   shareOut(rows.pieces(), effort, [&](Pieces& pieces) {
-    BlockGatherer<T> gatherer(dims);
+    BlockGatherer<T> gatherer(inRows);
     for (int piece = pieces.next(); piece >= 0; piece = pieces.next())
       rows.forEachRow(piece, [&](int j, int k) {
-        gatherer.gather(j, k, [&](int y, int z) { return voxels + voxelOffset(dims, 0, y, z); });
-        glm::vec2* ranges = &result[voxelOffset(blocks, 0, j, k)];
+        gatherer.gather(part.lower.y + j, part.lower.z + first + k,
+                        [&](int y, int z) { return voxels + voxelOffset(dims, box.lower.x, y, z); });
+        glm::vec2* ranges = result + voxelOffset(blocks, 0, j, k);
         for (int i = 0; i < blocks.x; ++i) {
           const double a =
               toNormalised.slope * static_cast<double>(gatherer.lowest(i)) + toNormalised.intercept;
@@ -92,41 +118,48 @@ UninitialisedVector<glm::vec2> gatherBlocks(const T* voxels, const glm::ivec3& d
         }
       });
   });
-  return result;
 }
 
 template <class T>
-void requireRoom(const Volume& volume) {
-  const std::size_t each = canStayAsStored<T>(volume) ? sizeof(T) : sizeof(float);
-  const glm::ivec3 dims = volume.grid().dims;
-  if (static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y) > mostSliceBytes / each)
-    throw Error(Error::Kind::input,
-                Message::tr("A slice of the volume takes more than 4 GiB, which the CPU engine does not "
-                            "draw; draw a part of it or a reduced copy."));
+BlockRanges blocksOfVoxels(const T* voxels, const Volume& volume, const BlockBox& part,
+                           const Rescale& toNormalised, const Effort& effort) {
+  const glm::ivec3& dims = volume.grid().dims;
+  // Rounding moves a position in a volume so large by less than a quarter of this.
+  const float margin = static_cast<float>(std::max({dims.x, dims.y, dims.z})) * 0x1p-20f;
+  const GatherPlanes gather = [&](int first, int end, glm::vec2* ranges, const Effort& planes) {
+    gatherPlanes(voxels, dims, part, toNormalised, first, end, ranges, planes);
+  };
+  return widenedByNeighbours(part.upper - part.lower, gather, margin, effort, volume.room());
+}
+
+void requireCountable(const glm::ivec3& dims) {
+  if (std::int64_t{dims.y} * dims.z > mostRows ||
+      std::int64_t{dims.x} * std::int64_t{sizeof(float)} > mostRowBytes)
+    throw Error(
+        Error::Kind::input,
+        Message::tr("The volume has more rows, or longer ones, than the CPU engine counts: it draws up "
+                    "to %1 rows of %2 voxels; draw a part of it or a reduced copy.")
+            .arg(mostRows)
+            .arg(mostRowBytes / std::int64_t{sizeof(float)}));
 }
 
 } // namespace
 
-VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const Effort& effort)
-    : m_volume(std::move(volume)) {
+VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort)
+    : m_volume(std::move(volume)), m_part(part) {
   const glm::ivec3 dims = m_volume->grid().dims;
-  // Rounding moves a position in a volume so large by less than a quarter of this.
-  const float margin = static_cast<float>(std::max({dims.x, dims.y, dims.z})) * 0x1p-20f;
-  visitVoxels(*m_volume, [&]<class T>(const std::vector<T>& stored) {
-    requireRoom<T>(*m_volume);
+  requireCountable(dims);
+  visitVoxels(*m_volume, [&]<class T>(const StoredVoxels<T>& stored) {
     if (canStayAsStored<T>(*m_volume)) {
       m_source = asStored(stored, *m_volume);
-      m_blocks = widenedByNeighbours(
-          blocksOf(dims), gatherBlocks(stored.data(), dims, {m_source.scale, m_source.shift}, effort), margin,
-          effort);
+      m_blocks = blocksOfVoxels(stored.data(), *m_volume, part, {m_source.scale, m_source.shift}, effort);
       return;
     }
-    copyNormalised(stored, *m_volume, effort, m_floats);
+    copyNormalised(stored, *m_volume, voxelsOf(part, dims), partOf(effort, 0.0, 0.5), m_floats);
     m_source.kind = VoxelSource::Kind::single;
     m_source.begin = reinterpret_cast<const unsigned char*>(m_floats.data());
     m_source.bytes = static_cast<std::int64_t>(m_floats.size() * sizeof(float));
-    m_blocks = widenedByNeighbours(blocksOf(dims), gatherBlocks(m_floats.data(), dims, {1.0, 0.0}, effort),
-                                   margin, effort);
+    m_blocks = blocksOfVoxels(m_floats.data(), *m_volume, part, {1.0, 0.0}, partOf(effort, 0.5, 1.0));
   });
   const std::int64_t voxelBytes = m_source.bytes / (std::int64_t{dims.x} * dims.y * dims.z);
   m_source.dims = dims;
@@ -136,7 +169,11 @@ VoxelStore::VoxelStore(std::shared_ptr<const Volume> volume, const Effort& effor
 }
 
 std::size_t VoxelStore::ownBytes() const {
-  return m_floats.size() * sizeof(float) + m_blocks.bytes();
+  if (m_volume->room())
+    return 0;
+  const VoxelBox box = voxelsOf(m_part, m_source.dims);
+  const glm::ivec3 copied = m_floats.empty() ? glm::ivec3(0) : box.upper - box.lower;
+  return static_cast<std::size_t>(copied.x) * copied.y * copied.z * sizeof(float) + m_blocks.bytes();
 }
 
 } // namespace limn::cpu

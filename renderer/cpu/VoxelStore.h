@@ -3,7 +3,7 @@
 
 #include "cpu/rays/PictureTerms.h"
 #include "scene/basics/Effort.h"
-#include "scene/steps/BlockRanges.h"
+#include "scene/steps/EmptySpace.h"
 #include "scene/volume/Volume.h"
 
 #include <memory>
@@ -11,21 +11,28 @@
 namespace limn::cpu {
 
 /// A volume's voxels as rays read them, and the scalars that its blocks hold. Keeps the volume; copies it to
-/// floats only where its type, or a range that is narrow beside its values, asks for it.
+/// floats only where its type, or a range that is narrow beside its values, asks for it. What it makes lies
+/// in the volume's room.
 class VoxelStore {
 public:
-  /// Throws Error (input) where a slice takes more than 4 GiB, before anything is copied; Cancelled.
-  VoxelStore(std::shared_ptr<const Volume> volume, const Effort& effort);
+  /// Rays read the voxels of `part` alone, half open: no others are looked at, and of those that are copied
+  /// the rest stays unset. Throws Error (input) where there are too many rows to count, before anything is
+  /// copied; what Room does; Cancelled.
+  VoxelStore(std::shared_ptr<const Volume> volume, const BlockBox& part, const Effort& effort);
 
   const VoxelSource& source() const { return m_source; }
-  const BlockRanges& blocks() const { return m_blocks; }
 
-  /// What it takes beside the volume, bytes.
+  /// Of the blocks of the part.
+  const BlockRanges& blocks() const { return m_blocks; }
+  const BlockBox& part() const { return m_part; }
+
+  /// What it takes in memory beside the volume, bytes.
   std::size_t ownBytes() const;
 
 private:
   std::shared_ptr<const Volume> m_volume;
-  std::vector<float> m_floats;
+  BlockBox m_part;
+  RoomVector<float> m_floats;
   VoxelSource m_source;
   BlockRanges m_blocks;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/PixelRect.h"
+#include "engine/StandIn.h"
 #include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
 #include "scene/effects/EffectRows.h"
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace limn {
-
-struct Scene;
 
 /// What an engine can tell of a scene before it draws it.
 struct DrawingFacts {
@@ -66,6 +65,11 @@ public:
   /// to itself does all in one, tells `effort` how far it is and asks it whether to end, with Cancelled. A
   /// picture drawn earlier waits for the rest. Throws Error.
   virtual double makeReady(const Scene& scene, const Effort& effort) = 0;
+
+  /// What to draw in its place, in `size` pixels, while something moves: where the scene's volume does not
+  /// lie in memory, one of fewer voxels. Absent where the scene itself is drawn, or the engine is not ready
+  /// for it.
+  virtual std::optional<StandIn> standInFor(const Scene&, const glm::ivec2& /*size*/) { return std::nullopt; }
 
   /// The whole picture whose light terms are not limited (DEFINITION section 4), to see how far they
   /// overflow.

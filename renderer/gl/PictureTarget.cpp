@@ -7,7 +7,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <string>
 
 namespace limn {
 namespace {

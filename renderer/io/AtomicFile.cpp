@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/AtomicFile.h"
 
-#include "io/Descriptor.h"
+#include "scene/basics/Descriptor.h"
 #include "scene/basics/Error.h"
 
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/Descriptor.h"
+#include "scene/basics/Descriptor.h"
 
 #include <filesystem>
 #include <optional>

@@ -32,6 +32,10 @@ const Message knownFormats =
                 "of TIFF, PNG or JPEG pictures, or an InVesalius project");
 
 void requireUsable(const ReadOptions& options) {
+  if (options.memory && options.memory->bytes() < MemoryBudget::least)
+    throw Error(Error::Kind::usage,
+                Message::tr("So little memory is not enough for any volume; give at least %1 MB (--memory).")
+                    .arg(MemoryBudget::least / 1'000'000));
   if (!options.spacingMm)
     return;
   for (int axis = 0; axis < 3; ++axis)
@@ -70,12 +74,12 @@ std::optional<fs::path> headerBeside(const fs::path& path) {
 // A kind of file, told by its content.
 struct FileKind {
   bool (*isKind)(std::string_view start); // of the first bytes, inflated where they are packed with gzip
-  VolumeParts (*read)(const fs::path& path, const Progress& progress);
+  VolumeParts (*read)(const fs::path& path, const MemoryBudget& budget, const Progress& progress);
   bool mayBePacked;
 };
 
-VolumeParts readPicture(const fs::path& path, const Progress& progress) {
-  return readPictures(path, {path}, progress);
+VolumeParts readPicture(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
+  return readPictures(path, {path}, budget, progress);
 }
 
 constexpr FileKind fileKinds[] = {
@@ -85,7 +89,7 @@ constexpr FileKind fileKinds[] = {
 };
 
 // The reader of a file is chosen by its content; only the voxel file of a NIfTI pair goes by its name.
-VolumeParts readFile(const fs::path& path, const Progress& progress) {
+VolumeParts readFile(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const std::string start = firstBytes(path, probeBytes);
   if (start.empty())
     failReading(path, Message::tr("the file is empty"), copyAgain);
@@ -94,21 +98,21 @@ VolumeParts readFile(const fs::path& path, const Progress& progress) {
       if (!kind.mayBePacked && isGzip(path))
         failReading(path, Message::tr("it is packed with gzip"),
                     Message::tr("unpack it and open the file inside"));
-      return kind.read(path, progress);
+      return kind.read(path, budget, progress);
     }
   const fs::path inner = path.extension() == ".gz" ? path.stem() : path;
   if (lowerCase(inner.extension().string()) == ".img")
-    return readNifti(path, progress);
+    return readNifti(path, budget, progress);
   failUnknown(path);
 }
 
-VolumeParts readFolder(const fs::path& path, const Progress& progress) {
+VolumeParts readFolder(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const std::vector<fs::path> pictures = picturesIn(path);
   if (pictures.empty())
     failReading(path, Message::tr("the folder holds no DICOM, TIFF, PNG or JPEG slices"),
                 Message::tr("open the folder that holds the slices, or a volume file"));
   requireWholeStack(path, pictures);
-  return readPictures(path, pictures, progress);
+  return readPictures(path, pictures, budget, progress);
 }
 
 // Applies what the person adds, says what is not known, and makes the volume.
@@ -132,7 +136,8 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   requirePlausible(path, parts.grid);
   return naming(path, [&] {
     return std::make_shared<const Volume>(parts.grid, std::move(parts.stored), parts.rescale, std::nullopt,
-                                          std::move(info), effortOf(progress, countingVoxels));
+                                          std::move(info), effortOf(progress, countingVoxels),
+                                          std::move(parts.room));
   });
 }
 
@@ -145,8 +150,9 @@ std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptio
   if (isDicom(path))
     return readDicom(path, options, progress);
   const Progress reading = part(progress, 0.0, 0.95);
-  return finished(path, isFolder ? readFolder(path, reading) : readFile(path, reading), options,
-                  part(progress, 0.95, 1.0));
+  const MemoryBudget budget = options.memory.value_or(MemoryBudget());
+  return finished(path, isFolder ? readFolder(path, budget, reading) : readFile(path, budget, reading),
+                  options, part(progress, 0.95, 1.0));
 }
 
 // Runs a step and turns what may go wrong in it into one sentence for `path`.
@@ -179,11 +185,18 @@ std::vector<SeriesSummary> listSeries(const fs::path& path) {
   return reported(path, [&] { return isDicom(path) ? listDicomSeries(path) : std::vector<SeriesSummary>(); });
 }
 
+void requireWhole(const fs::path& path, const Volume& volume) {
+  if (!volume.isWhole())
+    failReading(path, Message::tr("it became shorter while it was read, or its disk failed"), copyAgain);
+}
+
 std::shared_ptr<const Volume> readVolume(const fs::path& path, const ReadOptions& options,
                                          const Progress& progress) {
   requireUsable(options);
   requireExisting(path);
-  return reported(path, [&] { return readExisting(path, options, progress); });
+  const auto volume = reported(path, [&] { return readExisting(path, options, progress); });
+  requireWhole(path, *volume);
+  return volume;
 }
 
 } // namespace limn

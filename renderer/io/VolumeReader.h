@@ -22,4 +22,8 @@ std::vector<SeriesSummary> listSeries(const std::filesystem::path& path);
 std::shared_ptr<const Volume> readVolume(const std::filesystem::path& path, const ReadOptions& options = {},
                                          const Progress& progress = {});
 
+/// Throws Error (input), naming `path`, where voxels of the volume that was read from there were lost since:
+/// its file became shorter, or its disk failed. To be asked before what was made of them is shown or written.
+void requireWhole(const std::filesystem::path& path, const Volume& volume);
+
 } // namespace limn

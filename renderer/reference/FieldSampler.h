@@ -19,7 +19,7 @@ struct Cell {
 template <class T>
 class FieldSampler {
 public:
-  FieldSampler(const Volume& volume, const std::vector<T>& stored)
+  FieldSampler(const Volume& volume, const StoredVoxels<T>& stored)
       : m_stored(stored.data()), m_dims(volume.grid().dims), m_rescale(volume.rescale()),
         m_spacing(volume.grid().spacingMm), m_strideY(m_dims.x),
         m_strideZ(static_cast<std::ptrdiff_t>(m_dims.x) * m_dims.y) {}

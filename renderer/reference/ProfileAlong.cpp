@@ -171,7 +171,7 @@ std::optional<RayProfile> profileAlong(const Scene& scene, const GradientScale& 
   profile.entryMm = ray.origin + span.begin * ray.direction;
   profile.direction = ray.direction;
   profile.lengthMm = span.end - span.begin;
-  visitVoxels(*scene.volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const FieldSampler<T> field(*scene.volume, stored);
     profile.samples = Profiler<T>(terms, field, framed, span).samples();
   });

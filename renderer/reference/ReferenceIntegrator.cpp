@@ -63,7 +63,7 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   terms.terms.isUnlimited = work.limiting == Limiting::none;
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  visitVoxels(*scene.volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const FieldSampler<T> field(*scene.volume, stored);
     forEachRow(tile.size.y, work.threads > 0 ? work.threads : cores, work.isCancelled, [&](int row) {
       const int y = tile.topLeft.y + row;

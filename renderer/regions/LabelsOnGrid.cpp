@@ -52,7 +52,7 @@ public:
   explicit Values(const Volume& labels) : m_labels(labels) {}
 
   template <class T>
-  int at(const std::vector<T>& stored, std::size_t voxel) const {
+  int at(const StoredVoxels<T>& stored, std::size_t voxel) const {
     const VoxelMask& invalid = m_labels.invalidMask();
     if (!invalid.empty() && invalid[voxel])
       return 0;
@@ -71,7 +71,7 @@ private:
 
 // The values that occur, ascending behind 0, which always leads.
 template <class T>
-std::vector<int> valuesIn(const Volume& volume, const std::vector<T>& stored) {
+std::vector<int> valuesIn(const Volume& volume, const StoredVoxels<T>& stored) {
   const Values values(volume);
   const double lowest = std::floor(std::min(volume.range().lowest, 0.0));
   const double span = std::ceil(std::max(volume.range().highest, 0.0)) - lowest + 1.0;
@@ -146,7 +146,7 @@ private:
 };
 
 template <class Place, class T>
-std::vector<Place> placesOn(const Grid& grid, const Volume& volume, const std::vector<T>& stored,
+std::vector<Place> placesOn(const Grid& grid, const Volume& volume, const StoredVoxels<T>& stored,
                             const std::vector<Label>& labels, const Effort& effort) {
   const Values values(volume);
   const NearestVoxel nearest(grid, volume.grid());

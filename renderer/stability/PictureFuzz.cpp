@@ -2,6 +2,7 @@
 #include "stability/PictureFuzz.h"
 
 #include "cpu/CpuRenderer.h"
+#include "cpu/bricks/FoldedPicture.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
@@ -84,6 +85,7 @@ private:
       fail(seed, "the CPU engine: " + broken);
     requireSame(seed, "the CPU engine differs where it steps over nothing", processed,
                 m_samplingProcessor.render(random->scene, random->size));
+    requireBricks(seed, *random);
     std::optional<ReferencePicture> reference;
     if (random->isComparable) {
       ++report.referenceCompared;
@@ -116,6 +118,29 @@ private:
     const std::string difference = firstDifference(image, again);
     if (!difference.empty())
       fail(seed, what + (" " + difference));
+  }
+
+  // One picture on many nodes: where rays run to their end, the same samples are added in another order.
+  // Error-controlled steps begin anew in each brick: another picture, as good.
+  void requireBricks(std::uint64_t seed, const RandomScene& random) {
+    Scene scene = random.scene;
+    scene.quality.earlyTermination = 1.0;
+    const int bricks = 2 + static_cast<int>(seed % 7);
+    const Image folded = drawInBricks(scene, random.size, bricks);
+    for (const std::string& broken : brokenInvariants(scene, folded))
+      fail(seed, "bricks: " + broken);
+    if (scene.quality.toleranceLevels)
+      return;
+    ++report.brickCompared;
+    const Image whole = m_processor.render(scene, random.size);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
+      const glm::vec4 error = glm::abs(folded.pixels[i] - whole.pixels[i]);
+      worst = std::max(worst, double(std::max({error.r, error.g, error.b, error.a})));
+    }
+    report.worstInBricks = std::max(report.worstInBricks, worst);
+    if (!(worst <= processorTolerance))
+      fail(seed, std::to_string(bricks) + " bricks differ from the whole by " + std::to_string(worst));
   }
 
   // The very same program must draw the same bits, whatever was drawn before. (Another one that can stand in

@@ -25,6 +25,8 @@ struct FuzzReport {
   int programs = 0;          ///< shader programs that the ray caster compiled for them all
   std::size_t pixelsCompared = 0;
   std::size_t pixelsUnequal = 0; ///< left out: rounding gave their rays another number of samples
+  int brickCompared = 0;         ///< scenes in equal steps compared with the same picture drawn in bricks
+  double worstInBricks = 0.0;    ///< from the whole picture, of a channel 0..1
   double worstDifference = 0.0;  ///< from the reference, of a channel 0..1, where no ray may end early
   std::uint64_t worstSeed = 0;
   double slowestSeconds = 0.0;

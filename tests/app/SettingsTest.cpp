@@ -35,6 +35,8 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
     settings.setHistogramView({HistogramScale::percentile, HistogramPart::visible});
     EXPECT_FALSE(settings.presetsAreGallery());
     settings.setPresetsAreGallery(true);
+    EXPECT_TRUE(settings.lookEnding().isEmpty());
+    settings.setLookEnding(".itf");
     settings.setWindow(QByteArray("\0\xff", 2), "state");
   }
   const Settings settings(file());
@@ -42,6 +44,7 @@ TEST_F(Settled, whatIsSetIsThereAtTheNextStart) {
   EXPECT_FALSE(settings.refinesAtRest());
   EXPECT_EQ(settings.patientIsShown(), false);
   EXPECT_EQ(settings.movingMs(), 16.5);
+  EXPECT_EQ(settings.lookEnding(), ".itf");
   EXPECT_EQ(settings.histogramView(), (HistogramView{HistogramScale::percentile, HistogramPart::visible}));
   EXPECT_TRUE(settings.presetsAreGallery());
   EXPECT_EQ(settings.windowGeometry(), QByteArray("\0\xff", 2));

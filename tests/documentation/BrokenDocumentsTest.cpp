@@ -60,6 +60,15 @@ TEST(BrokenLinks, areNamed) {
             Faults{"links to the heading 70-nothing of renderer/DEFINITION.md, which does not exist"});
 }
 
+TEST(BrokenFunctions, areThoseThatTheFileDoesNotHave) {
+  const auto faults = [](const std::string& text) { return test::missingFunctions({"README.md", text}); };
+  EXPECT_EQ(faults("`lit` in `shaders/lighting.glsl` and `filesEnding` in\n`tests/documentation/Tree.cpp`"),
+            Faults{});
+  EXPECT_EQ(faults("`highlit` in `shaders/lighting.glsl`"),
+            Faults{"says that highlit is in shaders/lighting.glsl, where it is not"});
+  EXPECT_EQ(faults("`blinnTerm` in `shaders/lighting.glsl`").size(), 1u) << "it is only called there";
+}
+
 TEST(BrokenLines, areTheLongOnes) {
   const std::string umlauts(120, 'x');
   EXPECT_EQ(test::longLines({"README.md", umlauts + "\n" + std::string(60, 'x') + "µ°\n"}, 120), Faults{});

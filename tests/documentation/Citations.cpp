@@ -172,6 +172,19 @@ std::vector<std::string> missingPaths(const TextFile& document) {
   return faults;
 }
 
+std::vector<std::string> missingFunctions(const TextFile& document) {
+  static const std::regex named(R"(`(\w+)`\s+in\s+`([\w/.]+/\w+\.(?:h|cpp|glsl))`)");
+  std::vector<std::string> faults;
+  forEachMatch(document.text, named, [&](const std::smatch& match) {
+    // Its head: a type, the name (of a member, too), arguments, and the body.
+    const std::regex head(R"((^|\n) *[\w:<>,&*\s]*[\w>&*]\s+(\w+::)*)" + match.str(1) +
+                          R"(\([^;{}]*\)( const| noexcept)* \{)");
+    if (!std::regex_search(fileAt(match.str(2)).text, head))
+      faults.push_back("says that " + match.str(1) + " is in " + match.str(2) + ", where it is not");
+  });
+  return faults;
+}
+
 std::vector<std::string> longLines(const TextFile& document, std::size_t most) {
   std::istringstream lines(document.text);
   std::vector<std::string> faults;

@@ -36,6 +36,9 @@ std::vector<std::string> brokenLinks(const TextFile& document);
 /// in a recipe stand for any.
 std::vector<std::string> missingPaths(const TextFile& document);
 
+/// Functions named with their file, as in "`lit` in `shaders/lighting.glsl`", that the file does not have.
+std::vector<std::string> missingFunctions(const TextFile& document);
+
 /// Lines of more characters than `most`.
 std::vector<std::string> longLines(const TextFile& document, std::size_t most);
 

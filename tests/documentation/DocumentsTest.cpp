@@ -62,6 +62,11 @@ TEST(Documents, linksAndPathsLeadSomewhere) {
   }
 }
 
+TEST(Documents, functionsNamedWithTheirFileAreThere) {
+  for (const TextFile& document : test::filesEnding({".md"}))
+    expectNone(document, test::missingFunctions(document));
+}
+
 TEST(Documents, whatTheyTellToTypeExists) {
   const test::Typeable known = test::typeable();
   ASSERT_TRUE(known.commands.contains("render"));

@@ -13,7 +13,7 @@ template <class Reader>
 void readWhole(std::string_view bytes, Reader&& read) {
   const auto file = fileOf(bytes);
   harmless([&] {
-    const VolumeParts parts = read(file, Progress{});
+    const VolumeParts parts = read(file, MemoryBudget(), Progress{});
     const std::size_t voxels = std::visit([](const auto& stored) { return stored.size(); }, parts.stored);
     if (voxels != voxelCount(file, parts.grid.dims))
       fault("a volume does not fill its grid");

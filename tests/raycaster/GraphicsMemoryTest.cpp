@@ -8,6 +8,8 @@
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
+#include "support/MappedVolume.h"
+#include "support/TemporaryFolder.h"
 
 #include <epoxy/gl.h>
 
@@ -64,6 +66,23 @@ TEST_F(GraphicsMemory, whatMayNotBeReducedIsRefusedWholeAndTheNextVolumeIsDrawn)
   scene.volume = phantomVolume({.spacingMm = 16.0});
   EXPECT_EQ(caster.render(scene, pictureSize), RayCaster().render(scene, pictureSize));
   EXPECT_EQ(caster.limitation().english(), "");
+}
+
+TEST_F(GraphicsMemory, aVolumeOnDiskIsLeftToOthersUnlessItMayBeReduced) {
+  const test::TemporaryFolder folder;
+  Scene scene = test::headScene(phantomVolume({.spacingMm = 8.0}), ShadingModel::classic);
+  const Image inMemory = RayCaster().render(scene, pictureSize);
+  scene.volume = test::mapped(*scene.volume, folder.path() / "voxels");
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, {1e3, false});
+  try {
+    caster.render(scene, pictureSize);
+    FAIL() << "all of it would be copied";
+  } catch (const VolumeTooLarge& error) {
+    EXPECT_STREQ(error.what(),
+                 "The volume of 24×29×34 voxels does not lie in memory, from where the graphics "
+                 "driver would copy it.");
+  }
+  EXPECT_EQ(RayCaster().render(scene, pictureSize), inMemory) << "a command asks for it";
 }
 
 // Sources that the driver refuses where they step over empty space.

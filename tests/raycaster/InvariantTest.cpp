@@ -180,7 +180,8 @@ std::shared_ptr<const Volume> reversedAlongX(const Volume& volume) {
   const int last = grid.dims.x - 1;
   grid.originMm = indexToWorld(grid, {last, 0, 0});
   grid.direction[0] = -grid.direction[0];
-  auto voxels = std::get<std::vector<std::int16_t>>(volume.stored());
+  const auto& stored = std::get<StoredVoxels<std::int16_t>>(volume.stored());
+  std::vector<std::int16_t> voxels(stored.begin(), stored.end());
   for (auto row = voxels.begin(); row != voxels.end(); row += grid.dims.x)
     std::reverse(row, row + grid.dims.x);
   return std::make_shared<const Volume>(grid, voxels, volume.rescale(), std::nullopt, VolumeInfo{});

@@ -130,7 +130,7 @@ TEST(Minimality, projectionsOfOneScalarHaveNoShadingAtAll) {
 }
 
 TEST(Minimality, aSurfaceIsLitOnceARay) {
-  const auto functions = functionsFor(lit.with({Effect::isosurface}));
+  const auto functions = functionsFor(lit.with(Effect::isosurface));
   EXPECT_EQ(volumeFetches(functions, "surfaceColor"), 6);
   EXPECT_FALSE(functions.contains("gather"));
   // At the entry, at a sample, and at the middle of the bracket.

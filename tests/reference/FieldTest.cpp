@@ -30,7 +30,7 @@ TEST(FieldSampler, scalarsAndGradientsAreThoseOfTheDefinition) {
   for (const glm::ivec3& dims : {glm::ivec3(6, 5, 4), glm::ivec3(1, 5, 4), glm::ivec3(6, 1, 1), glm::ivec3(1),
                                  glm::ivec3(2, 2, 2), glm::ivec3(3, 1, 2)}) {
     const Volume volume = randomVolume(dims);
-    const FieldSampler<std::int16_t> field(volume, std::get<std::vector<std::int16_t>>(volume.stored()));
+    const FieldSampler<std::int16_t> field(volume, std::get<StoredVoxels<std::int16_t>>(volume.stored()));
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> place(-0.7, 1.2);
     for (int i = 0; i < 300; ++i) {

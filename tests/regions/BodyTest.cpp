@@ -63,7 +63,8 @@ struct OnTable {
     const glm::ivec3 dims = body.dims();
     int back = 0;
     forEachVoxel(dims, [&](const glm::ivec3& v) { back = body.at(v) ? std::max(back, v.y) : back; });
-    std::vector<std::int16_t> stored = std::get<std::vector<std::int16_t>>(head->stored());
+    const auto& whole = std::get<StoredVoxels<std::int16_t>>(head->stored());
+    std::vector<std::int16_t> stored(whole.begin(), whole.end());
     forEachVoxel(dims, [&](const glm::ivec3& v) {
       const bool isSlab = v.y > back + gap && v.y <= back + gap + 3;
       const glm::ivec2 beside = glm::abs(glm::ivec2(v.x, v.z) - glm::ivec2(dims.x, dims.z) / 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/framing/Framing.h"
+#include "scene/basics/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -106,7 +107,7 @@ TEST(VisibleBox, holdsWhatReachesTheIsovalueWhereASurfaceIsShown) {
 
 TEST(VisibleBox, doesNotDependOnTheStoredType) {
   const Scene small = sceneWithBox({30, 20, 16}, {5, 6, 7}, {12, 9, 8});
-  const auto& stored = std::get<std::vector<std::int16_t>>(small.volume->stored());
+  const auto& stored = std::get<StoredVoxels<std::int16_t>>(small.volume->stored());
   Scene large = small;
   // A falling rescale: what is stored as the lowest is the highest.
   std::vector<float> floats(stored.size());

@@ -22,6 +22,7 @@ Preset spanning(double first, double last, const std::string& modality) {
   return {.name = "p",
           .modality = modality,
           .note = "",
+          .folder = "",
           .transferFunction = {1.0, {{first, glm::dvec3(1), 0.0}, {last, glm::dvec3(1), 1.0}}},
           .gradientOpacity = std::nullopt,
           .shading = std::nullopt,

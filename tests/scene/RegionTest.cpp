@@ -77,13 +77,13 @@ TEST(BlockWeights, tellWhatIsLeftOfEachBlock) {
   std::fill(weights.begin() + 8, weights.end(), 0.0);
   const auto kinds = blockWeights(rowOf(weights), {{4, 1, 1}, glm::ivec3(4)});
   EXPECT_EQ(kinds,
-            (std::vector{BlockWeight::same, BlockWeight::varying, BlockWeight::varying, BlockWeight::none}))
+            (BlockWeights{BlockWeight::same, BlockWeight::varying, BlockWeight::varying, BlockWeight::none}))
       << "nothing is left of the voxels of the third, but of the one beside them";
 }
 
 TEST(BlockWeights, ofAnEvenFractionAreTheSame) {
   const auto kinds = blockWeights(rowOf(std::vector<double>(17, 0.5)), {{4, 1, 1}, glm::ivec3(4)});
-  EXPECT_EQ(kinds, std::vector<BlockWeight>(4, BlockWeight::same));
+  EXPECT_EQ(kinds, BlockWeights(4, BlockWeight::same));
 }
 
 TEST(BlockWeights, areTheSameOnAnyNumberOfThreadsAndCanBeCancelled) {

@@ -19,7 +19,8 @@ void print(const FuzzReport& report) {
             << report.referenceCompared << " compared with the reference over " << report.pixelsCompared
             << " pixels (" << report.pixelsUnequal << " of unequal N), worst difference "
             << report.worstDifference << " (seed " << report.worstSeed << "), " << report.slices
-            << " drawn as slices, " << report.freshlyDrawn << " by a fresh ray caster; slowest "
+            << " drawn as slices, " << report.brickCompared << " in bricks, worst difference "
+            << report.worstInBricks << ", " << report.freshlyDrawn << " by a fresh ray caster; slowest "
             << report.slowestSeconds << " s (seed " << report.slowestSeed << ")\n";
 }
 
@@ -33,6 +34,7 @@ TEST_P(Fuzz, everyInvariantHoldsForEverySeed) {
   EXPECT_GE(report.referenceCompared, seedsPerPart / 4);
   EXPECT_LE(report.refused, seedsPerPart / 10);
   EXPECT_GT(report.slices, 0);
+  EXPECT_GE(report.brickCompared, seedsPerPart / 2);
   EXPECT_GT(report.freshlyDrawn, 0);
 }
 

@@ -10,7 +10,6 @@
 #include <QPainter>
 #include <QRegion>
 
-#include <cmath>
 #include <new>
 
 namespace limn {

@@ -17,7 +17,7 @@ namespace limn {
 namespace {
 
 constexpr int groupHeight = 24;
-constexpr int margin = 8;
+constexpr int rowMargin = 8;
 constexpr int rowSpace = 9; // of a row, around its texts
 
 const QAbstractItemView* viewOf(const QStyleOptionViewItem& option) {
@@ -79,7 +79,7 @@ QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& ind
 
 // Of a row that is so wide, beside its picture.
 int textWidth(int rowWidth) {
-  return rowWidth - thumbnailWidth - 4 * margin;
+  return rowWidth - thumbnailWidth - 4 * rowMargin;
 }
 
 /// Hands out the lines of a text from the top down, but for those that the edge of the list would cut.
@@ -101,7 +101,7 @@ private:
 
 void paintGroup(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
   const QFont bold = titleFontOf(option);
-  QRect room = option.rect.adjusted(margin + 4, 4, -margin, 0);
+  QRect room = option.rect.adjusted(rowMargin + 4, 4, -rowMargin, 0);
   room.setTop(room.center().y() - QFontMetrics(bold).height() / 2);
   painter.setFont(bold);
   painter.setPen(themeColors(option.palette).secondaryText);
@@ -157,7 +157,7 @@ void PresetDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     return;
   }
   paintPresetCard(*painter, option, index, QRectF(option.rect).adjusted(4.0, 1.0, -4.0, -1.0));
-  const QRect picture(option.rect.left() + margin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
+  const QRect picture(option.rect.left() + rowMargin + 4, option.rect.center().y() - thumbnailHeight / 2 + 1,
                       thumbnailWidth, thumbnailHeight);
   painter->setOpacity(option.state & QStyle::State_Enabled ? 1.0 : 0.4); // texts keep their contrast
   paintPresetPicture(*painter, option, index, picture);

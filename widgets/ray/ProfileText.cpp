@@ -6,7 +6,6 @@
 #include <QObject>
 
 #include <algorithm>
-#include <cmath>
 
 namespace limn {
 namespace {
@@ -88,7 +87,7 @@ QString profileSummary(const RayProfile& profile, const ProfileNames& names) {
 
 QString readingAt(const RayProfile& profile, const ProfileNames& names, double depthMm) {
   const RayProfile::Sample& sample = sampleAt(profile, depthMm);
-  const QString what = QStringLiteral("%1: %2").arg(depthText(names, depthMm), valueOf(names, sample.value));
+  QString what = QStringLiteral("%1: %2").arg(depthText(names, depthMm), valueOf(names, sample.value));
   if (!gathersLight(profile.projection) || !(profile.alpha > 0.0))
     return what;
   double gathered = 0.0;

@@ -45,6 +45,26 @@ Row rowOf(const MeasuredPoint& point, const AccuracyReport& report) {
           isKnown && point.isPareto ? "*" : ""};
 }
 
+Row rowOf(const CohortPoint& point) {
+  const bool isKnown = point.converged > 0;
+  return {familyOf(point.point) + ", " + stepOf(point.point),
+          std::to_string(point.scenes),
+          threeDigits(point.ms.median),
+          threeDigits(point.ms.least) + " .. " + threeDigits(point.ms.most),
+          isKnown ? threeDigits(point.usualP99_9) : "-",
+          isKnown ? threeDigits(point.worstP99_9) : "-",
+          isKnown ? threeDigits(point.usualMean) : "-",
+          isKnown ? point.worst : "-"};
+}
+
+// How many scenes have times and no errors.
+std::string unknownSentence(const CohortGroup& group) {
+  int unknown = 0;
+  for (const CohortPoint& point : group.points)
+    unknown = std::max(unknown, point.scenes - point.converged);
+  return unknown == 0 ? "" : std::to_string(unknown) + " without a converged picture count in times alone.\n";
+}
+
 Row rowOf(const DecisionCost& cost, const ReferenceFacts& reference) {
   return {cost.group + ": " + cost.name + (cost.isDefault ? " (Limn's)" : ""),
           threeDigits(cost.ms.median),
@@ -79,6 +99,21 @@ std::string accuracyTable(const AccuracyReport& report) {
   }
   for (const std::string& remark : report.remarks)
     text += remark + "\n";
+  return text;
+}
+
+std::string cohortTable(const std::vector<CohortGroup>& groups) {
+  std::string text;
+  for (const CohortGroup& group : groups) {
+    text += text.empty() ? "" : "\n";
+    text += std::to_string(group.reports) + (group.reports == 1 ? " report, " : " reports, ") +
+            group.machine + ", " + group.renderer + "\n" + unknownSentence(group);
+    std::vector<Row> rows{{"errors in levels of 255; usual = median", "scenes", "usual ms", "least .. most",
+                           "usual 99.9 %", "worst", "usual mean", "worst in"}};
+    for (const CohortPoint& point : group.points)
+      rows.push_back(rowOf(point));
+    text += aligned(rows);
+  }
   return text;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "accuracy/sweep/AccuracySweep.h"
+#include "accuracy/sweep/Cohort.h"
 
 #include <string>
 
@@ -9,5 +9,9 @@ namespace limn {
 
 /// The report as a table for the terminal.
 std::string accuracyTable(const AccuracyReport& report);
+
+/// The groups of a cohort as tables: a line for each point, with what it usually brings and what it brought
+/// in the worst scene.
+std::string cohortTable(const std::vector<CohortGroup>& groups);
 
 } // namespace limn

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/bench/ScaleBench.h"
 
+#include "app/measure/bench/BrickBench.h"
 #include "io/VolumeReader.h"
 #include "scene/basics/Error.h"
 #include "scene/view/Camera.h"
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fstream>
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr glm::ivec2 pictureSize{512, 512};
 constexpr int smallestEdge = 128;
+constexpr int mostRanks = 8;
 
 // Greys per HU, and that of -1000 HU, so that 8 bits hold air to enamel and the noise.
 constexpr double greysPerHu = 0.08;
@@ -150,8 +153,13 @@ std::vector<int> scaleEdges(int largest) {
   return edges;
 }
 
-std::vector<ScaleRow> scaleRows(int edge, const BenchEntries& entries, int frames,
-                                const std::function<void()>& advance) {
+int scaleSteps(const BenchEntries& entries, int frames) {
+  return 2 + picturesPerRow(frames) * static_cast<int>(entries.engines.size()) +
+         std::bit_width(static_cast<unsigned>(mostRanks));
+}
+
+ScaleFigures scaleFigures(int edge, const BenchEntries& entries, int frames,
+                          const std::function<void()>& advance) {
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath(QStringLiteral("volume.nrrd")).toStdString();
   writeScaleVolume(path, edge);
@@ -165,14 +173,16 @@ std::vector<ScaleRow> scaleRows(int edge, const BenchEntries& entries, int frame
   row.opened = costOf([&] { volume = readVolume(path); });
   row.openedMb = peakResidentMb() - residentBefore;
   advance();
-  std::vector<ScaleRow> rows;
+  ScaleFigures figures;
   const std::string name = std::to_string(edge) + "³";
+  const Scene scene = sceneOf(volume);
   for (const BenchRow& drawn :
-       benchRows(name, sceneOf(volume), contendersFor(entries, path.string()), frames, advance)) {
-    rows.push_back(row);
-    rows.back().drawn = drawn;
+       benchRows(name, scene, contendersFor(entries, path.string()), frames, advance)) {
+    figures.rows.push_back(row);
+    figures.rows.back().drawn = drawn;
   }
-  return rows;
+  figures.bricks = brickRows(edge, scene, mostRanks, entries.threads, advance);
+  return figures;
 }
 
 } // namespace limn

@@ -47,6 +47,20 @@ std::string lineOf(const ScaleRow& row, const std::vector<ScaleRow>& rows) {
 
 } // namespace
 
+std::string brickTable(const std::vector<BrickRow>& rows) {
+  char line[160];
+  std::snprintf(line, sizeof line, "%5s %6s %14s %18s %12s %12s %14s %10s\n", "edge", "ranks", "10^6 samples",
+                "busiest over mean", "all, cpu ms", "slowest", "kept each, MB", "sent, MB");
+  std::string table = std::string("\n") + line;
+  for (const BrickRow& row : rows) {
+    std::snprintf(line, sizeof line, "%5d %6d %14.1f %18.2f %12.1f %12.1f %14.1f %10.1f\n", row.edge,
+                  row.bricks, row.samples / 1e6, imbalanceOf(row), row.cpuMs, row.mostCpuMs, row.mostKeptMb,
+                  row.reducedMb);
+    table += line;
+  }
+  return table + "Work and bytes are counted: bricks were drawn one after the other.\n";
+}
+
 std::string scaleTable(const std::string& machine, const std::vector<ScaleRow>& rows) {
   char head[200];
   std::snprintf(head, sizeof head, "%5s %8s %-14s %16s %16s %16s %16s %16s %16s\n", "edge", "MB", "program",

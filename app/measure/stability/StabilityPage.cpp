@@ -186,7 +186,8 @@ std::string fuzzText(const FuzzReport& fuzz) {
                      std::to_string(fuzz.referenceCompared) +
                      " compared with the reference (largest difference " + shortNumber(fuzz.worstDifference) +
                      ", seed " + std::to_string(fuzz.worstSeed) + "), " + std::to_string(fuzz.slices) +
-                     " drawn as slices too.</p>\n";
+                     " drawn as slices too, " + std::to_string(fuzz.brickCompared) +
+                     " in bricks (largest difference " + shortNumber(fuzz.worstInBricks) + ").</p>\n";
   for (const FuzzFailure& failure : fuzz.failures)
     text += "<p class=\"fail\">" + escapedHtml(lineOf(failure)) + "</p>\n";
   return text;

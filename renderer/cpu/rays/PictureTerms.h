@@ -7,6 +7,7 @@
 #include "scene/steps/BlockWalk.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace limn::cpu {
 
@@ -29,6 +30,7 @@ struct VoxelSource {
 struct EmptySpace {
   const std::uint8_t* distances = nullptr; ///< null: nothing is stepped over
   glm::ivec3 blocks{0};
+  glm::ivec3 first{0}; ///< the block of the first distance
 };
 
 /// The segments of a function that has few (scene/function/PiecewiseTable), column by column: registers hold
@@ -62,8 +64,9 @@ struct PictureTerms {
 
   RayFrame frame;
   glm::ivec2 size{0};
-  IndexBox box;        ///< of the crop, centred index
-  IndexBox visibleBox; ///< outside which nothing shows
+  IndexBox box;                  ///< of the crop, centred index
+  IndexBox visibleBox;           ///< outside which nothing shows
+  std::optional<IndexBox> brick; ///< the part of the box whose samples are taken; absent: all of it
   glm::dvec3 centre{0.0};
   double lengthMm = 1.0; ///< the unit of lengths
   double stepLengths = 1.0;

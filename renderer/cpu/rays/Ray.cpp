@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/rays/Ray.h"
 
+#include <algorithm>
+
 namespace limn::cpu {
 
 Ray inLengths(const PictureTerms& terms, const Ray& ray) {
@@ -16,6 +18,13 @@ Ray inLengths(const PictureTerms& terms, const Ray& ray) {
   result.strideDepth = 1.0f;
   result.units = terms.perUnitDistance;
   return result;
+}
+
+RaySpan partInBrick(const PictureTerms& terms, const FramedRay& ray, const RaySpan& span) {
+  if (!terms.brick)
+    return span;
+  const RaySpan inBrick = spanInBox(ray, *terms.brick);
+  return {std::max(span.begin, inBrick.begin), std::min(span.end, inBrick.end)};
 }
 
 } // namespace limn::cpu

@@ -11,6 +11,7 @@ struct Ray {
   glm::ivec2 pixel{0};
   int count = 0; ///< N of DEFINITION section 7
   int from = 0, to = 0;
+  int ownFrom = 0, ownTo = 0; ///< the samples of [ownFrom, ownTo) lie in the brick that is drawn
   float offset = 0.5f;
   glm::vec3 first{0.0f}, stride{0.0f};         ///< voxel index of sample 0, per step
   glm::vec3 firstIndex{0.0f};                  ///< centred index of sample 0
@@ -22,5 +23,8 @@ struct Ray {
 
 /// The same ray with steps of one unit of length, sample 0 at its entry: for samples at lengths of their own.
 Ray inLengths(const PictureTerms& terms, const Ray& ray);
+
+/// The part of the ray of a pixel in the brick that is drawn, mm; all of the span where there is none.
+RaySpan partInBrick(const PictureTerms& terms, const FramedRay& ray, const RaySpan& span);
 
 } // namespace limn::cpu

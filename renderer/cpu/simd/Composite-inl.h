@@ -50,7 +50,7 @@ private:
   // Looks at the group of samples from `i` on and queues what shows. Returns how many do.
   HWY_NOINLINE int look(int i) {
     const VF step = hn::Iota(floats, static_cast<float>(i));
-    const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
+    const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
     const auto absorbed =
         m_isPreintegrated ? m_samples.absorbedOver(step, isInside)
                           : m_samples.absorbedBy(m_samples.scalarAt(step), step, isInside, !m_hasGradient);
@@ -88,9 +88,9 @@ private:
   HWY_NOINLINE int lightGroup(int i) {
     light();
     const VF step = hn::Iota(floats, static_cast<float>(i));
-    const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.count)));
+    const Mask isInside = hn::Lt(step, all(static_cast<float>(m_ray.ownTo)));
     const VoxelAndSlope found =
-        m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.count - i));
+        m_samples.field.voxelAndSlopeAt(m_samples.indexAt(step), std::min(lanes(), m_ray.ownTo - i));
     const VF scalar = m_samples.field.normalised(found.voxel);
     VF opacity;
     const Mask opaque = m_samples.function.opacityWhereSeen(scalar, isInside, opacity);

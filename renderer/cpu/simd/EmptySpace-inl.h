@@ -40,8 +40,10 @@ public:
     if (!m_empty.distances)
       return 0;
     const glm::vec3 p = m_first + static_cast<float>(i) * m_advance;
-    const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(p)), glm::ivec3(0), m_empty.blocks - 1);
-    const std::uint8_t distance = m_empty.distances[voxelOffset(m_empty.blocks, block.x, block.y, block.z)];
+    const glm::ivec3 last = m_empty.first + m_empty.blocks - 1;
+    const glm::ivec3 block = glm::clamp(glm::ivec3(glm::floor(p)), m_empty.first, last);
+    const glm::ivec3 place = block - m_empty.first;
+    const std::uint8_t distance = m_empty.distances[voxelOffset(m_empty.blocks, place.x, place.y, place.z)];
     if (distance == 0)
       return 0;
     // Leave the cube of blocks through the face ahead on each axis, the nearest first.
@@ -78,24 +80,28 @@ HWY_NOINLINE void leapToFirst(const EmptySpace& empty, bool isPreintegrated, Ray
     reaches[axis] = hn::Abs(samples[axis]);
     still[axis] = hn::IfThenElseZero(isStill, all(60000.0f));
   }
-  const glm::ivec3 last = empty.blocks - 1;
-  const VI blocksPerRow = hn::Set(ints, empty.blocks.x);
+  const glm::ivec3 last = empty.first + empty.blocks - 1;
+  const auto blocksPerRow = static_cast<std::size_t>(empty.blocks.x);
   const VI rowsPerSlice = hn::Set(ints, empty.blocks.y);
   const VF end = hn::ConvertTo(floats, hn::Load(ints, rays.to.of));
   VF i = hn::ConvertTo(floats, hn::Load(ints, rays.from.of));
   Mask isMoving = hn::Lt(i, end);
   while (!hn::AllFalse(floats, isMoving)) {
     VF p[3], block[3];
+    VI place[3];
     for (int axis = 0; axis < 3; ++axis) {
       p[axis] = hn::MulAdd(i, advance[axis], first[axis]);
-      block[axis] = clamped(hn::Floor(p[axis]), 0.0f, static_cast<float>(last[axis]));
+      block[axis] =
+          clamped(hn::Floor(p[axis]), static_cast<float>(empty.first[axis]), static_cast<float>(last[axis]));
+      place[axis] = hn::Sub(intOf(block[axis]), hn::Set(ints, empty.first[axis]));
     }
-    const VI row = hn::Add(hn::Mul(intOf(block[2]), rowsPerSlice), intOf(block[1]));
-    const VI at = hn::Add(hn::Mul(row, blocksPerRow), intOf(block[0]));
-    HWY_ALIGN std::int32_t places[HWY_MAX_BYTES / 4], distances[HWY_MAX_BYTES / 4];
-    hn::Store(at, ints, places);
+    const VI row = hn::Add(hn::Mul(place[2], rowsPerSlice), place[1]);
+    HWY_ALIGN std::int32_t rowsOf[HWY_MAX_BYTES / 4], inRow[HWY_MAX_BYTES / 4], distances[HWY_MAX_BYTES / 4];
+    hn::Store(row, ints, rowsOf);
+    hn::Store(place[0], ints, inRow);
     for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
-      distances[lane] = empty.distances[places[lane]];
+      distances[lane] = empty.distances[static_cast<std::size_t>(rowsOf[lane]) * blocksPerRow +
+                                        static_cast<std::size_t>(inRow[lane])];
     const VF distance = hn::ConvertTo(floats, hn::Load(ints, distances));
     // Leave the cube of blocks through the face ahead on each axis, the nearest first.
     const VF reach = hn::Sub(distance, all(0.5f));

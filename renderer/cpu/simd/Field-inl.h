@@ -33,9 +33,10 @@ template <VoxelSource::Kind kind>
 class Field {
 public:
   explicit Field(const VoxelSource& voxels)
-      : m_voxels(voxels), m_half(sliceBytesOf(voxels) / 2), m_middle(voxels.begin + m_half),
-        m_strideY(wrapped(voxels.strideY)),
-        m_lastWord(static_cast<std::int32_t>(sliceBytesOf(voxels) - m_half - 4)) {}
+      : m_voxels(voxels), m_rowBytes(std::int64_t{bytesOf<kind>} * voxels.dims.x),
+        m_rowsAhead((voxels.dims.y > 1 ? 1 : 0) + (voxels.dims.z > 1 ? voxels.dims.y : 0)),
+        m_lastSafeRow(static_cast<std::int32_t>(std::int64_t{voxels.dims.y} * voxels.dims.z - 1 -
+                                                (3 + m_rowBytes - 1) / m_rowBytes)) {}
 
   /// The cells of continuous voxel indices, clamped to the outermost voxel centres.
   HWY_INLINE Cells cellsAt(const V3& index) const {
@@ -50,9 +51,12 @@ public:
   HWY_NOINLINE VF scalarAt(const V3& index) const {
     const Cells cells = cellsAt(index);
     VW words4[4], next4[4];
-    wordsOf(offsetsOf(cells), cells.z, words4);
-    if constexpr (kind == VoxelSource::Kind::single)
-      wordsOf(hn::Add(offsetsOf(cells), hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0)), cells.z, next4);
+    wordsOf(placesOf(cells), words4);
+    if constexpr (kind == VoxelSource::Kind::single) {
+      Places next = placesOf(cells);
+      next.bytes = hn::Add(next.bytes, hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0));
+      wordsOf(next, next4);
+    }
     VF first[4], second[4];
     for (int row = 0; row < 4; ++row) {
       if constexpr (kind == VoxelSource::Kind::single) {
@@ -78,20 +82,21 @@ public:
   HWY_NOINLINE VoxelAndSlope voxelAndSlopeAt(const V3& index, int count) const {
     const Cells cells = cellsAt(index);
     Sums sums;
-    HWY_ALIGN std::int32_t offsets[most], slices[most];
-    hn::Store(offsetsOf(cells), ints, offsets);
-    hn::Store(cells.z, ints, slices);
+    HWY_ALIGN std::int32_t bytes[most], rowsOf[most];
+    const Places places = placesOf(cells);
+    hn::Store(places.bytes, ints, bytes);
+    hn::Store(places.row, ints, rowsOf);
     // Copies: the compiler cannot know that what is stored below does not change them.
-    const std::int64_t strideY = m_voxels.strideY, strideZ = m_voxels.strideZ;
-    const unsigned char* firstVoxel = m_middle - bytesOf<kind>;
+    const std::int64_t strideY = m_voxels.strideY, strideZ = m_voxels.strideZ, rowBytes = m_rowBytes;
+    const unsigned char* firstVoxel = m_voxels.begin - bytesOf<kind>;
     const std::uint32_t inner = bitsOf(hn::RebindMask(floats, isInner(cells)));
     int lane = 0;
     if constexpr (hn::MaxLanes(floats) == 8) {
       // Two at a time where both are inside.
       for (; lane + 1 < count && (inner >> lane & 3u) == 3u; lane += 2) {
         const InnerPairs<kind, Floats> rows(
-            {firstVoxel + slices[lane] * strideZ + offsets[lane], strideY, strideZ},
-            {firstVoxel + slices[lane + 1] * strideZ + offsets[lane + 1], strideY, strideZ});
+            {firstVoxel + rowsOf[lane] * rowBytes + bytes[lane], strideY, strideZ},
+            {firstVoxel + rowsOf[lane + 1] * rowBytes + bytes[lane + 1], strideY, strideZ});
         const auto lanesOf =
             hn::IndicesFromVec(floats, hn::Add(hn::Set(ints, lane), hn::ShiftRight<2>(hn::Iota(ints, 0))));
         sums.keep(floats, lane,
@@ -106,7 +111,7 @@ public:
       const F4 y = hn::Set(four, ys[lane]);
       const F4 z = hn::Set(four, zs[lane]);
       if (HWY_LIKELY((inner >> lane & 1u) != 0)) {
-        const InnerRows<kind> rows(firstVoxel + slices[lane] * strideZ + offsets[lane], strideY, strideZ);
+        const InnerRows<kind> rows(firstVoxel + rowsOf[lane] * rowBytes + bytes[lane], strideY, strideZ);
         sums.keep(four, lane, summed<F4>(rows, y, z));
       } else {
         const OuterRows<kind> rows(m_voxels,
@@ -144,9 +149,11 @@ private:
     HWY_ALIGN float along[4 * most], slopeY[4 * most], slopeZ[4 * most];
   };
 
-  HWY_INLINE static std::int32_t wrapped(std::int64_t value) {
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(value));
-  }
+  // The voxels with the smallest indices of each cell: which of all rows along x, and the bytes before it
+  // there. A row is picked by a product of 64 bits, so that volumes and slices may take any number of bytes.
+  struct Places {
+    VI row, bytes;
+  };
 
   HWY_INLINE static VI lowOf(VF index, int dim, VF& weight) {
     const VF clampedIndex = clamped(index, 0.0f, static_cast<float>(dim - 1));
@@ -161,12 +168,9 @@ private:
     return lows[lane];
   }
 
-  static std::int64_t sliceBytesOf(const VoxelSource& voxels) { return voxels.bytes / voxels.dims.z; }
-
-  // Bytes of the voxel with the smallest indices, from the middle of its slice.
-  HWY_INLINE VI offsetsOf(const Cells& cells) const {
-    const VI row = hn::Mul(cells.y, hn::Set(ints, m_strideY));
-    return hn::Sub(hn::Add(row, hn::ShiftLeft<shift>(cells.x)), hn::Set(ints, wrapped(m_half)));
+  HWY_INLINE Places placesOf(const Cells& cells) const {
+    return {hn::Add(hn::Mul(cells.z, hn::Set(ints, m_voxels.dims.y)), cells.y),
+            hn::ShiftLeft<shift>(cells.x)};
   }
 
   // Cells with two voxels more on either side.
@@ -179,22 +183,21 @@ private:
     return hn::Not(hn::Lt(hn::Min(lowest, hn::Min(hn::Min(beyondX, beyondY), beyondZ)), one));
   }
 
-  // Four bytes from each offset in its slice on, of the rows (y, z), (y+1, z), (y, z+1), (y+1, z+1). Where
-  // some would reach beyond the voxels, those bytes read as 0: their voxels have no weight.
-  HWY_INLINE void wordsOf(VI offset, VI slice, VW result[4]) const {
-    HWY_ALIGN std::int32_t offsets[most], slices[most];
-    hn::Store(offset, ints, offsets);
-    hn::Store(slice, ints, slices);
-    const unsigned char* middle = m_middle;
-    const std::int64_t strideZ = m_voxels.strideZ;
+  // Four bytes from each place on, of the rows (y, z), (y+1, z), (y, z+1), (y+1, z+1). Where some would reach
+  // beyond the voxels, those bytes read as 0: their voxels have no weight.
+  HWY_INLINE void wordsOf(const Places& places, VW result[4]) const {
+    HWY_ALIGN std::int32_t bytes[most], rowsOf[most];
+    hn::Store(places.bytes, ints, bytes);
+    hn::Store(places.row, ints, rowsOf);
+    const unsigned char* first = m_voxels.begin;
+    const std::int64_t rowBytes = m_rowBytes;
     const std::int64_t steps[4] = {0, m_voxels.strideY, m_voxels.strideZ,
                                    m_voxels.strideY + m_voxels.strideZ};
-    // Of any slice, though only the last one ends the voxels.
-    const VI last = hn::Add(offset, hn::Set(ints, m_strideY));
-    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastWord))))) {
+    const VI last = hn::Add(places.row, hn::Set(ints, m_rowsAhead));
+    if (HWY_LIKELY(hn::AllFalse(ints, hn::Gt(last, hn::Set(ints, m_lastSafeRow))))) {
       const unsigned char* begins[most];
       for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
-        begins[lane] = middle + slices[lane] * strideZ + offsets[lane];
+        begins[lane] = first + rowsOf[lane] * rowBytes + bytes[lane];
       for (int row = 0; row < 4; ++row) {
         HWY_ALIGN std::uint32_t read[most];
         for (std::size_t lane = 0; lane < hn::MaxLanes(ints); ++lane)
@@ -206,10 +209,10 @@ private:
     for (int row = 0; row < 4; ++row) {
       HWY_ALIGN std::uint32_t read[most] = {};
       for (int lane = 0; lane < lanes(); ++lane) {
-        const std::int64_t at = slices[lane] * strideZ + offsets[lane] + steps[row];
-        const std::int64_t rest = m_voxels.bytes - m_half - at;
+        const std::int64_t at = rowsOf[lane] * rowBytes + bytes[lane] + steps[row];
+        const std::int64_t rest = m_voxels.bytes - at;
         if (rest > 0)
-          std::memcpy(&read[lane], m_middle + at, static_cast<std::size_t>(std::min<std::int64_t>(rest, 4)));
+          std::memcpy(&read[lane], first + at, static_cast<std::size_t>(std::min<std::int64_t>(rest, 4)));
       }
       result[row] = hn::Load(words, read);
     }
@@ -227,10 +230,9 @@ private:
   }
 
   const VoxelSource& m_voxels;
-  std::int64_t m_half;           // of a slice: offsets count from its middle, so that they reach over 4 GiB
-  const unsigned char* m_middle; // of the first slice
-  std::int32_t m_strideY;
-  std::int32_t m_lastWord;
+  std::int64_t m_rowBytes;
+  std::int32_t m_rowsAhead;   // to the last row of a cell
+  std::int32_t m_lastSafeRow; // from any place in it four bytes are voxels
 };
 
 } // namespace limn::cpu::HWY_NAMESPACE

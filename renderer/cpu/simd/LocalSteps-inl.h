@@ -25,6 +25,13 @@ public:
     m_place.walk.emplace(m_local, framedRay(terms.frame, ray.pixel.x, ray.pixel.y, terms.size), ray.span);
   }
 
+  /// The same ray from where it enters the brick that is drawn to where it leaves it; its span is empty where
+  /// it passes by.
+  static Ray inBrick(const PictureTerms& terms, Ray ray) {
+    ray.span = partInBrick(terms, framedRay(terms.frame, ray.pixel.x, ray.pixel.y, terms.size), ray.span);
+    return ray;
+  }
+
   glm::vec4 gathered() {
     Sum sum{zero(), 1.0, false};
     takeFirst();

@@ -15,9 +15,27 @@
 #include "cpu/simd/Samples-inl.h"
 
 #include <bit>
+#include <cmath>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
+
+/// The pixel of what Marcher::scalars() gave for all of a ray.
+inline glm::vec4 classifiedOnce(const PictureTerms& terms, const glm::dvec2& found) {
+  if (found.y == 0.0)
+    return glm::vec4(0.0f);
+  const Function function(*terms.function, terms.segments);
+  const double scalar = terms.effects.has(Effect::average) ? found.x / found.y
+                        : terms.effects.has(Effect::mip)   ? found.x
+                                                           : -found.x;
+  const VF scalars = all(static_cast<float>(scalar));
+  const Mask wanted = hn::FirstN(floats, 1);
+  const V3 color = function.colorAt(scalars, wanted);
+  const float opacity = hn::GetLane(function.opacityAt(scalars, wanted));
+  return {opacity * hn::GetLane(color.x), opacity * hn::GetLane(color.y), opacity * hn::GetLane(color.z),
+          opacity};
+}
 
 template <VoxelSource::Kind kind>
 class Marcher {
@@ -27,12 +45,54 @@ public:
   glm::vec4 pixel() const {
     const EffectSet& effects = m_terms.effects;
     if (effects.hasAny(scalarProjections))
-      return classifiedOnce();
+      return classifiedOnce(m_terms, scalars());
     if (effects.has(Effect::isosurface))
       return surface();
     if (effects.has(Effect::hybrid))
       return gatheredOverSurface();
     return gathered();
+  }
+
+  /// What the brick's part of the ray adds to the pixel, where other bricks may have the surface in front:
+  /// its own and the nearest hit, +∞ where there is none.
+  glm::vec4 share(float own, float nearest) const {
+    const bool isHybrid = m_terms.effects.has(Effect::hybrid);
+    if (!std::isfinite(nearest))
+      return m_terms.effects.has(Effect::isosurface) ? glm::vec4(0.0f) : gathered();
+    const glm::vec4 front = isHybrid ? gatheredBefore(nearest) : glm::vec4(0.0f);
+    return own == nearest ? over(front, m_samples.surfaceAt(own)) : front;
+  }
+
+  /// +∞ where the ray meets no surface in the brick.
+  float hit() const { return firstHit().value_or(std::numeric_limits<float>::infinity()); }
+
+  /// The largest, smallest or all scalars of the samples that are kept: {the largest, {minus the smallest or
+  /// {their sum, then how many.
+  glm::dvec2 scalars() const {
+    const EffectSet& effects = m_terms.effects;
+    const bool isLargest = effects.has(Effect::mip);
+    VF extreme = all(isLargest ? -beyondScalars : beyondScalars);
+    double total = 0.0;
+    int kept = 0;
+    for (int i = m_ray.ownFrom; i < m_ray.ownTo; i += lanes()) {
+      const VF step = samplesFrom(i);
+      const VF scalar = m_samples.scalarAt(step);
+      const Mask isInside = m_samples.kept(step, isBefore(step, m_ray.ownTo));
+      kept += static_cast<int>(hn::CountTrue(floats, isInside));
+      if (effects.has(Effect::average))
+        total += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(isInside, scalar)));
+      else if (isLargest)
+        extreme = hn::Max(extreme, hn::IfThenElse(isInside, scalar, extreme));
+      else
+        extreme = hn::Min(extreme, hn::IfThenElse(isInside, scalar, extreme));
+    }
+    if (effects.has(Effect::average))
+      return {total, kept};
+    if (kept == 0)
+      return {-std::numeric_limits<double>::infinity(), 0.0};
+    return {isLargest ? hn::GetLane(hn::MaxOfLanes(floats, extreme))
+                      : -hn::GetLane(hn::MinOfLanes(floats, extreme)),
+            1.0};
   }
 
 private:
@@ -42,8 +102,15 @@ private:
   // The integral along the ray.
   glm::vec4 gathered() const {
     if (m_terms.local)
-      return LocalMarch<kind>(m_terms, m_ray).gathered();
+      return gatheredInLocalSteps();
     return m_terms.effects.has(Effect::xray) ? xray() : Composite<kind>(m_terms, m_samples).gathered();
+  }
+
+  glm::vec4 gatheredInLocalSteps() const {
+    if (!m_terms.brick)
+      return LocalMarch<kind>(m_terms, m_ray).gathered();
+    const Ray part = LocalMarch<kind>::inBrick(m_terms, m_ray);
+    return part.span.isEmpty() ? glm::vec4(0.0f) : LocalMarch<kind>(m_terms, part).gathered();
   }
 
   // One by one, so that the sum does not depend on which samples are computed together.
@@ -64,41 +131,11 @@ private:
       }
       const VF step = samplesFrom(i);
       i += lanes();
-      const auto shaded = m_samples.at(step, isBefore(step, m_ray.count));
+      const auto shaded = m_samples.at(step, isBefore(step, m_ray.ownTo));
       if (!hn::AllFalse(floats, shaded.seen))
         addDepth(shaded.seen, shaded.extinction, depth);
     }
     return glm::vec4(static_cast<float>(-std::expm1(-depth * m_ray.units)));
-  }
-
-  // The largest, smallest or mean scalar of the samples that are kept, classified once.
-  glm::vec4 classifiedOnce() const {
-    const EffectSet& effects = m_terms.effects;
-    VF extreme = all(effects.has(Effect::mip) ? -beyondScalars : beyondScalars);
-    double total = 0.0;
-    int kept = 0;
-    for (int i = 0; i < m_ray.count; i += lanes()) {
-      const VF step = samplesFrom(i);
-      const VF scalar = m_samples.scalarAt(step);
-      const Mask isInside = m_samples.kept(step, isBefore(step, m_ray.count));
-      kept += static_cast<int>(hn::CountTrue(floats, isInside));
-      if (effects.has(Effect::average))
-        total += hn::GetLane(hn::SumOfLanes(floats, hn::IfThenElseZero(isInside, scalar)));
-      else if (effects.has(Effect::mip))
-        extreme = hn::Max(extreme, hn::IfThenElse(isInside, scalar, extreme));
-      else
-        extreme = hn::Min(extreme, hn::IfThenElse(isInside, scalar, extreme));
-    }
-    if (kept == 0)
-      return glm::vec4(0.0f);
-    const float scalar = effects.has(Effect::average) ? static_cast<float>(total / kept)
-                         : effects.has(Effect::mip)   ? hn::GetLane(hn::MaxOfLanes(floats, extreme))
-                                                      : hn::GetLane(hn::MinOfLanes(floats, extreme));
-    const Mask wanted = hn::FirstN(floats, 1);
-    const V3 color = m_samples.function.colorAt(all(scalar), wanted);
-    const float opacity = hn::GetLane(m_samples.function.opacityAt(all(scalar), wanted));
-    return {opacity * hn::GetLane(color.x), opacity * hn::GetLane(color.y), opacity * hn::GetLane(color.z),
-            opacity};
   }
 
   HWY_INLINE Mask isHit(VF step) const {
@@ -110,12 +147,15 @@ private:
   std::optional<float> firstHit() const {
     const float offset = m_ray.offset;
     const float exit = static_cast<float>(m_ray.count) - offset;
-    if ((bitsOf(isHit(all(-offset))) & 1u) != 0)
+    // The entry counts as before the first sample, the exit as the last: whose samples they are has them.
+    if (m_ray.ownFrom == m_ray.ownTo)
+      return std::nullopt;
+    if (m_ray.ownFrom == 0 && (bitsOf(isHit(all(-offset))) & 1u) != 0)
       return -offset;
     const EmptySteps empty(m_terms.empty, m_ray, false);
-    // The exit counts as the last sample.
-    for (int i = m_ray.from; i <= m_ray.count;) {
-      if (const int leap = empty.samplesFrom(i); leap > 0 && i + leap <= m_ray.count) {
+    const int last = m_ray.ownTo < m_ray.count ? m_ray.ownTo - 1 : m_ray.count;
+    for (int i = m_ray.from; i <= last;) {
+      if (const int leap = empty.samplesFrom(i); leap > 0 && i + leap <= last) {
         i += leap;
         continue;
       }
@@ -123,6 +163,8 @@ private:
       const auto lane = hn::FindFirstTrue(floats, isHit(step));
       if (lane >= 0) {
         const int sample = i + static_cast<int>(lane);
+        if (sample > last && last < m_ray.count)
+          return std::nullopt;
         const float above = std::min(static_cast<float>(sample), exit);
         return halved(sample == 0 ? -offset : std::min(static_cast<float>(sample - 1), exit), above);
       }
@@ -167,20 +209,24 @@ private:
     return hit ? glm::vec4(m_samples.surfaceAt(*hit), 1.0f) : glm::vec4(0.0f);
   }
 
-  // Gathers what lies before the surface in steps of its own, then puts it over the surface.
-  glm::vec4 gatheredOverSurface() const {
-    const std::optional<float> hit = firstHit();
-    if (!hit)
-      return gathered();
-    const glm::vec3 behind = m_samples.surfaceAt(*hit);
-    const double steps = double(*hit) + m_ray.offset;
+  // Gathers what lies before the surface in steps of its own.
+  glm::vec4 gatheredBefore(float hit) const {
+    const double steps = double(hit) + m_ray.offset;
     const double end = m_ray.span.begin + steps * (m_ray.span.end - m_ray.span.begin) / m_ray.count;
     const Rays rays(m_terms, m_ray.pixel.x, m_ray.pixel.x + 1, m_ray.pixel.y, end);
-    if (!rays.hasSamples(0))
-      return {behind, 1.0f};
+    if (!rays.isSeen(0))
+      return glm::vec4(0.0f);
     const Ray before = rays.ray(0);
-    const glm::vec4 front = Marcher(m_terms, before).gathered();
-    return {glm::vec3(front) + (1.0f - front.a) * behind, 1.0f};
+    return Marcher(m_terms, before).gathered();
+  }
+
+  static glm::vec4 over(const glm::vec4& front, const glm::vec3& surface) {
+    return {glm::vec3(front) + (1.0f - front.a) * surface, 1.0f};
+  }
+
+  glm::vec4 gatheredOverSurface() const {
+    const std::optional<float> hit = firstHit();
+    return hit ? over(gatheredBefore(*hit), m_samples.surfaceAt(*hit)) : gathered();
   }
 
   static constexpr int halvings = 14;

@@ -65,11 +65,16 @@ public:
       : m_terms(terms), m_x(x), m_y(y), m_mostMm(mostMm) {
     for (int part = 0; part < lanes(); part += atOnce())
       setUp(part);
-    for (int lane = std::max(0, toX - x); lane < lanes(); ++lane)
+    for (int lane = std::max(0, toX - x); lane < lanes(); ++lane) {
       to.of[lane] = from.of[lane];
+      count.of[lane] = 0;
+    }
   }
 
   bool hasSamples(int lane) const { return from.of[lane] < to.of[lane]; }
+
+  /// Whether the ray meets what shows; the rest is unset of one that does not.
+  bool isSeen(int lane) const { return count.of[lane] > 0; }
 
   Ray ray(int lane) const {
     Ray ray;
@@ -77,6 +82,8 @@ public:
     ray.count = count.of[lane];
     ray.from = from.of[lane];
     ray.to = to.of[lane];
+    ray.ownFrom = ownFrom.of[lane];
+    ray.ownTo = ownTo.of[lane];
     ray.offset = offset.of[lane];
     for (int axis = 0; axis < 3; ++axis) {
       ray.first[axis] = first[axis].of[lane];
@@ -93,7 +100,7 @@ public:
     return ray;
   }
 
-  PerRay<std::int32_t> count, from, to;
+  PerRay<std::int32_t> count, from, to, ownFrom, ownTo;
   PerRay<float> offset, first[3], stride[3], firstIndex[3], firstDepth, strideDepth, units;
   PerRay<float> toViewer[3], toLight[3], halfway[3];
   PerRay<double> begin, end;
@@ -169,7 +176,7 @@ private:
         hn::And(hn::Gt(visible.end, visible.begin), hn::Gt(span.end, span.begin));
     if (hn::AllFalse(doubles, isSeen)) {
       for (int lane = part; lane < part + atOnce(); ++lane)
-        from.of[lane] = to.of[lane] = 0;
+        count.of[lane] = from.of[lane] = to.of[lane] = 0;
       return;
     }
     span.begin = hn::IfThenElse(isSeen, span.begin, hn::Zero(doubles));
@@ -194,7 +201,7 @@ private:
     const VD before = hn::Load(doubles, offsets);
     const VD behindEntry = hn::Mul(before, stepMm);
     const D3 firstIndices = along(along(anchor, span.begin, direction), behindEntry, direction);
-    keep(samples, part, count);
+    keep(hn::IfThenElseZero(isSeen, samples), part, count);
     keep(before, part, offset);
     keep(firstIndices, part, firstIndex);
     keep(along(firstIndices, one, allOf(m_terms.centre)), part, first);
@@ -211,9 +218,48 @@ private:
     const VD firstSeen =
         hn::Sub(hn::Floor(hn::MulSub(hn::Sub(visible.begin, span.begin), perStep, before)), one);
     const VD lastSeen = hn::Add(hn::Ceil(hn::MulSub(hn::Sub(visible.end, span.begin), perStep, before)), one);
-    const VD fromSample = limited(firstSeen, hn::Zero(doubles), samples);
+    const Spans own = ownSamples(anchor, direction, span, perStep, before, samples);
+    keep(own.begin, part, ownFrom);
+    keep(own.end, part, ownTo);
+    const VD fromSample = limited(firstSeen, own.begin, own.end);
     keep(fromSample, part, from);
-    keep(hn::IfThenElse(isSeen, limited(lastSeen, fromSample, samples), fromSample), part, to);
+    keep(hn::IfThenElse(isSeen, limited(lastSeen, fromSample, own.end), fromSample), part, to);
+  }
+
+  // The samples of [begin, end) lie in the brick. Each plane between bricks has a first sample behind it,
+  // found from the plane and the ray alone and without joined multiply-adds: whoever draws the brick on its
+  // other side, on whatever processor, finds the same.
+  HWY_INLINE Spans ownSamples(const D3& anchor, const D3& direction, const Spans& span, VD perStep, VD before,
+                              VD samples) const {
+    Spans own{hn::Zero(doubles), samples};
+    if (!m_terms.brick)
+      return own;
+    const glm::dvec3& lower = m_terms.brick->lower;
+    const glm::dvec3& upper = m_terms.brick->upper;
+    const VD origins[3] = {anchor.x, anchor.y, anchor.z};
+    const VD directions[3] = {direction.x, direction.y, direction.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      const VD p = origins[axis];
+      const VD d = directions[axis];
+      const hn::Mask<Doubles> isStill = hn::Lt(hn::Abs(d), allOf(1e-20));
+      const VD perLength = hn::Div(allOf(1.0), hn::IfThenElse(isStill, allOf(1.0), d));
+      const VD a = firstBehind(lower[axis], p, perLength, span, perStep, before, samples);
+      const VD b = firstBehind(upper[axis], p, perLength, span, perStep, before, samples);
+      const hn::Mask<Doubles> isInside =
+          hn::And(hn::Ge(p, allOf(lower[axis])), hn::Lt(p, allOf(upper[axis])));
+      const VD ofStill = hn::IfThenElseZero(isInside, own.end);
+      own.begin = hn::IfThenElse(isStill, own.begin, hn::Max(own.begin, hn::Min(a, b)));
+      own.end = hn::IfThenElse(isStill, ofStill, hn::Min(own.end, hn::Max(a, b)));
+    }
+    own.begin = hn::Min(own.begin, own.end);
+    return own;
+  }
+
+  HWY_INLINE static VD firstBehind(double plane, VD p, VD perLength, const Spans& span, VD perStep, VD before,
+                                   VD samples) {
+    const VD at = hn::Mul(hn::Sub(allOf(plane), p), perLength);
+    const VD sample = hn::Ceil(hn::Sub(hn::Mul(hn::Sub(at, span.begin), perStep), before));
+    return limited(sample, hn::Zero(doubles), samples);
   }
 
   HWY_INLINE void light(int part, const D3& direction) {

@@ -21,12 +21,12 @@ public:
   unsigned name() const { return m_texture ? m_texture->name() : 0; }
 
   /// Of the blocks of the volume's texture; none where all is kept.
-  const std::vector<BlockWeight>& blocks() const { return m_blocks; }
+  const BlockWeights& blocks() const { return m_blocks; }
 
 private:
   Region m_region;
   std::optional<GlTexture> m_texture;
-  std::vector<BlockWeight> m_blocks;
+  BlockWeights m_blocks;
 };
 
 } // namespace limn

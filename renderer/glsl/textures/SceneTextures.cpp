@@ -7,8 +7,6 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
-
 namespace limn {
 namespace {
 

@@ -16,7 +16,7 @@ float beyond(float outermost, float next, int inner) {
 
 // Writes a row of texels with its ends; each is the mean of its box of voxels.
 template <class T>
-void fillRow(const std::vector<T>& stored, const Volume& volume, const glm::ivec3& reduction, int j, int k,
+void fillRow(const StoredVoxels<T>& stored, const Volume& volume, const glm::ivec3& reduction, int j, int k,
              int inner, float* row) {
   const glm::ivec3 dims = volume.grid().dims;
   const Rescale rescale = volume.rescale();
@@ -47,7 +47,7 @@ void fillRow(const std::vector<T>& stored, const Volume& volume, const glm::ivec
 
 // Writes the plane of inner texels k with its edges.
 template <class T>
-void fillInnerPlane(const std::vector<T>& stored, const Volume& volume, const glm::ivec3& reduction, int k,
+void fillInnerPlane(const StoredVoxels<T>& stored, const Volume& volume, const glm::ivec3& reduction, int k,
                     float* plane) {
   const glm::ivec3 inner = reducedDims(volume.grid().dims, reduction);
   const int width = inner.x + 2;
@@ -62,7 +62,7 @@ void fillInnerPlane(const std::vector<T>& stored, const Volume& volume, const gl
 
 // Writes texel plane z; the outermost two are extrapolated.
 template <class T>
-void fillPlane(const std::vector<T>& stored, const Volume& volume, const glm::ivec3& reduction, int z,
+void fillPlane(const StoredVoxels<T>& stored, const Volume& volume, const glm::ivec3& reduction, int z,
                float* plane) {
   const glm::ivec3 inner = reducedDims(volume.grid().dims, reduction);
   const int nearest = std::clamp(z - 1, 0, inner.z - 1);

@@ -5,8 +5,6 @@
 
 #include <epoxy/gl.h>
 
-#include <string>
-
 namespace limn {
 
 VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const Message& what,

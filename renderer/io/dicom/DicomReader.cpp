@@ -120,7 +120,6 @@ void requireRoom(const std::filesystem::path& path, const glm::ivec3& dims) {
             .arg(dims.x)
             .arg(dims.y)
             .arg(dims.z));
-  requireMemory(path, static_cast<double>(dims.x) * dims.y * dims.z);
 }
 
 void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {
@@ -154,16 +153,18 @@ std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const 
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
+  const DicomKeeping keeping{path, options.memory.value_or(MemoryBudget())};
   DicomVoxels voxels =
-      readVoxels(series, part(progress, 0.3, geometry.needsResampling ? 0.75 : 0.95), warnings);
+      readVoxels(series, keeping, part(progress, 0.3, geometry.needsResampling ? 0.75 : 0.95), warnings);
   if (geometry.needsResampling)
-    voxels = resampled(std::move(voxels), sourceDims, geometry, part(progress, 0.75, 0.95));
+    voxels =
+        resampled(std::move(voxels), sourceDims, geometry, keeping, part(progress, 0.75, 0.95), warnings);
   applySpacing(options, geometry);
   requirePlausible(path, geometry.grid);
   return naming(path, [&] {
-    return std::make_shared<const Volume>(geometry.grid, std::move(voxels.stored), voxels.rescale,
-                                          voxels.padding, infoOf(series, geometry, warnings),
-                                          effortOf(part(progress, 0.95, 1.0), countingVoxels));
+    return std::make_shared<const Volume>(geometry.grid, storedVoxels(std::move(voxels.stored)),
+                                          voxels.rescale, voxels.padding, infoOf(series, geometry, warnings),
+                                          effortOf(part(progress, 0.95, 1.0), countingVoxels), voxels.room);
   });
 }
 

@@ -2,6 +2,7 @@
 #include "io/dicom/DicomVoxels.h"
 
 #include "io/dicom/series/DicomScan.h"
+#include "io/reading/Bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 template <class T>
 struct Source {
-  const std::vector<T>& voxels;
+  const RoomVector<T>& voxels;
   glm::ivec3 dims;
   std::optional<PaddingRange> padding;
 
@@ -130,7 +131,7 @@ void resamplePlane(const Source<T>& source, const DicomGeometry& geometry, int p
 
 // Finds a value for voxels without data; nothing where the type has none left.
 template <class T>
-std::optional<T> emptyValue(const std::vector<T>& voxels, const std::optional<PaddingRange>& padding) {
+std::optional<T> emptyValue(const RoomVector<T>& voxels, const std::optional<PaddingRange>& padding) {
   using Limits = std::numeric_limits<T>;
   if constexpr (std::is_floating_point_v<T>)
     return Limits::quiet_NaN();
@@ -146,29 +147,33 @@ std::optional<T> emptyValue(const std::vector<T>& voxels, const std::optional<Pa
 
 // The same values in a wider type.
 template <class T>
-VoxelArray widened(std::vector<T> voxels) {
+VoxelVectors widened(RoomVector<T> voxels) {
+  const auto room = voxels.get_allocator().room();
   if constexpr (sizeof(T) == 1)
-    return std::vector<std::int16_t>(voxels.begin(), voxels.end());
+    return RoomVector<std::int16_t>(voxels.begin(), voxels.end(), room);
   else if constexpr (sizeof(T) == 2)
-    return std::vector<std::int32_t>(voxels.begin(), voxels.end());
+    return RoomVector<std::int32_t>(voxels.begin(), voxels.end(), room);
   else
-    return std::vector<double>(voxels.begin(), voxels.end());
+    return RoomVector<double>(voxels.begin(), voxels.end(), room);
 }
 
 } // namespace
 
 DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const DicomGeometry& geometry,
-                      const Progress& progress) {
+                      const DicomKeeping& keeping, const Progress& progress, std::vector<Message>& warnings) {
   return std::visit(
-      [&]<class T>(std::vector<T>& stored) -> DicomVoxels {
+      [&]<class T>(RoomVector<T>& stored) -> DicomVoxels {
         const std::optional<T> empty = emptyValue(stored, voxels.padding);
         if (!empty)
-          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt}, sourceDims,
-                           geometry, progress);
+          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt, voxels.room},
+                           sourceDims, geometry, keeping, progress, warnings);
         const Source<T> source{stored, sourceDims, voxels.padding};
         const glm::ivec3 dims = geometry.grid.dims;
         const std::size_t perPlane = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
-        std::vector<T> result(perPlane * static_cast<std::size_t>(dims.z));
+        const std::size_t count = perPlane * static_cast<std::size_t>(dims.z);
+        const auto room =
+            roomFor(keeping.path, static_cast<double>(count) * sizeof(T), keeping.budget, warnings);
+        RoomVector<T> result(count, room);
         for (int plane = 0; plane < dims.z; ++plane) {
           reportOrStop(progress, static_cast<double>(plane) / dims.z, Message::tr("Straightening slices"));
           resamplePlane(source, geometry, plane, *empty,
@@ -177,7 +182,7 @@ DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const Di
         std::optional<PaddingRange> padding = voxels.padding;
         if (!padding && !std::is_floating_point_v<T>)
           padding = PaddingRange{static_cast<double>(*empty), static_cast<double>(*empty)};
-        return {std::move(result), voxels.rescale, padding};
+        return {std::move(result), voxels.rescale, padding, room};
       },
       voxels.stored);
 }

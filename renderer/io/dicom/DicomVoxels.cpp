@@ -4,11 +4,11 @@
 #include "io/dicom/pixels/DicomPixelReader.h"
 #include "io/dicom/pixels/DicomUnpack.h"
 #include "io/dicom/series/DicomScan.h"
+#include "io/reading/Bounds.h"
 #include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace limn {
@@ -19,7 +19,7 @@ bool isPalette(const DicomHeader& header) {
 }
 
 // An empty array of the narrowest type that holds the stored values of every slice.
-VoxelArray arrayFor(const DicomSeries& series) {
+VoxelVectors arrayFor(const DicomSeries& series) {
   int bits = 8;
   bool anySigned = false;
   bool anyUnsigned = false;
@@ -31,18 +31,18 @@ VoxelArray arrayFor(const DicomSeries& series) {
   if (anySigned && anyUnsigned)
     bits *= 2; // the next wider signed type holds both
   if (bits > 32)
-    return std::vector<double>();
+    return RoomVector<double>();
   if (bits == 32)
-    return anySigned ? VoxelArray(std::vector<std::int32_t>()) : std::vector<std::uint32_t>();
+    return anySigned ? VoxelVectors(RoomVector<std::int32_t>()) : RoomVector<std::uint32_t>();
   if (bits == 16)
-    return anySigned ? VoxelArray(std::vector<std::int16_t>()) : std::vector<std::uint16_t>();
-  return anySigned ? VoxelArray(std::vector<std::int8_t>()) : std::vector<std::uint8_t>();
+    return anySigned ? VoxelVectors(RoomVector<std::int16_t>()) : RoomVector<std::uint16_t>();
+  return anySigned ? VoxelVectors(RoomVector<std::int8_t>()) : RoomVector<std::uint8_t>();
 }
 
 // The place of slice `index` of `count`. Room is made when a slice arrives: nothing of a picture that does
 // not decode is held, whatever its header promises.
 template <class T>
-T* placeOf(std::vector<T>& array, std::size_t index, std::size_t count, std::size_t perSlice) {
+T* placeOf(RoomVector<T>& array, std::size_t index, std::size_t count, std::size_t perSlice) {
   array.reserve(count * perSlice);
   array.resize(std::max(array.size(), (index + 1) * perSlice));
   return array.data() + index * perSlice;
@@ -81,6 +81,12 @@ float modalityValue(const DicomSlice& slice, double stored) {
   return static_cast<float>(rescale.slope * stored + rescale.intercept);
 }
 
+// What is to be said of the voxels.
+struct DicomReadNotes {
+  DicomUnpackNotes unpacking;
+  std::vector<Message>& warnings;
+};
+
 // Reads all slices in an order that opens each file once, and hands each raw frame to `use`.
 template <class Use>
 void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use) {
@@ -102,31 +108,41 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
   }
 }
 
-DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
-                       DicomUnpackNotes& notes) {
-  DicomVoxels voxels{arrayFor(series), rescaleOf(series.front()), series.front().header->padding};
+// An empty array where the voxels of a series have their place.
+template <class T>
+RoomVector<T> kept(const DicomKeeping& keeping, std::size_t voxels, std::vector<Message>& warnings) {
+  return RoomVector<T>(
+      roomFor(keeping.path, static_cast<double>(voxels) * sizeof(T), keeping.budget, warnings));
+}
+
+DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const DicomKeeping& keeping,
+                       const Progress& progress, DicomReadNotes& notes) {
+  DicomVoxels voxels{arrayFor(series), rescaleOf(series.front()), series.front().header->padding, nullptr};
   std::visit(
       [&](auto& array) {
         using Value = typename std::decay_t<decltype(array)>::value_type;
+        array = kept<Value>(keeping, perSlice * series.size(), notes.warnings);
+        voxels.room = array.get_allocator().room();
         if constexpr (!std::is_same_v<Value, float>)
           forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const auto& raw) {
-            unpackFrame(*slice.header, raw, placeOf(array, index, series.size(), perSlice), notes);
+            unpackFrame(*slice.header, raw, placeOf(array, index, series.size(), perSlice), notes.unpacking);
           });
       },
       voxels.stored);
   return voxels;
 }
 
-DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, const Progress& progress,
-                               DicomUnpackNotes& notes) {
-  std::vector<float> values;
+DicomVoxels readModalityValues(const DicomSeries& series, std::size_t perSlice, const DicomKeeping& keeping,
+                               const Progress& progress, DicomReadNotes& notes) {
+  auto values = kept<float>(keeping, perSlice * series.size(), notes.warnings);
   std::vector<double> stored(perSlice);
   forEachFrame(series, progress, [&](std::size_t index, const DicomSlice& slice, const DicomRawFrame& raw) {
-    unpackFrame(*slice.header, raw, stored.data(), notes);
+    unpackFrame(*slice.header, raw, stored.data(), notes.unpacking);
     std::ranges::transform(stored, placeOf(values, index, series.size(), perSlice),
                            [&](double value) { return modalityValue(slice, value); });
   });
-  return {std::move(values), Rescale{}, std::nullopt};
+  const std::shared_ptr<Room> room = values.get_allocator().room();
+  return {std::move(values), Rescale{}, std::nullopt, room};
 }
 
 Message ratioText(const std::optional<double>& ratio) {
@@ -160,7 +176,8 @@ void noteFormat(const DicomSeries& series, std::vector<Message>& warnings) {
 
 } // namespace
 
-DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress, std::vector<Message>& warnings) {
+DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, const Progress& progress,
+                       std::vector<Message>& warnings) {
   const DicomHeader& first = *series.front().header;
   for (const DicomSlice& slice : series)
     if (!isUsable(rescaleOf(slice)))
@@ -169,11 +186,12 @@ DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress, std:
                               "leaves no values; its header is damaged.")
                       .arg(slice.header->path.string()));
   const auto perSlice = static_cast<std::size_t>(first.columns) * static_cast<std::size_t>(first.rows);
-  DicomUnpackNotes notes;
+  DicomReadNotes notes{{}, warnings};
   noteFormat(series, warnings);
-  DicomVoxels voxels = keepsStoredValues(series) ? readStored(series, perSlice, progress, notes)
-                                                 : readModalityValues(series, perSlice, progress, notes);
-  if (notes.ignoredBits)
+  DicomVoxels voxels = keepsStoredValues(series)
+                           ? readStored(series, perSlice, keeping, progress, notes)
+                           : readModalityValues(series, perSlice, keeping, progress, notes);
+  if (notes.unpacking.ignoredBits)
     warnings.emplace_back(
         Message::tr("Some pixels have bits set beyond those that hold the value; these bits were ignored."));
   return voxels;

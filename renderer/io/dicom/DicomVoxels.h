@@ -4,27 +4,42 @@
 #include "io/dicom/series/DicomGeometry.h"
 #include "io/dicom/series/DicomSeries.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
+#include "scene/basics/Room.h"
+
+#include <filesystem>
+#include <memory>
 
 namespace limn {
 
 /// The voxels of a series as stored, and what they mean.
 struct DicomVoxels {
-  VoxelArray stored; ///< slice after slice, no resampling yet
+  VoxelVectors stored; ///< slice after slice, no resampling yet
   Rescale rescale;
   std::optional<PaddingRange> padding;
+  std::shared_ptr<Room> room; ///< where they lie; null: in memory
+};
+
+/// Where the voxels of a series go.
+struct DicomKeeping {
+  std::filesystem::path path; ///< that was opened, for errors
+  MemoryBudget budget;
 };
 
 /// Reads and decodes every slice of a series whose files are supported and whole. Keeps the stored type where
 /// all slices share rescale, padding and format; otherwise, and through a modality look-up table, the values
 /// become float with padding as NaN. Colour becomes luminance. What was changed is stated in `warnings`.
 /// Reports fractions 0..1. Throws Error (input); Cancelled.
-DicomVoxels readVoxels(const DicomSeries& series, const Progress& progress, std::vector<Message>& warnings);
+/// They lie on disk where the budget does not hold them.
+DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, const Progress& progress,
+                       std::vector<Message>& warnings);
 
 /// Resamples slices onto the grid of `geometry`: each shifted in its plane (bilinear), planes between two of
 /// them mixed linearly. Where one of the voxels to mix is padding, the nearest is taken instead; what no
 /// slice covers becomes padding, for which a value that no voxel has is declared where none was (the type is
-/// widened if all are in use). Integers are rounded. Throws Cancelled.
+/// widened if all are in use). Integers are rounded. Where the budget does not hold them, the new voxels lie
+/// on disk. Throws Error where there is no room; Cancelled.
 DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const DicomGeometry& geometry,
-                      const Progress& progress);
+                      const DicomKeeping& keeping, const Progress& progress, std::vector<Message>& warnings);
 
 } // namespace limn

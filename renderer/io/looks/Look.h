@@ -60,6 +60,9 @@ struct LookFormat {
 /// Every family, in the order in which a file is asked for its own.
 const std::vector<LookFormat>& lookFormats();
 
+/// The kind that is written under a file's name, by its ending in any case; null where none is.
+const LookFormat* writtenLookFormat(const std::string& fileName);
+
 /// The family that a text is of; null where none knows it. Never throws.
 const LookFormat* lookFormatOf(std::string_view text);
 

@@ -5,8 +5,6 @@
 
 #include <unistd.h>
 
-#include <cstdio>
-
 namespace limn {
 
 void requireMemory(const std::filesystem::path& path, double bytes) {
@@ -19,6 +17,22 @@ void requireMemory(const std::filesystem::path& path, double bytes) {
                   .arg(Message::fixed(bytes / (1 << 30), 1))
                   .arg(Message::fixed(present / (1 << 30), 1)),
               Message::tr("save a smaller volume"));
+}
+
+std::shared_ptr<Room> roomFor(const std::filesystem::path& path, double bytes, const MemoryBudget& budget,
+                              std::vector<Message>& warnings) {
+  if (bytes <= budget.voxelBytes()) {
+    requireMemory(path, bytes);
+    return nullptr;
+  }
+  auto room = std::make_shared<Room>();
+  naming(path, [&] { room->require(static_cast<std::uint64_t>(bytes)); });
+  warnings.push_back(
+      Message::tr("The voxels are kept on disk while the volume is open (%1 GB in %2), because "
+                  "they need more memory than may be used.")
+          .arg(Message::fixed(bytes / 1e9, 1))
+          .arg(room->folder().string()));
+  return room;
 }
 
 void requirePlausible(const std::filesystem::path& path, const Grid& grid) {

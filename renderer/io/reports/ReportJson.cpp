@@ -2,11 +2,12 @@
 #include "io/reports/ReportJson.h"
 
 #include "accuracy/sweep/AccuracySweep.h"
-#include "accuracy/sweep/FigureText.h"
+#include "accuracy/sweep/Cohort.h"
 #include "accuracy/times/BenchRow.h"
+#include "accuracy/times/CostModel.h"
 #include "accuracy/times/EqualError.h"
-#include "accuracy/times/ScaleRow.h"
 #include "io/json/JsonFields.h"
+#include "io/reports/PointNames.h"
 #include "scene/effects/EffectRows.h"
 #include "scene/volume/Volume.h"
 #include "stability/StabilityReport.h"
@@ -59,15 +60,6 @@ Json toJson(const BenchRow& row) {
           {"mean_error", row.meanError}};
 }
 
-const char* nameOf(PointRenderer renderer) {
-  const char* names[] = {"gl", "slices", "reference"};
-  return names[static_cast<int>(renderer)];
-}
-
-const char* nameOf(GradientSource source) {
-  return source == GradientSource::onTheFly ? "on_the_fly" : "precomputed";
-}
-
 // No figure without a converged picture.
 void addErrors(Json& json, const ImageError& error, bool isKnown) {
   const auto add = [&](const char* name, double value) { json[name] = isKnown ? Json(value) : Json(); };
@@ -80,13 +72,13 @@ void addErrors(Json& json, const ImageError& error, bool isKnown) {
 
 Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
   const OperatingPoint& point = measured.point;
-  Json json{{"engine", nameOf(point.renderer)},
+  Json json{{"engine", pointRendererNames.of(point.renderer)},
             {"step_voxels", point.toleranceLevels ? Json() : Json(point.stepVoxels)},
             {"step_mm", point.toleranceLevels ? Json() : Json(point.stepVoxels * report.smallestSpacingMm)},
             {"tolerance_levels", point.toleranceLevels ? Json(*point.toleranceLevels) : Json()},
             {"preintegrated", point.preintegrated},
             {"early_termination", point.earlyTermination},
-            {"gradients", nameOf(point.gradients)},
+            {"gradients", gradientSourceNames.of(point.gradients)},
             {"image_scale", point.imageScale}};
   addErrors(json, measured.error, report.reference.converged);
   json["order"] = report.reference.converged && measured.order ? Json(*measured.order) : Json();
@@ -94,6 +86,44 @@ Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
   json["ms"] = timesOf(measured.ms);
   json["pareto"] = report.reference.converged && measured.isPareto;
   return json;
+}
+
+const std::string csvColumns =
+    "engine,step_voxels,step_mm,tolerance_levels,preintegrated,early_termination,gradients,image_scale,max,"
+    "p99_9,mean,rms,share_over_one,order,peak_mb,ms_median,ms_min,ms_max,pareto";
+
+// The cells of a point, in the order of the columns.
+std::string csvCells(const MeasuredPoint& point, const AccuracyReport& report) {
+  Json json = pointOf(point, report);
+  const Json ms = json["ms"];
+  const Json isPareto = json["pareto"];
+  json.erase("ms");
+  json.erase("pareto");
+  json["ms_median"] = ms["median"];
+  json["ms_min"] = ms["min"];
+  json["ms_max"] = ms["max"];
+  json["pareto"] = isPareto;
+  std::string cells;
+  const char* separator = "";
+  for (const auto& [key, value] : json.items()) {
+    cells += separator;
+    if (value.is_string())
+      cells += value.get_ref<const std::string&>();
+    else if (!value.is_null())
+      cells += value.dump();
+    separator = ",";
+  }
+  return cells;
+}
+
+// Words of people in one cell (RFC 4180).
+std::string csvText(const std::string& words) {
+  if (words.find_first_of(",\"\r\n") == std::string::npos)
+    return words;
+  std::string quoted = "\"";
+  for (const char letter : words)
+    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
 }
 
 Json decisionOf(const DecisionCost& cost, bool isKnown) {
@@ -139,6 +169,8 @@ Json fuzzOf(const std::optional<FuzzReport>& fuzz) {
           {"refused", fuzz->refused},
           {"reference_compared", fuzz->referenceCompared},
           {"slices", fuzz->slices},
+          {"brick_compared", fuzz->brickCompared},
+          {"worst_in_bricks", fuzz->worstInBricks},
           {"programs", fuzz->programs},
           {"pixels_compared", fuzz->pixelsCompared},
           {"pixels_unequal_samples", fuzz->pixelsUnequal},
@@ -200,7 +232,8 @@ std::string benchJson(const std::string& machine, const std::vector<BenchRow>& r
   return textOf(json);
 }
 
-std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows) {
+std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows,
+                      const std::vector<BrickRow>& bricks) {
   Json list = Json::array();
   for (const ScaleRow& row : rows) {
     Json json{{"edge", row.edge},
@@ -214,7 +247,18 @@ std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& r
       json["first_cpu_ms"] = row.drawn.firstCpuMs;
     list.push_back(json);
   }
-  return textOf({{"machine", machine}, {"rows", list}});
+  Json ranks = Json::array();
+  for (const BrickRow& row : bricks)
+    ranks.push_back({{"edge", row.edge},
+                     {"ranks", row.bricks},
+                     {"size", {row.size.x, row.size.y}},
+                     {"samples", row.samples},
+                     {"most_samples", row.mostSamples},
+                     {"cpu_ms", row.cpuMs},
+                     {"most_cpu_ms", row.mostCpuMs},
+                     {"most_kept_mb", row.mostKeptMb},
+                     {"reduced_mb", row.reducedMb}});
+  return textOf({{"machine", machine}, {"rows", list}, {"ranks", ranks}});
 }
 
 std::string accuracyJson(const AccuracyReport& report) {
@@ -235,30 +279,19 @@ std::string accuracyJson(const AccuracyReport& report) {
 }
 
 std::string accuracyCsv(const AccuracyReport& report) {
-  std::string text = "engine,step_voxels,step_mm,tolerance_levels,preintegrated,early_termination,gradients,"
-                     "image_scale,max,p99_9,mean,rms,share_over_one,order,peak_mb,ms_median,ms_min,ms_max,"
-                     "pareto\n";
-  for (const MeasuredPoint& point : report.points) {
-    Json json = pointOf(point, report);
-    const Json ms = json["ms"];
-    const Json isPareto = json["pareto"];
-    json.erase("ms");
-    json.erase("pareto");
-    json["ms_median"] = ms["median"];
-    json["ms_min"] = ms["min"];
-    json["ms_max"] = ms["max"];
-    json["pareto"] = isPareto;
-    const char* separator = "";
-    for (const auto& [key, value] : json.items()) {
-      text += separator;
-      if (value.is_string())
-        text += value.get_ref<const std::string&>();
-      else if (!value.is_null())
-        text += value.dump();
-      separator = ",";
-    }
-    text.push_back('\n');
-  }
+  std::string text = csvColumns + "\n";
+  for (const MeasuredPoint& point : report.points)
+    text += csvCells(point, report) + "\n";
+  return text;
+}
+
+std::string cohortCsv(const std::vector<NamedReport>& reports) {
+  std::string text = "report,scene,machine,renderer,width,height," + csvColumns + "\n";
+  for (const auto& [name, report] : reports)
+    for (const MeasuredPoint& point : report.points)
+      text += csvText(name) + "," + csvText(report.scene) + "," + csvText(report.machine) + "," +
+              csvText(report.renderer) + "," + std::to_string(report.size.x) + "," +
+              std::to_string(report.size.y) + "," + csvCells(point, report) + "\n";
   return text;
 }
 

@@ -11,7 +11,9 @@ namespace limn {
 
 struct AccuracyReport;
 struct BenchRow;
+struct BrickRow;
 struct EqualErrorRow;
+struct NamedReport;
 struct EffectRow;
 struct ScaleRow;
 struct StabilityReport;
@@ -38,14 +40,19 @@ std::string effectsJson(const std::string& renderer, const std::vector<EffectRow
 std::string benchJson(const std::string& machine, const std::vector<BenchRow>& rows,
                       const std::vector<EqualErrorRow>& equalErrors);
 
-/// How opening and drawing grow with the size of volumes.
-std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows);
+/// How opening and drawing grow with the size of volumes, and what ranks do.
+std::string scaleJson(const std::string& machine, const std::vector<ScaleRow>& rows,
+                      const std::vector<BrickRow>& bricks);
 
 /// Errors are null where the exact picture did not converge.
 std::string accuracyJson(const AccuracyReport& report);
 
 /// One line per point, comma separated, with a header; errors are empty where there are none.
 std::string accuracyCsv(const AccuracyReport& report);
+
+/// The same of many reports in one table: in front of each line its report, scene, machine, renderer and the
+/// size of its pictures in pixels.
+std::string cohortCsv(const std::vector<NamedReport>& reports);
 
 /// Figures that are no numbers are null.
 std::string stabilityJson(const StabilityReport& report);

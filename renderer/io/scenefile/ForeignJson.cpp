@@ -10,14 +10,14 @@
 namespace limn {
 namespace {
 
-using nlohmann::json;
+using ParsedJson = nlohmann::json;
 
-bool hasAny(const json& object, std::initializer_list<const char*> keys) {
+bool hasAny(const ParsedJson& object, std::initializer_list<const char*> keys) {
   return std::ranges::any_of(keys, [&](const char* key) { return object.contains(key); });
 }
 
 // 3D Slicer names a schema of its own in all that it writes.
-bool isOfSlicer(const json& object) {
+bool isOfSlicer(const ParsedJson& object) {
   const auto schema = object.find("@schema");
   if (schema == object.end() || !schema->is_string())
     return false;
@@ -27,13 +27,13 @@ bool isOfSlicer(const json& object) {
 }
 
 // ParaView writes a list of colour maps.
-bool isOfParaView(const json& text) {
+bool isOfParaView(const ParsedJson& text) {
   return text.is_array() && !text.empty() && text[0].is_object() &&
          hasAny(text[0], {"ColorSpace", "RGBPoints"});
 }
 
 // What it is, as in "it is …"; empty where it may be a scene or session.
-Message kindOf(const json& text) {
+Message kindOf(const ParsedJson& text) {
   if (text.is_object() && hasAny(text, {"limn_scene", "limn_session", "volume", "transfer_function"}))
     return {};
   if (isOfParaView(text))
@@ -55,7 +55,7 @@ Message kindOf(const json& text) {
 } // namespace
 
 void refuseForeignJson(std::string_view text, const std::string& name) {
-  const json parsed = json::parse(text, nullptr, false);
+  const ParsedJson parsed = ParsedJson::parse(text, nullptr, false);
   if (parsed.is_discarded())
     return;
   if (const Message kind = kindOf(parsed); !kind.empty())

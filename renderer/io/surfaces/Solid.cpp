@@ -7,7 +7,7 @@ namespace {
 // Stored values between voxel centres, whose type is known: millions of places are asked for.
 template <class Stored>
 double storedBetween(const VoxelArray& array, const glm::ivec3& dims, const glm::dvec3& index) {
-  const auto& stored = *std::get_if<std::vector<Stored>>(&array);
+  const auto& stored = *std::get_if<StoredVoxels<Stored>>(&array);
   const glm::dvec3 p = glm::clamp(index, glm::dvec3(0.0), glm::dvec3(dims - 1));
   const glm::ivec3 low(p);
   const glm::dvec3 share = p - glm::dvec3(low);
@@ -40,8 +40,8 @@ Solid::Solid(const Scene& scene, double isovalue)
   }
   for (const double weight : m_keep.weights)
     m_isKept.push_back(weight >= 0.5 ? 1 : 0);
-  m_storedAt =
-      visitVoxels(*m_volume, []<class Stored>(const std::vector<Stored>&) { return &storedBetween<Stored>; });
+  m_storedAt = visitVoxels(*m_volume,
+                           []<class Stored>(const StoredVoxels<Stored>&) { return &storedBetween<Stored>; });
 }
 
 double Solid::excess(const glm::dvec3& index) const {

@@ -4,6 +4,7 @@
 #include "io/AtomicFile.h"
 #include "io/surfaces/SurfaceFile.h"
 #include "scene/basics/Error.h"
+#include "scene/volume/WholeVolume.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -111,6 +112,7 @@ std::vector<WrittenSurface> exportSurfaces(const Scene& scene, const std::vector
         makeSurface(scene, orders[i],
                     part(progress, share * static_cast<double>(i), share * static_cast<double>(i + 1))));
   }
+  requireWhole(*scene.volume);
   writeFrom(0, filesOf(made, path, scene.volume->info().unit), part(progress, shareOfMaking, 1.0));
   std::vector<WrittenSurface> written;
   const std::vector<fs::path> paths = surfacePaths(path, isovalues);

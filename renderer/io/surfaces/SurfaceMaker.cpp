@@ -42,16 +42,15 @@ void requireInRange(const Volume& volume, double isovalue) {
 }
 
 void requireMemoryFor(const SurfaceEstimate& estimate, const SurfaceOrder& order) {
-  constexpr double gib = 1 << 30;
   if (!order.memoryBytes || estimate.bytes <= *order.memoryBytes)
     return;
   throw Error(
       Error::Kind::input,
-      Message::tr("The surface would have about %1 million triangles, which need %2 GiB of memory where %3 "
+      Message::tr("The surface would have about %1 million triangles, which need %2 MB of memory where %3 "
                   "are free; crop the volume, choose another value or open a coarser volume.")
           .arg(Message::rounded(static_cast<double>(estimate.triangles) / 1e6, 3))
-          .arg(Message::rounded(estimate.bytes / gib, 3))
-          .arg(Message::rounded(*order.memoryBytes / gib, 3)));
+          .arg(Message::fixed(estimate.bytes / 1e6, 0))
+          .arg(Message::fixed(*order.memoryBytes / 1e6, 0)));
 }
 
 SurfaceEstimate estimateOf(const SurfaceLattice& lattice, const SurfaceOrder& order,

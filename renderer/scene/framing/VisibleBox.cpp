@@ -43,7 +43,7 @@ private:
 template <class T>
 class VoxelTest {
 public:
-  VoxelTest(const Scene& scene, const std::vector<T>& stored)
+  VoxelTest(const Scene& scene, const StoredVoxels<T>& stored)
       : m_stored(stored), m_rescale(scene.volume->rescale()), m_shown(scene),
         m_region(isRestricting(scene.keep) ? &scene.keep : nullptr) {
     if constexpr (sizeof(T) <= 2) {
@@ -86,7 +86,7 @@ private:
 
   bool showsAt(T value, double weight) const { return m_shown.at(scalarOf(value), weight); }
 
-  const std::vector<T>& m_stored;
+  const StoredVoxels<T>& m_stored;
   Rescale m_rescale;
   Shown m_shown;
   const Region* m_region;
@@ -187,7 +187,7 @@ IndexBox visibleBox(const Scene& scene, const Effort& effort) {
   const Grid& grid = scene.volume->grid();
   const IndexBox cropped = croppedBox(grid, scene.crop);
   const std::optional<VoxelBox> found =
-      visitVoxels(*scene.volume, [&]<class T>(const std::vector<T>& stored) {
+      visitVoxels(*scene.volume, [&]<class T>(const StoredVoxels<T>& stored) {
         const VoxelTest<T> test(scene, stored);
         return Shrinking<T>(test, grid.dims, croppedVoxels(grid, scene.crop), effort).box();
       });

@@ -10,7 +10,7 @@
 namespace limn {
 
 glm::dvec3 gradientAtVoxel(const Volume& volume, const glm::ivec3& index) {
-  const glm::dvec3 alongAxes = visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  const glm::dvec3 alongAxes = visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     return Stencil<T>{volume, stored}.alongAxes(index.x, index.y, index.z);
   });
   return volume.grid().direction * alongAxes;
@@ -46,7 +46,7 @@ double steepness(const Volume& volume) {
   const glm::ivec3 stride = (dims + mostPerAxis - 1) / mostPerAxis;
   const EligibleVoxels eligible(volume);
   std::vector<double> moduli;
-  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const Stencil<T> stencil{volume, stored};
     for (int k = stride.z / 2; k < dims.z; k += stride.z)
       for (int j = stride.y / 2; j < dims.y; j += stride.y)

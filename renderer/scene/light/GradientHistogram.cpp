@@ -36,7 +36,7 @@ Histogram gradientHistogram(const Volume& volume, int bins, const Effort& effort
   const EligibleVoxels eligible(volume);
   const RowPieces rows(volume.grid().dims);
   std::mutex mutex;
-  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const Stencil<T> stencil{volume, stored};
     shareOut(rows.pieces(), effort, [&](Pieces& pieces) {
       std::vector<std::uint64_t> own(histogram.counts.size(), 0);

@@ -325,7 +325,7 @@ FoundModuli found(const Stencil<T>& stencil, std::optional<double> percent, cons
 
 FoundModuli findModuli(const Volume& volume, std::optional<double> percent, const Effort& effort) {
   const bool wantsLargest = percent && *percent >= 100.0;
-  FoundModuli result = visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  FoundModuli result = visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     return found(Stencil<T>{volume, stored}, wantsLargest ? std::nullopt : percent, effort);
   });
   if (wantsLargest)

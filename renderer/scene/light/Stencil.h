@@ -21,7 +21,7 @@ inline double modulusUnit(const Volume& volume) {
 template <class T>
 struct Stencil {
   const Volume& volume;
-  const std::vector<T>& stored;
+  const StoredVoxels<T>& stored;
   double perUnit = 1.0 / modulusUnit(volume);
   glm::ivec3 dims = volume.grid().dims;
   std::size_t stride[3] = {1, static_cast<std::size_t>(dims.x), static_cast<std::size_t>(dims.x) * dims.y};

@@ -47,7 +47,7 @@ std::uint64_t scattered(std::uint64_t number) {
 template <class T>
 class Field {
 public:
-  Field(const Volume& volume, const std::vector<T>& stored)
+  Field(const Volume& volume, const StoredVoxels<T>& stored)
       : m_rescale(volume.rescale()), m_stored(stored), m_dims(volume.grid().dims) {}
 
   double at(const glm::dvec3& index) const {
@@ -67,7 +67,7 @@ private:
   }
 
   Rescale m_rescale;
-  const std::vector<T>& m_stored;
+  const StoredVoxels<T>& m_stored;
   glm::ivec3 m_dims;
 };
 
@@ -149,7 +149,7 @@ std::vector<Boundary> boundariesOf(const Volume& volume, const KeptVoxels& kept,
   std::mutex mutex;
   const EligibleVoxels eligible(volume);
   const RowPieces rows(volume.grid().dims);
-  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     const Stencil<T> stencil{volume, stored};
     const Field<T> field(volume, stored);
     shareOut(rows.pieces(), partOf(effort, 0.5, 1.0), [&](Pieces& pieces) {

@@ -34,21 +34,22 @@ Span voxelsOf(int block, int cells, int last) {
 
 } // namespace
 
-std::vector<BlockWeight> blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort) {
+BlockWeights blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort,
+                          const std::shared_ptr<Room>& room) {
   const glm::ivec3& dims = region.labels->dims();
   const glm::ivec3& blocks = grid.blocks;
-  std::vector<BlockWeight> kinds(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  BlockWeights kinds(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z, room);
   std::visit(
       [&](const auto& places) {
         forEachPiece(blocks.y * blocks.z, effort, [&](int row) {
-          const Span y = voxelsOf(row % blocks.y, grid.cells.y, dims.y - 1);
-          const Span z = voxelsOf(row / blocks.y, grid.cells.z, dims.z - 1);
+          const Span y = voxelsOf(grid.first.y + row % blocks.y, grid.cells.y, dims.y - 1);
+          const Span z = voxelsOf(grid.first.z + row / blocks.y, grid.cells.z, dims.z - 1);
           std::vector<WeightRange> ranges(static_cast<std::size_t>(blocks.x));
           for (int k = z.begin; k < z.end; ++k)
             for (int j = y.begin; j < y.end; ++j) {
               const auto* line = &places[(static_cast<std::size_t>(k) * dims.y + j) * dims.x];
               for (int i = 0; i < blocks.x; ++i) {
-                const Span x = voxelsOf(i, grid.cells.x, dims.x - 1);
+                const Span x = voxelsOf(grid.first.x + i, grid.cells.x, dims.x - 1);
                 for (int voxel = x.begin; voxel < x.end; ++voxel)
                   ranges[static_cast<std::size_t>(i)].add(region.weights[line[voxel]]);
               }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Room.h"
 #include "scene/regions/Region.h"
 
 namespace limn {
@@ -14,14 +15,19 @@ enum class BlockWeight : std::uint8_t {
 };
 
 /// Blocks of cells between voxel centres: block i spans the voxels i·cells … (i+1)·cells along each axis, the
-/// last one up to the end. One more voxel on each side counts, so that rounding of a position steps over
-/// nothing.
+/// volume's last one up to the end. One more voxel on each side counts, so that rounding of a position steps
+/// over nothing.
 struct BlockGrid {
   glm::ivec3 blocks{0};
   glm::ivec3 cells{1};
+  glm::ivec3 first{0}; ///< the block of the first weight
 };
 
-/// For each block, x fastest. Throws Cancelled.
-std::vector<BlockWeight> blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort = {});
+/// One for each block, x fastest.
+using BlockWeights = RoomVector<BlockWeight>;
+
+/// Of each block, in the room given. Throws Cancelled; what Room does.
+BlockWeights blockWeights(const Region& region, const BlockGrid& grid, const Effort& effort = {},
+                          const std::shared_ptr<Room>& room = {});
 
 } // namespace limn

@@ -25,7 +25,7 @@ Grid reducedGrid(const Grid& grid, const glm::ivec3& reduction) {
 
 /// Adds up a plane of boxes: voxels of one type in, scalars out.
 template <class T>
-void addPlane(const std::vector<T>& stored, const glm::ivec3& dims, const glm::ivec3& reduction, int plane,
+void addPlane(const StoredVoxels<T>& stored, const glm::ivec3& dims, const glm::ivec3& reduction, int plane,
               std::vector<double>& sums) {
   const glm::ivec3 coarse = reducedDims(dims, reduction);
   const int end = std::min((plane + 1) * reduction.z, dims.z);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/BlockDistances.h"
 
+#include "scene/basics/Error.h"
 #include "scene/volume/Volume.h"
 
 #include <algorithm>
@@ -94,9 +95,11 @@ void spreadWithinPlanes(const glm::ivec3& blocks, int first, int end, BlockDista
   }
 }
 
-void spreadAcrossPlanes(const glm::ivec3& blocks, BlockDistances& distances) {
+void spreadAcrossPlanes(const glm::ivec3& blocks, BlockDistances& distances, const Effort& effort) {
   std::vector<std::uint8_t> threes(static_cast<std::size_t>(blocks.x) * blocks.y);
   const auto step = [&](int k, int next) {
+    if (effort.isCancelled && effort.isCancelled())
+      throw Cancelled();
     const auto threesAt = [&](int j) { return &threes[voxelOffset(blocks, 0, j, 0)]; };
     for (int j = 0; j < blocks.y; ++j)
       leastOfThree(&distances[voxelOffset(blocks, 0, j, k)], blocks.x, threesAt(j));
@@ -112,7 +115,7 @@ void spreadAcrossPlanes(const glm::ivec3& blocks, BlockDistances& distances) {
 
 void spreadDistances(const glm::ivec3& blocks, BlockDistances& distances, const Effort& effort) {
   forEachPiece(blocks.z, effort, [&](int k) { spreadWithinPlanes(blocks, k, k + 1, distances); });
-  spreadAcrossPlanes(blocks, distances);
+  spreadAcrossPlanes(blocks, distances, effort);
 }
 
 } // namespace limn

@@ -21,7 +21,7 @@ using Difference = std::conditional_t<sizeof(T) <= 2, float, double>;
 template <class T>
 class RowGatherer {
 public:
-  RowGatherer(const Volume& volume, const std::vector<T>& stored)
+  RowGatherer(const Volume& volume, const StoredVoxels<T>& stored)
       : m_stored(stored), m_dims(volume.grid().dims), m_spacing(volume.grid().spacingMm),
         m_rescale(volume.rescale()), m_smallest(smallestSpacingMm(volume.grid())),
         m_columns(static_cast<std::size_t>(m_dims.x)), m_padded(m_columns.lowest.size() + 2),
@@ -135,7 +135,7 @@ private:
             slope * (std::sqrt(double(bend)) / (m_smallest * m_smallest))};
   }
 
-  const std::vector<T>& m_stored;
+  const StoredVoxels<T>& m_stored;
   glm::ivec3 m_dims;
   glm::dvec3 m_spacing;
   Rescale m_rescale;
@@ -154,9 +154,10 @@ BlockFacts blockFacts(const Volume& volume, const Effort& effort) {
   result.commonPerMm = steepness(volume);
   const glm::ivec3 cells = glm::max(volume.grid().dims - 1, glm::ivec3(1));
   const glm::ivec3 blocks = result.blocks = (cells + factCells - 1) / factCells;
-  result.facts.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
+  result.facts =
+      RoomVector<FieldFacts>(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z, volume.room());
   const RowPieces rows(blocks, factCells * factCells * factCells);
-  visitVoxels(volume, [&]<class T>(const std::vector<T>& stored) {
+  visitVoxels(volume, [&]<class T>(const StoredVoxels<T>& stored) {
     shareOut(rows.pieces(), effort, [&](Pieces& pieces) {
       RowGatherer<T> gatherer(volume, stored);
       for (int piece = pieces.next(); piece >= 0; piece = pieces.next())

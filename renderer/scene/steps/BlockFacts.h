@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/basics/Uninitialised.h"
+#include "scene/basics/Room.h"
 #include "scene/volume/Volume.h"
 
 #include <vector>
@@ -23,9 +23,9 @@ struct FieldFacts {
 /// The outermost blocks also own the half voxel before the volume's end, where the field is constant.
 struct BlockFacts {
   glm::ivec3 blocks{0};
-  UninitialisedVector<FieldFacts> facts; ///< x fastest
-  ValueRange range;                      ///< of all
-  double commonPerMm = 0.0;              ///< what the field commonly changes by at most, value/mm (steepness)
+  RoomVector<FieldFacts> facts; ///< x fastest, in the volume's room
+  ValueRange range;             ///< of all
+  double commonPerMm = 0.0;     ///< what the field commonly changes by at most, value/mm (steepness)
 };
 
 /// One pass over the volume: keep the result while the volume stays. Throws Cancelled.

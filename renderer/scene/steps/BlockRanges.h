@@ -2,12 +2,13 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
-#include "scene/basics/Uninitialised.h"
+#include "scene/basics/Room.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
-#include <vector>
+#include <functional>
+#include <memory>
 
 namespace limn {
 
@@ -38,8 +39,8 @@ public:
   };
 
   BlockRanges() = default;
-  /// Every block must be set, then finish() called.
-  explicit BlockRanges(const glm::ivec3& blocks);
+  /// Every block must be set, then finish() called. They lie in the room given. Throws what Room does.
+  explicit BlockRanges(const glm::ivec3& blocks, const std::shared_ptr<Room>& room = {});
 
   const glm::ivec3& blocks() const { return m_blocks; }
   const glm::ivec3& groups() const { return m_groups; }
@@ -65,14 +66,18 @@ private:
 
   glm::ivec3 m_blocks{0};
   glm::ivec3 m_groups{0};
-  UninitialisedVector<Group> m_members;
-  std::vector<glm::vec2> m_ranges;
+  RoomVector<Group> m_members;
+  RoomVector<glm::vec2> m_ranges;
 };
 
-/// From ranges of blocks by their own texels alone, x fastest: lets each stand for positions up to
-/// `marginTexels` beyond it, where the texels of neighbouring blocks weigh no more than the margin along each
-/// of three axes. Throws Cancelled.
-BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const UninitialisedVector<glm::vec2>& own,
-                                float marginTexels, const Effort& effort = {});
+/// Writes the ranges of the blocks in the planes z = `first` … `end`-1 by their own texels alone, x fastest.
+using GatherPlanes = std::function<void(int first, int end, glm::vec2* ranges, const Effort& effort)>;
+
+/// From ranges of blocks by their own texels: lets each stand for positions up to `marginTexels` beyond it,
+/// where the texels of neighbouring blocks weigh no more than the margin along each of three axes. Asks for
+/// some planes at a time, in ascending order, each once. The result lies in the room given. Throws Cancelled;
+/// what Room does.
+BlockRanges widenedByNeighbours(const glm::ivec3& blocks, const GatherPlanes& gather, float marginTexels,
+                                const Effort& effort = {}, const std::shared_ptr<Room>& room = {});
 
 } // namespace limn

@@ -116,10 +116,10 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 }
 
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
-                      const std::vector<BlockWeight>& weights, const Effort& effort) {
+                      const BlockWeights& weights, const Effort& effort) {
   BlockSteps steps;
   steps.blocks = facts.blocks;
-  steps.rungs.resize(facts.facts.size());
+  steps.rungs = RoomVector<StepRungs>(facts.facts.size(), facts.facts.get_allocator().room());
   const ValueRange& all = facts.range;
   const FunctionOverRanges over(function, all, bandsToResolve(function, smallestSpacingMm));
   const double margin = filterRounding * (all.highest - all.lowest);
@@ -156,10 +156,11 @@ BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function,
   return steps;
 }
 
-std::vector<BlockWeight> factWeights(const Region& region, const BlockFacts& facts, const Effort& effort) {
+BlockWeights factWeights(const Region& region, const BlockFacts& facts, const Effort& effort) {
   if (!isRestricting(region))
     return {};
-  return blockWeights(region, {facts.blocks, glm::ivec3(factCells)}, effort);
+  return blockWeights(region, {facts.blocks, glm::ivec3(factCells)}, effort,
+                      facts.facts.get_allocator().room());
 }
 
 int rungIn(const StepRungs& block, double fineness, double transmittance) {

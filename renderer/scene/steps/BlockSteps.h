@@ -20,7 +20,7 @@ struct StepRungs {
 /// The rungs of every block under one transfer function.
 struct BlockSteps {
   glm::ivec3 blocks{0};
-  UninitialisedVector<StepRungs> rungs; ///< x fastest
+  RoomVector<StepRungs> rungs;  ///< x fastest
   bool resolvesFunction = true; ///< false: a band of the function is narrower than the finest step can tell
 };
 
@@ -36,11 +36,10 @@ std::vector<FunctionBand> bandsToResolve(const TransferFunction& function, doubl
 /// has met. Where a kept region ends (`weights`; none: all is kept) the extinction bends as a field does that
 /// changes by all that is common from voxel to voxel, and every voxel gets two samples. Throws Cancelled.
 BlockSteps blockSteps(const BlockFacts& facts, const TransferFunction& function, double smallestSpacingMm,
-                      const std::vector<BlockWeight>& weights = {}, const Effort& effort = {});
+                      const BlockWeights& weights = {}, const Effort& effort = {});
 
 /// The weights of a region in blocks of facts; none where all is kept. Throws Cancelled.
-std::vector<BlockWeight> factWeights(const Region& region, const BlockFacts& facts,
-                                     const Effort& effort = {});
+BlockWeights factWeights(const Region& region, const BlockFacts& facts, const Effort& effort = {});
 
 /// The rung with which a block is entered.
 int rungIn(const StepRungs& block, double fineness, double transmittance);

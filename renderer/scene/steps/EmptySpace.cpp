@@ -151,8 +151,8 @@ Flags flagsOf(const BlockRanges& ranges, const std::vector<VisibleRun>& runs, co
 
 // Classifies the blocks of a row of groups.
 void classifyGroups(const BlockRanges& ranges, const std::vector<VisibleRun>& runs,
-                    const std::vector<BlockWeight>& weights, int groupY, int groupZ,
-                    BlockDistances& distances, Census& census) {
+                    const BlockWeights& weights, int groupY, int groupZ, BlockDistances& distances,
+                    Census& census) {
   const glm::ivec3& blocks = ranges.blocks();
   const glm::ivec2 first = glm::ivec2(groupY, groupZ) * groupSize;
   const glm::ivec2 count = glm::min(glm::ivec2(groupSize), glm::ivec2(blocks.y, blocks.z) - first);
@@ -186,8 +186,8 @@ void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, Empt
   const std::vector<VisibleRun> runs = runsOf(visibility);
   const glm::ivec3& blocks = ranges.blocks();
   map.distances.resize(static_cast<std::size_t>(blocks.x) * blocks.y * blocks.z);
-  const std::vector<BlockWeight> all;
-  const std::vector<BlockWeight>& weights = visibility.weights ? *visibility.weights : all;
+  const BlockWeights all;
+  const BlockWeights& weights = visibility.weights ? *visibility.weights : all;
   Census census;
   std::mutex mutex;
   forEachPiece(ranges.groups().z, effort, [&](int k) {
@@ -198,7 +198,7 @@ void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, Empt
     const std::lock_guard lock(mutex);
     census.add(own);
   });
-  spreadAcrossPlanes(blocks, map.distances);
+  spreadAcrossPlanes(blocks, map.distances, effort);
   map.emptyShare = 1.0 - static_cast<double>(census.occupied) / static_cast<double>(map.distances.size());
   map.visible = census.occupied > 0 ? census.box : BlockBox{};
 }

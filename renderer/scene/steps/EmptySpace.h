@@ -17,7 +17,7 @@ namespace limn {
 struct Visibility {
   const PiecewiseTable* function = nullptr;
   std::optional<float> isovalue;
-  const std::vector<BlockWeight>* weights = nullptr; ///< of each block, x fastest; empty: all is kept
+  const BlockWeights* weights = nullptr; ///< of each block, x fastest; empty: all is kept
 };
 
 /// A box of blocks, half open; empty where nothing may show.
@@ -36,7 +36,7 @@ struct EmptySpaceMap {
   BlockBox visible;        ///< the smallest box that holds every block of distance 0
 };
 
-/// Makes the map of blocks anew, in the memory that it has. Throws Cancelled.
+/// Makes the map of blocks anew, where it lies. Throws Cancelled.
 void mapEmptySpace(const BlockRanges& ranges, const Visibility& visibility, EmptySpaceMap& map,
                    const Effort& effort = {});
 

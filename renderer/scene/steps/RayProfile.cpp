@@ -29,15 +29,6 @@ const RayProfile::Sample& sampleAt(const RayProfile& profile, double depthMm) {
   return behind == profile.samples.end() || distance(*before) <= distance(*behind) ? *before : *behind;
 }
 
-std::vector<double> gatheredLight(const RayProfile& profile) {
-  std::vector<double> gathered;
-  gathered.reserve(profile.samples.size());
-  double sum = 0.0;
-  for (const RayProfile::Sample& sample : profile.samples)
-    gathered.push_back(sum += sample.contribution);
-  return gathered;
-}
-
 std::optional<double> halfLightDepth(const RayProfile& profile) {
   if (profile.projection == Projection::average || profile.alpha < leastAlpha)
     return std::nullopt;

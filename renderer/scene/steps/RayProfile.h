@@ -35,9 +35,6 @@ glm::dvec3 placeAt(const RayProfile& profile, double depthMm);
 /// The sample whose piece holds a depth, or the nearest one; there are samples.
 const RayProfile::Sample& sampleAt(const RayProfile& profile, double depthMm);
 
-/// What the ray has given up to each sample's end, 0..alpha.
-std::vector<double> gatheredLight(const RayProfile& profile);
-
 /// The depth at which half of what the ray gives is gathered, mm: half of the light, of a projection of
 /// extremes the extreme value, of a surface its place. Within a piece light grows evenly. Nothing where the
 /// ray gives less than half an 8-bit level, and of an average, to which every depth gives alike.

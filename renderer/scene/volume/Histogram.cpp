@@ -15,7 +15,7 @@ namespace {
 
 // The scalar distance between neighbouring stored values, 0 for floating-point data.
 double quantumOf(const Volume& volume) {
-  return visitVoxels(volume, [&]<class T>(const std::vector<T>&) {
+  return visitVoxels(volume, [&]<class T>(const StoredVoxels<T>&) {
     return std::is_integral_v<T> ? std::abs(volume.rescale().slope) : 0.0;
   });
 }

@@ -22,9 +22,9 @@ int piecesOf(std::size_t voxels) {
 }
 
 template <class T>
-std::span<T> pieceOf(std::vector<T>& stored, int piece) {
+std::span<T> pieceOf(std::span<T> stored, int piece) {
   const std::size_t first = static_cast<std::size_t>(piece) * voxelsPerPiece;
-  return std::span<T>(stored).subspan(first, std::min<std::size_t>(voxelsPerPiece, stored.size() - first));
+  return stored.subspan(first, std::min<std::size_t>(voxelsPerPiece, stored.size() - first));
 }
 
 template <class T>
@@ -43,7 +43,7 @@ struct Extremes {
 };
 
 template <class T>
-Extremes<T> extremesOf(std::vector<T>& stored, const std::optional<PaddingRange>& padding,
+Extremes<T> extremesOf(std::span<const T> stored, const std::optional<PaddingRange>& padding,
                        const Effort& effort) {
   Extremes<T> all;
   std::mutex mutex;
@@ -66,7 +66,7 @@ Extremes<T> extremesOf(std::vector<T>& stored, const std::optional<PaddingRange>
 
 // How often each value of an 8- or 16-bit type occurs, from the lowest that the type has.
 template <class T>
-std::vector<std::uint64_t> countsOfAll(std::vector<T>& stored, const Effort& effort) {
+std::vector<std::uint64_t> countsOfAll(std::span<const T> stored, const Effort& effort) {
   constexpr std::size_t values = std::size_t{1} << (8 * sizeof(T));
   // Neighbours are often equal, and no count waits for the one before it.
   constexpr std::size_t tables = 4;
@@ -78,7 +78,7 @@ std::vector<std::uint64_t> countsOfAll(std::vector<T>& stored, const Effort& eff
     for (int piece = pieces.next(); piece >= 0;) {
       std::vector<std::array<std::uint32_t, tables>> own(values);
       for (int n = 0; piece >= 0 && n < mostPieces; ++n, piece = pieces.next()) {
-        const std::span<T> voxels = pieceOf(stored, piece);
+        const std::span<const T> voxels = pieceOf(stored, piece);
         for (std::size_t i = 0; i < voxels.size(); ++i)
           ++own[static_cast<std::size_t>(int{voxels[i]} - int{std::numeric_limits<T>::lowest()})][i % tables];
       }
@@ -116,9 +116,9 @@ Extremes<T> extremesOf(std::vector<std::uint64_t> counts, const std::optional<Pa
 }
 
 template <class T>
-VoxelMask replaceInvalid(std::vector<T>& stored, const std::optional<PaddingRange>& padding, T replacement,
-                         const Effort& effort) {
-  VoxelMask mask(stored.size());
+VoxelMask replaceInvalid(std::span<T> stored, const std::optional<PaddingRange>& padding, T replacement,
+                         const Effort& effort, const std::shared_ptr<Room>& room) {
+  VoxelMask mask(stored.size(), room);
   forEachPiece(piecesOf(stored.size()), effort, [&](int piece) {
     const std::span<T> voxels = pieceOf(stored, piece);
     for (std::size_t first = 0; first < voxels.size(); first += 64) {
@@ -135,14 +135,16 @@ VoxelMask replaceInvalid(std::vector<T>& stored, const std::optional<PaddingRang
 }
 
 template <class T>
-ValidVoxels sanitisedAs(std::vector<T>& stored, const Rescale& rescale,
-                        const std::optional<PaddingRange>& padding, const Effort& effort) {
+ValidVoxels sanitisedAs(StoredVoxels<T>& stored, const Rescale& rescale,
+                        const std::optional<PaddingRange>& padding, const Effort& effort,
+                        const std::shared_ptr<Room>& room) {
   ValidVoxels result;
   Extremes<T> extremes;
+  const std::span<const T> found(stored.data(), stored.size());
   if constexpr (sizeof(T) <= 2)
-    extremes = extremesOf<T>(countsOfAll(stored, effort), padding, result.counts);
+    extremes = extremesOf<T>(countsOfAll(found, effort), padding, result.counts);
   else
-    extremes = extremesOf(stored, padding, effort);
+    extremes = extremesOf(found, padding, effort);
   if (extremes.invalid == stored.size())
     throw Error(Error::Kind::input,
                 Message::tr("The volume holds no valid voxel: every value is NaN, infinite or declared "
@@ -152,15 +154,17 @@ ValidVoxels sanitisedAs(std::vector<T>& stored, const Rescale& rescale,
   result.invalidVoxels = extremes.invalid;
   if (extremes.invalid > 0)
     result.invalid =
-        replaceInvalid(stored, padding, rescale.slope >= 0.0 ? extremes.smallest : extremes.largest, effort);
+        replaceInvalid(stored.writable(room), padding,
+                       rescale.slope >= 0.0 ? extremes.smallest : extremes.largest, effort, room);
   return result;
 }
 
 } // namespace
 
 ValidVoxels sanitise(VoxelArray& stored, const Rescale& rescale, const std::optional<PaddingRange>& padding,
-                     const Effort& effort) {
-  return std::visit([&](auto& voxels) { return sanitisedAs(voxels, rescale, padding, effort); }, stored);
+                     const Effort& effort, const std::shared_ptr<Room>& room) {
+  return std::visit([&](auto& voxels) { return sanitisedAs(voxels, rescale, padding, effort, room); },
+                    stored);
 }
 
 } // namespace limn

@@ -17,8 +17,9 @@ struct ValidVoxels {
 
 /// Finds the valid voxels, and replaces NaN, ±Inf and padding by the smallest valid stored value, or by the
 /// largest where the rescale falls. One pass; a second where voxels are invalid. Throws Error (input) where
-/// no voxel is valid; Cancelled.
+/// no voxel is valid; Cancelled. Where voxels cannot be changed in their place, the copy lies in `room`, and
+/// so does the mask.
 ValidVoxels sanitise(VoxelArray& stored, const Rescale& rescale, const std::optional<PaddingRange>& padding,
-                     const Effort& effort);
+                     const Effort& effort, const std::shared_ptr<Room>& room = {});
 
 } // namespace limn

@@ -45,10 +45,10 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
 } // namespace
 
 Volume::Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding,
-               VolumeInfo info, const Effort& effort)
-    : m_grid(grid), m_rescale(rescale), m_info(std::move(info)) {
+               VolumeInfo info, const Effort& effort, std::shared_ptr<Room> room)
+    : m_grid(grid), m_rescale(rescale), m_info(std::move(info)), m_room(std::move(room)) {
   requireUsableGrid(m_grid, std::visit([](const auto& voxels) { return voxels.size(); }, stored));
-  ValidVoxels valid = sanitise(stored, m_rescale, padding, effort);
+  ValidVoxels valid = sanitise(stored, m_rescale, padding, effort, m_room);
   m_stored = std::make_shared<const VoxelArray>(std::move(stored));
   m_range = rangeOf(valid, m_rescale);
   m_invalidVoxels = valid.invalidVoxels;

@@ -3,8 +3,10 @@
 
 #include "scene/basics/Effort.h"
 #include "scene/basics/Message.h"
+#include "scene/basics/Room.h"
 #include "scene/volume/Grid.h"
 #include "scene/volume/ScanHints.h"
+#include "scene/volume/StoredVoxels.h"
 #include "scene/volume/VoxelMask.h"
 
 #include <cstddef>
@@ -12,16 +14,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace limn {
-
-/// Stored voxels, x fastest, then y, then z. 64-bit integers become double on reading.
-using VoxelArray =
-    std::variant<std::vector<std::uint8_t>, std::vector<std::int8_t>, std::vector<std::uint16_t>,
-                 std::vector<std::int16_t>, std::vector<std::uint32_t>, std::vector<std::int32_t>,
-                 std::vector<float>, std::vector<double>>;
 
 /// Scalar = slope · stored + intercept (HU for CT).
 struct Rescale {
@@ -76,14 +71,18 @@ struct VolumeInfo {
 class Volume {
 public:
   /// Takes the stored voxels and sanitises them: NaN, ±Inf and declared padding are replaced by the voxel
-  /// of the smallest valid scalar, counted, and remembered.
+  /// of the smallest valid scalar, counted, and remembered. `room` is where arrays that grow with the voxels
+  /// lie.
   /// Throws Error (input) where the array does not match `grid.dims`, where a dimension or spacing is not
   /// positive and finite, where no voxel is valid, or where a scalar lies beyond ±1e300; Cancelled.
   Volume(Grid grid, VoxelArray stored, Rescale rescale, std::optional<PaddingRange> padding, VolumeInfo info,
-         const Effort& effort = {});
+         const Effort& effort = {}, std::shared_ptr<Room> room = {});
 
   const Grid& grid() const { return m_grid; }
   const VoxelArray& stored() const { return *m_stored; }
+
+  /// Whether both show the same voxels, wherever they lie.
+  bool sharesVoxelsWith(const Volume& other) const { return m_stored == other.m_stored; }
   const Rescale& rescale() const { return m_rescale; }
   const VolumeInfo& info() const { return m_info; }
 
@@ -102,6 +101,13 @@ public:
   /// Of voxels stored in 8 or 16 bits, counted by the pass that found their range; empty otherwise.
   const StoredCounts& storedCounts() const { return m_counts; }
 
+  /// Where all that is made of this volume and grows with its voxels belongs; null: in memory.
+  const std::shared_ptr<Room>& room() const { return m_room; }
+
+  /// False once a file that the voxels lie in became shorter, or its disk failed: voxels may be zeros that
+  /// were not, and nothing made of them is to be believed.
+  bool isWhole() const { return !m_room || m_room->isWhole(); }
+
   /// The scalar of voxel (i, j, k). Slow (a type dispatch per call): for bulk work use visitVoxels.
   double value(const glm::ivec3& index) const;
 
@@ -114,6 +120,7 @@ private:
   std::size_t m_invalidVoxels = 0;
   VoxelMask m_invalid;
   StoredCounts m_counts;
+  std::shared_ptr<Room> m_room;
 };
 
 /// Position of voxel (i, j, k) in the stored array.
@@ -124,7 +131,7 @@ inline std::size_t voxelOffset(const glm::ivec3& dims, int i, int j, int k) {
 /// The name of the stored type as `limn info` prints it: "uint8", "int16", "float32", …
 std::string voxelTypeName(const VoxelArray& stored);
 
-/// Calls `function(const std::vector<T>& stored)` with the array in its own type.
+/// Calls `function(const StoredVoxels<T>& stored)` with the array in its own type.
 template <class Function>
 decltype(auto) visitVoxels(const Volume& volume, Function&& function) {
   return std::visit(std::forward<Function>(function), volume.stored());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Room.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace limn {
 
@@ -11,7 +13,9 @@ namespace limn {
 class VoxelMask {
 public:
   VoxelMask() = default;
-  explicit VoxelMask(std::size_t voxels) : m_words((voxels + 63) / 64, 0) {}
+  /// Without any flag yet; they lie in `room`, or in memory where there is none.
+  explicit VoxelMask(std::size_t voxels, const std::shared_ptr<Room>& room = {})
+      : m_words((voxels + 63) / 64, std::uint64_t{0}, room) {}
 
   bool empty() const { return m_words.empty(); }
   bool operator[](std::size_t voxel) const { return (m_words[voxel / 64] >> (voxel % 64) & 1) != 0; }
@@ -28,7 +32,7 @@ public:
   std::uint64_t& word(std::size_t n) { return m_words[n]; }
 
 private:
-  std::vector<std::uint64_t> m_words;
+  RoomVector<std::uint64_t> m_words;
 };
 
 } // namespace limn

@@ -7,12 +7,12 @@
 namespace limn {
 namespace {
 
-constexpr double opacity = 0.3; // over a millimetre
+constexpr double opacityPerMm = 0.3; // over a millimetre
 
 // A column of 1 mm voxels along y, everywhere of one opacity, a label and a weight for each.
 Scene columnOfWeights(const std::vector<double>& weights) {
   Scene scene = rayThrough(columnOf(std::vector<double>(weights.size(), 1.0), 1.0));
-  scene.transferFunction = constantFunction(opacity, white);
+  scene.transferFunction = constantFunction(opacityPerMm, white);
   const glm::ivec3& dims = scene.volume->grid().dims;
   std::vector<Label> labels;
   std::vector<std::uint8_t> places;
@@ -28,7 +28,7 @@ Scene columnOfWeights(const std::vector<double>& weights) {
 
 // ∫ -ln(1 - a w) dw over w in 0..1: the depth of the millimetre over which a weight rises from 0 to 1.
 double rampDepth() {
-  return ((1.0 - opacity) * std::log1p(-opacity) + opacity) / opacity;
+  return ((1.0 - opacityPerMm) * std::log1p(-opacityPerMm) + opacityPerMm) / opacityPerMm;
 }
 
 // Midpoints of 1/64 mm err by at most κ''/24 h² a millimetre of a ramp, κ'' = (a/(1-a))²; renderers that keep
@@ -39,16 +39,16 @@ std::vector<Finding> shapesOf(Workbench& bench) {
     std::vector<double> weights;
     double depth;
   };
-  const double full = -std::log1p(-opacity);
+  const double full = -std::log1p(-opacityPerMm);
   const Case cases[] = {
       {"all hidden", {0, 0, 0, 0, 0}, 0.0},
-      {"every weight a half", {0.5, 0.5, 0.5, 0.5, 0.5}, -5.0 * std::log1p(-0.5 * opacity)},
+      {"every weight a half", {0.5, 0.5, 0.5, 0.5, 0.5}, -5.0 * std::log1p(-0.5 * opacityPerMm)},
       {"one voxel kept", {0, 0, 1, 0, 0}, 2.0 * rampDepth()},
       {"one voxel hidden", {1, 1, 0, 1, 1}, 3.0 * full + 2.0 * rampDepth()},
       {"kept at the border", {1, 0, 0, 0, 0}, 0.5 * full + rampDepth()},
       {"taking turns", {1, 0, 1, 0, 1}, full + 4.0 * rampDepth()},
       {"a volume of one voxel, hidden", {0}, 0.0},
-      {"a volume of one voxel, faded", {0.25}, -std::log1p(-0.25 * opacity)},
+      {"a volume of one voxel, faded", {0.25}, -std::log1p(-0.25 * opacityPerMm)},
   };
   std::vector<Finding> findings;
   for (const Case& one : cases)

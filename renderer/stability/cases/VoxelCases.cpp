@@ -22,7 +22,7 @@ Scene alongY(std::shared_ptr<const Volume> volume) {
 double besideSpoiltVoxel(const Draw& draw, float value) {
   const auto clean = smoothVolume(edge);
   std::vector<float> voxels;
-  for (const double v : std::get<std::vector<double>>(clean->stored()))
+  for (const double v : std::get<StoredVoxels<double>>(clean->stored()))
     voxels.push_back(static_cast<float>(v));
   const auto volumeOfFloats = [&] {
     return std::make_shared<const Volume>(clean->grid(), voxels, Rescale{}, std::nullopt, VolumeInfo{});

@@ -181,7 +181,7 @@ RandomVolume exactVolume(Dice& dice) {
   const Rescale rescale{dice.octaves(-10, 12) * dice.sign(), dice.between(-1000.0, 1000.0)};
   VoxelArray stored = std::move(voxels);
   if (dice.oneIn(3)) {
-    const auto& doubles = std::get<std::vector<double>>(stored);
+    const auto& doubles = std::get<StoredVoxels<double>>(stored);
     stored = std::vector<float>(doubles.begin(), doubles.end());
   }
   const char* name = kind == 0 ? "constant" : kind == 4 ? "product" : "ramp";

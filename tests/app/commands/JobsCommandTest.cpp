@@ -149,7 +149,7 @@ class JobsOfTheGuide : public Jobs {
 protected:
   void SetUp() override {
     blocks = commandsOfTheGuide();
-    ASSERT_EQ(blocks.size(), 4u);
+    ASSERT_EQ(blocks.size(), 5u);
     writeBall(folder.path() / "head.nrrd", 1800.0);
     writeBall(folder.path() / "chest.nrrd", 900.0);
     ASSERT_EQ(runBlock(0), 0);
@@ -189,6 +189,28 @@ TEST_F(JobsOfTheGuide, drawTheSame64PicturesByEveryEngine) {
     GTEST_SKIP() << "not installed, and not tried: " << missing;
 }
 
+TEST_F(JobsOfTheGuide, joinTheReportsOfACohort) {
+  ASSERT_EQ(runBlock(4), 0);
+  std::size_t points = 0;
+  for (const char* name : {"head", "chest"})
+    points += linesOf(test::bytesOfFile(folder.path() / "reports" / name / "accuracy.csv")).size() - 1;
+  const auto table = linesOf(test::bytesOfFile(folder.path() / "cohort/cohort.csv"));
+  EXPECT_EQ(table.size(), points + 1) << "a line for each point of each report, and the columns";
+  EXPECT_EQ(table.at(1).rfind("reports/chest,\"chest, CT bone\",", 0), 0u) << table.at(1);
+
+  std::ofstream(folder.path() / "reports/chest/accuracy.json") << "{\"scene\": ";
+  const auto damaged = test::runProgram(folder.path(), "accuracy --join " + in("reports/head") + " " +
+                                                           in("reports/chest") + " -o " + in("again"));
+  EXPECT_EQ(damaged.status, 3);
+  EXPECT_NE(damaged.err.find("reports/chest/accuracy.json"), std::string::npos) << damaged.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "again"));
+  EXPECT_EQ(test::runProgram(folder.path(), "accuracy -o " + in("again")).status, 2);
+  EXPECT_EQ(test::runProgram(folder.path(), "accuracy " + in("head.nrrd") + " --join " + in("reports/head") +
+                                                " -o " + in("again"))
+                .status,
+            2);
+}
+
 TEST_F(Jobs, killedAtAnyMomentTheyGoOnAndNoneIsHalf) {
   written("phantom:6 --turntable 8 --size 160x160 --threads 1 -o " + in("whole"));
   ASSERT_EQ(shell("xargs -d '\\n' -n 1 -P 2 sh -c < jobs.txt"), 0);
@@ -199,8 +221,9 @@ TEST_F(Jobs, killedAtAnyMomentTheyGoOnAndNoneIsHalf) {
     shell(std::string("timeout -s KILL ") + seconds +
           " setsid -w xargs -d '\\n' -n 1 -P 2 sh -c < jobs.txt; true");
     for (const auto& [name, bytes] : pictures("killed"))
-      if (const auto same = whole.find(name); same != whole.end())
+      if (const auto same = whole.find(name); same != whole.end()) {
         EXPECT_TRUE(bytes == same->second) << name << " after " << seconds << " s";
+      }
   }
   ASSERT_EQ(shell("xargs -d '\\n' -n 1 -P 2 sh -c < jobs.txt"), 0);
   EXPECT_TRUE(pictures("killed") == whole) << "nothing else is left there either";

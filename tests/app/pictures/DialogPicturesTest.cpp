@@ -26,7 +26,7 @@ protected:
 
 TEST_F(DialogPictures, ofEveryDialog) {
   for (const char* name :
-       {"settings", "shortcuts", "stability", "about", "savePicture", "saveSessionAs", "openFile",
+       {"settings", "guide", "shortcuts", "stability", "about", "savePicture", "saveSessionAs", "openFile",
         "openFolder", "savePreset", "importLooks", "exportLook", "saveTurntable", "exportSurface"})
     takeDialogOf(name, QStringLiteral("dialog-") + QLatin1String(name));
 }

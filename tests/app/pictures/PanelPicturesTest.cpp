@@ -3,6 +3,7 @@
 #include "app/pictures/PicturedWindow.h"
 #include "app/pictures/SmallVolumes.h"
 #include "app/presets/ThumbnailDesk.h"
+#include "app/tour/TourDesk.h"
 #include "app/window/RegionDesk.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
@@ -60,6 +61,17 @@ TEST_F(PanelPictures, ofThePageWithoutAVolume) {
   ASSERT_TRUE(openVolume());
   action("closeVolume").trigger();
   take(QStringLiteral("empty-with-recent"));
+}
+
+TEST_F(PanelPictures, ofTheTour) {
+  window->findChild<TourDesk*>()->offer();
+  take(QStringLiteral("tour-offered"));
+  action("tour").trigger();
+  take(QStringLiteral("tour-without-a-volume"));
+  ASSERT_TRUE(openVolume());
+  auto* next = window->findChild<QPushButton*>(QStringLiteral("tourNext"));
+  for (int step = 1; step <= 6; ++step, next->click())
+    take(QStringLiteral("tour-%1").arg(step));
 }
 
 TEST_F(PanelPictures, ofEveryLayout) {
@@ -128,6 +140,12 @@ TEST_F(PanelPictures, ofSlicesBesideThePicture) {
         choice->trigger();
         take(choice->objectName());
       }
+  PlaneSettings tinted = session().planes();
+  tinted.layout = PlaneLayout::pictureAndThree;
+  tinted.isTinted = true;
+  session().setPlanes(tinted);
+  setLayout(CompareLayout::single);
+  take(QStringLiteral("slices-tinted"));
 }
 
 TEST_F(PanelPictures, ofEveryTool) {
@@ -151,6 +169,30 @@ TEST_F(PanelPictures, ofWhatLiesOverThePicture) {
   view().clearLoading();
   action("pictureAndCurveOnly").trigger();
   take(QStringLiteral("picture-and-curve-only"));
+}
+
+TEST_F(PanelPictures, ofACutThroughHalfOfTheVolume) {
+  ASSERT_TRUE(openVolume());
+  action("cropBox").trigger();
+  CropBox half;
+  half.upper.y = 0.5; // seen from the front
+  session().setCrop(half, {nextGestureId(), QStringLiteral("crop")});
+  take(QStringLiteral("crop-box-cutting"));
+}
+
+TEST_F(PanelPictures, ofLooksThatAreCompared) {
+  ASSERT_TRUE(openVolume());
+  setLayout(CompareLayout::single);
+  auto& presets = *window->findChild<PresetBrowser*>();
+  emit presets.presetChosen(QStringLiteral("CT muscle"));
+  action("takeSnapshot").trigger();
+  emit presets.presetChosen(QStringLiteral("CT bone"));
+  action("compareSnapshot").trigger();
+  auto& thumbnails = *window->findChild<ThumbnailDesk*>();
+  ASSERT_TRUE(rest());
+  thumbnails.drawNow();
+  ASSERT_TRUE(test::waitUntil([&] { return thumbnails.isComplete(); }));
+  take(QStringLiteral("looks-compared"));
 }
 
 TEST_F(PanelPictures, ofMessages) {

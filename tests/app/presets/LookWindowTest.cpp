@@ -215,6 +215,19 @@ TEST_F(LookWindow, anExportThatLosesNothingIsOnlyConfirmed) {
   EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("mine.json")));
 }
 
+TEST_F(LookWindow, theKindThatWasExportedLastIsOfferedFirst) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  typeName(pathTo("mine.itf"));
+  chooseFromMenu(Qt::Key_E);
+  QString offered;
+  onceAsked<QFileDialog>([&offered](QFileDialog& dialog) {
+    offered = dialog.selectedNameFilter();
+    dialog.reject();
+  });
+  chooseFromMenu(Qt::Key_E);
+  EXPECT_TRUE(offered.contains(QStringLiteral("*.itf"))) << offered.toStdString();
+}
+
 TEST_F(LookWindow, anEndingThatNobodyKnowsIsRefusedInASentence) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   typeName(pathTo("mine.abc"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "widgets/FindWidget.h"
 #include "widgets/controls/color/ColorPicker.h"
 #include "widgets/curve/points/PointFields.h"
 #include "widgets/curve/points/PointPopup.h"

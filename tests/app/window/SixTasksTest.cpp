@@ -32,7 +32,7 @@ double otherScale(double hounsfield) {
 void writeSeries(const std::filesystem::path& folder, bool isHounsfield, double spacingMm) {
   const auto volume = phantomVolume({.spacingMm = spacingMm});
   const Grid& grid = volume->grid();
-  const auto& voxels = std::get<std::vector<std::int16_t>>(volume->stored());
+  const auto& voxels = std::get<StoredVoxels<std::int16_t>>(volume->stored());
   const auto slice = static_cast<std::size_t>(grid.dims.x) * grid.dims.y;
   const std::string uid =
       "1.2.3." + std::to_string(static_cast<int>(100.0 * spacingMm)) + (isHounsfield ? ".1" : ".2");

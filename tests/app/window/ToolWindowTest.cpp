@@ -218,7 +218,9 @@ TEST_F(ToolWindow, theWindowsOfTheSlicesDoNotLookHoveredOnceTheirMenuIsLeft) {
 }
 
 TEST_F(ToolWindow, theListOfKeysNamesThem) {
-  QTest::keyClick(window.get(), Qt::Key_F1);
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  view().setFocus();
+  QTest::keyClick(window->windowHandle(), Qt::Key_Question);
   QDialog* dialog = nullptr;
   for (QDialog* one : window->findChildren<QDialog*>())
     if (one->windowTitle() == QStringLiteral("Mouse and keys"))

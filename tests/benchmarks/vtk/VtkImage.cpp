@@ -19,7 +19,7 @@ Grid turnedRound(Grid grid) {
 }
 
 template <class T>
-void setVoxels(vtkImageData& image, const std::vector<T>& stored, const glm::ivec3& dims, bool isTurned) {
+void setVoxels(vtkImageData& image, const StoredVoxels<T>& stored, const glm::ivec3& dims, bool isTurned) {
   vtkNew<vtkAOSDataArrayTemplate<T>> array;
   if (isTurned) {
     array->SetNumberOfValues(static_cast<vtkIdType>(stored.size()));

@@ -9,25 +9,8 @@ using test::ctTarget;
 using test::expectCurve;
 using test::isTold;
 using test::readBack;
-using test::refusal;
 using test::Rgba;
 using test::stretched;
-
-TEST(ResearchLooks, aMillionPointsAreRefusedInTime) {
-  std::string points, keys, numbers = "[0";
-  for (int i = 0; i < 1000000; ++i) {
-    points +=
-        "<Point><pos content=\"" + std::to_string(i) + "\"/><rgba x=\"0\" y=\"0\" z=\"0\" w=\"0\"/></Point>";
-    keys += "<key><intensity value=\"0.5\"/><colorL r=\"0\" g=\"0\" b=\"0\" a=\"0\"/></key>";
-    numbers += ",1";
-  }
-  numbers += "]";
-  EXPECT_NE(refusal(inviwo("1", points)), "");
-  EXPECT_NE(refusal(voreen("<domain x=\"0\" y=\"2\"/>", keys)), "");
-  EXPECT_NE(refusal("{\"min\":0,\"max\":1,\"R\":" + numbers + ",\"G\":" + numbers + ",\"B\":" + numbers +
-                    ",\"A\":" + numbers + ",\"I\":" + numbers + "}"),
-            "");
-}
 
 Preset somePreset() {
   Preset preset;

@@ -3,6 +3,8 @@
 #include "cpu/CpuEngine.h"
 #include "cpu/CpuRenderer.h"
 #include "scene/basics/Error.h"
+#include "support/MappedVolume.h"
+#include "support/TemporaryFolder.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QSignalSpy>
@@ -58,6 +60,31 @@ TEST(OnProcessor, aDragMovesThePictureAndItComesToRestAgain) {
   ASSERT_TRUE(host.rest());
   EXPECT_NE(host.view.currentPicture(0), before);
   EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
+}
+
+TEST(OnProcessor, aVolumeOnDiskMovesInFewerVoxelsAndRestsInAll) {
+  const test::TemporaryFolder folder;
+  ProcessorHost host;
+  const std::shared_ptr<const Volume> inMemory = host.scene.volume;
+  host.scene.volume = test::mapped(*inMemory, folder.path() / "voxels");
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  int coarse = 0;
+  QObject::connect(&host.view, &CompareView::pictureStateChanged, &host.view, [&](const PictureState& state) {
+    coarse += !state.sides.empty() && state.sides[0].coarseness ? 1 : 0;
+  });
+  host.drag({100, 100}, {140, 110});
+  ASSERT_TRUE(test::waitUntil([&] { return coarse > 0; })) << "the status bar is told";
+  ASSERT_TRUE(host.rest());
+  EXPECT_FALSE(host.view.pictureState().sides[0].coarseness);
+  const QImage rested = host.view.currentPicture(0);
+  EXPECT_EQ(rested, host.drawn(0));
+  host.scene.volume = inMemory;
+  host.scene.camera = host.view.sceneOfSide(0).camera;
+  host.view.setScene(host.scene);
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(host.view.currentPicture(0), rested) << "where the voxels lie changes no bit";
 }
 
 TEST(OnProcessor, sidesSwapAndTheWipeMovesWithoutDrawingAnew) {

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double hitRadius = 12.0;
 constexpr double staleOpacity = 0.45;
-constexpr int lowest = 230; // with legible ticks on both axes
-constexpr int highest = 340;
+constexpr int leastHeight = 230; // with legible ticks on both axes
+constexpr int mostHeight = 340;
 
 } // namespace
 
@@ -31,7 +31,7 @@ AccuracyChartView::AccuracyChartView(QWidget* parent)
   setMouseTracking(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumHeight(lowest);
+  setMinimumHeight(leastHeight);
   setAccessibleName(tr("Chart of error against time"));
   viewport()->setAccessibleName(accessibleName());
   m_chart->setMostTicks(6, 12);
@@ -53,7 +53,7 @@ void AccuracyChartView::setMeasure(ErrorMeasure measure) {
 }
 
 void AccuracyChartView::setPreferredHeight(int height) {
-  m_height = std::clamp(height, lowest, highest);
+  m_height = std::clamp(height, leastHeight, mostHeight);
   updateGeometry();
 }
 

@@ -14,7 +14,7 @@ struct Row {
 };
 
 // Half-open intervals [lowest, highest) in HU.
-constexpr std::array<Row, 9> rows{
+constexpr std::array<Row, 9> tissueRows{
     {{{-1e6, -950.0}, QT_TRANSLATE_NOOP("Tissue", "air")},
      {{-950.0, -500.0}, QT_TRANSLATE_NOOP("Tissue", "lung")},
      {{-150.0, -30.0}, QT_TRANSLATE_NOOP("Tissue", "fat")},
@@ -28,7 +28,7 @@ constexpr std::array<Row, 9> rows{
 } // namespace
 
 std::optional<Tissue> tissueAt(double hounsfield) {
-  for (const Row& row : rows)
+  for (const Row& row : tissueRows)
     if (hounsfield >= row.range.lowest && hounsfield < row.range.highest)
       return Tissue{QCoreApplication::translate("Tissue", row.name), row.range};
   return std::nullopt;

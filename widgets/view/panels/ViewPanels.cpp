@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/ViewPanels.h"
 
+#include "widgets/Theme.h"
+
+#include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -9,30 +13,61 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstring>
 
 namespace limn {
 namespace {
 
-// The panels lie where pictures lie, so they are dark in both themes. Text contrast is at least 7:1.
+// Names with @ are replaced. Text contrast is at least 7:1.
 const QString panelStyle = QStringLiteral(R"(
-limn--EmptyPanel, limn--MessagePanel { background: #0d0d14; }
-limn--LoadingPanel { background: rgb(13, 13, 20); }
-QLabel { color: #c9ced6; background: transparent; }
-QLabel#heading { color: #f2f4f7; }
-QPushButton { color: #f2f4f7; background: #262a33; border: 1px solid #434a57; border-radius: 4px;
+limn--EmptyPanel, limn--MessagePanel { background: @ground; }
+limn--LoadingPanel { background: @ground; }
+QLabel { color: @text; background: transparent; }
+QLabel#heading { color: @strong; }
+QPushButton { color: @strong; background: @button; border: 1px solid @line; border-radius: 4px;
               padding: 8px 16px; min-height: 20px; }
-QPushButton:hover { background: #323844; }
-QPushButton:pressed { background: #1d2027; }
-QPushButton:focus { border-color: #4da3ff; }
-QPushButton:default { background: #1f5fa8; border-color: #4da3ff; }
-QPushButton:default:hover { background: #2870c2; }
-QPushButton#recent { padding: 4px 16px; min-width: 320px; background: #15171e; }
-QPushButton#recent:hover { background: #323844; }
+QPushButton:hover { background: @hover; }
+QPushButton:pressed { background: @pressed; }
+QPushButton:focus { border: 2px solid @accent; padding: 7px 15px; }
+QPushButton:default { color: @onDefault; background: @default; border-color: @accent; }
+QPushButton:default:focus { border-color: @strong; }
+QPushButton:default:hover { background: @defaultHover; }
+QPushButton#recent { padding: 4px 16px; min-width: 320px; background: @quiet; }
+QPushButton#recent:focus { padding: 3px 15px; }
+QPushButton#recent:hover { background: @hover; }
 QPushButton#cancel { padding: 2px 12px; min-height: 16px; }
-QProgressBar { background: #262a33; border: none; }
-QProgressBar::chunk { background: #4da3ff; }
+QPushButton#cancel:focus { padding: 1px 11px; }
+QProgressBar { background: @button; border: none; }
+QProgressBar::chunk { background: @accent; }
 )");
 
+struct PanelColor {
+  const char* name;
+  const char* usual;
+  const char* contrast; ///< in the theme of high contrast
+};
+
+// A name that begins another stands behind it.
+constexpr PanelColor panelColors[] = {
+    {"@ground", "#0d0d14", "#000000"},    {"@text", "#c9ced6", "#ffffff"},
+    {"@strong", "#f2f4f7", "#ffffff"},    {"@button", "#262a33", "#000000"},
+    {"@line", "#434a57", "#ffffff"},      {"@hover", "#323844", "#333333"},
+    {"@pressed", "#1d2027", "#555555"},   {"@accent", "#4da3ff", "#ffd400"},
+    {"@onDefault", "#f2f4f7", "#000000"}, {"@defaultHover", "#2870c2", "#ffe566"},
+    {"@default", "#1f5fa8", "#ffd400"},   {"@quiet", "#15171e", "#000000"},
+};
+
+bool isContrast() {
+  return lookOf(QGuiApplication::palette()) == Look::contrast;
+}
+
+QColor panelColor(const char* name) {
+  const auto* found = std::ranges::find_if(
+      panelColors, [name](const PanelColor& color) { return std::strcmp(color.name, name) == 0; });
+  return isContrast() ? found->contrast : found->usual;
+}
+
+constexpr int leastWidth = 520;    // of the place to drop something, where there is room
 constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -57,9 +92,28 @@ QPushButton* panelButton(const QString& text, const QString& name, QWidget* pare
   return made;
 }
 
+PicturePanel::PicturePanel(QWidget* parent) : QFrame(parent) {
+  dress();
+}
+
+void PicturePanel::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange)
+    dress();
+}
+
+void PicturePanel::dress() {
+  if (m_isContrast == isContrast())
+    return;
+  m_isContrast = isContrast();
+  QString style = panelStyle;
+  for (const PanelColor& color : panelColors)
+    style.replace(QLatin1String(color.name), QLatin1String(*m_isContrast ? color.contrast : color.usual));
+  setStyleSheet(style);
+}
+
 EmptyPanel::EmptyPanel(QWidget* parent)
-    : QFrame(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
-  setStyleSheet(panelStyle);
+    : PicturePanel(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
   auto* formats =
@@ -86,7 +140,7 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   for (QPushButton* each : {m_folder, file, sample})
     m_ways->addWidget(each);
   column->addLayout(m_ways);
-  m_target->setMaximumSize(520, 380);
+  m_target->setMaximumSize(leastWidth, 380);
 
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(16, 8, 16, 8);
@@ -126,12 +180,20 @@ void EmptyPanel::showLikeliest(bool takesFocus) {
 
 // Beside each other they leave room for what was open before.
 void EmptyPanel::resizeEvent(QResizeEvent* event) {
-  QFrame::resizeEvent(event);
-  m_ways->setDirection(width() < 560 ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  PicturePanel::resizeEvent(event);
+  const QMargins margins = m_target->layout()->contentsMargins();
+  int beside = margins.left() + margins.right() + 2 * m_ways->spacing();
+  for (int i = 0; i < m_ways->count(); ++i)
+    beside += m_ways->itemAt(i)->sizeHint().width();
+  const QMargins around = layout()->contentsMargins();
+  m_target->setMaximumWidth(std::max(leastWidth, beside)); // words of other languages are longer
+  m_ways->setDirection(width() < std::max(leastWidth, beside) + around.left() + around.right()
+                           ? QBoxLayout::TopToBottom
+                           : QBoxLayout::LeftToRight);
 }
 
 void EmptyPanel::showEvent(QShowEvent* event) {
-  QFrame::showEvent(event);
+  PicturePanel::showEvent(event);
   showLikeliest(true);
 }
 
@@ -155,14 +217,14 @@ void EmptyPanel::setRecentSources(const QStringList& texts) {
 }
 
 void EmptyPanel::paintEvent(QPaintEvent* event) {
-  QFrame::paintEvent(event);
+  PicturePanel::paintEvent(event);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF frame = QRectF(m_target->geometry()).adjusted(0.5, 0.5, -0.5, -0.5);
-  painter.setPen(QPen(QColor(86, 95, 110), 1.5, Qt::DashLine));
+  painter.setPen(QPen(isContrast() ? panelColor("@line") : QColor(86, 95, 110), 1.5, Qt::DashLine));
   painter.drawRoundedRect(frame, 12, 12);
   // An arrow into a tray: drop here.
-  painter.setPen(QPen(QColor(77, 163, 255), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setPen(QPen(panelColor("@accent"), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF top(frame.center().x(), frame.top() + 36.0);
   const QPointF tip = top + QPointF(0, 24);
   painter.drawLine(top, tip);
@@ -171,8 +233,7 @@ void EmptyPanel::paintEvent(QPaintEvent* event) {
       {tip + QPointF(-16, 2), tip + QPointF(-16, 10), tip + QPointF(16, 10), tip + QPointF(16, 2)}));
 }
 
-MessagePanel::MessagePanel(QWidget* parent) : QFrame(parent), m_text(new QLabel(this)) {
-  setStyleSheet(panelStyle);
+MessagePanel::MessagePanel(QWidget* parent) : PicturePanel(parent), m_text(new QLabel(this)) {
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("The picture cannot be drawn"), this);
   m_text->setObjectName(QStringLiteral("sentence"));
@@ -204,8 +265,7 @@ void MessagePanel::setSentence(const QString& sentence) {
 }
 
 LoadingPanel::LoadingPanel(QWidget* parent)
-    : QFrame(parent), m_text(new QLabel(this)), m_bar(new QProgressBar(this)) {
-  setStyleSheet(panelStyle);
+    : PicturePanel(parent), m_text(new QLabel(this)), m_bar(new QProgressBar(this)) {
   setAttribute(Qt::WA_StyledBackground);
   m_bar->setTextVisible(false);
   m_bar->setFixedHeight(4);

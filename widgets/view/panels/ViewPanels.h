@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QStringList>
 
+#include <optional>
+
 class QBoxLayout;
 class QLabel;
 class QProgressBar;
@@ -11,9 +13,24 @@ class QPushButton;
 
 namespace limn {
 
+/// Lies where pictures lie, so that it is dark in every theme; in that of high contrast it has its colours.
+class PicturePanel : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit PicturePanel(QWidget* parent);
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  std::optional<bool> m_isContrast; ///< for which it is dressed
+  void dress();
+};
+
 /// Covers the view while there is no volume: where to drop one, three ways to open one, what was left
 /// unfinished, and what was opened before. The keyboard stands on what is likeliest, so that Enter does it.
-class EmptyPanel : public QFrame {
+class EmptyPanel : public PicturePanel {
   Q_OBJECT
 
 public:
@@ -52,7 +69,7 @@ private:
 };
 
 /// Covers the view where drawing failed: the sentence, and a way to try again.
-class MessagePanel : public QFrame {
+class MessagePanel : public PicturePanel {
   Q_OBJECT
 
 public:
@@ -67,7 +84,7 @@ private:
 };
 
 /// A thin line at the lower edge of the view that says what loads, how far it is, and can be cancelled.
-class LoadingPanel : public QFrame {
+class LoadingPanel : public PicturePanel {
   Q_OBJECT
 
 public:

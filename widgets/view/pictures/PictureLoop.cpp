@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/PictureLoop.h"
 
 #include "scene/basics/Error.h"
+#include "scene/volume/WholeVolume.h"
 #include "widgets/Translated.h"
 
 #include <exception>
@@ -121,12 +122,14 @@ void PictureLoop::endPreparing() {
 // Draw at the quality that was fast enough last time; where it proves to have been too careful, once more.
 void PictureLoop::drawCoarsely(const PictureRequest& request) {
   m_pictures->want(request.scenes, request.size);
+  m_volume = request.scenes.front().volume;
   const double all = static_cast<double>(request.scenes.size()) * request.size.x * request.size.y;
   const double seen = request.seenShare * all;
   int level = m_quality.levelFor(seen);
   if (level == 0 && m_quality.levelFor(all) > 0)
     level = 1; // full quality draws the hidden parts too
   m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, request.seen));
+  requireVolume();
   if (m_quality.levelFor(all) < level) {
     m_isStale = true;
     QTimer::singleShot(0, this, &PictureLoop::showNeeded);
@@ -140,14 +143,28 @@ void PictureLoop::drawCoarsely(const PictureRequest& request) {
     tellEffects(rows, request.lastName);
 }
 
+// What is drawn of voxels that were lost meanwhile is an error.
+void PictureLoop::requireVolume() const {
+  if (const auto volume = m_volume.lock())
+    requireWhole(*volume);
+}
+
 void PictureLoop::refine() {
   if (!m_pictures || !m_context.canDraw())
     return;
   bool isComplete = false;
   m_context.makeCurrent();
-  m_context.guard([&] { isComplete = m_pictures->refine(m_pace.budgetMs); });
+  std::vector<EffectRow> rows = m_effects;
+  m_context.guard([&] {
+    isComplete = m_pictures->refine(m_pace.budgetMs);
+    requireVolume();
+    if (isComplete && m_pictures->hadStandIns())
+      rows = m_pictures->effectRowsOf(m_pictures->count() - 1);
+  });
   m_context.doneCurrent();
   updateState();
+  if (rows != m_effects)
+    tellEffects(rows, QString(m_effectsPicture));
   if (isComplete || m_sinceShown.elapsed() >= showEveryMs)
     emit showNeeded();
   if (!m_context.canDraw())

@@ -115,6 +115,7 @@ private:
   void tellPreparing(double fraction);
   void endPreparing();
   void drawCoarsely(const PictureRequest& request);
+  void requireVolume() const;
   void refine();
   void updateState();
   void probeError();
@@ -128,6 +129,7 @@ private:
   PictureContext m_context;
   PicturePace m_pace;
   std::unique_ptr<Pictures> m_pictures;
+  std::weak_ptr<const Volume> m_volume; ///< that is drawn
   InteractionQuality m_quality;
   bool m_isStale = true; ///< something changed since the last coarse picture
   bool m_refines = true;

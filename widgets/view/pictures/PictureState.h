@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/ErrorEstimate.h"
+#include "engine/StandIn.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
 
@@ -31,6 +32,7 @@ struct SideState {
   double stepVoxels = 0.0;               ///< of what is shown, in units of the smallest spacing
   std::optional<double> toleranceLevels; ///< of what is shown, where its steps follow the error
   double imageScale = 1.0;               ///< of what is shown: pixels drawn per pixel of the window, each way
+  std::optional<Coarseness> coarseness;  ///< where what is shown is drawn from fewer voxels than there are
   double shownMs = 0.0;                  ///< drawing time of what is shown
   std::optional<double> completeMs;      ///< drawing time of the last complete picture at rest
   std::optional<double> contrast;        ///< of the picture at rest, RMS

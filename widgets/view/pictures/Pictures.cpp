@@ -68,9 +68,11 @@ SideState Pictures::stateOf(int index) const {
   SideState state;
   state.model = side.scene().shading.model;
   state.fraction = side.fraction();
-  const Quality quality = side.shownScene().quality;
-  state.stepVoxels = quality.stepVoxels;
-  state.toleranceLevels = quality.toleranceLevels;
+  const Scene shown = side.shownScene();
+  state.stepVoxels = shown.quality.stepVoxels * smallestSpacingMm(shown.volume->grid()) /
+                     smallestSpacingMm(side.scene().volume->grid());
+  state.toleranceLevels = shown.quality.toleranceLevels;
+  state.coarseness = side.shownCoarseness();
   state.imageScale = side.shownImageScale();
   state.shownMs = side.shownMs();
   state.completeMs = side.completeMs();
@@ -79,7 +81,7 @@ SideState Pictures::stateOf(int index) const {
   state.estimate = m_refinement.estimate(index);
   state.isRough = !state.estimate;
   if (state.isRough)
-    state.estimate = m_probe.estimate(index, state.stepVoxels);
+    state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
   state.isResolved = m_isResolved[index];
   return state;
 }
@@ -104,8 +106,16 @@ PictureState Pictures::state() const {
 
 std::vector<EffectRow> Pictures::effectRowsOf(int side) {
   m_screen->reset();
-  const Scene& scene = m_sides[side].scene();
+  // Of what is shown: to ask about a volume that does not lie in memory takes time that nobody has while it
+  // moves.
+  Scene scene = m_sides[side].shownScene();
+  scene.quality = m_sides[side].scene().quality;
   return effectRows(scene, m_engine->facts(scene).plan);
+}
+
+bool Pictures::hadStandIns() const {
+  return std::any_of(m_sides.begin(), m_sides.begin() + m_count,
+                     [](const SidePicture& side) { return side.hadStandIn(); });
 }
 
 double Pictures::makeReady(const Scene& scene, const Effort& effort, double budgetMs) {

@@ -55,8 +55,10 @@ public:
   RestWork& rest() { return m_rest; }
   const RestWork& rest() const { return m_rest; }
 
-  /// What the picture of a side calls for at rest.
+  /// What the picture of a side calls for at rest; while it is drawn from fewer voxels, as far as these tell.
   std::vector<EffectRow> effectRowsOf(int side);
+  /// Whether any was drawn from fewer voxels on its way.
+  bool hadStandIns() const;
 
   /// How the finished and half-finished pictures are put together on the screen.
   struct Arrangement {

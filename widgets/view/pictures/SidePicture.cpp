@@ -47,11 +47,18 @@ void SidePicture::want(const Scene& scene, const glm::ivec2& size) {
   m_finer.reset();
 }
 
+// Of a picture that is drawn on the way to the full one.
+Scene SidePicture::passScene(DrawingEngine& engine, const QualityLevel& quality, const glm::ivec2& size) {
+  m_standIn = engine.standInFor(m_scene, size);
+  return withQualityLevel(m_standIn ? m_standIn->scene : m_scene, quality);
+}
+
 double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns& seen) {
   const QualityLevel quality = InteractionQuality::levelAt(level);
-  PictureSheet& target = level == 0 ? *m_full : *m_coarse;
   const glm::ivec2 size = sizeAt(quality, m_size);
-  const Scene scene = withQualityLevel(m_scene, quality);
+  const Scene scene = passScene(engine, quality, size);
+  const bool isFull = level == 0 && !m_standIn;
+  PictureSheet& target = isFull ? *m_full : *m_coarse;
   target.resize(size);
   // Draw one pixel first: uploads and compilation are no measure of the frames to come.
   target.draw(engine, scene, {size / 2, {1, 1}});
@@ -60,7 +67,7 @@ double SidePicture::drawCoarsely(DrawingEngine& engine, int level, const Columns
   m_coarseQuality = quality;
   m_coarseMs = ms;
   m_gradientScale = engine.gradientScale();
-  if (level == 0) {
+  if (isFull) {
     m_schedule.finishedWhole(ms);
     m_completeMs = ms;
   } else if (level >= veryCoarse) {
@@ -75,7 +82,7 @@ void SidePicture::drawStrip(DrawingEngine& engine) {
   const QualityLevel quality = InteractionQuality::levelAt(m_pass);
   PictureSheet& target = m_pass == 0 ? *m_full : *m_middle;
   const glm::ivec2 size = sizeAt(quality, m_size);
-  const Scene scene = withQualityLevel(m_scene, quality);
+  const Scene scene = m_pass == 0 ? withQualityLevel(m_scene, quality) : passScene(engine, quality, size);
   target.resize(size);
   m_schedule.finished(timedMs([&] { target.draw(engine, scene, m_schedule.next()); }));
   if (!m_schedule.complete())
@@ -182,9 +189,15 @@ void SidePicture::show(PictureScreen& screen, const PixelRect& place, const Pixe
                 {{part.topLeft.x, part.topLeft.y + done}, {part.size.x, part.size.y - done}}, background);
 }
 
+std::optional<Coarseness> SidePicture::shownCoarseness() const {
+  return m_standIn && !complete() ? std::optional(m_standIn->coarseness) : std::nullopt;
+}
+
 Scene SidePicture::shownScene() const {
+  if (complete() && !m_finished)
+    return withQualityLevel(m_scene, {});
   if (!m_finished)
-    return withStep(m_scene, m_scene.quality.stepVoxels * (complete() ? 1.0 : m_coarseQuality.stepFactor));
+    return withQualityLevel(m_standIn ? m_standIn->scene : m_scene, m_coarseQuality);
   Scene scene = m_scene;
   scene.quality = m_finishedQuality;
   return scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/StandIn.h"
 #include "scene/light/Gradient.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 #include "widgets/view/pictures/InteractionQuality.h"
@@ -69,11 +70,16 @@ public:
   const ShownPixels& coarserPixels() const;
   bool hasCoarser() const { return m_finer || !m_coarse->isEmpty(); }
 
+  /// Whether the coarse picture was drawn from fewer voxels.
+  bool hadStandIn() const { return m_standIn.has_value(); }
+
   const Scene& scene() const { return m_scene; }
   const glm::ivec2& size() const { return m_size; }
   /// Of the coarsest part shown: the scene with the quality that it was drawn with, its share of width and
   /// height (0..1), what drawing it took.
   Scene shownScene() const;
+  /// Where the coarsest part shown is drawn from fewer voxels: how far they lie from the whole volume's.
+  std::optional<Coarseness> shownCoarseness() const;
   double shownImageScale() const { return complete() ? 1.0 : m_coarseQuality.imageScale; }
   double shownMs() const { return complete() ? m_completeMs.value_or(0.0) : m_coarseMs; }
   std::optional<double> completeMs() const { return m_completeMs; }
@@ -89,6 +95,7 @@ private:
     TileSchedule schedule;
   };
   void adopt(FinishedPicture picture, const Quality& quality);
+  Scene passScene(DrawingEngine& engine, const QualityLevel& quality, const glm::ivec2& size);
 
   Scene m_scene;
   glm::ivec2 m_size{0};
@@ -96,6 +103,8 @@ private:
   TileSchedule m_schedule;
   bool m_hasMiddlePass = false;
   QualityLevel m_coarseQuality; ///< of the coarse picture
+  std::optional<StandIn>
+      m_standIn; ///< that it is drawn from, where its scene's volume does not lie in memory
   double m_coarseMs = 0.0;
   GradientScale m_gradientScale;
   std::optional<double> m_completeMs;

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -67,11 +68,32 @@ QString estimateText(const PictureState& state) {
   return (&worst == &state.sides.front() ? QObject::tr("left %1") : QObject::tr("right %1")).arg(text);
 }
 
+// Of the side whose values may lie farthest off.
+std::optional<Coarseness> coarsenessOf(const PictureState& state) {
+  std::optional<Coarseness> worst;
+  for (const SideState& side : state.sides)
+    if (side.coarseness && (!worst || side.coarseness->largestError > worst->largestError))
+      worst = side.coarseness;
+  return worst;
+}
+
+// A bound: rounded up.
+QString coarsenessText(const Coarseness& coarseness) {
+  return QObject::tr(
+             "The volume does not lie in memory: while something moves the picture is drawn from 1/%1 of "
+             "the voxels along each axis, whose values differ by at most %2 % of the range; at rest from "
+             "all of them.")
+      .arg(coarseness.reduction)
+      .arg(fixedNumber(std::ceil(1000.0 * coarseness.largestError) / 10.0, 1));
+}
+
 // What the screen can show: a difference of one level in one of a thousand colour values (DEFINITION section
 // 9).
 constexpr double exactLevels = 1.0;
 
 QString badgeText(const PictureState& state) {
+  if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
+    return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
   if (!state.resting)
     return QObject::tr("○ preview");
   if (isResolved(state) && isKnown(state) && *levelsOf(worstOf(state)) <= exactLevels)
@@ -83,6 +105,8 @@ QString badgeText(const PictureState& state) {
 
 // The step of a preview is in the tool tip: what strikes is its resolution.
 QString previewText(const SideState& side) {
+  if (side.coarseness)
+    return QObject::tr("preview from 1/%1 of the voxels along each axis").arg(side.coarseness->reduction);
   if (side.imageScale >= 1.0)
     return QObject::tr("preview, step %1").arg(stepText(side.stepVoxels));
   return QObject::tr("preview at %1 resolution").arg(fractionText(side.imageScale));
@@ -219,6 +243,8 @@ PictureStatusText pictureStatusText(const PictureState& state, const Scene& scen
   text.time = timeText(ms);
   text.engine = engineText(state);
   QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
+  if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
+    lines.prepend(coarsenessText(*coarseness));
   lines.removeAll(QString());
   text.toolTip = lines.join(QLatin1Char('\n'));
   return text;

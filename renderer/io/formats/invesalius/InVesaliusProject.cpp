@@ -96,7 +96,7 @@ bool isTar(std::string_view bytes) {
   return bytes.size() >= 262 && bytes.substr(257, 5) == "ustar";
 }
 
-VolumeParts readInVesalius(const fs::path& path, const Progress& progress) {
+VolumeParts readInVesalius(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const pugi::xml_document document = mainList(path);
   const pugi::xml_node project = document.child("plist").child("dict");
   const pugi::xml_node matrix = valueOf(project, "matrix");
@@ -116,7 +116,7 @@ VolumeParts readInVesalius(const fs::path& path, const Progress& progress) {
           path,
           Message::tr("its matrix has %1 bytes where the project asks for %2").arg(size).arg(bytesOf(layout)),
           copyAgain);
-    parts.stored = readVoxels(path, bytes, layout, progress);
+    readVoxels(path, bytes, layout, budget, progress, 0, parts);
   });
   if (!found)
     failReading(path, Message::tr("its matrix \"%1\" is missing").arg(name), copyAgain);

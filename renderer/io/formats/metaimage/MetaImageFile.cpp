@@ -170,7 +170,7 @@ bool isMetaImage(std::string_view bytes) {
   return startsAsText && !header.field({"ndims"}).empty() && !header.field({"dimsize"}).empty();
 }
 
-VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
+VolumeParts readMetaImage(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const Header header = parseHeader(firstBytes(path, longestHeader));
   const Shape shape = shapeOf(path, header);
   VoxelLayout layout = layoutOf(path, header, shape.dims);
@@ -191,8 +191,10 @@ VolumeParts readMetaImage(const fs::path& path, const Progress& progress) {
   if (isText && location.encoding != Encoding::raw)
     failReading(path, Message::tr("it holds compressed text"),
                 Message::tr("save it uncompressed or as binary data"));
-  parts.stored = isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
-                        : readVoxels(location, layout, progress, parts.info.warnings);
+  if (isText)
+    readTextVoxels(location, layout, budget, progress, parts);
+  else
+    readVoxels(location, layout, budget, progress, parts);
   return parts;
 }
 

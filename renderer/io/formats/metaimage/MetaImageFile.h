@@ -3,6 +3,7 @@
 
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 #include <string_view>
@@ -16,6 +17,7 @@ bool isMetaImage(std::string_view bytes);
 /// counts as known where the header has a TransformMatrix and does not declare it meaningless ("???").
 /// Throws Error; Cancelled. Source: itk.org/Wiki/ITK/MetaIO/Documentation; directions and offset are in LPS
 /// as ITK writes them.
-VolumeParts readMetaImage(const std::filesystem::path& path, const Progress& progress);
+VolumeParts readMetaImage(const std::filesystem::path& path, const MemoryBudget& budget,
+                          const Progress& progress);
 
 } // namespace limn

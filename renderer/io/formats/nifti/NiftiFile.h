@@ -4,6 +4,7 @@
 #include "io/formats/nifti/NiftiHeader.h"
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 #include <string>
@@ -31,6 +32,7 @@ bool isNifti(std::string_view bytes);
 
 /// Reads a NIfTI-1 or NIfTI-2 volume from its header file (.nii, .nii.gz, .hdr, .hdr.gz) or voxel file
 /// (.img, .img.gz). Of several volumes the first is read, with a warning.
-VolumeParts readNifti(const std::filesystem::path& path, const Progress& progress);
+VolumeParts readNifti(const std::filesystem::path& path, const MemoryBudget& budget,
+                      const Progress& progress);
 
 } // namespace limn

@@ -89,7 +89,7 @@ ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding
 
 } // namespace
 
-VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
+VolumeParts readNrrd(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const NrrdHeader header = readNrrdHeader(path);
   const NrrdAxes axes = nrrdAxes(path, header);
   const std::string encoding = lowerCase(header.field("encoding"));
@@ -116,8 +116,10 @@ VolumeParts readNrrd(const fs::path& path, const Progress& progress) {
   const std::uint64_t allBytes = bytesOf(layout) * axes.volumes;
   const ByteLocation location =
       locationOf(path, header, isGzipped ? Encoding::deflated : Encoding::raw, allBytes);
-  parts.stored = isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
-                        : readVoxels(location, layout, progress, parts.info.warnings);
+  if (isText)
+    readTextVoxels(location, layout, budget, progress, parts);
+  else
+    readVoxels(location, layout, budget, progress, parts);
   return parts;
 }
 

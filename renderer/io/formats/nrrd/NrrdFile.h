@@ -3,6 +3,7 @@
 
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 
@@ -11,6 +12,6 @@ namespace limn {
 /// Reads a NRRD volume, attached (.nrrd) or detached (.nhdr), raw, gzip or text. Three spatial axes (two
 /// make one slice), before them at most an axis of colours, after them further volumes of which the first
 /// is read with a warning. Throws Error; Cancelled.
-VolumeParts readNrrd(const std::filesystem::path& path, const Progress& progress);
+VolumeParts readNrrd(const std::filesystem::path& path, const MemoryBudget& budget, const Progress& progress);
 
 } // namespace limn

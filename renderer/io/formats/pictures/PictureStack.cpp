@@ -57,7 +57,7 @@ std::string kindOf(const fs::path& file) {
 // Collects slices that all look like the first.
 class Stack {
 public:
-  explicit Stack(fs::path path) : m_path(std::move(path)) {}
+  Stack(fs::path path, const MemoryBudget& budget) : m_path(std::move(path)), m_budget(budget) {}
 
   // Reads a picture; `expectedSlices` only guides the room made.
   void add(const Picture& picture, const fs::path& file, int page, std::size_t expectedSlices) {
@@ -74,9 +74,9 @@ public:
   }
 
   VolumeParts parts() && {
-    VolumeParts parts;
+    VolumeParts parts = std::move(m_parts);
     parts.grid.dims = {m_shape.width, m_shape.height, m_slices};
-    parts.stored = std::move(m_stored);
+    parts.stored = storedVoxels(std::move(m_stored));
     parts.info.spacingKnown = false;
     parts.info.orientationKnown = false;
     if (m_shape.channels > 2)
@@ -89,9 +89,11 @@ private:
     m_shape = shape;
     const std::size_t voxels =
         static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.height) * expectedSlices;
-    requireMemory(m_path, static_cast<double>(voxels) * static_cast<double>(bytesPerVoxel(shape.type)));
+    m_parts.room =
+        roomFor(m_path, static_cast<double>(voxels) * static_cast<double>(bytesPerVoxel(shape.type)),
+                m_budget, m_parts.info.warnings);
     withStoredType(shape.type, [&](auto value) {
-      std::vector<Kept<decltype(value)>> stored;
+      RoomVector<Kept<decltype(value)>> stored(m_parts.room);
       stored.reserve(voxels);
       m_stored = std::move(stored);
     });
@@ -100,7 +102,7 @@ private:
   // Decodes band after band, so that a picture that promises more than it holds takes little memory.
   template <class Stored>
   void append(const Picture& picture) {
-    auto& voxels = std::get<std::vector<Kept<Stored>>>(m_stored);
+    auto& voxels = std::get<RoomVector<Kept<Stored>>>(m_stored);
     const auto channels = static_cast<std::size_t>(m_shape.channels);
     const auto width = static_cast<std::size_t>(m_shape.width);
     const auto band = static_cast<int>(std::max<std::size_t>(1, bytesPerBand / rowBytes(m_shape)));
@@ -115,8 +117,10 @@ private:
   }
 
   fs::path m_path;
+  MemoryBudget m_budget;
+  VolumeParts m_parts;
   PictureShape m_shape;
-  VoxelArray m_stored;
+  VoxelVectors m_stored;
   int m_slices = 0;
 };
 
@@ -197,8 +201,9 @@ void requireWholeStack(const fs::path& folder, const std::vector<fs::path>& pict
               Message::tr("copy it again, or take it out of the folder if it is no slice"));
 }
 
-VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const Progress& progress) {
-  Stack stack(path);
+VolumeParts readPictures(const fs::path& path, const std::vector<fs::path>& files, const MemoryBudget& budget,
+                         const Progress& progress) {
+  Stack stack(path, budget);
   std::set<std::string> kinds;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string kind = kindOf(files[i]);

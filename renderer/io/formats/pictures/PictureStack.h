@@ -3,6 +3,7 @@
 
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 #include <string_view>
@@ -27,6 +28,6 @@ bool naturalLess(std::string_view a, std::string_view b);
 /// size and type; colours become luminance with a warning. Pictures say nothing of spacing along the stack
 /// or of orientation: both are unknown. Throws Error; Cancelled.
 VolumeParts readPictures(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
-                         const Progress& progress);
+                         const MemoryBudget& budget, const Progress& progress);
 
 } // namespace limn

@@ -81,9 +81,9 @@ Stored numberIn(const fs::path& file, std::string_view word) {
 }
 
 template <class Stored>
-std::vector<Kept<Stored>> readAs(const fs::path& file, Words& words, const VoxelLayout& layout,
-                                 const Progress& progress) {
-  std::vector<Kept<Stored>> voxels;
+RoomVector<Kept<Stored>> readAs(const fs::path& file, Words& words, const VoxelLayout& layout,
+                                const Progress& progress, const std::shared_ptr<Room>& room) {
+  RoomVector<Kept<Stored>> voxels(room);
   voxels.reserve(layout.count);
   while (voxels.size() < layout.count) {
     const std::string_view word = words.next();
@@ -99,29 +99,31 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, Words& words, const Voxel
 
 } // namespace
 
-VoxelArray readTextVoxels(const fs::path& file, const ByteReader& text, const VoxelLayout& layout,
-                          const Progress& progress, bool mayBeCut, std::vector<Message>& warnings) {
+void readTextVoxels(const fs::path& file, const ByteReader& text, const VoxelLayout& layout,
+                    const MemoryBudget& budget, const Progress& progress, bool mayBeCut, VolumeParts& parts) {
   if (layout.components != 1)
     failReading(file, Message::tr("it holds colours as text"),
                 Message::tr("convert it to a binary encoding"));
-  requireMemory(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)));
+  std::vector<Message>& warnings = parts.info.warnings;
+  parts.room =
+      roomFor(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)),
+              budget, warnings);
   Words words(file, text);
-  VoxelArray voxels = withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return readAs<decltype(value)>(file, words, layout, progress);
+  withStoredType(layout.type, [&](auto value) {
+    parts.stored = readAs<decltype(value)>(file, words, layout, progress, parts.room);
   });
   const bool isFollowed = !words.next().empty();
   if (isFollowed && layout.volumes == 1 && layout.endsFile)
     warnings.emplace_back(surplusWarning);
   if (mayBeCut && !isFollowed && words.touchesEnd())
     warnings.emplace_back(Message::tr("The text ends right behind its last number, which may be cut off."));
-  return voxels;
 }
 
-VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                          std::vector<Message>& warnings) {
+void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+                    const Progress& progress, VolumeParts& parts) {
   // The shortest voxel is a digit, and white space parts it from the next.
-  return readTextVoxels(location.file, openBytes(location, 2 * layout.count - 1), layout, progress, true,
-                        warnings);
+  readTextVoxels(location.file, openBytes(location, 2 * layout.count - 1), layout, budget, progress, true,
+                 parts);
 }
 
 } // namespace limn

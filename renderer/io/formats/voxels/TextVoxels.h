@@ -9,12 +9,11 @@ namespace limn {
 /// takes note of numbers behind the last voxel; with `mayBeCut` also of a text that ends right behind a
 /// digit, of which it may have lost others. Throws Error, naming `file`, where the text is too short or a
 /// word is no number of the layout's type; Cancelled.
-VoxelArray readTextVoxels(const std::filesystem::path& file, const ByteReader& text,
-                          const VoxelLayout& layout, const Progress& progress, bool mayBeCut,
-                          std::vector<Message>& warnings);
+void readTextVoxels(const std::filesystem::path& file, const ByteReader& text, const VoxelLayout& layout,
+                    const MemoryBudget& budget, const Progress& progress, bool mayBeCut, VolumeParts& parts);
 
 /// The same from a place in a file, which must not be compressed.
-VoxelArray readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                          std::vector<Message>& warnings);
+void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+                    const Progress& progress, VolumeParts& parts);
 
 } // namespace limn

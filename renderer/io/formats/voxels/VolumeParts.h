@@ -12,6 +12,7 @@ struct VolumeParts {
   VoxelArray stored;
   Rescale rescale;
   VolumeInfo info;
+  std::shared_ptr<Room> room; ///< where `stored` lies; null: in memory
 };
 
 } // namespace limn

@@ -26,7 +26,7 @@ void swapBytes(Stored* values, std::size_t count) {
 
 // Makes room for `step` more voxels, at most doubling what has been filled from real bytes.
 template <class T>
-void growBy(std::vector<T>& voxels, std::size_t step, std::uint64_t final) {
+void growBy(RoomVector<T>& voxels, std::size_t step, std::uint64_t final) {
   const std::size_t wanted = voxels.size() + step;
   if (wanted > voxels.capacity())
     voxels.reserve(std::min<std::uint64_t>(final, std::max(wanted, 2 * voxels.capacity())));
@@ -34,8 +34,9 @@ void growBy(std::vector<T>& voxels, std::size_t step, std::uint64_t final) {
 }
 
 template <class Stored>
-std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                                 const Progress& progress, std::uint64_t certain) {
+RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                                const Progress& progress, std::uint64_t certain,
+                                const std::shared_ptr<Room>& room) {
   const auto components = static_cast<std::size_t>(layout.components);
   const bool swap = layout.bigEndian != (std::endian::native == std::endian::big);
   const std::size_t perStep =
@@ -49,8 +50,9 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
       swapBytes(samples, step * components);
   };
   std::vector<Stored> samples;
-  std::vector<Kept<Stored>> voxels;
-  voxels.reserve(certain);
+  RoomVector<Kept<Stored>> voxels(room);
+  // Growing on the disk would copy; and what was reserved there in vain is given back.
+  voxels.reserve(room ? layout.count : certain);
   while (voxels.size() < layout.count) {
     reportOrStop(progress, static_cast<double>(voxels.size()) / static_cast<double>(layout.count),
                  Message::tr("Reading voxels"));
@@ -70,6 +72,11 @@ std::vector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, 
   }
   reportOrStop(progress, 1.0, Message::tr("Reading voxels"));
   return voxels;
+}
+
+// Of the voxels as they are kept: colours are one value then.
+double bytesKept(const VoxelLayout& layout) {
+  return static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type));
 }
 
 // Whether the bytes behind the first volume are as many as the header says.
@@ -152,23 +159,48 @@ void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings) {
     warnings.emplace_back(colorWarning);
 }
 
-VoxelArray readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                      const Progress& progress, std::uint64_t certain) {
-  requireMemory(file, static_cast<double>(layout.count) * static_cast<double>(bytesPerVoxel(layout.type)));
-  return withStoredType(layout.type, [&](auto value) -> VoxelArray {
-    return readAs<decltype(value)>(file, bytes, layout, progress, certain);
+void readVoxels(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                const MemoryBudget& budget, const Progress& progress, std::uint64_t certain,
+                VolumeParts& parts) {
+  parts.room = roomFor(file, bytesKept(layout), budget, parts.info.warnings);
+  withStoredType(layout.type, [&](auto value) {
+    parts.stored = readAs<decltype(value)>(file, bytes, layout, progress, certain, parts.room);
   });
 }
 
-VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                      std::vector<Message>& warnings) {
+bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+               VolumeParts& parts) {
+  const bool isNative = layout.bigEndian == (std::endian::native == std::endian::big);
+  const std::uint64_t offset = location.offset + location.skip;
+  return withStoredType(layout.type, [&](auto value) {
+    using Stored = decltype(value);
+    if constexpr (std::is_same_v<Stored, Kept<Stored>>)
+      if (location.encoding == Encoding::raw && layout.components == 1 &&
+          bytesKept(layout) > budget.voxelBytes() && (isNative || sizeof(Stored) == 1) &&
+          offset % alignof(Stored) == 0) {
+        parts.room = std::make_shared<Room>();
+        const auto bytes = parts.room->mapped(location.file, offset, bytesOf(layout));
+        const auto* first = reinterpret_cast<const Stored*>(bytes.get());
+        parts.stored = StoredVoxels<Stored>(std::span(first, layout.count), bytes);
+        return true;
+      }
+    return false;
+  });
+}
+
+void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+                const Progress& progress, VolumeParts& parts) {
   const ByteReader bytes = openBytes(location, bytesOf(layout));
+  if (mapVoxels(location, layout, budget, parts)) {
+    const std::uint64_t end = location.offset + location.skip + bytesOf(layout);
+    noteSurplus(location, layout, fs::file_size(location.file) > end, parts.info.warnings);
+    return;
+  }
   const bool isChecked = location.encoding == Encoding::raw;
-  VoxelArray voxels = readVoxels(location.file, bytes, layout, progress, isChecked ? layout.count : 0);
+  readVoxels(location.file, bytes, layout, budget, progress, isChecked ? layout.count : 0, parts);
   // At the end of compressed data this makes zlib compare the check sum.
   unsigned char beyond = 0;
-  noteSurplus(location, layout, bytes(&beyond, 1) > 0, warnings);
-  return voxels;
+  noteSurplus(location, layout, bytes(&beyond, 1) > 0, parts.info.warnings);
 }
 
 double luminance(const double* samples, int components) {

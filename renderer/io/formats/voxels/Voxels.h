@@ -2,8 +2,9 @@
 #pragma once
 
 #include "io/formats/voxels/Bytes.h"
+#include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
-#include "scene/volume/Volume.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <map>
 #include <string>
@@ -46,16 +47,25 @@ int componentCount(const std::filesystem::path& file, const std::string& text);
 /// Says where only the first of several volumes is shown, and where colours become luminance.
 void noteLayout(const VoxelLayout& layout, std::vector<Message>& warnings);
 
-/// Reads exactly the voxels that `layout` describes. Room is made at once for `certain` voxels, whose bytes
-/// are known to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end
-/// early; Cancelled.
-VoxelArray readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
-                      const Progress& progress, std::uint64_t certain = 0);
+/// Reads exactly the voxels that `layout` describes into `parts.stored`: in memory, or in `parts.room` where
+/// the budget does not hold them. In memory, room is made at once for `certain` voxels, whose bytes are known
+/// to exist, and beyond them only as bytes arrive. Throws Error, naming `file`, where the bytes end early or
+/// there is no room; Cancelled.
+void readVoxels(const std::filesystem::path& file, const ByteReader& bytes, const VoxelLayout& layout,
+                const MemoryBudget& budget, const Progress& progress, std::uint64_t certain,
+                VolumeParts& parts);
 
-/// Opens `location` and reads exactly the voxels that `layout` describes. Warns where the file holds more
-/// than its header asks for, which then is likely wrong, or ends within the volumes behind the first.
-VoxelArray readVoxels(const ByteLocation& location, const VoxelLayout& layout, const Progress& progress,
-                      std::vector<Message>& warnings);
+/// Opens `location` and reads exactly the voxels that `layout` describes; where the budget does not hold them
+/// and they lie in the file as they are kept, they are mapped. Warns where the file holds more than its
+/// header asks for, which then is likely wrong, or ends within the volumes behind the first.
+void readVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+                const Progress& progress, VolumeParts& parts);
+
+/// Maps the voxels where the budget does not hold them and they lie in the file as they are kept: one
+/// component of a type that is kept, in this machine's order of bytes, at a place where such numbers may lie.
+/// Returns whether it did.
+bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+               VolumeParts& parts);
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);

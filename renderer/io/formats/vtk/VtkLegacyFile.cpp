@@ -121,7 +121,7 @@ bool isVtkLegacy(std::string_view bytes) {
   return bytes.starts_with("# vtk DataFile");
 }
 
-VolumeParts readVtkLegacy(const fs::path& path, const Progress& progress) {
+VolumeParts readVtkLegacy(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const Header header = parseHeader(path, firstBytes(path, longestHeader));
   const auto dataset = header.lines.find("DATASET");
   if (dataset == header.lines.end() || dataset->second.empty() ||
@@ -153,8 +153,10 @@ VolumeParts readVtkLegacy(const fs::path& path, const Progress& progress) {
   ByteLocation location;
   location.file = path;
   location.offset = header.end;
-  parts.stored = header.isText ? readTextVoxels(location, layout, progress, parts.info.warnings)
-                               : readVoxels(location, layout, progress, parts.info.warnings);
+  if (header.isText)
+    readTextVoxels(location, layout, budget, progress, parts);
+  else
+    readVoxels(location, layout, budget, progress, parts);
   return parts;
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 #include <string_view>
@@ -15,6 +16,7 @@ bool isVtkLegacy(std::string_view bytes);
 /// Reads the first scalars of a legacy VTK file of STRUCTURED_POINTS, binary or text. Its axes say nothing
 /// of the patient: the orientation is unknown. Throws Error; Cancelled.
 /// Source: VTK User's Guide, "Simple Legacy Formats".
-VolumeParts readVtkLegacy(const std::filesystem::path& path, const Progress& progress);
+VolumeParts readVtkLegacy(const std::filesystem::path& path, const MemoryBudget& budget,
+                          const Progress& progress);
 
 } // namespace limn

@@ -122,39 +122,53 @@ VtkXmlEncoding encodingOf(const fs::path& file, const Document& document) {
   return encoding;
 }
 
-// The coded bytes of an array that stands in its element, or among the appended ones.
-ByteReader codedBytes(const fs::path& file, const Document& document, const pugi::xml_node& array,
-                      std::uint64_t least) {
-  const std::string format = array.attribute("format").as_string("ascii");
-  if (format != "appended") {
-    const VtkXmlRun run = runOf(array.text().as_string());
-    if (run.length < least)
-      failReading(file, Message::tr("its text is too short for the voxels that its header asks for"),
-                  copyAgain);
-    return bytesOfRun(file, run);
-  }
+// Where the coded bytes of an array among the appended ones lie.
+ByteLocation appendedAt(const fs::path& file, const Document& document, const pugi::xml_node& array) {
   if (document.text.appended == 0)
     failReading(file, Message::tr("its array of values is missing"), copyAgain);
   const double offset = number(file, array.attribute("offset").as_string());
   if (!(offset >= 0.0) || offset > static_cast<double>(fs::file_size(file)))
     failReading(file, Message::tr("its array of values lies behind the end of the file"), copyAgain);
-  return openBytes({file, document.text.appended + static_cast<std::uint64_t>(offset)}, least);
+  return {file, document.text.appended + static_cast<std::uint64_t>(offset)};
 }
 
-VoxelArray voxelsOf(const fs::path& file, const Document& document, const pugi::xml_node& array,
-                    const VoxelLayout& layout, const Progress& progress, std::vector<Message>& warnings) {
+// The coded bytes of an array that stands in its element, or among the appended ones.
+ByteReader codedBytes(const fs::path& file, const Document& document, const pugi::xml_node& array,
+                      std::uint64_t least) {
   const std::string format = array.attribute("format").as_string("ascii");
-  if (format == "ascii")
-    return readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, progress,
-                          false, warnings);
+  if (format == "appended")
+    return openBytes(appendedAt(file, document, array), least);
+  const VtkXmlRun run = runOf(array.text().as_string());
+  if (run.length < least)
+    failReading(file, Message::tr("its text is too short for the voxels that its header asks for"),
+                copyAgain);
+  return bytesOfRun(file, run);
+}
+
+void readArray(const fs::path& file, const Document& document, const pugi::xml_node& array,
+               const VoxelLayout& layout, const MemoryBudget& budget, const Progress& progress,
+               VolumeParts& parts) {
+  const std::string format = array.attribute("format").as_string("ascii");
+  if (format == "ascii") {
+    readTextVoxels(file, codedBytes(file, document, array, 2 * layout.count - 1), layout, budget, progress,
+                   false, parts);
+    return;
+  }
   if (format != "binary" && format != "appended")
     failReading(file, Message::tr("its array of values is missing"), copyAgain);
   VtkXmlEncoding encoding = encodingOf(file, document);
   encoding.isBase64 = format == "binary" || document.text.appendedIsBase64;
   const std::uint64_t bytes = bytesOf(layout);
   const std::uint64_t least = encoding.isCompressed ? 1 : bytes;
-  return readVoxels(file, arrayBytes(file, codedBytes(file, document, array, least), encoding, bytes), layout,
-                    progress, encoding.isCompressed ? 0 : layout.count);
+  const ByteReader reader =
+      arrayBytes(file, codedBytes(file, document, array, least), encoding, bytes); // checks the length
+  if (!encoding.isBase64 && !encoding.isCompressed) {
+    ByteLocation location = appendedAt(file, document, array);
+    location.skip = static_cast<std::uint64_t>(encoding.bytesPerLength);
+    if (mapVoxels(location, layout, budget, parts))
+      return;
+  }
+  readVoxels(file, reader, layout, budget, progress, encoding.isCompressed ? 0 : layout.count, parts);
 }
 
 } // namespace
@@ -163,7 +177,7 @@ bool isVtkXml(std::string_view bytes) {
   return bytes.find("<VTKFile") != std::string_view::npos && trimmed(bytes).starts_with('<');
 }
 
-VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
+VolumeParts readVtkXml(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
   const Document document = parse(path);
   const Points points = pointsOf(path, document.image());
   const pugi::xml_node piece = pieceOf(path, document.image());
@@ -183,7 +197,7 @@ VolumeParts readVtkXml(const fs::path& path, const Progress& progress) {
   parts.grid = gridFromAxes(path, dims, points.stepsMm, points.firstMm + points.stepsMm * shift);
   const VoxelLayout layout = layoutOf(path, document, array, dims);
   noteLayout(layout, parts.info.warnings);
-  parts.stored = voxelsOf(path, document, array, layout, progress, parts.info.warnings);
+  readArray(path, document, array, layout, budget, progress, parts);
   return parts;
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
+#include "scene/basics/MemoryBudget.h"
 
 #include <filesystem>
 #include <string_view>
@@ -14,6 +15,7 @@ bool isVtkXml(std::string_view bytes);
 
 /// Reads the active scalars of VTK image data (.vti) of one piece: text, base64 or raw, plain or compressed
 /// by zlib. Its axes say nothing of the patient: the orientation is unknown. Throws Error; Cancelled.
-VolumeParts readVtkXml(const std::filesystem::path& path, const Progress& progress);
+VolumeParts readVtkXml(const std::filesystem::path& path, const MemoryBudget& budget,
+                       const Progress& progress);
 
 } // namespace limn

@@ -2,7 +2,6 @@
 #include "io/looks/curves/LookCurves.h"
 
 #include "io/reading/ReadError.h"
-#include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,6 @@
 
 #include "io/reading/ReadError.h"
 
-#include <algorithm>
-
 namespace limn::dicom {
 namespace {
 

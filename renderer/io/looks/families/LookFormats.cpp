@@ -11,20 +11,6 @@
 namespace limn {
 namespace {
 
-/// The family written under a file's ending; the longest ending wins (".vp.json" before ".json").
-const LookFormat* writtenAs(const std::string& fileName) {
-  const LookFormat* found = nullptr;
-  std::size_t longest = 0;
-  for (const LookFormat& format : lookFormats())
-    for (const std::string& ending : format.endings)
-      if (format.write && ending.size() > longest && fileName.size() > ending.size() &&
-          fileName.ends_with(ending)) {
-        found = &format;
-        longest = ending.size();
-      }
-  return found;
-}
-
 // The longest ending of a family that a file's name has.
 std::size_t endingLength(const std::string& fileName) {
   std::size_t longest = std::filesystem::path(fileName).extension().string().size();
@@ -94,8 +80,22 @@ std::vector<ReadLook> readLooks(const std::filesystem::path& path, const std::op
   return parseLooks(readTextFile(path), path.filename().string(), target);
 }
 
+// The longest ending wins (".vp.json" before ".json").
+const LookFormat* writtenLookFormat(const std::string& fileName) {
+  const std::string name = lowerCase(fileName);
+  const LookFormat* found = nullptr;
+  std::size_t longest = 0;
+  for (const LookFormat& format : lookFormats())
+    for (const std::string& ending : format.endings)
+      if (format.write && ending.size() > longest && name.size() > ending.size() && name.ends_with(ending)) {
+        found = &format;
+        longest = ending.size();
+      }
+  return found;
+}
+
 void requireLookEnding(const std::filesystem::path& path) {
-  if (!writtenAs(lowerCase(path.filename().string())))
+  if (!writtenLookFormat(path.filename().string()))
     throw Error(Error::Kind::usage,
                 Message::tr("The ending of %1 names no kind of look that Limn writes; these do: %2.")
                     .arg(path.filename().string())
@@ -114,7 +114,7 @@ bool hasLookEnding(const std::string& fileName) {
 WrittenLook lookAs(const std::filesystem::path& path, const Preset& preset,
                    const std::optional<LookTarget>& target) {
   requireLookEnding(path);
-  return writtenAs(lowerCase(path.filename().string()))->write(preset, target);
+  return writtenLookFormat(path.filename().string())->write(preset, target);
 }
 
 } // namespace limn

@@ -11,8 +11,6 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <sstream>
 
 namespace limn {

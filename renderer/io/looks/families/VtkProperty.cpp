@@ -5,7 +5,6 @@
 #include "io/looks/curves/LookUnits.h"
 #include "io/reading/ReadError.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -146,8 +146,9 @@ TEST(CropBoxGeometry, theHandleOfABoxBeyondThePictureStandsInThePicture) {
   camera.position = {0.0, -90.0, 0.0};
   const CropBoxShape shape = cropBoxShape({}, turnedGrid(), viewProjection(camera, picture));
   for (const CropHandle& handle : shape.handles)
-    if (handle.isAcross)
+    if (handle.isAcross) {
       EXPECT_TRUE(picture.contains(handle.centre)) << handle.face.axis << handle.face.isUpper;
+    }
 }
 
 TEST(CropBoxGeometry, aHandleIsHeldWithinTwelvePixelsAndTheVisibleOneFirst) {

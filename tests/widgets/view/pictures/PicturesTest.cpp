@@ -10,6 +10,8 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
+#include "support/MappedVolume.h"
+#include "support/TemporaryFolder.h"
 #include "widgets/view/pictures/GlScreen.h"
 #include "widgets/view/pictures/MemoryScreen.h"
 #include "widgets/view/pictures/PictureLoop.h"
@@ -92,6 +94,38 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
   EXPECT_NEAR(qRed(shown), color.r, 0.5 + 1e-9); // rounded to a level
   EXPECT_NEAR(qGreen(shown), color.g, 0.5 + 1e-9);
   EXPECT_NEAR(qBlue(shown), color.b, 0.5 + 1e-9);
+}
+
+// Whichever quality keeps up with the hand, the picture at rest is that of all voxels.
+TEST(PicturesInMemory, ofAVolumeOnDiskMoveWithFewerVoxelsAndRestWithAll) {
+  const test::TemporaryFolder folder;
+  const Scene inMemory = phantomWith(ShadingModel::classic);
+  Scene onDisk = inMemory;
+  onDisk.volume = test::mapped(*inMemory.volume, folder.path() / "voxels");
+  Pictures pictures(makeCpuEngine(), makeMemoryScreen({}));
+  ASSERT_EQ(pictures.makeReady(onDisk, {}, 1e3), 1.0);
+  const Image expected = CpuRenderer().render(inMemory, pictureSize);
+  for (int level = 0; level < InteractionQuality::levelCount; ++level) {
+    pictures.want({onDisk}, pictureSize);
+    pictures.drawCoarsely(level, {});
+    const SideState moving = pictures.state().sides[0];
+    ASSERT_TRUE(moving.coarseness) << level;
+    EXPECT_GE(moving.coarseness->reduction, 2);
+    EXPECT_GT(moving.coarseness->largestError, 0.0);
+    EXPECT_NEAR(moving.stepVoxels,
+                onDisk.quality.stepVoxels * InteractionQuality::levelAt(level).stepFactor *
+                    moving.coarseness->reduction,
+                0.25 * moving.stepVoxels)
+        << "in voxels of the whole volume";
+    EXPECT_FALSE(pictures.effectRowsOf(0).empty());
+    EXPECT_FALSE(pictures.state().resting) << "however fast it was drawn";
+    while (!pictures.refine(5.0))
+      EXPECT_FALSE(pictures.state().resting);
+    const SideState resting = pictures.state().sides[0];
+    EXPECT_FALSE(resting.coarseness);
+    EXPECT_EQ(resting.stepVoxels, onDisk.quality.stepVoxels);
+    EXPECT_EQ(*pictures.side(0).picture().image, expected);
+  }
 }
 
 double meanOf(const QImage& image) {

@@ -50,6 +50,18 @@ TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
   EXPECT_EQ(badge(state), QStringLiteral("○ not resolved"));
 }
 
+TEST(PictureStatusText, tellsThatWhatMovesHasFewerVoxelsAndHowFarTheyAreOff) {
+  PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  state.resting = false;
+  state.sides[0].coarseness = Coarseness{4, 0.0312};
+  state.sides[1].coarseness = Coarseness{8, 0.01};
+  const PictureStatusText text = pictureStatusText(state, {});
+  EXPECT_EQ(text.badge, QStringLiteral("○ preview, voxels 4× coarser")) << "the side that is off the most";
+  EXPECT_EQ(text.step, QStringLiteral("preview from 1/4 of the voxels along each axis"));
+  EXPECT_TRUE(text.toolTip.contains(QStringLiteral("at most 3.2 % of the range")))
+      << text.toolTip.toStdString() << ": a bound is rounded up";
+}
+
 TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
   EXPECT_EQ(lineOf(resting({sideWithin(12.4), sideWithin(3.0)})),
             "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QList>
+#include <QString>
+
+namespace limn {
+
+class Actions;
+
+/// What one gesture or key does, in the words of the window's language.
+struct HelpRow {
+  QString gesture; ///< empty: `effect` is a heading
+  QString effect;
+};
+
+/// Every gesture and key, by where it is made.
+struct HelpRows {
+  QList<HelpRow> picture;
+  QList<HelpRow> slices;
+  QList<HelpRow> curve;
+  QList<HelpRow> menus; ///< as the menus have them, so that both always say the same
+};
+
+HelpRows helpRows(const Actions& actions);
+
+} // namespace limn

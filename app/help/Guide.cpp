@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/help/Guide.h"
+
+#include <QFile>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <cassert>
+
+// Beyond the namespace, as Qt's macro wants it: a linker drops a static library's resources unless asked.
+static void loadGuide() {
+  Q_INIT_RESOURCE(guide);
+}
+
+namespace limn {
+namespace {
+
+struct Place {
+  const char* id;
+  const char* path;
+};
+
+constexpr Place places[] = {
+    {"start", "start.md"},
+    {"gestures", "gestures.md"},
+    {"panels", "panels.md"},
+    {"presets", "presets/README.md"},
+    {"publish", "publish.md"},
+    {"exactness", "exactness.md"},
+    {"accuracy", "accuracy/README.md"},
+    {"commands", "commands.md"},
+    {"many", "many/README.md"},
+    {"paper", "paper.md"},
+    {"limits", "limits.md"},
+    {"privacy", "privacy.md"},
+};
+
+// What a reader takes in at once: a paragraph, a line of a table, a block of code.
+QStringList piecesOf(const QString& markdown) {
+  QStringList pieces;
+  bool isCode = false;
+  bool goesOn = false;
+  for (const QString& line : markdown.split(QLatin1Char('\n'))) {
+    const bool isFence = line.startsWith(QLatin1String("```"));
+    const bool isAlone = !isCode && (line.startsWith(QLatin1Char('|')) || line.startsWith(QLatin1Char('#')) ||
+                                     line.startsWith(QLatin1String("- ")));
+    if (goesOn && !isAlone && (isCode || !line.isEmpty()))
+      pieces.back() += QLatin1Char('\n') + line;
+    else if (!line.isEmpty())
+      pieces << line;
+    isCode ^= isFence;
+    goesOn = isCode || (!line.isEmpty() && !line.startsWith(QLatin1Char('#')));
+  }
+  return pieces;
+}
+
+int levelOf(const QString& piece) {
+  int level = 0;
+  while (level < piece.size() && piece[level] == QLatin1Char('#'))
+    ++level;
+  return level;
+}
+
+} // namespace
+
+std::vector<GuideChapter> guideChapters() {
+  loadGuide();
+  std::vector<GuideChapter> chapters;
+  for (const Place& place : places) {
+    QFile file(guideResource(QLatin1String(place.path)));
+    [[maybe_unused]] const bool isOpen = file.open(QIODevice::ReadOnly);
+    assert(isOpen && "the program carries its guide");
+    chapters.push_back(
+        {QLatin1String(place.id), QLatin1String(place.path), QString::fromUtf8(file.readAll())});
+  }
+  return chapters;
+}
+
+QString guideResource(const QString& path) {
+  return QStringLiteral(":/guide/") + path;
+}
+
+QString guideText(const std::vector<GuideChapter>& chapters, const QString& words) {
+  static const QRegularExpression space(QStringLiteral("\\s+"));
+  const QStringList wanted = words.split(space, Qt::SkipEmptyParts);
+  QStringList found;
+  for (const GuideChapter& chapter : chapters) {
+    QStringList above; // headings that no piece was found below yet
+    for (const QString& piece : piecesOf(chapter.markdown)) {
+      const int level = levelOf(piece);
+      const bool isFound = std::ranges::all_of(
+          wanted, [&](const QString& word) { return piece.contains(word, Qt::CaseInsensitive); });
+      if (level > 0)
+        erase_if(above, [level](const QString& heading) { return levelOf(heading) >= level; });
+      if (level > 0 && !isFound)
+        above << piece;
+      if (!isFound)
+        continue;
+      found << above << piece;
+      above.clear();
+    }
+  }
+  return found.isEmpty() ? QString() : found.join(QStringLiteral("\n\n")) + QLatin1Char('\n');
+}
+
+} // namespace limn

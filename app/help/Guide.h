@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace limn {
+
+/// A chapter of the guide: a document of `app/guide`, which the program carries.
+struct GuideChapter {
+  QString id;       ///< "gestures": what places in it begin with
+  QString path;     ///< below `app/guide`: "presets/README.md"
+  QString markdown; ///< as it is read on the forge, too
+};
+
+/// The chapters in the order in which they are read.
+std::vector<GuideChapter> guideChapters();
+
+/// Where a file of the guide lies within the program: ":/guide/window.png".
+QString guideResource(const QString& path);
+
+/// The guide for a terminal: every paragraph, line of a table or code that holds all of these words, below
+/// the headings that it stands under. Without words everything. Case does not matter.
+QString guideText(const std::vector<GuideChapter>& chapters, const QString& words = {});
+
+} // namespace limn

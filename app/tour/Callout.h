@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/tour/CalloutPlace.h"
+
+#include <QFrame>
+
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace limn {
+
+/// What one step of the tour says.
+struct CalloutText {
+  QString title;
+  QString text;
+  QString place;  ///< "2 of 6"
+  QString action; ///< what its own button does; empty: it has none
+};
+
+/// A box with an arrow that speaks of a part of the window and lies over it: Enter goes on, Esc ends. It
+/// blocks nothing, and the rest of the window takes clicks and keys as ever.
+class Callout : public QFrame {
+  Q_OBJECT
+
+public:
+  explicit Callout(QWidget& window);
+
+  void say(const CalloutText& text, bool isFirst, bool isLast);
+  /// Where it speaks of `target`, in the window's coordinates.
+  void pointAt(const QRect& target);
+  void takeFocus();
+
+signals:
+  void next();
+  void back();
+  void ended();
+  void actionRequested();
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  QLabel* m_title;
+  QLabel* m_text;
+  QLabel* m_place;
+  QPushButton* m_action;
+  QPushButton* m_end;
+  QPushButton* m_back;
+  QPushButton* m_next;
+  CalloutPlace m_at;
+};
+
+/// A frame around the part of the window that a call-out speaks of; the pointer goes through it.
+class CalloutFrame : public QWidget {
+public:
+  explicit CalloutFrame(QWidget& window);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+} // namespace limn

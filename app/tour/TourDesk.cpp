@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tour/TourDesk.h"
+
+#include "app/Settings.h"
+#include "app/document/Session.h"
+#include "app/window/MessageBar.h"
+#include "widgets/view/CompareView.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace limn {
+
+TourDesk::TourDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
+  connect(&m_parts.tour, &QAction::triggered, this, &TourDesk::start);
+  connect(&m_parts.session, &Session::sceneChanged, this, [this] {
+    if (m_step == 0)
+      go(0); // the sample need not be offered any more
+  });
+}
+
+void TourDesk::offer() {
+  if (m_parts.settings.tourIsKnown())
+    return;
+  m_parts.question.show(MessageBar::Kind::question,
+                        tr("New to Limn? A tour shows the window in six short steps."), {},
+                        {tr("Take the tour"), [this] { start(); }},
+                        {tr("No, thank you"), [this] { m_parts.settings.setTourIsKnown(true); }});
+}
+
+std::vector<TourStep> TourDesk::steps() const {
+  const auto part = [this](const char* name) {
+    return m_parts.window.findChild<QWidget*>(QLatin1String(name));
+  };
+  return {
+      {tr("Open"),
+       tr("Open a DICOM folder or a file here, or drop one on the window. To look around first, take "
+          "the sample head."),
+       part("openButton")},
+      {tr("Look"),
+       tr("Drag with the left button to turn, turn the wheel to come nearer. The left side is lit the "
+          "classic way, the right side enhanced; Space swaps them while held. Esc always returns to "
+          "turning."),
+       m_parts.window.findChild<CompareView*>()},
+      {tr("Shape the curve"),
+       tr("The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or "
+          "click the curve to add one: the picture follows. Ctrl+Z takes anything back."),
+       part("curveDock")},
+      {tr("Choose a preset"),
+       tr("Each shows what it makes of your volume. Point at one to try it, click to use it. "
+          "1 to 9 in the picture are the first of the list."),
+       part("presetDock")},
+      {tr("Light and accuracy"),
+       tr("Properties has projection, light and crop; Effects lists what is computed and why; Accuracy "
+          "measures "
+          "what exactness costs in time. The line below says how exact the picture is."),
+       part("shadingDock")},
+      {tr("Save, and find help"),
+       tr("Snapshot saves the picture with everything that made it; File has figures, sessions and more. F1 "
+          "opens the guide, ? lists every key, and Help has this tour again."),
+       m_parts.window.findChild<QToolBar*>()->widgetForAction(
+           m_parts.window.findChild<QAction*>(QStringLiteral("savePicture")))},
+  };
+}
+
+void TourDesk::start() {
+  m_parts.question.hide();
+  m_parts.settings.setTourIsKnown(true);
+  if (m_step >= 0) {
+    m_callout->takeFocus();
+    return;
+  }
+  m_before = m_parts.window.focusWidget();
+  m_frame = new CalloutFrame(m_parts.window);
+  m_callout = new Callout(m_parts.window);
+  connect(m_callout, &Callout::next, this, [this] { go(m_step + 1); });
+  connect(m_callout, &Callout::back, this, [this] { go(m_step - 1); });
+  connect(m_callout, &Callout::ended, this, &TourDesk::end);
+  connect(m_callout, &Callout::actionRequested, &m_parts.openSample, &QAction::trigger);
+  m_parts.window.installEventFilter(this);
+  go(0);
+  m_callout->takeFocus();
+}
+
+void TourDesk::go(int step) {
+  const std::vector<TourStep> all = steps();
+  if (step < 0 || step >= static_cast<int>(all.size()))
+    return end();
+  m_step = step;
+  say(all[step]);
+  if (m_target)
+    m_target->removeEventFilter(this);
+  m_target = all[step].target;
+  m_target->installEventFilter(this);
+  if (auto* dock = qobject_cast<QDockWidget*>(m_target)) {
+    dock->show();
+    dock->raise();
+  }
+  m_frame->show();
+  m_callout->show();
+  place();
+}
+
+void TourDesk::say(const TourStep& step) {
+  const int count = static_cast<int>(steps().size());
+  const bool offersSample = m_step == 0 && !m_parts.session.scene().volume;
+  m_callout->say({step.title, step.text, tr("%1 of %2").arg(m_step + 1).arg(count),
+                  offersSample ? tr("Open the sample head") : QString()},
+                 m_step == 0, m_step == count - 1);
+}
+
+// A panel in a window of its own is spoken of from the middle of this one.
+void TourDesk::place() {
+  QWidget& window = m_parts.window;
+  const bool isHere = m_target->isVisible() && m_target->window() == &window;
+  const QRect target = isHere ? QRect(m_target->mapTo(&window, QPoint()), m_target->size()) : window.rect();
+  m_frame->setVisible(isHere);
+  m_frame->setGeometry(target.adjusted(-2, -2, 2, 2).intersected(window.rect()));
+  m_frame->raise();
+  m_callout->adjustSize();
+  m_callout->pointAt(target);
+  m_callout->raise();
+}
+
+void TourDesk::end() {
+  m_step = -1;
+  m_parts.window.removeEventFilter(this);
+  if (m_target)
+    m_target->removeEventFilter(this);
+  const bool hadFocus = m_callout->isAncestorOf(m_parts.window.focusWidget());
+  m_callout->hide();
+  m_callout->deleteLater();
+  m_frame->hide();
+  m_frame->deleteLater();
+  if (hadFocus && m_before)
+    m_before->setFocus(Qt::OtherFocusReason);
+}
+
+bool TourDesk::eventFilter(QObject* watched, QEvent* event) {
+  const auto type = event->type();
+  if (m_step >= 0 &&
+      (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide))
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          if (m_step >= 0)
+            place();
+        },
+        Qt::QueuedConnection); // once the layout is done
+  return QObject::eventFilter(watched, event);
+}
+
+} // namespace limn

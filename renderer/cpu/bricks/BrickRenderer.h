@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cpu/SceneData.h"
+#include "cpu/bricks/Bricks.h"
+#include "engine/PixelRect.h"
+#include "scene/basics/Image.h"
+
+namespace limn {
+
+/// What is done with the shares of the bricks of a picture (README.md).
+enum class Folding {
+  over,    ///< pixels: those of bricks in front over those behind
+  largest, ///< scalars: the larger of either component
+  sum      ///< scalars: the sum of either component
+};
+
+/// One pixel of a brick where one scalar is classified for all of a ray: {the largest, {minus the smallest,
+/// or {the sum of the scalars kept, normalised; then 1 where any were kept, or how many. Where none is, the
+/// extremes are -∞.
+using ScalarShare = glm::dvec2;
+
+/// What a brick has found of the picture's surface.
+struct SurfaceHits {
+  std::vector<float> own;     ///< by this brick, in steps behind the first sample; +∞ where there is none
+  std::vector<float> nearest; ///< of all bricks
+};
+
+/// Draws what one brick of a volume adds to a picture. The rays are those of the whole picture, and each of
+/// their samples is taken by the brick in which it lies, a pre-integrated step by that of its sample. What
+/// it keeps of the volume beside the voxels is for the brick and one step around it alone.
+class BrickRenderer {
+public:
+  /// `threads` of the processor, 0: all. Throws as CpuRenderer does.
+  explicit BrickRenderer(int threads = 0);
+
+  /// Sets up a picture; everything below is of it. Throws Error, Cancelled.
+  void begin(const Scene& scene, const glm::ivec2& size, const IndexBox& brick,
+             const std::function<bool()>& isCancelled = {});
+
+  Folding folding() const;
+  bool hasSurface() const; ///< hits() must be known of all bricks before share() is asked
+
+  /// All of these take a tile of the picture and give a value for each of its pixels, row by row.
+  std::vector<float> hits(const PixelRect& tile);
+
+  /// Premultiplied RGBA of the brick's part of the rays alone; of a surface where the brick has the nearest
+  /// hit. `hits` is read where there is a surface.
+  Image share(const PixelRect& tile, const SurfaceHits& hits = {});
+
+  std::vector<ScalarShare> scalars(const PixelRect& tile);
+
+  /// The picture of folded scalars.
+  Image classified(const PixelRect& tile, const std::vector<ScalarShare>& folded) const;
+
+  /// How many samples of the picture's rays were its own so far, those stepped over included.
+  std::int64_t samples() const { return m_samples; }
+
+  /// What it keeps beside the volume, MB (10⁶ bytes).
+  double memoryMb() const { return m_data.memoryMb(); }
+  double steepestPerMm() { return m_data.steepestPerMm(); }
+  const EffectPlan& plan() const { return m_plan; }
+
+  /// One sentence where rays get fewer samples than asked for, otherwise empty.
+  const Message& limitation() const { return m_limitation; }
+
+private:
+  int m_threads;
+  cpu::SceneData m_data;
+  EffectPlan m_plan;
+  cpu::PictureTerms m_terms;
+  PixelRect m_covered;
+  std::function<bool()> m_isCancelled;
+  std::int64_t m_samples = 0;
+  Message m_limitation;
+};
+
+/// The pixels of `front` over those of `back`, into `back`.
+void foldOver(const glm::vec4* front, glm::vec4* back, std::size_t pixels);
+
+} // namespace limn

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace limn {
+
+/// Memory that programs could still get, bytes; nothing where the system does not tell.
+std::optional<std::uint64_t> freeMemory();
+
+/// How much memory a process keeps for itself; what lies in a Room or in a mapped file is not counted.
+class MemoryBudget {
+public:
+  /// Half of the memory that is free now, or of all where the system does not tell.
+  MemoryBudget();
+  explicit MemoryBudget(std::uint64_t bytes) : m_bytes(bytes) {}
+
+  std::uint64_t bytes() const { return m_bytes; }
+
+  /// Voxels of at most so many bytes lie in memory. The other two thirds are for what engines make of them.
+  double voxelBytes() const { return static_cast<double>(m_bytes) / 3.0; }
+
+  /// What the program needs whatever it shows, for itself and for pictures.
+  static constexpr std::uint64_t least = 64'000'000;
+
+private:
+  std::uint64_t m_bytes;
+};
+
+} // namespace limn
