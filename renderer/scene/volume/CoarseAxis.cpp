@@ -16,8 +16,7 @@ CoarseAxis::CoarseAxis(int fine, int coarse) : m_fine(fine), m_coarse(coarse) {
   for (int i = 0; i < coarse; ++i)
     centres.push_back((i + 0.5) * each - 0.5);
   std::ranges::sort(centres);
-  const auto [first, end] = std::ranges::unique(centres);
-  centres.erase(first, end);
+  centres.erase(std::unique(centres.begin(), centres.end()), centres.end());
   m_places.reserve(centres.size());
   for (const double centre : centres)
     m_places.push_back(placeAt(centre));
