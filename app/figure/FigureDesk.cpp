@@ -12,7 +12,7 @@
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
-#include "app/window/ComparisonDesk.h"
+#include "app/window/picture/ComparisonDesk.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/PresetFit.h"

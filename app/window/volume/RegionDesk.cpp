@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/RegionDesk.h"
 
 #include "app/document/Session.h"
 #include "app/opening/OpenDialog.h"

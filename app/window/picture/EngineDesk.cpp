@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/EngineDesk.h"
+#include "app/window/picture/EngineDesk.h"
 
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
