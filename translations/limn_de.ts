@@ -2328,8 +2328,8 @@
 <context>
     <name>limn::BackgroundWork</name>
     <message>
-        <source>There is not enough memory for this; choose fewer pixels or close other programs.</source>
-        <translation>Der Speicher reicht dafür nicht; wählen Sie weniger Pixel, oder schließen Sie andere Programme.</translation>
+        <source>There is not enough memory for this; close other programs or ask for something smaller.</source>
+        <translation>Der Speicher reicht dafür nicht; schließen Sie andere Programme, oder wählen Sie etwas Kleineres.</translation>
     </message>
     <message>
         <source>An unexpected error: %1.</source>
@@ -8450,10 +8450,6 @@
     <message>
         <source>show everything</source>
         <translation>alles zeigen</translation>
-    </message>
-    <message>
-        <source>What is kept could not be found: %1.</source>
-        <translation>Was behalten wird, konnte nicht gefunden werden: %1.</translation>
     </message>
     <message>
         <source>labels again</source>
