@@ -3,6 +3,7 @@
 
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
+#include "app/engines/PictureMaker.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 
@@ -30,6 +31,12 @@ ViewEngine engineOf(const EngineChoice& choice) {
 
 EngineChoice firstEngine(Settings& settings, const OpenGlOffer& openGl) {
   return chosenEngine(factsOf(settings.engine(), settings, openGl));
+}
+
+MakingOptions drawnLike(const CompareView& view) {
+  MakingOptions order;
+  order.engine = view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
+  return order;
 }
 
 EngineDesk::EngineDesk(Parts parts, QObject* parent)
