@@ -6641,14 +6641,6 @@
         <translation>Ihre Werte von 0 bis 1 wurden über %1 gestreckt.</translation>
     </message>
     <message>
-        <source>Its values from %1 became relative ones from 0 to 1.</source>
-        <translation>Ihre Werte von %1 wurden zu relativen von 0 bis 1.</translation>
-    </message>
-    <message>
-        <source>Points beyond the range of the volume were left out.</source>
-        <translation>Punkte außerhalb des Wertebereichs des Volumens wurden weggelassen.</translation>
-    </message>
-    <message>
         <source>Opacities over %1 mm became those over 1 mm, within %2.</source>
         <translation>Deckkraft über %1&#xa0;mm wurde zu solcher über 1&#xa0;mm, auf %2 genau.</translation>
     </message>
