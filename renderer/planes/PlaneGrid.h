@@ -15,6 +15,7 @@ struct PlaneAxes {
   glm::dvec3 forward{0.0, 0.0, 1.0}; ///< the way of "next slice": to the head, the front, the left
 };
 
+/// The axes of each of the three, world LPS.
 PlaneAxes axesOf(PatientPlane plane);
 
 /// Square pixels on a plane, in the patient's millimetres.
