@@ -15,7 +15,7 @@ namespace {
 // The files of the build folder that `cmake --install` cannot do without, relative to it.
 std::set<std::string> installedFromTheBuild() {
   std::set<std::string> files;
-  static const std::regex command(R"(file\(INSTALL [^)]*\))"), quoted("\"([^\"$]+)\"");
+  static const std::regex command(R"(file\(INSTALL [^)]*\))"), quoted("\"([^\"]*)\"");
   for (const char* folder : {"app", "packaging", "renderer"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(test::buildFolder() / folder)) {
       if (entry.path().filename() != "cmake_install.cmake")
