@@ -19,6 +19,7 @@ std::string nameOf(const SettingsDocument& values, const std::string& prefix, co
 /// A name that no other entry has, and that tells nothing.
 std::string newName();
 
+/// An entry and when it was opened last.
 struct DatedEntry {
   std::string name;
   std::string opened; ///< ISO date with milliseconds, UTC

@@ -74,9 +74,8 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                  this),
       m_saving(
           m_document, *m_centre.view, m_settings, m_notes, [this] { return sessionDocument(); }, *this),
-      m_figures(PresetStore(m_folders.presets),
-                {m_session, m_document, *m_centre.view, m_comparison, m_saving, m_settings, m_notes,
-                 *m_actions.saveFigure, *this}),
+      m_figures({m_session, m_document, m_presets, *m_centre.view, m_comparison, m_saving, m_settings,
+                 m_notes, *m_actions.saveFigure, *this}),
       m_turntables(
           {m_document, *m_centre.view, m_saving, m_settings, m_notes, *m_actions.saveTurntable, *this}),
       m_surfaces({m_session, m_document, *m_panels.curves->valueEditor()->canvas(), m_settings, m_notes,

@@ -36,6 +36,7 @@ add_custom_command(OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian.gz VERBAT
   DEPENDS ${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian
   COMMAND gzip -9nkf ${CMAKE_CURRENT_BINARY_DIR}/changelog.Debian)
 add_custom_target(limn_change_logs ALL DEPENDS ${logs})
+add_dependencies(limn limn_change_logs)
 install(FILES ${logs} DESTINATION share/doc/limn)
 
 set(CPACK_GENERATOR DEB)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What the built-in presets (app/presets) say in the window, for lupdate, which reads no JSON. Nothing
-// compiles this; a test holds that it says what they say.
+// What the built-in presets (app/presets/builtin) say in the window, for lupdate, which reads no JSON.
+// Nothing compiles this; a test holds that it says what they say.
 QT_TRANSLATE_NOOP("limn::Preset", "CT airways")
 QT_TRANSLATE_NOOP("limn::Preset", "Airways and bowel; air in the body: windpipe, bronchi, sinuses, bowel")
 QT_TRANSLATE_NOOP("limn::Preset", "CT angiography")

@@ -2328,8 +2328,8 @@
 <context>
     <name>limn::BackgroundWork</name>
     <message>
-        <source>There is not enough memory for this; choose fewer pixels or close other programs.</source>
-        <translation>Der Speicher reicht dafür nicht; wählen Sie weniger Pixel, oder schließen Sie andere Programme.</translation>
+        <source>There is not enough memory for this; close other programs or ask for something smaller.</source>
+        <translation>Der Speicher reicht dafür nicht; schließen Sie andere Programme, oder wählen Sie etwas Kleineres.</translation>
     </message>
     <message>
         <source>An unexpected error: %1.</source>
@@ -6641,14 +6641,6 @@
         <translation>Ihre Werte von 0 bis 1 wurden über %1 gestreckt.</translation>
     </message>
     <message>
-        <source>Its values from %1 became relative ones from 0 to 1.</source>
-        <translation>Ihre Werte von %1 wurden zu relativen von 0 bis 1.</translation>
-    </message>
-    <message>
-        <source>Points beyond the range of the volume were left out.</source>
-        <translation>Punkte außerhalb des Wertebereichs des Volumens wurden weggelassen.</translation>
-    </message>
-    <message>
         <source>Opacities over %1 mm became those over 1 mm, within %2.</source>
         <translation>Deckkraft über %1&#xa0;mm wurde zu solcher über 1&#xa0;mm, auf %2 genau.</translation>
     </message>
@@ -8450,10 +8442,6 @@
     <message>
         <source>show everything</source>
         <translation>alles zeigen</translation>
-    </message>
-    <message>
-        <source>What is kept could not be found: %1.</source>
-        <translation>Was behalten wird, konnte nicht gefunden werden: %1.</translation>
     </message>
     <message>
         <source>labels again</source>

@@ -47,6 +47,7 @@ ThemeColors themeColors(const QPalette& palette);
 /// The look that a palette made by themePalette belongs to, or the nearer of light and dark.
 Look lookOf(const QPalette& palette);
 
+/// The palette of the whole window in that look.
 QPalette themePalette(Look look);
 
 /// Rounded hairline controls on a 4-px grid, as a Qt style sheet.

@@ -22,6 +22,7 @@ struct HelpRows {
   QList<HelpRow> menus; ///< as the menus have them, so that both always say the same
 };
 
+/// Those of the menus are read from the actions, shortcuts as they are set.
 HelpRows helpRows(const Actions& actions);
 
 } // namespace limn

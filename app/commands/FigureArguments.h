@@ -19,6 +19,7 @@ struct FigureArguments {
   std::vector<std::string> marks;
 };
 
+/// Adds the options; what is given is written to `arguments`, which lives until the command has run.
 void addFigureOptions(CommandSyntax& command, FigureArguments& arguments);
 
 /// The settings with everything that was given. Throws Error (usage).

@@ -18,6 +18,8 @@ struct RenderArguments {
   double textureMb = anyMb; ///< the most that the volume may take on the graphics card
 };
 
+/// Adds SOURCE and the options; what is given is written to `arguments`, which lives until the command has
+/// run.
 void addRenderOptions(CommandSyntax& command, RenderArguments& arguments);
 
 /// Draws one picture of each scene, all of one size.

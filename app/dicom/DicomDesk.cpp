@@ -11,6 +11,7 @@
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "app/window/MessageBar.h"
+#include "app/window/picture/EngineDesk.h"
 #include "io/looks/dicom/Losses.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
@@ -106,8 +107,7 @@ void DicomDesk::save() {
                                       m_parts.settings);
   if (path.isEmpty())
     return;
-  MakingOptions order;
-  order.engine = m_parts.view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
+  const MakingOptions order = drawnLike(m_parts.view);
   m_dialog->showProgress(0.0);
   m_saving.start([this, path, scene = sceneToSave(), order, isAnonymous = m_dialog->isAnonymous(),
                   source = m_parts.document.volumePath(),

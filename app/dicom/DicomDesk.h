@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/figure/BackgroundWork.h"
+#include "app/BackgroundWork.h"
 #include "app/opening/OpeningDesk.h"
 
 #include <QPointer>

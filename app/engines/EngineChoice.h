@@ -37,6 +37,7 @@ struct EngineFacts {
   std::optional<EngineTimes> times; ///< of a trial, if there was one
 };
 
+/// Which engine draws, and why.
 struct EngineChoice {
   bool isProcessor = false;
   bool isGuess = false; ///< a trial may decide otherwise

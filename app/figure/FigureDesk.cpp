@@ -9,13 +9,14 @@
 #include "app/figure/FigureOptions.h"
 #include "app/figure/FigurePreview.h"
 #include "app/figure/PanelSources.h"
+#include "app/presets/PresetDesk.h"
 #include "app/saving/SaveDialog.h"
 #include "app/saving/SaveNotes.h"
 #include "app/saving/SavingDesk.h"
-#include "app/window/ComparisonDesk.h"
+#include "app/window/picture/ComparisonDesk.h"
+#include "app/window/picture/EngineDesk.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
-#include "scene/presets/PresetFit.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/view/CompareView.h"
@@ -61,20 +62,9 @@ QString withNotes(QString text, const std::vector<std::string>& notes) {
   return text;
 }
 
-std::vector<Preset> fittedPresets(const PresetStore& store, const Volume& volume,
-                                  const Histogram& histogram) {
-  std::vector<Preset> presets = builtInPresets();
-  for (Preset& preset : presets)
-    preset = fittedToValues(preset, volume, histogram);
-  const std::vector<Preset> own = store.read().presets;
-  presets.insert(presets.end(), own.begin(), own.end());
-  return presets;
-}
-
 } // namespace
 
-FigureDesk::FigureDesk(PresetStore presets, const Parts& parts)
-    : QObject(&parts.window), m_store(std::move(presets)), m_parts(parts) {
+FigureDesk::FigureDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
   m_soon.setSingleShot(true);
   m_soon.setInterval(restMs);
   connect(&m_soon, &QTimer::timeout, this, &FigureDesk::refreshSources);
@@ -133,7 +123,7 @@ void FigureDesk::refreshSources() {
                                m_parts.comparison.remembered(),
                                m_parts.session.planes(),
                                firstWindow(*scene.volume, histogram),
-                               fittedPresets(m_store, *scene.volume, histogram),
+                               m_parts.presets.fittedPresets(),
                                histogram};
   const std::vector<PanelSource> sources = panelSources(from);
   const bool isFirst = m_drawn.panels.empty();
@@ -171,17 +161,17 @@ void FigureDesk::drawPreview(double share) {
   if (!shown)
     return;
   const QSize size = (figureLayout(*shown).pictureSize() * share).expandedTo({8, 8});
-  m_work.start(
-      [this, figure = *shown, share, size, order = order()](const Effort& effort) -> BackgroundWork::Deliver {
-        const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
-        return [this, figure, made, share] {
-          m_drawn = figure;
-          m_notes = made.notes;
-          m_dialog->preview().setPictures(made.pictures);
-          sayWhatItIs();
-          share < 1.0 ? drawPreview(1.0) : estimatePreview(figure);
-        };
-      });
+  m_work.start([this, figure = *shown, share, size,
+                order = drawnLike(m_parts.view)](const Effort& effort) -> BackgroundWork::Deliver {
+    const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
+    return [this, figure, made, share] {
+      m_drawn = figure;
+      m_notes = made.notes;
+      m_dialog->preview().setPictures(made.pictures);
+      sayWhatItIs();
+      share < 1.0 ? drawPreview(1.0) : estimatePreview(figure);
+    };
+  });
 }
 
 // The last that is found out; until then the figure says nothing of it.
@@ -190,13 +180,14 @@ void FigureDesk::estimatePreview(const Figure& figure) {
   const auto isKnown = [](const FigurePanel& panel) { return panel.plane || panel.errorLevels; };
   if (!figure.settings.shows(FigureMark::accuracy) || std::ranges::all_of(known.panels, isKnown))
     return;
-  m_work.start([this, figure, order = order()](const Effort& effort) -> BackgroundWork::Deliver {
-    const Figure estimated = withErrors(figure, withEffort(order, effort));
-    return [this, estimated] {
-      m_estimated = estimated.panels;
-      m_dialog->preview().setFigure(withKnownErrors(m_dialog->figure()));
-    };
-  });
+  m_work.start(
+      [this, figure, order = drawnLike(m_parts.view)](const Effort& effort) -> BackgroundWork::Deliver {
+        const Figure estimated = withErrors(figure, withEffort(order, effort));
+        return [this, estimated] {
+          m_estimated = estimated.panels;
+          m_dialog->preview().setFigure(withKnownErrors(m_dialog->figure()));
+        };
+      });
 }
 
 Figure FigureDesk::withKnownErrors(Figure figure) const {
@@ -247,18 +238,11 @@ Figure FigureDesk::wanted() const {
   return figure;
 }
 
-// By whoever draws the window.
-MakingOptions FigureDesk::order() const {
-  MakingOptions order;
-  order.engine = m_parts.view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
-  return order;
-}
-
 void FigureDesk::make(FigurePixels pixels,
                       const std::function<BackgroundWork::Deliver(const MadeFigure&)>& finish) {
   const Figure figure = wanted();
   m_dialog->showProgress(0.0);
-  m_work.start([figure, pixels, finish, order = order()](const Effort& effort) {
+  m_work.start([figure, pixels, finish, order = drawnLike(m_parts.view)](const Effort& effort) {
     constexpr double estimating = 0.15; // of the whole, in time
     const Figure estimated = withErrors(figure, withEffort(order, partOf(effort, 0.0, estimating)));
     return finish(makeFigure(estimated, withEffort(order, partOf(effort, estimating, 1.0)), pixels));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/figure/BackgroundWork.h"
+#include "app/BackgroundWork.h"
 #include "app/figure/FigureMaker.h"
 #include "app/figure/FigureScenes.h"
-#include "app/presets/PresetStore.h"
 
 #include <QPointer>
 #include <QTimer>
@@ -18,6 +17,7 @@ class CompareView;
 class ComparisonDesk;
 class FigureDialog;
 class OpenDocument;
+class PresetDesk;
 class SaveNotes;
 class SavingDesk;
 class Session;
@@ -33,6 +33,7 @@ public:
   struct Parts {
     Session& session;
     const OpenDocument& document;
+    const PresetDesk& presets;
     const CompareView& view;
     const ComparisonDesk& comparison;
     const SavingDesk& saving; ///< says how files call the volume
@@ -42,7 +43,7 @@ public:
     QWidget& window;
   };
 
-  FigureDesk(PresetStore presets, const Parts& parts);
+  explicit FigureDesk(const Parts& parts);
 
 private:
   void show();
@@ -57,9 +58,7 @@ private:
   void endWork(const QString& sentence);
   Figure wanted() const;
   Figure withKnownErrors(Figure figure) const;
-  MakingOptions order() const;
 
-  PresetStore m_store;
   Parts m_parts;
   QPointer<FigureDialog> m_dialog;
   Figure m_drawn;                       ///< whose pictures the preview shows

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/saving/WorkDialog.h"
 
-#include "app/figure/BackgroundWork.h"
+#include "app/BackgroundWork.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -18,6 +18,7 @@ struct Turntable {
   double framesPerSecond = 25.0; ///< of a video, > 0
 };
 
+/// As many as names of four digits tell apart.
 inline constexpr int mostFrames = 9999;
 
 /// The camera after so much of a turn, radians, anticlockwise seen from above: about the axis of the patient

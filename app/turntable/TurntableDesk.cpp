@@ -9,6 +9,7 @@
 #include "app/saving/SavingDesk.h"
 #include "app/turntable/Turntable.h"
 #include "app/turntable/TurntableDialog.h"
+#include "app/window/picture/EngineDesk.h"
 #include "io/scenefile/SceneFile.h"
 #include "widgets/view/CompareView.h"
 
@@ -59,8 +60,7 @@ void TurntableDesk::save() {
   turntable.frames = m_dialog->frames();
   turntable.framesPerSecond = m_dialog->framesPerSecond();
   turntable.scene.keep.source = m_parts.saving.labelsInPicture();
-  MakingOptions order;
-  order.engine = m_parts.view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
+  const MakingOptions order = drawnLike(m_parts.view);
   m_dialog->showProgress(0.0);
   m_work.start([this, path, turntable, order,
                 volume = m_parts.saving.volumeInPicture()](const Effort& effort) -> BackgroundWork::Deliver {

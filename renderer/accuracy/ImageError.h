@@ -26,6 +26,7 @@ ImageError imageError(const PrecisePixels& picture, const PrecisePixels& exact);
 ImageError imageError(const Image& picture, const PrecisePixels& exact);
 ImageError imageError(const Image& picture, const Image& other);
 
+/// The pixels of a picture, premultiplied RGBA, rows from the top.
 PrecisePixels precise(const Image& image);
 
 } // namespace limn

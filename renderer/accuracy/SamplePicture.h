@@ -15,6 +15,7 @@ struct SampleFigures {
   bool operator==(const SampleFigures&) const = default;
 };
 
+/// `samples` of each ray of a picture, ≥ 0; all figures are 0 where none took any.
 SampleFigures figuresOf(const std::vector<int>& samples);
 
 /// Samples per pixel as a picture, opaque: from black for none over blue and red to pale yellow for the most,

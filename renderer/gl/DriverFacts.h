@@ -14,6 +14,7 @@ struct DriverFacts {
   bool tellsOfResets = false;
 };
 
+/// Asks the current context.
 DriverFacts driverFacts();
 
 /// Throws Error (openGl) naming the version where the current context is older than OpenGL 3.0.

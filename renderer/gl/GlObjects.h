@@ -27,6 +27,7 @@ private:
   unsigned m_name = 0;
 };
 
+/// What makes and ends the names of each kind of object, in the current context.
 struct TextureKind {
   static unsigned create();
   static void destroy(unsigned name);

@@ -14,6 +14,7 @@ enum class TissueWindow { softTissue, lung, bone, brain };
 inline constexpr std::array tissueWindows{TissueWindow::softTissue, TissueWindow::lung, TissueWindow::bone,
                                           TissueWindow::brain};
 
+/// Centre and width, HU.
 constexpr GreyWindow windowOf(TissueWindow tissue) {
   switch (tissue) {
   case TissueWindow::softTissue:

@@ -9,16 +9,9 @@
 namespace limn {
 namespace {
 
-constexpr int mostPixels = 8192;
-
 // Of LPS: the axis that runs across the plane.
 int axisAcross(PatientPlane plane) {
   return plane == PatientPlane::axial ? 2 : plane == PatientPlane::coronal ? 1 : 0;
-}
-
-// The pixels that fill a length; rounding must not add one.
-int pixelsFor(double lengthMm, double spacingMm) {
-  return std::max(1, static_cast<int>(std::ceil(lengthMm / spacingMm - 1e-6)));
 }
 
 } // namespace
@@ -42,21 +35,6 @@ glm::dvec3 pixelToWorld(const PlaneGrid& plane, const glm::dvec2& pixel) {
 glm::dvec2 worldToPixel(const PlaneGrid& plane, const glm::dvec3& worldMm) {
   const glm::dvec3 offset = worldMm - plane.originMm;
   return glm::dvec2(glm::dot(offset, plane.axes.right), glm::dot(offset, plane.axes.down)) / plane.spacingMm;
-}
-
-PlaneGrid coveringPlane(const Grid& volume, PatientPlane plane, const glm::dvec3& throughMm) {
-  const PlaneAxes axes = axesOf(plane);
-  const ReachMm across = reachAlong(volume, axes.right);
-  const ReachMm down = reachAlong(volume, axes.down);
-  const glm::dvec2 lengthMm(across.last - across.first, down.last - down.first);
-  const double spacing = std::max(smallestSpacingMm(volume), std::max(lengthMm.x, lengthMm.y) / mostPixels);
-  PlaneGrid grid;
-  grid.axes = axes;
-  grid.spacingMm = spacing;
-  grid.size = {pixelsFor(lengthMm.x, spacing), pixelsFor(lengthMm.y, spacing)};
-  grid.originMm = (across.first + spacing / 2.0) * axes.right + (down.first + spacing / 2.0) * axes.down +
-                  glm::dot(throughMm, axes.forward) * axes.forward;
-  return grid;
 }
 
 PlaneGrid coarser(const PlaneGrid& plane, int factor) {

@@ -15,6 +15,7 @@ struct PlaneAxes {
   glm::dvec3 forward{0.0, 0.0, 1.0}; ///< the way of "next slice": to the head, the front, the left
 };
 
+/// The axes of each of the three, world LPS.
 PlaneAxes axesOf(PatientPlane plane);
 
 /// Square pixels on a plane, in the patient's millimetres.
@@ -34,11 +35,6 @@ glm::dvec3 pixelToWorld(const PlaneGrid& plane, const glm::dvec2& pixel);
 
 /// The pixel that a place in the world is seen at, which need not lie in the plane.
 glm::dvec2 worldToPixel(const PlaneGrid& plane, const glm::dvec3& worldMm);
-
-/// The plane of the patient through a place in the world that covers the volume's box, however that lies,
-/// with the volume's smallest spacing. Where the grid's axes are the patient's and the place is a voxel's
-/// centre, pixels are voxels. Spacings that would take more than 8192 pixels are enlarged.
-PlaneGrid coveringPlane(const Grid& volume, PatientPlane plane, const glm::dvec3& throughMm);
 
 /// The same place with one pixel for each `factor` × `factor` ≥ 1 of them; the last ones may reach beyond.
 PlaneGrid coarser(const PlaneGrid& plane, int factor);

@@ -40,6 +40,7 @@ struct BetweenVoxels {
   double share = 0.0; ///< of the next voxel
 };
 
+/// Beyond the ends of the axis its first or last voxel.
 inline BetweenVoxels betweenOn(const VoxelAxis& axis, double index) {
   const double clamped = std::min(std::max(index, 0.0), axis.last);
   const int low = std::min(static_cast<int>(clamped), axis.lowest);

@@ -33,6 +33,8 @@ struct CropBox {
 /// How the samples along a ray become one pixel (DEFINITION section 7).
 enum class Projection { composite, mip, minip, average, xray, isosurface, compositeIsosurface };
 
+/// Whether each step integrates the function exactly along its segment: where samples alone would not resolve
+/// the function, wherever that is possible, or never.
 enum class Preintegration { automatic, always, never };
 
 /// What the picture costs and how close it comes to the integral.

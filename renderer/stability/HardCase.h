@@ -9,6 +9,7 @@
 
 namespace limn {
 
+/// How a row of the report ends.
 enum class Verdict { pass, fail, notApplicable };
 
 /// "pass", "fail" or "n/a".
@@ -28,6 +29,7 @@ struct Finding {
 /// Passes where `figure` ≤ `bound`; a figure that is not a number fails.
 Finding atMost(std::string engine, std::string what, double figure, double bound, std::string reason);
 
+/// A row for an engine, or a setting, that a case cannot be asked of; `reason` says why.
 Finding notApplicable(std::string engine, std::string what, std::string reason);
 
 class Workbench;

@@ -14,6 +14,7 @@ namespace limn {
 /// The renderers of the program: double precision, the ray caster in GLSL, slices in GLSL, the CPU engine.
 enum class Engine { reference, gl, slices, cpu };
 
+/// As reports call it: "reference", "gl", "slices", "cpu".
 std::string nameOf(Engine engine);
 
 /// A picture as any engine draws it: premultiplied RGBA without background, rows from the top.

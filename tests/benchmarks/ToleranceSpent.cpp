@@ -30,7 +30,7 @@ double now() {
 
 std::vector<Preset> builtInPresets() {
   std::vector<Preset> all;
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets/builtin"))
     if (entry.path().extension() == ".json")
       all.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
   return all;

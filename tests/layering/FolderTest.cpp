@@ -7,7 +7,8 @@
 #include <map>
 #include <set>
 
-// The folders of renderer/ as a graph: includes lead one way, and the link lines say the same.
+// The folders of renderer/ as a graph: includes lead one way, and the link lines say the same; those of the
+// window link nothing in vain.
 namespace limn::test {
 namespace {
 
@@ -59,13 +60,14 @@ LinkLine linkLineOf(const std::string& cmake) {
   return line;
 }
 
-// The link lines of the renderer by folder.
-std::map<std::string, LinkLine> linkLines() {
+// The link lines below some folders of the root, by folder.
+std::map<std::string, LinkLine> linkLines(const Names& tops) {
   std::map<std::string, LinkLine> lines;
-  for (const auto& entry : fs::recursive_directory_iterator(sourceRoot / "renderer"))
-    if (entry.path().filename() == "CMakeLists.txt")
-      if (LinkLine line = linkLineOf(contentOf(entry.path())); !line.library.empty())
-        lines[fs::relative(entry.path().parent_path(), sourceRoot).string()] = line;
+  for (const std::string& top : tops)
+    for (const auto& entry : fs::recursive_directory_iterator(sourceRoot / top))
+      if (entry.path().filename() == "CMakeLists.txt")
+        if (LinkLine line = linkLineOf(contentOf(entry.path())); !line.library.empty())
+          lines[fs::relative(entry.path().parent_path(), sourceRoot).string()] = line;
   return lines;
 }
 
@@ -99,7 +101,7 @@ TEST(Folders, ofTheRendererIncludeEachOtherOneWay) {
 }
 
 TEST(Folders, linkWhatTheirSourcesInclude) {
-  const std::map<std::string, LinkLine> lines = linkLines();
+  const std::map<std::string, LinkLine> lines = linkLines({"renderer"});
   ASSERT_GT(lines.size(), 10u);
   std::map<std::string, LinkLine> wanted;
   for (const Include& include : includesBelow("renderer")) {
@@ -117,6 +119,29 @@ TEST(Folders, linkWhatTheirSourcesInclude) {
     EXPECT_EQ(joined(line.publicly), joined(meant.publicly)) << folder << ": what its headers include";
     EXPECT_EQ(joined(line.privately), joined(meant.privately)) << folder << ": what only its sources include";
   }
+}
+
+// What is linked in vain is built for nothing, and hides what leans on what.
+TEST(Folders, ofTheWindowLinkNothingThatTheyDoNotInclude) {
+  const std::map<std::string, LinkLine> lines = linkLines({"renderer", "widgets", "app"});
+  std::map<std::string, Names> included;
+  for (const char* top : {"widgets", "app"})
+    for (const Include& include : includesBelow(top))
+      for (const char* below : {"renderer", ""})
+        if (fs::exists(sourceRoot / below / include.header))
+          included[libraryOf(include.file.parent_path(), lines)].insert(
+              libraryOf((fs::path(below) / include.header).parent_path(), lines));
+  int looked = 0;
+  for (const auto& [folder, line] : lines) {
+    if (folder.starts_with("renderer"))
+      continue;
+    for (const Names& names : {line.publicly, line.privately})
+      for (const std::string& name : names) {
+        EXPECT_TRUE(included[line.library].contains(name)) << line.library << " links " << name << " in vain";
+        ++looked;
+      }
+  }
+  EXPECT_GT(looked, 30) << "the link lines were not read";
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 namespace limn {
 namespace {
 
+using test::coveringPlane;
+
 // The area of a flat polygon: half the length of the sum of the cross products around it.
 double areaOf(const std::vector<glm::dvec3>& corners) {
   glm::dvec3 sum(0.0);

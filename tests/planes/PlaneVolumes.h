@@ -4,6 +4,7 @@
 #include "planes/PlaneGrid.h"
 #include "planes/Reformat.h"
 #include "scene/volume/Volume.h"
+#include "support/CoveringPlane.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -12,6 +12,7 @@
 namespace limn {
 namespace {
 
+using test::coveringPlane;
 using test::expectDefined;
 using test::noiseOf;
 using test::plainGrid;

@@ -10,6 +10,8 @@
 namespace limn {
 namespace {
 
+using test::coveringPlane;
+
 namespace fs = std::filesystem;
 
 // Real volumes whose axes are not the patient's: 7.7° with 7 mm gaps, and a tilted gantry (18.5°).

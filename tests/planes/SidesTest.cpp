@@ -9,6 +9,8 @@
 namespace limn {
 namespace {
 
+using test::coveringPlane;
+
 // A voxel that is far to the patient's left, a little to the front, and high: its place tells all six sides.
 // The patient's box is 40 × 30 × 20 mm about the origin, in voxels of 1 mm.
 constexpr glm::dvec3 markMm{15.5, -4.5, 7.5};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/EmptySpace.h"
 #include "glsl/textures/TextureBlocks.h"
+#include "glsl/textures/TextureVoxels.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
@@ -32,6 +33,15 @@ TransferFunction above(double value) {
   return {1.0, {{value, glm::dvec3(1.0), 0.0}, {200.0, glm::dvec3(1.0, 0.5, 0.2), 0.7}}};
 }
 
+// The blocks of a volume as the shaders read it.
+BlockRanges rangesOf(const Volume& volume) {
+  const TextureVoxels voxels = textureVoxels(volume, glm::ivec3(1));
+  BlockRanges result(blocksOf(voxels.size - 2));
+  gatherLayers(voxels.texels.data(), voxels.size, 0, result.blocks().z, result);
+  result.finish();
+  return result;
+}
+
 glm::ivec3 blockAt(const BlockRanges& ranges, std::size_t i) {
   const int n = static_cast<int>(i);
   const glm::ivec3& blocks = ranges.blocks();
@@ -46,7 +56,7 @@ BlockDistances emptyDistances(const BlockRanges& ranges, const Visibility& visib
 
 TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
   const auto volume = sparseVolume({41, 30, 23}, 3);
-  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  const BlockRanges ranges = rangesOf(*volume);
   EXPECT_EQ(ranges.blocks(), glm::ivec3(10, 8, 6)) << "of 40, 29 and 22 cells";
   const PiecewiseTable table = tableOf(above(50.0), volume->range());
   const BlockDistances distances = emptyDistances(ranges, {&table, {}});
@@ -69,7 +79,7 @@ TEST(EmptySpaceDistances, areTheChessboardDistancesToTheNearestVisibleBlock) {
 TEST(EmptySpaceDistances, onlyWhatLiesBelowAnIsovalueIsEmpty) {
   // A ray that enters the volume above the isovalue is hit there.
   const auto volume = sparseVolume({17, 13, 9}, 2);
-  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  const BlockRanges ranges = rangesOf(*volume);
   for (const float isovalue : {-0.5f, 0.25f, 1.5f}) {
     const BlockDistances distances = emptyDistances(ranges, {nullptr, isovalue});
     for (std::size_t i = 0; i < distances.size(); ++i)
@@ -79,7 +89,7 @@ TEST(EmptySpaceDistances, onlyWhatLiesBelowAnIsovalueIsEmpty) {
 
 TEST(EmptySpaceDistances, anInvisibleFunctionLeavesNothing) {
   const auto volume = sparseVolume({9, 9, 9}, 3);
-  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  const BlockRanges ranges = rangesOf(*volume);
   const PiecewiseTable table = tableOf(TransferFunction{}, volume->range());
   for (const std::uint8_t distance : emptyDistances(ranges, {&table, {}}))
     EXPECT_EQ(int(distance), 255);
@@ -88,7 +98,7 @@ TEST(EmptySpaceDistances, anInvisibleFunctionLeavesNothing) {
 TEST(EmptySpaceDistances, anEditOnTheCtHeadIsAnsweredWithinFiveMilliseconds) {
   LIMN_NEEDS_SHARED(test::ctHeadFile);
   const auto volume = test::ctHead();
-  const BlockRanges ranges = blockRanges(textureVoxels(*volume, glm::ivec3(1)));
+  const BlockRanges ranges = rangesOf(*volume);
   TransferFunction function = test::skinMuscleBone();
   // The best of many; of its own thread, because what else the machine does must not count.
   double bestMs = 1e9, bestOwnMs = 1e9;

@@ -62,7 +62,7 @@ TEST(Words, thoseOfPresetsAreThoseOfTheirFiles) {
   for (const Word& word : stringsOfTheSources().found)
     if (word.context == QLatin1String("limn::Preset"))
       listed.insert(word.source);
-  for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "app/presets")) {
+  for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "app/presets/builtin")) {
     if (entry.path().extension() != ".json")
       continue;
     const nlohmann::json preset = nlohmann::json::parse(bytesOfFile(entry.path()));

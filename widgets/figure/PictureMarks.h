@@ -33,7 +33,8 @@ struct PictureMarks {
 /// The marks on the picture of one panel, as the figure asks for them.
 PictureMarks pictureMarks(const Figure& figure, const FigureLayout& layout, std::size_t panel);
 
-/// All that the marks cover of the picture, their dark edges included; outside, no pixel is touched.
+/// All that the marks cover of the picture, their dark edges included: the promise that no pixel outside is
+/// touched, for whoever compares pictures with those of a figure.
 std::vector<QRectF> coveredBy(const PictureMarks& marks, const FigureLayout& layout);
 
 /// White with a dark edge, so that they stand out from any picture.

@@ -32,6 +32,7 @@ PlaneFrame planeFrame(const Grid& seen, PatientPlane plane, const glm::dvec3& th
 QPointF pointOf(const PlaneFrame& frame, const glm::dvec3& worldMm);
 glm::dvec3 worldAt(const PlaneFrame& frame, const QPointF& point);
 
+/// The same along both axes of the view.
 double mmPerLogicalPixel(const PlaneFrame& frame);
 
 /// What is seen after zooming by `factor` > 1 (nearer) or < 1 about a point of the view, or after dragging it

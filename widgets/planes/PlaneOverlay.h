@@ -37,6 +37,7 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
 /// Whether a measured distance lies in the slice that is shown: both ends within half a slice of it.
 bool isInSlice(const PlaneContent& content, PatientPlane plane, const MeasuredDistance& distance);
 
+/// Paints it in the logical pixels of the view.
 void paintPlaneOverlay(QPainter& painter, const PlaneOverlay& overlay);
 
 } // namespace limn

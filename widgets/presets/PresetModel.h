@@ -42,6 +42,7 @@ void showPresetPicture(QStandardItemModel& model, const QString& name, const Pre
 QImage curveThumbnail(const TransferFunction& function, const QSize& size, double devicePixelRatio,
                       Look look);
 
+/// Of the pictures in the list, logical pixels.
 inline constexpr int thumbnailWidth = 56;
 inline constexpr int thumbnailHeight = 42;
 /// Of the same shape, where the list has room; pictures are made in this size.

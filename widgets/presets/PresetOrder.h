@@ -27,6 +27,7 @@ struct PresetStanding {
   bool operator==(const PresetStanding&) const = default;
 };
 
+/// A preset of the list, and what its row tells of it.
 struct ListedPreset {
   Preset preset;
   bool isOwn = false;

@@ -34,6 +34,7 @@ struct VoxelSpan {
   bool operator==(const VoxelSpan&) const = default;
 };
 
+/// `axis` is 0, 1 or 2 of the grid.
 VoxelSpan voxelsInside(const CropBox& crop, const Grid& grid, int axis);
 
 } // namespace limn

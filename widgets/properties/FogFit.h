@@ -11,6 +11,7 @@ struct DepthRange {
   double farMm = 0.0;
 };
 
+/// Along the direction of view, of the corners of the box.
 DepthRange depthRange(const Camera& camera, const Grid& grid);
 
 /// The scene's fog switched to another mode. Numbers with which nothing would be seen (no density; a linear

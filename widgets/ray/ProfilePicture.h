@@ -29,6 +29,7 @@ std::array<QRectF, 3> lanesOf(const QRectF& plot);
 /// The plot of a chart of this size: all but what the axis takes.
 QRectF profilePlot(const QSizeF& size);
 
+/// Paints lanes, axis, marks and texts.
 void paintProfile(QPainter& painter, const ProfilePicture& picture);
 
 } // namespace limn

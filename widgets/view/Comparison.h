@@ -48,6 +48,7 @@ inline int ownSide(const Comparison& comparison) {
 /// What the pictures show, side by side.
 std::vector<Scene> scenesOfSides(const Comparison& comparison);
 
+/// The side at a position, 0 left or 1 right: the other one while the pictures are exchanged.
 inline int sideShownAt(const Comparison& comparison, int position) {
   return comparison.isSwapped ? 1 - position : position;
 }

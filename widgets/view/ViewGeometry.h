@@ -20,6 +20,7 @@ struct ViewGeometry {
   double pixelRatio = 1.0; ///< device pixels per logical one, each way
 };
 
+/// The size of the view in device pixels.
 glm::ivec2 deviceSize(const ViewGeometry& geometry);
 
 /// Where the pictures lie, device pixels, y down; in `wipe` and `difference` both fill the view. Side by side

@@ -18,6 +18,7 @@ struct ViewProjection {
   QRectF picture;
 };
 
+/// `picture` in logical pixels, not empty.
 ViewProjection viewProjection(const Camera& camera, const QRectF& picture);
 
 /// The distance of a place from the camera along the direction of view, mm; negative behind it.

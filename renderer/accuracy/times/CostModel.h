@@ -63,6 +63,8 @@ struct ManyNodes {
   double compositeMs = 0.0; ///< along the tree's longest branch
 };
 
+/// What one picture of `size` pixels of a volume of so many voxels would cost on `nodes` ≥ 1 of those
+/// supposed, in as many bricks as nodes.
 ManyNodes onManyNodes(const CostFacts& facts, const SupposedNodes& supposed, double voxels,
                       const glm::ivec2& size, double nodes);
 

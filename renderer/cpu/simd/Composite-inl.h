@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
+/// The samples of one ray put together to a pixel, front to back (DEFINITION section 7).
 template <VoxelSource::Kind kind>
 class Composite {
 public:

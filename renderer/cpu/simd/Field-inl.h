@@ -29,6 +29,7 @@ struct VoxelAndSlope {
   V3 slope;
 };
 
+/// The scalar field between voxels, several places at a time (DEFINITION section 1).
 template <VoxelSource::Kind kind>
 class Field {
 public:

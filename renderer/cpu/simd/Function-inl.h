@@ -19,6 +19,8 @@ struct Mean {
   VF extinction;
 };
 
+/// A transfer function, several scalars at a time: from a few segments that registers hold, otherwise from
+/// its table.
 class Function {
 public:
   /// `few` may be null.

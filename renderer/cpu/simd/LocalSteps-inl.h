@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
+/// One ray in error-controlled steps (scene/steps/LocalSteps.h).
 template <VoxelSource::Kind kind>
 class LocalMarch {
 public:

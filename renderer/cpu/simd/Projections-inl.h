@@ -37,6 +37,7 @@ inline glm::vec4 classifiedOnce(const PictureTerms& terms, const glm::dvec2& fou
           opacity};
 }
 
+/// One ray of the picture that the terms describe, whatever its projection.
 template <VoxelSource::Kind kind>
 class Marcher {
 public:

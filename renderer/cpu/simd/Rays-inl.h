@@ -23,6 +23,7 @@ HWY_INLINE VD allOf(double value) {
   return hn::Set(doubles, value);
 }
 
+/// Vectors of three in double, one for each of several rays.
 struct D3 {
   VD x, y, z;
 };

@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace limn::cpu::HWY_NAMESPACE {
 
+/// What is read and computed at places along one ray, several of them at a time.
 template <VoxelSource::Kind kind>
 struct Samples {
   Samples(const PictureTerms& ofPicture, const Ray& along)

@@ -25,6 +25,7 @@ template <VoxelSource::Kind kind>
 inline constexpr bool isSigned =
     kind == VoxelSource::Kind::signedByte || kind == VoxelSource::Kind::signedHalf;
 
+/// Of one stored voxel.
 template <VoxelSource::Kind kind>
 inline constexpr int bytesOf = kind == VoxelSource::Kind::single                                          ? 4
                                : kind == VoxelSource::Kind::half || kind == VoxelSource::Kind::signedHalf ? 2
@@ -37,6 +38,7 @@ using Stored = std::conditional_t<
     std::conditional_t<bytesOf<kind> == 2, std::conditional_t<isSigned<kind>, std::int16_t, std::uint16_t>,
                        std::conditional_t<isSigned<kind>, std::int8_t, std::uint8_t>>>;
 
+/// Four neighbours along x, as they are stored.
 template <VoxelSource::Kind kind>
 using StoredRow = hn::Vec<hn::FixedTag<Stored<kind>, 4>>;
 
@@ -135,11 +137,13 @@ private:
 
 /// What the rows around a sample make at its y and z, at each of the four x: the field, and what it gains
 /// over two voxels along y and z. Of two samples where registers hold eight numbers.
+/// What rows come to: interpolated across them, and how much that gains along y and z.
 template <class V>
 struct RowSums {
   V along, slopeY, slopeZ;
 };
 
+/// From `a` where the weight `w` is 0 to `b` where it is 1.
 template <class V>
 HWY_INLINE V mixed(V a, V b, V w) {
   return hn::MulAdd(w, hn::Sub(b, a), a);

@@ -12,6 +12,7 @@ struct EmbeddedShader {
   std::string text;
 };
 
+/// All of them, by names such as "march.glsl" and "decisions/volume_wide.glsl".
 const std::vector<EmbeddedShader>& embeddedShaders();
 
 /// The text of one file; it must exist.

@@ -40,11 +40,4 @@ void gatherLayers(const float* texels, const glm::ivec3& size, int first, int en
   });
 }
 
-BlockRanges blockRanges(const TextureVoxels& voxels) {
-  BlockRanges result(blocksOf(voxels.size - 2));
-  gatherLayers(voxels.texels.data(), voxels.size, 0, result.blocks().z, result);
-  result.finish();
-  return result;
-}
-
 } // namespace limn

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glsl/textures/TextureVoxels.h"
 #include "scene/steps/BlockRanges.h"
 
 namespace limn {
-
-/// The blocks of a volume as the shaders read it.
-BlockRanges blockRanges(const TextureVoxels& voxels);
 
 /// The inner planes of texels of whose blocks the layer z = `layer` consists, with one more before the first
 /// and one behind the last: first and end, counted with the apron of a volume of `size` texels.

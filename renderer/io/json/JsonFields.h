@@ -24,6 +24,7 @@ struct Limits {
   bool openBelow = false; ///< true: `lowest` itself is refused
 };
 
+/// What most fields accept.
 inline constexpr Limits anyNumber{};
 inline constexpr Limits notNegative{0.0, std::numeric_limits<double>::max()};
 inline constexpr Limits positive{0.0, std::numeric_limits<double>::max(), true};

@@ -11,6 +11,7 @@ namespace limn {
 /// What a session file says of the slices beside its picture. Throws Error (input).
 PlaneSettings readPlanes(JsonFields fields);
 
+/// The same as it is written.
 nlohmann::ordered_json planesJson(const PlaneSettings& settings);
 
 } // namespace limn

@@ -27,6 +27,7 @@ Preset readPreset(JsonFields& fields);
 /// The fields of a preset beside its version.
 nlohmann::ordered_json presetJson(const Preset& preset);
 
+/// The field `keep`, as readKeptPart reads it.
 nlohmann::ordered_json keptPartJson(const KeptPart& part);
 
 /// The fields of a scene file; the volume is stored as given, and `keep` in place of the scene's own.

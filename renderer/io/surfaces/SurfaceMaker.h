@@ -22,6 +22,7 @@ struct SurfaceOrder {
   std::optional<double> memoryBytes; ///< that may be taken; absent: nobody knows
 };
 
+/// The most SurfaceOrder::cells; triangles grow with the square.
 inline constexpr int mostCells = 8;
 
 /// What a surface would be.

@@ -28,6 +28,7 @@ struct EdgeCensus {
   bool isWatertight() const { return edges > 0 && usedOnce == 0 && usedOtherwise == 0; }
 };
 
+/// Counts the edges; a watertight mesh has none but those that two triangles share.
 EdgeCensus edgesOf(const SurfaceMesh& mesh);
 
 /// The volume that the triangles enclose, mm³: the sum of tetrahedra (divergence theorem). Of meshes with

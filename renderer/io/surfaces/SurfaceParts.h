@@ -13,6 +13,8 @@ struct SurfaceParts {
   std::vector<double> enclosedMm3;       ///< of each part; negative where it bounds a hollow
 };
 
+/// Triangles that share a point, by its index, belong to one part. Of parts with holes the volumes mean
+/// nothing.
 SurfaceParts partsOf(const SurfaceMesh& mesh);
 
 /// What was left out because it was small.

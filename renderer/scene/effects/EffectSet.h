@@ -51,12 +51,14 @@ enum class Effect : std::uint8_t {
 };
 inline constexpr int effectCount = static_cast<int>(Effect::sampleCounts) + 1;
 
+/// What an effect is called.
 struct EffectDescription {
   const char* name;   ///< one word, for lists and tests
   const char* define; ///< as the shaders test it
   const char* meaning;
 };
 
+/// The row of an effect.
 const EffectDescription& describe(Effect effect);
 
 /// A set of effects: the key of a shader program.
@@ -89,6 +91,7 @@ inline const EffectSet scalarProjections{Effect::mip, Effect::minip, Effect::ave
 /// How the gradient, or the model, changes an opacity before it becomes an extinction.
 inline const EffectSet opacityChanges{Effect::opacityMap, Effect::opacityFactor, Effect::gradientOpacity};
 
+/// Of which a picture has at most one.
 inline const EffectSet fogs{Effect::fogLinear, Effect::fogExp, Effect::fogExp2};
 
 /// Whether a program of these effects reads the normalised gradient modulus r.

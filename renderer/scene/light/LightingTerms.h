@@ -36,6 +36,7 @@ struct LightingTerms {
   bool usesRatio() const { return mapsExponent() || mapsOpacity() || significance.has_value(); }
 };
 
+/// The terms of any of the four models.
 LightingTerms lightingTerms(const Shading& shading);
 
 /// The normalised gradient modulus r after its curve (DEFINITION section 2).

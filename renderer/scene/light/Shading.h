@@ -53,6 +53,8 @@ struct Significance {
   bool operator==(const Significance&) const = default;
 };
 
+/// What the exponent is applied to: the half vector (Blinn) or the reflected ray (Phong). And whose colour a
+/// highlight has.
 enum class Reflection { blinn, phong };
 enum class SpecularColor { material, light };
 

@@ -20,6 +20,7 @@ struct RayFrame {
   double anchorDistanceMm = 0.0; ///< ≥ 0, from the eye (or camera plane) to the anchor plane
 };
 
+/// The rays of a picture of `size` pixels of a volume on `grid`.
 RayFrame rayFrame(const Camera& camera, const Grid& grid, const glm::ivec2& size);
 
 /// One ray: `anchor + t · direction`, t in mm, t = eye at the eye (≤ 0).
@@ -29,6 +30,7 @@ struct FramedRay {
   double eye = 0.0;
 };
 
+/// The ray through the middle of pixel (x, y), y down, of a picture of `size`.
 FramedRay framedRay(const RayFrame& frame, int x, int y, const glm::ivec2& size);
 
 /// A box in centred index coordinates, half open: a ray in its lower face is inside, in its upper outside.
@@ -49,6 +51,7 @@ struct CutPlanes {
   glm::dvec3 upper{0.0};
 };
 
+/// The planes of those faces of the crop that lie within the box.
 CutPlanes cutPlanes(const Grid& grid, const CropBox& crop);
 
 /// The unit vector towards a light that shines along `directionWorld`, along the grid's axes.
@@ -61,6 +64,7 @@ struct RaySpan {
   bool isEmpty() const { return !(end > begin); }
 };
 
+/// Where a ray enters the box and leaves it; rays along a face count as IndexBox says.
 RaySpan spanInBox(const FramedRay& ray, const IndexBox& box);
 
 /// The most samples of one ray (DEFINITION section 7).

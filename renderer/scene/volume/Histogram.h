@@ -45,6 +45,7 @@ private:
   int m_last;
 };
 
+/// In the unit of the values. There is at least one bin.
 double binWidth(const Histogram& histogram);
 
 /// The value in the middle of a bin.

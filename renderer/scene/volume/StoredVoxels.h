@@ -71,6 +71,7 @@ using VoxelArray = OfStoredType<StoredVoxels>;
 /// Voxels while they are read, in a room or in memory.
 using VoxelVectors = OfStoredType<RoomVector>;
 
+/// Takes what was read over, without copying it.
 inline VoxelArray storedVoxels(VoxelVectors voxels) {
   return std::visit([](auto& values) -> VoxelArray { return std::move(values); }, voxels);
 }

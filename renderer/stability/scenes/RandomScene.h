@@ -52,6 +52,7 @@ struct LightChoices {
   bool isFixed = false; ///< light of a direction of its own
 };
 
+/// Any model, reflection, colour, curve and light.
 LightChoices randomChoices(Dice& dice);
 
 /// The numbers of a lighting model within what a scene file may say: coefficients from 0 to huge, exponents

@@ -3,7 +3,7 @@
 
 #include "app/actions/Menus.h"
 #include "app/actions/ModelMenus.h"
-#include "app/window/SettingsDialog.h"
+#include "app/window/dialogs/SettingsDialog.h"
 #include "scene/view/CompareLayout.h"
 
 #include <QCheckBox>

@@ -4,7 +4,7 @@
 #include "app/pictures/SmallVolumes.h"
 #include "app/presets/ThumbnailDesk.h"
 #include "app/tour/TourDesk.h"
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/RegionDesk.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/sections/MapSection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/SettingsDialog.h"
-#include "app/window/StabilityDialog.h"
+#include "app/window/dialogs/SettingsDialog.h"
+#include "app/window/dialogs/StabilityDialog.h"
 #include "support/Places.h"
 #include "widgets/FindWidget.h"
 

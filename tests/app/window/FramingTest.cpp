@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/RegionDesk.h"
 #include "scene/framing/VisibleBox.h"
 #include "support/TestData.h"
 #include "widgets/view/ViewProjection.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/OrientationDialog.h"
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/OrientationDialog.h"
+#include "app/window/volume/RegionDesk.h"
 #include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"
 #include "widgets/FindWidget.h"

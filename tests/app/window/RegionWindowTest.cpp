@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/RegionDesk.h"
 #include "widgets/view/overlay/RegionNote.h"
 
 #include <QDragEnterEvent>

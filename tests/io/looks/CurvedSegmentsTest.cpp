@@ -33,13 +33,29 @@ BentPoint coloured(double value, const glm::dvec3& color) {
   return {{value, color, 0.0}};
 }
 
-TEST(CurvedSegments, theChangeDoneIsVtksForEveryMidpointAndSharpness) {
+TEST(CurvedSegments, theirPointsAreVtksForEveryMidpointAndSharpness) {
   for (const double midpoint : {1e-5, 0.1, 0.5, 0.8, 0.99999})
-    for (const double sharpness : {0.0, 0.009, 0.02, 0.4, 0.9, 0.99, 0.995, 1.0})
+    for (const double sharpness : {0.0, 0.009, 0.02, 0.4, 0.9, 0.99}) {
+      std::vector<Message> changes;
+      const std::vector<ControlPoint> points =
+          straightened({bent(0.0, 0.0, midpoint, sharpness), bent(1.0, 1.0)}, {}, "demo.look", changes);
+      for (const ControlPoint& point : points)
+        EXPECT_NEAR(point.opacity, vtkOpacity(point.value, 0.0, 0.0, 1.0, 1.0, midpoint, sharpness), 1e-9)
+            << midpoint << " " << sharpness << " at " << point.value;
+    }
+}
+
+TEST(CurvedSegments, stepsAreVtksForEveryMidpoint) {
+  for (const double midpoint : {1e-5, 0.1, 0.5, 0.8, 0.99999})
+    for (const double sharpness : {0.995, 1.0}) {
+      std::vector<Message> changes;
+      const TransferFunction function{
+          1.0, straightened({bent(0.0, 0.0, midpoint, sharpness), bent(1.0, 1.0)}, {}, "demo.look", changes)};
       for (int i = 0; i <= 400; ++i)
-        EXPECT_NEAR(changeDone(i / 400.0, midpoint, sharpness),
-                    vtkOpacity(i / 400.0, 0.0, 0.0, 1.0, 1.0, midpoint, sharpness), 1e-9)
+        EXPECT_EQ(classify(function, i / 400.0).opacity,
+                  vtkOpacity(i / 400.0, 0.0, 0.0, 1.0, 1.0, midpoint, sharpness))
             << midpoint << " " << sharpness << " at " << i;
+    }
 }
 
 TEST(CurvedSegments, bentSegmentsAreFollowedWithinTheStatedError) {

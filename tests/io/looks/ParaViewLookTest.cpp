@@ -113,6 +113,14 @@ TEST(ParaViewLook, coloursOfSingleValuesAreRefusedOrPassedOver) {
   EXPECT_NE(refusal(listOf(indexed)).find("single values"), std::string::npos);
   const ReadLook look = onlyLook(json::array({indexed, paraViewMap()}).dump());
   EXPECT_TRUE(isTold(look.changes, "\"Labels\" was passed over"));
+  json second = paraViewMap();
+  second["Name"] = "Second";
+  const std::vector<ReadLook> both =
+      parseLooks(json::array({paraViewMap(), indexed, second}).dump(), "two.json");
+  ASSERT_EQ(both.size(), 2u);
+  for (const ReadLook& each : both)
+    EXPECT_TRUE(isTold(each.changes, "\"Labels\" was passed over"))
+        << "it is not about one of them: " << each.preset.name;
 }
 
 TEST(ParaViewLook, tomvizNamesItsKeysInSmallLetters) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PlaneHost.h"
 
+#include "support/CoveringPlane.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneFrame.h"
 #include "widgets/planes/PlaneOverlay.h"
@@ -42,7 +43,7 @@ TEST(PlanePictures, outlineTheKeptRegionAndTintOnlyIt) {
   content.function.points = {{0.0, {1, 0, 0}, 1.0}};
   content.settings.window = GreyWindow{1e6, 1.0}; // black
   content.settings.interpolation = PlaneInterpolation::nearest;
-  const PlaneGrid plane = coveringPlane(volume->grid(), PatientPlane::axial, {0, 0, 1});
+  const PlaneGrid plane = test::coveringPlane(volume->grid(), PatientPlane::axial, {0, 0, 1});
   PlanePictures pictures;
   const auto colorAt = [&](int x) { return pictures.picture(content, plane).pixelColor(x, 5); };
   EXPECT_EQ(colorAt(10), QColor(0xff, 0xc8, 0x3c)) << "the outline";
@@ -63,7 +64,7 @@ TEST(PlanePictures, outlineTheKeptRegionAndTintOnlyIt) {
 
 TEST(PlanePictures, areCoarseOnlyWhereTheyWouldTakeTooLong) {
   PlaneContent content = test::contentOf(test::countingVolume({40, 40, 20}, glm::dvec3(1.0)));
-  const PlaneGrid plane = coveringPlane(content.volume->grid(), PatientPlane::axial, {0, 0, 5});
+  const PlaneGrid plane = test::coveringPlane(content.volume->grid(), PatientPlane::axial, {0, 0, 5});
   PlaneGrid next = plane;
   next.originMm.z += 1.0;
   PlanePictures pictures;

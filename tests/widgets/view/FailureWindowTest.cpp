@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ViewHost.h"
-#include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
 #include "support/BrokenDriver.h"
+#include "support/ReferenceEngine.h"
 #include "widgets/view/panels/FailureBar.h"
 #include "widgets/view/pictures/FinishedPicture.h"
 
@@ -27,7 +27,7 @@ QImage drawnByReference(const Scene& scene, const QImage& shown) {
 
 // A view at rest whose processor can draw.
 struct RestingHost : ViewHost {
-  RestingHost() : ViewHost({400, 240}, [] { return makeReferenceEngine(1); }) { showPhantom(12.0); }
+  RestingHost() : ViewHost({400, 240}, [] { return test::makeReferenceEngine(1); }) { showPhantom(12.0); }
   bool restOnProcessor() {
     return test::waitUntil([this] { return drawsOnProcessor() && view.pictureState().resting; });
   }

@@ -27,8 +27,10 @@ struct LegendLayout {
   std::vector<QPointF> places; ///< of each entry the upper left corner, from the legend's own
   double height = 0.0;
 };
+/// `width` in logical pixels; an entry that is wider has a row of its own.
 LegendLayout legendLayout(const std::vector<LegendEntry>& entries, const QFont& font, double width);
 
+/// Paints the names in `text`, the upper left corner of the legend at `corner`.
 void paintLegend(QPainter& painter, const std::vector<LegendEntry>& entries, const LegendLayout& layout,
                  const QPointF& corner, const QColor& text);
 

@@ -9,6 +9,7 @@ namespace limn {
 /// For a dark or light window, or for white paper.
 enum class ChartStyle { dark, light, print };
 
+/// The colours of a chart but for its curves.
 struct ChartColors {
   QColor background;
   QColor text;

@@ -32,6 +32,7 @@ ValueRange wheeledView(const PlotTransform& transform, const QWheelEvent& event,
 std::optional<ValueRange> keyedView(const PlotTransform& transform, const QKeyEvent& event,
                                     const CurvePlot& plot);
 
+/// What the pointer looks like over a part of the plot.
 Qt::CursorShape cursorFor(CurveHit::Part part);
 
 } // namespace limn

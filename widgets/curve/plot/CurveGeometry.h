@@ -33,6 +33,7 @@ struct CurveHit {
   std::size_t index = 0;
 };
 
+/// Where a point stands, pixels; beyond the plot where its value is not visible.
 QPointF positionOf(const PlotTransform& transform, const ControlPoint& point);
 
 /// The opacity curve over the visible values, from the plot's left edge to its right; steps are vertical.

@@ -23,6 +23,7 @@ struct HistogramPicture {
   QPixmap edge;
 };
 
+/// Over the values that `transform` shows; `devicePixelRatio` > 0 is that of the screen.
 HistogramPicture histogramPicture(const Histogram& histogram, HistogramScale scale,
                                   const PlotTransform& transform, const ThemeColors& colors,
                                   double devicePixelRatio);

@@ -18,9 +18,11 @@ struct PlotTransform {
   bool operator==(const PlotTransform&) const = default;
 };
 
+/// Between values and pixels across, beyond the plot, too.
 double xOfValue(const PlotTransform& transform, double value);
 double valueAtX(const PlotTransform& transform, double x);
 
+/// The height of an opacity, 0..1, in pixels down.
 double yOfOpacity(const PlotTransform& transform, double opacity);
 
 /// The opacity at a height, limited to 0..1.

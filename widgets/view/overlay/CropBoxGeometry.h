@@ -35,6 +35,7 @@ struct CropBoxShape {
   std::vector<CropHandle> handles;
 };
 
+/// The box of `crop` in a volume on `grid`.
 CropBoxShape cropBoxShape(const CropBox& crop, const Grid& grid, const ViewProjection& projection);
 
 /// The handle that a press takes hold of: the nearest within reach, one on a visible face before one behind.

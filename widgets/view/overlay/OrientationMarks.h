@@ -46,6 +46,7 @@ std::optional<QRectF> clearPlace(const QRectF& wished, const QRectF& lane, Qt::O
 LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wish, const QFont& font,
                         const std::vector<QRectF>& plates);
 
+/// Paints those letters that have a place.
 void paintLetters(QPainter& painter, const LetterMarks& marks);
 
 } // namespace limn

@@ -43,6 +43,7 @@ struct Overlay {
   std::vector<double> progress; ///< each 0..1
 };
 
+/// Lays everything out; nothing is painted yet.
 Overlay overlayOf(const OverlaySource& source);
 
 /// Paints what stands above the pictures, in the painter's logical pixels.

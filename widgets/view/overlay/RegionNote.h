@@ -16,6 +16,7 @@ QString regionText(const Region& region);
 /// Absent where nothing is hidden.
 std::optional<Note> regionNoteOf(const OverlaySource& source);
 
+/// Whether a point of the view, logical pixels, lies on that note; never where there is none.
 bool isOnRegionNote(const OverlaySource& source, const QPointF& point);
 
 } // namespace limn

@@ -8,8 +8,10 @@
 /// The attributes Limn reads: a constant for each row of DicomTagList.inl, and the rows themselves.
 namespace limn::tag {
 
+/// How an attribute is read: as a value, as a sequence of items, or as pixels.
 enum class Kind { value, sequence, pixels };
 
+/// A row of the list.
 struct Attribute {
   DicomTag tag = 0;
   Kind kind = Kind::value;

@@ -12,6 +12,7 @@ namespace limn {
 /// Delivers the next `count` bytes to `to`; fewer only at the end of the data.
 using ByteReader = std::function<std::size_t(unsigned char* to, std::size_t count)>;
 
+/// How bytes lie in a file.
 enum class Encoding {
   raw,
   deflated, ///< gzip (any number of members) or zlib, told apart by their first bytes

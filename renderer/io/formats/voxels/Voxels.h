@@ -15,6 +15,7 @@ namespace limn {
 /// The number types that files store; 64-bit integers become double.
 enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };
 
+/// As the file stores one number, 1..8.
 std::size_t bytesPerVoxel(VoxelType type);
 
 /// How the voxels of a file lie in its bytes.

@@ -27,15 +27,12 @@ bool isStep(double sharpness) {
   return sharpness > 0.99;
 }
 
-// Half of the way becomes where half of the change is done.
-double warped(double u, double midpoint) {
-  return u < midpoint ? 0.5 * u / midpoint : 0.5 + 0.5 * (u - midpoint) / (1.0 - midpoint);
-}
-
+// Half of the change is done at the midpoint.
 double unwarped(double v, double midpoint) {
   return v < 0.5 ? 2.0 * v * midpoint : midpoint + 2.0 * (v - 0.5) * (1.0 - midpoint);
 }
 
+// How much of the change is done: VTK's rule (vtkPiecewiseFunction).
 double bent(double v, double sharpness) {
   if (isStraight(sharpness))
     return v;
@@ -125,13 +122,6 @@ void requireSoundRule(const std::vector<BentPoint>& points, const SegmentRule& r
 }
 
 } // namespace
-
-double changeDone(double u, double midpoint, double sharpness) {
-  const double v = warped(u, clampedMidpoint(midpoint));
-  if (isStep(sharpness))
-    return v < 0.5 ? 0.0 : 1.0;
-  return bent(v, sharpness);
-}
 
 std::vector<BentPoint> checkedCurve(std::vector<BentPoint> points, const std::string& name,
                                     std::vector<Message>& changes) {

@@ -26,10 +26,6 @@ struct SegmentRule {
 /// By how much straight segments may differ from curved ones, in opacity and colour.
 inline constexpr double segmentTolerance = 0.01;
 
-/// How much of the change from a point to the next is done at a fraction `u` of the way, 0..1: VTK's rule
-/// (vtkPiecewiseFunction), with a true step at the midpoint where the sharpness is over 0.99.
-double changeDone(double u, double midpoint, double sharpness);
-
 /// As checkedCurve of straight curves (LookCurves.h).
 std::vector<BentPoint> checkedCurve(std::vector<BentPoint> points, const std::string& name,
                                     std::vector<Message>& changes);

@@ -15,6 +15,7 @@ namespace limn {
 /// The most points of a look; what has more is damage, or no curve that anyone drew.
 inline constexpr std::size_t mostLookPoints = 100000;
 
+/// What to do about a damaged look, as errors say it.
 inline const Message saveLookAgain = Message::tr("save the look again in the program that made it");
 
 /// Throws Error (input), naming `name`, where a curve has no points, or more than mostLookPoints.

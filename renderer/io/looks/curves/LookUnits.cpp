@@ -95,33 +95,6 @@ TransferFunction stretchedOver(const TransferFunction& function, const std::opti
   return stretched;
 }
 
-TransferFunction relativeTo(const TransferFunction& function, const std::optional<LookTarget>& target,
-                            std::vector<Message>& changes) {
-  if (function.points.empty())
-    return function;
-  double low = target ? target->low : function.points.front().value;
-  const double high = target ? target->high : function.points.back().value;
-  if (!(high > low)) // a function of one value
-    low = high - 1.0;
-  TransferFunction relative{function.unitDistanceMm, {}};
-  const auto add = [&](double value, const glm::dvec3& color, double opacity) {
-    relative.points.push_back({(value - low) / (high - low), color, opacity});
-  };
-  const bool isCut = function.points.front().value < low || function.points.back().value > high;
-  if (function.points.front().value < low)
-    add(low, classify(function, low).color, classify(function, low).opacity);
-  for (const ControlPoint& point : function.points)
-    if (point.value >= low && point.value <= high)
-      add(point.value, point.color, point.opacity);
-  if (function.points.back().value > high)
-    add(high, classify(function, high).color, classify(function, high).opacity);
-  tell(changes,
-       Message::tr("Its values from %1 became relative ones from 0 to 1.").arg(rangeText(low, high)));
-  if (isCut)
-    tell(changes, Message::tr("Points beyond the range of the volume were left out."));
-  return relative;
-}
-
 TransferFunction overOneMillimetre(const TransferFunction& function, std::vector<Message>& changes) {
   if (function.unitDistanceMm == 1.0 || function.points.empty())
     return function;

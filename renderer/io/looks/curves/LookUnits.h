@@ -26,11 +26,6 @@ std::vector<GradientOpacityPoint> gradientOpacityForVtk(const std::optional<Grad
 TransferFunction stretchedOver(const TransferFunction& function, const std::optional<LookTarget>& target,
                                std::vector<Message>& changes);
 
-/// The inverse: a function over values as one over 0..1, of the target's range, or without a target of its
-/// own, which is said. Points beyond the range become the function's values at its ends.
-TransferFunction relativeTo(const TransferFunction& function, const std::optional<LookTarget>& target,
-                            std::vector<Message>& changes);
-
 /// The function with opacities over 1 mm, for formats that hold no length, within 0.01 between points; said
 /// where that changes them.
 TransferFunction overOneMillimetre(const TransferFunction& function, std::vector<Message>& changes);

@@ -19,6 +19,7 @@ struct WrittenWindow {
   ValueRange range;
 };
 
+/// The window over a range of values, of whose decimal strings none has more than 16 characters.
 WrittenWindow windowOver(const ValueRange& range);
 
 /// Writes the window into an item of the input sequence.

@@ -24,6 +24,7 @@ Geometry geometryOf(const Scene& scene);
 /// How a projection is written: one that the standard does not know as composite.
 Projection standardProjection(Projection projection);
 
+/// Writes the module into an object.
 void putGeometry(DcmItem& object, const Geometry& geometry);
 
 /// Throws Error (input) where it is missing or contradicts itself.

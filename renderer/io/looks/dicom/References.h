@@ -15,6 +15,7 @@ DcmItem& putInput(DcmItem& object, const std::string& inputSet, const std::vecto
 void putCommonReferences(DcmItem& object, const std::string& series,
                          const std::vector<DicomReference>& images);
 
+/// Writes a sequence with one item, class and instance, for each of the images.
 void putReferences(DcmItem& item, const DcmTagKey& sequence, const std::vector<DicomReference>& images);
 
 /// The item of the input sequence. Throws Error (input) for what Limn cannot draw: several inputs, one that

@@ -200,8 +200,10 @@ std::vector<ReadLook> readParaViewJson(std::string_view text, const std::string&
                     ? Message::tr("it holds no colour map")
                     : Message::tr("its indexed colours belong to single values, which is no curve"),
                 Message::tr("choose a colour map over a range of values"));
-  for (const Message& sentence : passedOver)
-    tell(looks.front().changes, sentence);
+  // What is said of the file is said with each of its looks: whoever takes one alone is told, too.
+  for (ReadLook& look : looks)
+    for (const Message& sentence : passedOver)
+      tell(look.changes, sentence);
   return looks;
 }
 

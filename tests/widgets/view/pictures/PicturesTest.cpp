@@ -5,12 +5,12 @@
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCaster.h"
 #include "raycaster/RayCasterEngine.h"
-#include "reference/ReferenceEngine.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
 #include "support/MappedVolume.h"
+#include "support/ReferenceEngine.h"
 #include "support/TemporaryFolder.h"
 #include "widgets/view/pictures/GlScreen.h"
 #include "widgets/view/pictures/MemoryScreen.h"
@@ -56,7 +56,7 @@ TEST_F(PicturesWithoutWindow, stripsOfTheRayCasterEndInThePictureThatItDrawsWhol
 }
 
 TEST_F(PicturesWithoutWindow, stripsOfTheReferenceEndInThePictureThatItDrawsWhole) {
-  Pictures pictures(makeReferenceEngine(), makeMemoryScreen({}));
+  Pictures pictures(test::makeReferenceEngine(), makeMemoryScreen({}));
   const std::vector<Scene> scenes = bothModels();
   finish(pictures, scenes);
   ASSERT_TRUE(pictures.state().resting);
@@ -170,7 +170,7 @@ TEST_F(PicturesWithoutWindow, whatIsDoneAtRestEndsWithEveryEngine) {
     return std::make_unique<Pictures>(std::move(engine), makeMemoryScreen({}));
   };
   for (const MakePictures& make :
-       {MakePictures(withOpenGl), MakePictures([&] { return inMemory(makeReferenceEngine()); }),
+       {MakePictures(withOpenGl), MakePictures([&] { return inMemory(test::makeReferenceEngine()); }),
         MakePictures([&] { return inMemory(makeCpuEngine()); })}) {
     const std::unique_ptr<Pictures> made = make();
     Pictures& pictures = *made;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/CropBoxDesk.h"
+#include "app/window/volume/CropBoxDesk.h"
 
 #include "widgets/properties/CropSection.h"
 #include "widgets/view/CompareView.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/RayDesk.h"
+#include "app/window/picture/RayDesk.h"
 
 #include "app/document/Session.h"
 #include "reference/ProfileAlong.h"

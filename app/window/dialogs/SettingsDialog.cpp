@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/SettingsDialog.h"
+#include "app/window/dialogs/SettingsDialog.h"
 
 #include "app/actions/Actions.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/AccuracyMeasurer.h"
+#include "app/window/accuracy/AccuracyMeasurer.h"
 
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"

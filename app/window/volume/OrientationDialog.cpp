@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/OrientationDialog.h"
+#include "app/window/volume/OrientationDialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

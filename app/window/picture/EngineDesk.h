@@ -17,9 +17,13 @@ namespace limn {
 
 class CompareView;
 class Settings;
+struct MakingOptions;
 
 /// The engine that draws at first. Throws Error (usage) as makeCpuEngine does.
 EngineChoice firstEngine(Settings& settings, const OpenGlOffer& openGl);
+
+/// Pictures for files are drawn by whoever draws the window.
+MakingOptions drawnLike(const CompareView& view);
 
 /// Which engine draws the window: the one chosen in the menu or, where that is left open, the faster. Which
 /// that is is tried once for each driver and processor, beside the event loop, when the first picture rests.

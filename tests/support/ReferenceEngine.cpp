@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/ReferenceEngine.h"
+#include "ReferenceEngine.h"
 
 #include "engine/StepLimit.h"
 #include "reference/ReferenceIntegrator.h"
 
 #include <algorithm>
 
-namespace limn {
+namespace limn::test {
 namespace {
 
 Image partOf(const Image& image, const PixelRect& tile) {
@@ -62,4 +62,4 @@ std::unique_ptr<DrawingEngine> makeReferenceEngine(int threads) {
   return std::make_unique<ReferenceEngine>(threads);
 }
 
-} // namespace limn
+} // namespace limn::test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/EmphasisDesk.h"
+#include "app/window/curve/EmphasisDesk.h"
 
 #include "app/document/Session.h"
-#include "app/window/PlaneDesk.h"
+#include "app/window/picture/PlaneDesk.h"
 #include "scene/function/PointShare.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/curve/points/PointLight.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/StabilityDialog.h"
+#include "app/window/dialogs/StabilityDialog.h"
 
 #include <QDesktopServices>
 #include <QDir>

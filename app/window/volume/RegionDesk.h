@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/BackgroundWork.h"
 #include "app/KeptRegion.h"
 #include "scene/Scene.h"
 
 #include <QObject>
 #include <QString>
 
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <thread>
-#include <vector>
 
 class QAction;
 
@@ -35,10 +33,9 @@ public:
     QWidget& window;
   };
   explicit RegionDesk(Parts parts);
-  ~RegionDesk() override;
 
   /// Whether something is being found or read.
-  bool isBusy() const { return m_job != nullptr; }
+  bool isBusy() const { return m_work.isRunning(); }
 
 public slots:
   void askForLabels();
@@ -53,15 +50,9 @@ signals:
   void ended();
 
 private:
-  struct Job {
-    std::atomic<bool> isCancelled{false};
-  };
   using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
 
   void start(const QString& what, const QString& gesture, Work work);
-  void run(const std::shared_ptr<Job>& job, const std::shared_ptr<const Volume>& volume,
-           const QString& gesture, const Work& work);
-  void deliver(const std::shared_ptr<Job>& job, std::function<void()> function);
   void keep(const FoundRegion& found, const QString& gesture);
   void tellReplaced(const Region& before, const Region& now);
   void end();
@@ -69,8 +60,8 @@ private:
   Parts m_parts;
   std::shared_ptr<const Volume> m_volume; ///< the one that is open
   Region m_body;                          ///< of it, where it is known
-  std::shared_ptr<Job> m_job;             ///< whose result counts; null at rest
-  std::vector<std::jthread> m_threads;    ///< those whose work was ended, too
+  QString m_doing;                        ///< what is worked at, in words
+  BackgroundWork m_work;
 };
 
 /// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/HistogramDesk.h"
+#include "app/window/curve/HistogramDesk.h"
 #include "scene/Scene.h"
 #include "scene/volume/Histogram.h"
 

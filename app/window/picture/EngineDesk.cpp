@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/EngineDesk.h"
+#include "app/window/picture/EngineDesk.h"
 
 #include "app/Settings.h"
 #include "app/engines/EngineTrial.h"
+#include "app/engines/PictureMaker.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"
 
@@ -30,6 +31,12 @@ ViewEngine engineOf(const EngineChoice& choice) {
 
 EngineChoice firstEngine(Settings& settings, const OpenGlOffer& openGl) {
   return chosenEngine(factsOf(settings.engine(), settings, openGl));
+}
+
+MakingOptions drawnLike(const CompareView& view) {
+  MakingOptions order;
+  order.engine = view.engine() == ViewEngine::processor ? PictureEngine::cpu : PictureEngine::gl;
+  return order;
 }
 
 EngineDesk::EngineDesk(Parts parts, QObject* parent)

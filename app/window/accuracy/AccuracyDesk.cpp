@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/AccuracyDesk.h"
+#include "app/window/accuracy/AccuracyDesk.h"
 
 #include "app/Settings.h"
 #include "app/document/DocumentText.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/PlaneDesk.h"
+#include "app/window/picture/PlaneDesk.h"
 
 #include "app/actions/Actions.h"
 #include "app/document/OpenDocument.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/OrientationDesk.h"
+#include "app/window/volume/OrientationDesk.h"
 
 #include "app/document/Session.h"
-#include "app/window/OrientationDialog.h"
+#include "app/window/volume/OrientationDialog.h"
 #include "scene/view/Camera.h"
 #include "scene/volume/Orientation.h"
 

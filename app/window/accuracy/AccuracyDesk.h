@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/window/AccuracyMeasurer.h"
+#include "app/window/accuracy/AccuracyMeasurer.h"
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/HistogramDesk.h"
+#include "app/window/curve/HistogramDesk.h"
 
 #include "app/Settings.h"
 #include "scene/basics/Error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/CurveDesk.h"
+#include "app/window/curve/CurveDesk.h"
 
 #include "scene/basics/Error.h"
 #include "scene/light/GradientHistogram.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/RegionDesk.h"
+#include "app/window/volume/RegionDesk.h"
 
 #include "app/document/Session.h"
 #include "app/opening/OpenDialog.h"
 #include "app/opening/SparseReports.h"
 #include "app/window/MessageBar.h"
 #include "io/labels/LabelReader.h"
-#include "scene/basics/Error.h"
 #include "scene/volume/Orientation.h"
 #include "widgets/Translated.h"
 
@@ -18,12 +17,12 @@ namespace limn {
 
 RegionDesk::RegionDesk(Parts parts) : QObject(&parts.window), m_parts(parts) {
   connect(&m_parts.bodyOnly, &QAction::triggered, this, &RegionDesk::setBodyOnly);
-}
-
-RegionDesk::~RegionDesk() {
-  if (m_job)
-    m_job->isCancelled = true;
-  m_threads.clear(); // joins
+  connect(&m_work, &BackgroundWork::progressed, this,
+          [this](double done) { emit progressed(done, m_doing); });
+  connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    end();
+    m_parts.messages.show(MessageBar::Kind::error, sentence);
+  });
 }
 
 void RegionDesk::askForLabels() {
@@ -79,49 +78,17 @@ void RegionDesk::start(const QString& what, const QString& gesture, Work work) {
   cancel();
   if (!m_volume)
     return;
-  m_job = std::make_shared<Job>();
+  m_doing = what;
   emit progressed(-1.0, what);
-  m_threads.emplace_back([this, job = m_job, volume = m_volume, gesture, work = std::move(work)] {
-    run(job, volume, gesture, work);
-  });
-}
-
-void RegionDesk::run(const std::shared_ptr<Job>& job, const std::shared_ptr<const Volume>& volume,
-                     const QString& gesture, const Work& work) {
-  const auto fail = [&](const QString& sentence) {
-    deliver(job, [this, sentence] {
-      end();
-      m_parts.messages.show(MessageBar::Kind::error, sentence);
-    });
-  };
-  Progress progress;
-  progress.isCancelled = [job] { return job->isCancelled.load(); };
-  progress.report = SparseReports([this, job](double fraction, const Message& what) {
-    deliver(job, [this, fraction, what] { emit progressed(fraction, translated(what)); });
-  });
-  try {
-    deliver(job, [this, found = work(*volume, progress), gesture] {
+  m_work.start([this, volume = m_volume, gesture,
+                work = std::move(work)](const Effort& effort) -> BackgroundWork::Deliver {
+    const Progress progress{SparseReports([&effort](double done, const Message&) { effort.report(done); }),
+                            effort.isCancelled};
+    return [this, found = work(*volume, progress), gesture] {
       end();
       keep(found, gesture);
-    });
-  } catch (const Cancelled&) {
-    // Whoever cancelled has already said so.
-  } catch (const Error& error) {
-    fail(translated(error));
-  } catch (const std::exception& error) {
-    fail(tr("What is kept could not be found: %1.").arg(translated(error)));
-  }
-}
-
-// Runs `function` on the desk's own thread, unless the work was ended by then.
-void RegionDesk::deliver(const std::shared_ptr<Job>& job, std::function<void()> function) {
-  QMetaObject::invokeMethod(
-      this,
-      [this, job, function = std::move(function)] {
-        if (job == m_job)
-          function();
-      },
-      Qt::QueuedConnection);
+    };
+  });
 }
 
 // One or the other is kept; what gave way comes back by one click.
@@ -153,14 +120,13 @@ void RegionDesk::keep(const FoundRegion& found, const QString& gesture) {
 }
 
 void RegionDesk::cancel() {
-  if (!m_job)
+  if (!m_work.isRunning())
     return;
-  m_job->isCancelled = true;
+  m_work.cancel();
   end();
 }
 
 void RegionDesk::end() {
-  m_job.reset();
   emit ended();
   // A box that was checked for what did not come of it.
   m_parts.bodyOnly.setChecked(m_parts.session.scene().keep.kind == Region::Kind::body);

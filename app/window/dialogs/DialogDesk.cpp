@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/DialogDesk.h"
+#include "app/window/dialogs/DialogDesk.h"
 
 #include "app/actions/Actions.h"
 #include "app/actions/HelpBoxes.h"
 #include "app/help/GuidePlaces.h"
 #include "app/help/GuideWindow.h"
-#include "app/window/SettingsDialog.h"
-#include "app/window/StabilityDialog.h"
+#include "app/window/dialogs/SettingsDialog.h"
+#include "app/window/dialogs/StabilityDialog.h"
 
 #include <QCoreApplication>
 

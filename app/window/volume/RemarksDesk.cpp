@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/RemarksDesk.h"
+#include "app/window/volume/RemarksDesk.h"
 
 #include "app/document/DocumentText.h"
 #include "app/document/OpenDocument.h"
 #include "app/opening/OpeningDesk.h"
 #include "app/window/MessageBar.h"
-#include "app/window/OrientationDesk.h"
+#include "app/window/volume/OrientationDesk.h"
 
 namespace limn {
 

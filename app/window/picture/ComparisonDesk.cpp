@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window/ComparisonDesk.h"
+#include "app/window/picture/ComparisonDesk.h"
 
 #include "app/actions/Actions.h"
 #include "app/document/OpenDocument.h"

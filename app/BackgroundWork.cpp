@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/figure/BackgroundWork.h"
+#include "app/BackgroundWork.h"
 
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
@@ -59,7 +59,7 @@ void BackgroundWork::run(const std::shared_ptr<State>& state, const Task& task) 
   } catch (const Error& error) {
     fail(translated(error));
   } catch (const std::bad_alloc&) {
-    fail(tr("There is not enough memory for this; choose fewer pixels or close other programs."));
+    fail(tr("There is not enough memory for this; close other programs or ask for something smaller."));
   } catch (const std::exception& error) {
     fail(tr("An unexpected error: %1.").arg(QString::fromLocal8Bit(error.what())));
   }
