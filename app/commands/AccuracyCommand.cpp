@@ -74,7 +74,7 @@ void writeReport(const AccuracyReport& report, const std::filesystem::path& fold
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const std::string& name, const Scene& scene, const AccuracyArguments& arguments,
                               const Progress& progress) {
-  const RaysBy rays = raysAtHand();
+  const RaysBy rays = raysAtHand(scene);
   RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const double end = arguments.isQuick ? 1.0 : 0.7;
