@@ -49,8 +49,9 @@ double worstInFloats(const Scene& scene) {
     floats.facts.isInFloats = true;
     EXPECT_TRUE(floats.facts.converged) << bricks;
     const ImageError error = imageError(floats.pixels, exact.pixels);
-    EXPECT_LE(error.p99_9, leastP99_9(floats.facts)) << bricks;
-    EXPECT_LE(error.mean, leastMean(floats.facts)) << bricks;
+    // Neither is exact.
+    EXPECT_LE(error.p99_9, leastP99_9(floats.facts) + leastP99_9(exact.facts)) << bricks;
+    EXPECT_LE(error.mean, leastMean(floats.facts) + leastMean(exact.facts)) << bricks;
     if (integrates(scene.projection)) {
       EXPECT_LE(error.p99_9, floatP99_9) << bricks;
       EXPECT_LE(error.mean, floatMean) << bricks;

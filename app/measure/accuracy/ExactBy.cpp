@@ -32,8 +32,8 @@ std::string quoted(const std::string& text) {
 }
 
 // Pictures carry the scene that they show, but for where its volume and labels lie.
-bool showsScene(const fs::path& picture, const Scene& scene) {
-  const SceneDocument asked = parseScene(sceneToJson(scene, {}), "the scene asked for");
+bool showsScene(const fs::path& picture, const Scene& scene, const std::string& volume) {
+  const SceneDocument asked = parseScene(sceneToJson(scene, volume), "the scene asked for");
   SceneDocument shown = parseScene(readImageDescription(picture), picture.string());
   shown.volume = asked.volume;
   shown.keep = asked.keep;
@@ -53,7 +53,7 @@ Image drawn(const DrawingCommand& command, const Scene& scene) {
                                   .c_str());
   if (!WIFEXITED(raw) || WEXITSTATUS(raw) != 0 || !fs::exists(picture))
     failDrawing(command, "drew no picture");
-  if (!showsScene(picture, scene))
+  if (!showsScene(picture, scene, command.volume))
     failDrawing(command, "drew another scene than it was given");
   return readExr(picture);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures that many processes draw, started by mpirun as a user starts them.
 #include "accuracy/ImageError.h"
-#include "accuracy/sweep/ConvergedPicture.h"
+#include "accuracy/sweep/AccuracySweep.h"
 #include "io/reports/AccuracyFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/framing/Framing.h"
