@@ -35,11 +35,12 @@
 
 namespace limn {
 
-MainWindow::MainWindow(UserFolders folders, QWidget* parent)
+MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& memory, QWidget* parent)
     : QMainWindow(parent), m_folders(std::move(folders)), m_settings(m_folders.settings), m_session(this),
       m_document(m_session),
       m_centre(*this, m_openGl,
-               firstEngine(m_settings, m_openGl).isProcessor ? ViewEngine::processor : ViewEngine::driver),
+               firstEngine(m_settings, m_openGl).isProcessor ? ViewEngine::processor : ViewEngine::driver,
+               memory),
       m_docks(*this, m_panels), m_notes(*statusBar(), *m_centre.messages),
       m_pictures(*m_centre.view, m_settings, *statusBar(), this), m_status(*statusBar()),
       m_actions(*this, m_session.undoStack()), m_menus(makeMenus(*this, m_actions, m_docks.toggleActions())),
@@ -84,7 +85,7 @@ MainWindow::MainWindow(UserFolders folders, QWidget* parent)
                {*m_centre.recovery, *m_centre.unsafe, *m_menus.unsavedSessions, *this}),
       m_opening(
           m_settings, *m_actions.patientInTitle, *m_menus.recentSources, *m_centre.messages,
-          [this] { return m_safety.savingOfNow(); }, *this),
+          [this] { return m_safety.savingOfNow(); }, memory, *this),
       m_remarks({m_session, m_document, *m_centre.messages, m_opening, m_orientation}, this),
       m_dicom({m_session, m_document, *m_centre.view, m_opening, m_settings, m_notes, *m_centre.messages,
                *m_actions.saveDicom, *this}),

@@ -53,8 +53,10 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
-  /// `folders` is where settings, presets and unsaved sessions are kept.
-  explicit MainWindow(UserFolders folders = UserFolders::ofThisUser(), QWidget* parent = nullptr);
+  /// `folders` is where settings, presets and unsaved sessions are kept, `memory` how much it may take for
+  /// volumes and what engines make of them (default: MemoryBudget's, each time).
+  explicit MainWindow(UserFolders folders = UserFolders::ofThisUser(),
+                      const std::optional<MemoryBudget>& memory = {}, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   /// Starts loading a volume, DICOM folder, scene, session or Limn picture.

@@ -125,7 +125,7 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   QSurfaceFormat::setDefaultFormat(limnSurfaceFormat());
   QApplication application(argc, argv);
   dress(application, arguments.theme, arguments.language);
-  MainWindow window;
+  MainWindow window(UserFolders::ofThisUser(), arguments.options.read.memory);
   window.show();
   if (arguments.screenshot.empty()) {
     window.keepSessions();

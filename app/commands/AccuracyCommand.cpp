@@ -8,6 +8,7 @@
 #include "app/engines/RealRenderers.h"
 #include "app/language/Language.h"
 #include "app/measure/accuracy/AccuracyTable.h"
+#include "app/measure/accuracy/ExactBy.h"
 #include "app/measure/accuracy/MeasureDecisions.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyFile.h"
@@ -18,6 +19,7 @@
 
 #include <QApplication>
 
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -29,6 +31,7 @@ struct AccuracyArguments {
   SceneArguments scene;
   std::vector<std::string> reports; ///< to be joined instead of measuring
   std::string folder;
+  std::string exactBy; ///< a program that draws the converged picture; empty: the reference
   int threads = 0;
   bool isQuick = false;
   double withinLevels = 0.0; ///< 0: not given
@@ -71,15 +74,38 @@ void writeReport(const AccuracyReport& report, const std::filesystem::path& fold
   writeChart(report, folder / "accuracy.png");
 }
 
+// How a program is to read the volume that this one has read.
+std::string readOptionsOf(const ReadOptions& read) {
+  char words[160] = "";
+  if (read.spacingMm)
+    std::snprintf(words, sizeof words, " --spacing %.17g,%.17g,%.17g", read.spacingMm->x, read.spacingMm->y,
+                  read.spacingMm->z);
+  return words + (read.series ? " --series " + std::to_string(*read.series) : std::string());
+}
+
+ConvergedPicture exactPicture(const LoadedScene& loaded, const Scene& scene, RealRenderers& renderers,
+                              const AccuracyArguments& arguments, const Progress& progress) {
+  const glm::ivec2 size(scene.image.width, scene.image.height);
+  if (arguments.exactBy.empty())
+    return convergedPicture(scene, size, renderers.precisely(), progress.report);
+  makeReportFolder(arguments.folder);
+  const DrawingCommand command{arguments.exactBy, loaded.volumePath, readOptionsOf(loaded.read),
+                               arguments.folder};
+  ConvergedPicture picture = convergedPicture(scene, size, exactBy(command), progress.report);
+  picture.facts.isInFloats = true;
+  return picture;
+}
+
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
-AccuracyReport measuredReport(const std::string& name, const Scene& scene, const AccuracyArguments& arguments,
-                              const Progress& progress) {
-  const RaysBy rays = raysAtHand();
+AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
+                              const AccuracyArguments& arguments, const Progress& progress) {
+  const RaysBy rays = raysAtHand(scene);
   RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const double end = arguments.isQuick ? 1.0 : 0.7;
   const ConvergedPicture converged =
-      convergedPicture(scene, size, renderers.precisely(), part(progress, 0.0, 0.3).report);
+      exactPicture(loaded, scene, renderers, arguments, part(progress, 0.0, 0.3));
+  const std::string name = nameOf(arguments.scene, loaded);
   AccuracyReport report = measureAccuracy(name, scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
                                           converged, renderers, part(progress, 0.3, end).report);
   // Decisions are those of the textures.
@@ -117,7 +143,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
-  const AccuracyReport report = measuredReport(nameOf(arguments.scene, loaded), scene, arguments, progress);
+  const AccuracyReport report = measuredReport(loaded, scene, arguments, progress);
   requireWhole(loaded.volumePath, *scene.volume);
   writeReport(report, arguments.folder);
   std::cout << accuracyTable(report);
@@ -141,6 +167,9 @@ void addAccuracyCommand(CommandSyntax& root) {
       .option("--join", arguments->reports,
               "instead of measuring: reports (accuracy.json, or their folders) as one table, cohort.csv")
       .file({".json"});
+  command.option("--exact-by", arguments->exactBy,
+                 "a program that draws the exact picture in the reference's place, in single precision: one "
+                 "that takes what limn render takes, such as \"mpirun -n 4 limn-mpi\"");
   command.option("--threads", arguments->threads, "threads of the reference (default: every core)")
       .within(1, 4096);
   command.flag("--quick", arguments->isQuick,

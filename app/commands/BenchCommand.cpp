@@ -256,6 +256,8 @@ void runBench(const BenchArguments& arguments) {
                             "Measuring " + scenes[i].name);
         },
         result);
+  for (const BenchScene& scene : scenes)
+    requireWhole(scene.volumePath, *scene.scene.volume);
   const std::string machine = machineName() + ", " + result.driver;
   if (arguments.json)
     std::cout << benchJson(machine, result.rows, result.equalErrors);

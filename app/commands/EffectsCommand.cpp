@@ -2,6 +2,7 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
+#include "app/engines/OnDisk.h"
 #include "app/engines/RealRenderers.h"
 #include "cpu/CpuCosts.h"
 #include "gl/FloatTarget.h"
@@ -101,6 +102,7 @@ Report reportOnProcessor(const Scene& scene, int frames, const Progress& progres
 }
 
 void printShader(const Scene& scene) {
+  requireOpenGlMayCopy(scene, "");
   const HeadlessContext context;
   RayCaster caster;
   const std::string text = caster.fragmentShader(scene);
@@ -119,8 +121,9 @@ void runEffects(const EffectsArguments& arguments) {
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   if (arguments.shader)
     return printShader(scene);
-  const Report report = raysAtHand() == RaysBy::openGl ? reportWithOpenGl(scene, arguments.frames, progress)
-                                                       : reportOnProcessor(scene, arguments.frames, progress);
+  const Report report = raysAtHand(scene) == RaysBy::openGl
+                            ? reportWithOpenGl(scene, arguments.frames, progress)
+                            : reportOnProcessor(scene, arguments.frames, progress);
   requireWhole(loaded.volumePath, *scene.volume);
   if (arguments.json) {
     printJson(report);

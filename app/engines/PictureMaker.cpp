@@ -4,7 +4,9 @@
 #include "accuracy/ErrorEstimate.h"
 #include "accuracy/Tolerance.h"
 #include "app/engines/EngineTrial.h"
+#include "app/engines/OnDisk.h"
 #include "cpu/CpuRenderer.h"
+#include "engine/VolumeTooLarge.h"
 #include "gl/HeadlessContext.h"
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
@@ -78,6 +80,8 @@ void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, cons
 }
 
 void makeWithGl(const Sitting& sitting, const MakingOptions& order, const VolumeRoom& room) {
+  for (const Scene& scene : sitting.scenes)
+    requireOpenGlMayCopy(scene);
   const HeadlessContext context;
   if (order.engine == PictureEngine::slices || order.engine == PictureEngine::slicesBackToFront) {
     SliceRenderer slices(order.engine == PictureEngine::slices ? BlendOrder::frontToBack
@@ -212,6 +216,8 @@ void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const Ma
     return makeWithGl(sitting, order, {order.textureMb, true});
   Message problem;
   try {
+    for (const Scene& scene : scenes)
+      requireInMemory(*scene.volume);
     if (!processorIsFaster(scenes.front(), order.memory))
       return makeWithGl(sitting, order, {order.textureMb, false});
   } catch (const Error& error) {

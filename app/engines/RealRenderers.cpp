@@ -2,6 +2,7 @@
 #include "app/engines/RealRenderers.h"
 
 #include "accuracy/Tolerance.h"
+#include "app/engines/OnDisk.h"
 #include "app/engines/ProcessCost.h"
 #include "cpu/CpuEngine.h"
 #include "gl/FloatTarget.h"
@@ -145,7 +146,9 @@ double RealRenderers::Parts::peakMb(const Scene& scene, const OperatingPoint& po
   return peakResidentMb() - before;
 }
 
-RaysBy raysAtHand() {
+RaysBy raysAtHand(const Scene& scene) {
+  if (staysOnDisk(scene))
+    return RaysBy::processor;
   try {
     const HeadlessContext context;
     return RaysBy::openGl;

@@ -11,8 +11,9 @@ namespace limn {
 /// Which engine casts rays.
 enum class RaysBy { openGl, processor };
 
-/// OpenGL where there is a context without display to be had on this thread, otherwise the processor.
-RaysBy raysAtHand();
+/// For a scene: OpenGL where there is a context without display to be had on this thread and the voxels lie
+/// in memory, otherwise the processor.
+RaysBy raysAtHand(const Scene& scene);
 
 /// The program's own renderers for a sweep, with OpenGL in a context of their own. They belong to the thread
 /// that made them: every call, the end included, comes from it. Textures and programs are kept from one

@@ -21,9 +21,10 @@
 namespace limn {
 
 OpeningDesk::OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu& recent, MessageBar& messages,
-                         std::function<std::function<void()>()> before, QWidget& window)
+                         std::function<std::function<void()>()> before,
+                         const std::optional<MemoryBudget>& memory, QWidget& window)
     : QObject(&window), m_settings(settings), m_showsPatient(showsPatient), m_recent(recent),
-      m_messages(messages), m_before(std::move(before)), m_window(window) {
+      m_messages(messages), m_before(std::move(before)), m_memory(memory), m_window(window) {
   connect(&m_loader, &VolumeLoader::progressed, this, &OpeningDesk::progressed);
   connect(&m_loader, &VolumeLoader::cancelled, this, &OpeningDesk::ended);
   connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningDesk::chooseSeries);
@@ -75,6 +76,8 @@ void OpeningDesk::start(const Request& request, const QString& what) {
   known.knownVolumes = m_settings.knownVolumes();
   known.references = m_settings.references();
   known.hidesTable = true;
+  if (!known.read.memory)
+    known.read.memory = m_memory;
   emit progressed(-1.0, what);
   m_loader.start(request.source, known, m_before());
 }

@@ -21,9 +21,11 @@ class OpeningDesk : public QObject {
 
 public:
   /// Names of files are shown where `showsPatient` is checked. `recent` is the menu of what was opened
-  /// before. `before` tells what is done on the worker thread before anything is read.
+  /// before. `before` tells what is done on the worker thread before anything is read; `memory` is how much
+  /// of it volumes may take where a request does not say.
   OpeningDesk(Settings& settings, const QAction& showsPatient, QMenu& recent, MessageBar& messages,
-              std::function<std::function<void()>()> before, QWidget& window);
+              std::function<std::function<void()>()> before, const std::optional<MemoryBudget>& memory,
+              QWidget& window);
 
   const VolumeLoader& loader() const { return m_loader; }
 
@@ -74,6 +76,7 @@ private:
   QMenu& m_recent;
   MessageBar& m_messages;
   std::function<std::function<void()>()> m_before;
+  std::optional<MemoryBudget> m_memory;
   QWidget& m_window;
   VolumeLoader m_loader;
   QString m_failure;   ///< why nothing was opened; empty once that does not matter

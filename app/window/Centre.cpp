@@ -12,7 +12,8 @@
 
 namespace limn {
 
-Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine) {
+Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine,
+               const std::optional<MemoryBudget>& memory) {
   auto* centre = new QWidget(&window);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
@@ -24,7 +25,7 @@ Centre::Centre(QMainWindow& window, const OpenGlOffer& openGl, ViewEngine engine
   tour->setObjectName(QStringLiteral("tourBar"));
   unsafe->setObjectName(QStringLiteral("unsafeBar"));
   view = new CompareView({openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
-                          [] { return makeCpuEngine(); }},
+                          [memory] { return makeCpuEngine(0, memory.value_or(MemoryBudget())); }},
                          engine, centre);
   column->addWidget(planes = new PlaneDeck(*view, centre), 1);
   window.setCentralWidget(centre);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/basics/Error.h"
+#include "scene/volume/Volume.h"
 
 namespace limn {
 
@@ -11,5 +12,8 @@ class VolumeTooLarge : public Error {
 public:
   explicit VolumeTooLarge(const Message& sentence) : Error(Kind::openGl, sentence) {}
 };
+
+/// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.
+void requireInMemory(const Volume& volume);
 
 } // namespace limn

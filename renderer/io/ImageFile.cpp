@@ -114,6 +114,16 @@ std::string readImageDescription(const fs::path& path) {
   return picture->description;
 }
 
+Image readExr(const fs::path& path) {
+  const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
+  if (picture && picture->sample == StoredPicture::Sample::float32 && picture->channels == 4) {
+    Image image({picture->width, picture->height});
+    if (picture->readRows(image.pixels.data(), 0, picture->height))
+      return image;
+  }
+  failReading(path, Message::tr("it is no picture, or a damaged one"), "draw it anew");
+}
+
 bool isWholePicture(const fs::path& path) {
   std::error_code unknown;
   if (!fs::is_regular_file(path, unknown))

@@ -36,6 +36,9 @@ void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
 /// where there is none. Throws Error where it cannot be read.
 std::string readImageDescription(const std::filesystem::path& path);
 
+/// The floats of an EXR picture that writeImage wrote. Throws Error (input) where it is none, or damaged.
+Image readExr(const std::filesystem::path& path);
+
 /// Whether a picture is there and can be read to its end.
 bool isWholePicture(const std::filesystem::path& path);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/measure/bench/Bench.h"
 
+#include "app/engines/OnDisk.h"
 #include "cpu/CpuRenderer.h"
 #include "gl/DriverFacts.h"
 #include "reference/ReferenceIntegrator.h"
@@ -22,7 +23,10 @@ glm::ivec2 sizeOf(const Scene& scene) {
 std::unique_ptr<Contender> slicesContender(const std::shared_ptr<HeadlessContext>& context) {
   return pictureContender("limn-slices", rendererName(), [context]() -> DrawPicture {
     const auto slices = std::make_shared<SliceRenderer>();
-    return [context, slices](const Scene& scene) { return slices->render(scene, sizeOf(scene)); };
+    return [context, slices](const Scene& scene) {
+      requireOpenGlMayCopy(scene);
+      return slices->render(scene, sizeOf(scene));
+    };
   });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engines/OnDisk.h"
 #include "app/measure/bench/Contender.h"
 #include "gl/PictureTarget.h"
 #include "io/ImageFile.h"
@@ -33,6 +34,7 @@ public:
   }
 
   FrameCost drawFirst(const Scene& scene) override {
+    requireOpenGlMayCopy(scene);
     m_caster.reset();
     m_target.emplace();
     glFinish();

@@ -96,8 +96,12 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
     draw(finer, size, wanted, result.pixels);
     const ImageError change = imageError(before, result.pixels);
     const double mostMean = finer.quality.fineness ? enoughMeanOfLocal : enoughMean;
-    result.facts = {change.p99_9 <= enoughP99_9 && change.mean <= mostMean, halvings.stepVoxels(),
-                    finer.quality.fineness, change.p99_9, change.mean};
+    result.facts = {change.p99_9 <= enoughP99_9 && change.mean <= mostMean,
+                    halvings.stepVoxels(),
+                    finer.quality.fineness,
+                    change.p99_9,
+                    change.mean,
+                    false};
     for (std::size_t i = 0; i < count; ++i)
       wanted[i] = wanted[i] && changes(before[i], result.pixels[i]) ? 1 : 0;
   }
@@ -105,11 +109,11 @@ ConvergedPicture convergedPicture(const Scene& scene, const glm::ivec2& size, co
 }
 
 double leastP99_9(const ReferenceFacts& facts) {
-  return 3.0 * facts.lastChangeLevels;
+  return 3.0 * facts.lastChangeLevels + (facts.isInFloats ? floatP99_9 : 0.0);
 }
 
 double leastMean(const ReferenceFacts& facts) {
-  return 3.0 * facts.lastMeanChange;
+  return 3.0 * facts.lastMeanChange + (facts.isInFloats ? floatMean : 0.0);
 }
 
 } // namespace limn

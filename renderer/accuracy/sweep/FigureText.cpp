@@ -50,10 +50,14 @@ std::string referenceSentence(const ReferenceFacts& reference) {
           : "at a step of 1/" + std::to_string(std::lround(1.0 / reference.stepVoxels)) + " voxel";
   if (!reference.converged)
     return "Not converged: " + step + " the exact picture still changed by " +
-           threeDigits(reference.lastChangeLevels) + " levels (99.9th percentile), so no error is told.";
-  return "Errors are measured against a picture in double precision " + step +
+           threeDigits(reference.lastChangeLevels) + " levels (99.9th percentile), so no error is told" +
+           (reference.isInFloats ? "; in double precision, without --exact-by, it may converge." : ".");
+  const std::string floats = ", and which floats move by " + threeDigits(floatP99_9) + " levels at most";
+  return "Errors are measured against a picture in " +
+         std::string(reference.isInFloats ? "single" : "double") + " precision " + step +
          ", whose last halving changed it by " + threeDigits(reference.lastChangeLevels) +
-         " levels (99.9th percentile; mean " + threeDigits(reference.lastMeanChange) + ").";
+         " levels (99.9th percentile; mean " + threeDigits(reference.lastMeanChange) + ")" +
+         (reference.isInFloats ? floats : "") + ".";
 }
 
 std::string wishWithinLevels(const std::vector<MeasuredPoint>& points, double levels) {

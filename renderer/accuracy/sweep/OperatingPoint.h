@@ -57,6 +57,7 @@ struct ReferenceFacts {
   std::optional<double> fineness; ///< of error-controlled steps
   double lastChangeLevels = 0.0;  ///< 99.9th percentile of the change by the last halving
   double lastMeanChange = 0.0;    ///< mean of that change, levels
+  bool isInFloats = false;        ///< drawn in single precision
   bool operator==(const ReferenceFacts&) const = default;
 };
 

@@ -70,11 +70,7 @@ void reduceLongest(const glm::ivec3& dims, glm::ivec3& reduction) {
 
 VolumeTexture::VolumeTexture(const Volume& volume, VolumeFormat format, const VolumeRoom& room)
     : m_format(format), m_room(room), m_dims(volume.grid().dims) {
-  if (volume.room() && !room.mayReduce)
-    throw VolumeTooLarge(
-        Message::tr("The volume of %1 voxels does not lie in memory, from where the graphics "
-                    "driver would copy it.")
-            .arg(times(m_dims)));
+  requireInMemory(volume);
   allocate();
 }
 

@@ -153,7 +153,7 @@ std::shared_ptr<const Volume> volumeOf(const std::filesystem::path& path, const 
   const DicomHeader& first = *series.front().header;
   const glm::ivec3 sourceDims(first.columns, first.rows, static_cast<int>(series.size()));
   requireRoom(path, glm::max(sourceDims, geometry.grid.dims));
-  const DicomKeeping keeping{path, options.memory.value_or(MemoryBudget())};
+  const DicomKeeping keeping{path, options.memory.value_or(MemoryBudget()), geometry.needsResampling};
   DicomVoxels voxels =
       readVoxels(series, keeping, part(progress, 0.3, geometry.needsResampling ? 0.75 : 0.95), warnings);
   if (geometry.needsResampling)

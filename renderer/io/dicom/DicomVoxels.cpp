@@ -111,8 +111,9 @@ void forEachFrame(const DicomSeries& series, const Progress& progress, Use&& use
 // An empty array where the voxels of a series have their place.
 template <class T>
 RoomVector<T> kept(const DicomKeeping& keeping, std::size_t voxels, std::vector<Message>& warnings) {
-  return RoomVector<T>(
-      roomFor(keeping.path, static_cast<double>(voxels) * sizeof(T), keeping.budget, warnings));
+  std::vector<Message> untold;
+  return RoomVector<T>(roomFor(keeping.path, static_cast<double>(voxels) * sizeof(T), keeping.budget,
+                               keeping.isPassing ? untold : warnings));
 }
 
 DicomVoxels readStored(const DicomSeries& series, std::size_t perSlice, const DicomKeeping& keeping,

@@ -24,6 +24,7 @@ struct DicomVoxels {
 struct DicomKeeping {
   std::filesystem::path path; ///< that was opened, for errors
   MemoryBudget budget;
+  bool isPassing = false; ///< until they are resampled: what lies on disk meanwhile is not told
 };
 
 /// Reads and decodes every slice of a series whose files are supported and whole. Keeps the stored type where

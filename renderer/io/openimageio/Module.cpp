@@ -19,6 +19,8 @@ StoredPicture::Sample sampleOf(TypeDesc stored) {
     return StoredPicture::Sample::uint8;
   case TypeDesc::UINT16:
     return StoredPicture::Sample::uint16;
+  case TypeDesc::FLOAT:
+    return StoredPicture::Sample::float32;
   default:
     return StoredPicture::Sample::other;
   }

@@ -10,7 +10,7 @@ namespace limn {
 
 /// A picture file as OpenImageIO opened it.
 struct StoredPicture {
-  enum class Sample { uint8, uint16, other };
+  enum class Sample { uint8, uint16, float32, other };
   int width = 0;
   int height = 0;
   int channels = 0;

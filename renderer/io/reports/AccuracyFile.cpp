@@ -77,6 +77,7 @@ ReferenceFacts referenceIn(JsonFields fields) {
   facts.fineness = numberOrNone(fields, "fineness", anyNumber);
   fields.number("last_change_levels", facts.lastChangeLevels, notNegative);
   fields.number("last_mean_change_levels", facts.lastMeanChange, notNegative);
+  fields.boolean("single_precision", facts.isInFloats);
   // Follow from those.
   fields.has("least_p99_9");
   fields.has("least_mean");

@@ -143,6 +143,7 @@ Json referenceOf(const ReferenceFacts& facts) {
           {"fineness", facts.fineness ? Json(*facts.fineness) : Json()},
           {"last_change_levels", facts.lastChangeLevels},
           {"last_mean_change_levels", facts.lastMeanChange},
+          {"single_precision", facts.isInFloats},
           {"least_p99_9", leastP99_9(facts)},
           {"least_mean", leastMean(facts)}};
 }

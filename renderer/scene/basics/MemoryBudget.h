@@ -21,6 +21,9 @@ public:
   /// Voxels of at most so many bytes lie in memory. The other two thirds are for what engines make of them.
   double voxelBytes() const { return static_cast<double>(m_bytes) / 3.0; }
 
+  /// The least MB (10⁶ bytes) by which voxels of so many bytes lie in memory.
+  static std::uint64_t leastMbFor(std::uint64_t voxelBytes) { return (3 * voxelBytes + 999'999) / 1'000'000; }
+
   /// What the program needs whatever it shows, for itself and for pictures.
   static constexpr std::uint64_t least = 64'000'000;
 

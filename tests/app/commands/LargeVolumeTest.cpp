@@ -235,24 +235,38 @@ TEST_F(LargeVolume, whoseFileShrinksMeanwhileGivesNoPicture) {
   EXPECT_FALSE(fs::exists(file("a.png")));
 }
 
-TEST_F(LargeVolume, ofMoreThan31BitsOfVoxelsIsTold) {
-  // Holes but for one bright block: 3000^3 voxels of 8 bits.
-  const std::array<int, 3> dims = {3000, 3000, 3000};
-  const std::string volume = file("sparse.nii");
-  std::ofstream(volume, std::ios::binary) << niftiHeader(dims, 2, 8);
+// Holes but for a cube of so many voxels whose bytes are all `byte`. False where the file system has no
+// holes.
+bool writeHoles(const std::string& path, const std::array<int, 3>& dims, int bytesPerVoxel, int cube,
+                char byte) {
+  std::ofstream(path, std::ios::binary) << niftiHeader(dims, bytesPerVoxel == 1 ? 2 : 4, 8 * bytesPerVoxel);
   std::error_code failed;
-  fs::resize_file(volume, 352 + std::uintmax_t{3000} * 3000 * 3000, failed);
-  if (failed)
-    GTEST_SKIP() << "this file system has no sparse files: " << failed.message();
-  {
-    std::fstream out(volume, std::ios::binary | std::ios::in | std::ios::out);
-    const std::string row(400, '\xc8');
-    for (std::int64_t z = 2000; z < 2400; ++z)
-      for (std::int64_t y = 1300; y < 1700; ++y) {
-        out.seekp(352 + (z * 3000 + y) * 3000 + 1300);
-        out.write(row.data(), static_cast<std::streamsize>(row.size()));
-      }
-  }
+  fs::resize_file(path, 352 + std::uintmax_t{1} * dims[0] * dims[1] * dims[2] * bytesPerVoxel, failed);
+  std::fstream out(path, std::ios::binary | std::ios::in | std::ios::out);
+  const std::string row(static_cast<std::size_t>(cube * bytesPerVoxel), byte);
+  for (std::int64_t z = (dims[2] - cube) / 2; z < (dims[2] + cube) / 2; ++z)
+    for (std::int64_t y = (dims[1] - cube) / 2; y < (dims[1] + cube) / 2; ++y) {
+      out.seekp(352 + ((z * dims[1] + y) * dims[0] + (dims[0] - cube) / 2) * bytesPerVoxel);
+      out.write(row.data(), static_cast<std::streamsize>(row.size()));
+    }
+  return !failed;
+}
+
+// 4.7 GB of 16 bits.
+TEST_F(LargeVolume, ofHolesIsDrawnInLittleMemory) {
+  const std::string volume = file("sparse.nii");
+  if (!writeHoles(volume, {1300, 1300, 1400}, 2, 600, 3)) // 0x0303 are 771 HU
+    GTEST_SKIP() << "this file system has no sparse files";
+  const WatchedRun run = watched(folder.path, renderOf(volume, file("a.png"), {"--memory", "300"}));
+  ASSERT_EQ(run.status, 0) << run.err;
+  RecordProperty("ownMB", std::to_string(run.ownBytes / 1000000));
+  EXPECT_LE(run.ownBytes, 450'000'000u);
+}
+
+TEST_F(LargeVolume, ofMoreThan31BitsOfVoxelsIsTold) {
+  const std::string volume = file("sparse.nii");
+  if (!writeHoles(volume, {3000, 3000, 3000}, 1, 400, '\xc8'))
+    GTEST_SKIP() << "this file system has no sparse files";
   const WatchedRun info = watched(folder.path, {"info", volume, "--json", "--memory", "1000"});
   ASSERT_EQ(info.status, 0) << info.err;
   EXPECT_NE(info.err.find("3000"), std::string::npos) << info.err;

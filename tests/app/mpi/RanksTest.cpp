@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures that many processes draw, started by mpirun as a user starts them.
 #include "accuracy/ImageError.h"
+#include "accuracy/sweep/AccuracySweep.h"
+#include "io/reports/AccuracyFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
@@ -202,12 +204,15 @@ TEST_F(RanksTest, refuseInOneSentenceAndWriteNothing) {
 
 TEST_F(RanksTest, doWhatTheGuidePrints) {
   std::istringstream page(test::bytesOfFile(test::sourceFolder() / "app/guide/many/README.md"));
-  std::string command;
-  for (std::string line; std::getline(page, line) && line != "```bash";)
-    continue;
-  for (std::string line; std::getline(page, line) && line != "```";)
-    command += line + "\n";
+  std::string command = "set -e\n";
+  bool isCommand = false;
+  for (std::string line; std::getline(page, line);)
+    if (line == "```bash" || line == "```")
+      isCommand = line == "```bash";
+    else if (isCommand)
+      command += line + "\n";
   ASSERT_NE(command.find("limn-mpi head.nrrd"), std::string::npos);
+  ASSERT_NE(command.find("limn accuracy head.nrrd"), std::string::npos);
   writeVolume(in("head.nrrd"), 16, 16);
   const std::string home = "'" + folder.path().string() + "'";
   EXPECT_EQ(std::system(("cd " + home + " && export HOME=" + home + " PATH='" + test::buildFolder().string() +
@@ -217,6 +222,50 @@ TEST_F(RanksTest, doWhatTheGuidePrints) {
                             .c_str()),
             0);
   EXPECT_EQ(readPicture(in("head.png")).size, glm::ivec2(1024));
+  EXPECT_TRUE(fs::exists(in("report/accuracy.html")));
+}
+
+// Errors against the picture of ranks are those against the one in double precision, to what floats move.
+TEST_F(RanksTest, drawTheExactPictureOfAReport) {
+  writeScene(in("scene.json"), Projection::composite, ShadingModel::enhanced);
+  const auto reportOf = [&](const std::string& more) {
+    const test::Outcome outcome = test::runProgram(folder.path(), "accuracy " + quoted("scene.json") +
+                                                                      " --quick --size 48x40 --quiet " +
+                                                                      more + " -o " + quoted("report"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return parseAccuracy(test::bytesOfFile(in("report/accuracy.json")), "accuracy.json");
+  };
+  const AccuracyReport inDouble = reportOf("");
+  const AccuracyReport byRanks = reportOf("--exact-by \"" + lineOf(3, "") + "\"");
+  EXPECT_FALSE(inDouble.reference.isInFloats);
+  ASSERT_TRUE(byRanks.reference.isInFloats);
+  ASSERT_TRUE(byRanks.reference.converged);
+  ASSERT_EQ(byRanks.points.size(), inDouble.points.size());
+  // A percentile differs by no more than the pictures do, and the largest difference of those is more than
+  // their 99.9th percentile, which is what is promised: by a factor of 4 at most where that was measured.
+  const double most = leastP99_9(inDouble.reference) + 4.0 * floatP99_9;
+  for (std::size_t i = 0; i < inDouble.points.size(); ++i)
+    EXPECT_NEAR(byRanks.points[i].error.p99_9, inDouble.points[i].error.p99_9, most) << i;
+  const std::string page = test::bytesOfFile(in("report/accuracy.html"));
+  EXPECT_NE(page.find("in single precision with error-controlled steps"), std::string::npos);
+  EXPECT_NE(page.find("floats move by 0.010 levels at most"), std::string::npos);
+}
+
+TEST_F(RanksTest, orAnotherProgramThatDrawsSomethingElseIsNotBelieved) {
+  writeScene(in("scene.json"), Projection::composite, ShadingModel::classic);
+  const auto refusalOf = [&](const std::string& command) {
+    const test::Outcome outcome = test::runProgram(folder.path(), "accuracy " + quoted("scene.json") +
+                                                                      " --quick --quiet --exact-by \"" +
+                                                                      command + "\" -o " + quoted("report"));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_FALSE(fs::exists(in("report/accuracy.json")));
+    EXPECT_TRUE(fs::is_empty(in("report")));
+    return outcome.err;
+  };
+  EXPECT_NE(refusalOf("true").find("drew no picture"), std::string::npos);
+  const std::string limn = test::programPath() + " render --engine cpu";
+  EXPECT_NE(refusalOf(limn + " --model robust").find("drew another scene"), std::string::npos);
+  EXPECT_NE(refusalOf(limn + " --size 20x20").find("drew another scene"), std::string::npos);
 }
 
 /// The ids of the running ranks that were given a word.

@@ -6,6 +6,9 @@
 
 #include <QMenu>
 
+#include <algorithm>
+#include <fstream>
+
 // Which engine draws the program's window: as chosen in the menu, as remembered, or as a trial has shown.
 
 namespace limn {
@@ -16,14 +19,15 @@ protected:
   EngineWindow() : WindowHarness(EngineSetting::processor) {}
 
   // A window that is opened with these settings.
-  void openAnew(EngineSetting setting, const std::optional<EngineTimes>& times) {
+  void openAnew(EngineSetting setting, const std::optional<EngineTimes>& times,
+                const std::optional<MemoryBudget>& memory = {}) {
     window.reset();
     std::filesystem::remove(settingsFile());
     Settings settings(settingsFile());
     settings.setEngine(setting);
     if (times)
       settings.engineMemory().remember(machine(), *times);
-    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()));
+    window = std::make_unique<MainWindow>(UserFolders::below(folder.path()), memory);
     window->view().setRefinesAtRest(false);
     window->resize(900, 640);
     window->show();
@@ -99,6 +103,45 @@ TEST_F(EngineWindow, whatItCostsIsMeasuredWithTheEngineThatDraws) {
   ASSERT_TRUE(panel.measured()) << messages().sentence().toStdString();
   EXPECT_TRUE(panel.measured()->report.renderer.starts_with("CPU engine"))
       << panel.measured()->report.renderer;
+}
+
+// 400 x 400 x 520 voxels of 8 bits are 83 MB, all but a bright block holes in the file.
+void writeVolumeOfHoles(const std::filesystem::path& header) {
+  std::ofstream(header) << "ObjectType = Image\nNDims = 3\nDimSize = 400 400 520\nElementSpacing = 1 1 1\n"
+                           "ElementType = MET_UCHAR\nElementDataFile = voxels.raw\n";
+  std::ofstream voxels(header.parent_path() / "voxels.raw", std::ios::binary);
+  const std::string row(100, '\xc8');
+  for (std::int64_t z = 200; z < 300; ++z)
+    for (std::int64_t y = 150; y < 250; ++y) {
+      voxels.seekp((z * 400 + y) * 400 + 150);
+      voxels.write(row.data(), static_cast<std::streamsize>(row.size()));
+    }
+  voxels.close();
+  std::filesystem::resize_file(header.parent_path() / "voxels.raw", 400 * 400 * 520);
+}
+
+// Of 64 MB a third is too little for the voxels, and an eighth for every second of them along each axis,
+// which are 10.4 MB: what moves is drawn from every fourth, however near it is.
+TEST_F(EngineWindow, whatMovesKeepsToTheMemoryThatTheWindowWasGiven) {
+  openAnew(EngineSetting::processor, std::nullopt, MemoryBudget(MemoryBudget::least));
+  writeVolumeOfHoles(folder.path() / "holes.mhd");
+  std::vector<int> reductions;
+  QObject::connect(&view(), &CompareView::pictureStateChanged, [&](const PictureState& state) {
+    for (const SideState& side : state.sides)
+      if (side.coarseness)
+        reductions.push_back(side.coarseness->reduction);
+  });
+  ASSERT_TRUE(open(pathTo("holes.mhd")));
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(rest());
+  EXPECT_TRUE(scene().volume->room()) << "opened without a word on memory";
+  reductions.clear();
+  Camera near = scene().camera;
+  near.position = near.target + 0.3 * (near.position - near.target);
+  session().setCamera(near);
+  ASSERT_TRUE(test::waitUntil([&] { return !reductions.empty(); }));
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(std::ranges::count(reductions, 4), std::ssize(reductions)) << reductions.front();
 }
 
 TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {

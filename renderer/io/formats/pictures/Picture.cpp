@@ -28,6 +28,7 @@ VoxelType typeOfSample(const fs::path& file, StoredPicture::Sample stored) {
     return VoxelType::uint8;
   case StoredPicture::Sample::uint16:
     return VoxelType::uint16;
+  case StoredPicture::Sample::float32:
   case StoredPicture::Sample::other:
     break;
   }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "engine/VolumeTooLarge.h"
+
+namespace limn {
+
+void requireInMemory(const Volume& volume) {
+  if (!volume.room())
+    return;
+  const glm::ivec3& dims = volume.grid().dims;
+  throw VolumeTooLarge(
+      Message::tr("The volume of %1 voxels does not lie in memory, from where the graphics "
+                  "driver would copy it.")
+          .arg(std::to_string(dims.x) + "×" + std::to_string(dims.y) + "×" + std::to_string(dims.z)));
+}
+
+} // namespace limn
