@@ -12,8 +12,8 @@
         <translation>LIMN_CPU_TARGET ist „%1“, was dieser Prozessor nicht hat; löschen Sie die Variable.</translation>
     </message>
     <message>
-        <source>LIMN_CPU_TARGET is &quot;%1&quot;; use sse4, avx2 or avx512, or unset it.</source>
-        <translation>LIMN_CPU_TARGET ist „%1“; verwenden Sie sse4, avx2 oder avx512, oder löschen Sie die Variable.</translation>
+        <source>LIMN_CPU_TARGET is &quot;%1&quot;; use one of %2, or unset it.</source>
+        <translation>LIMN_CPU_TARGET ist „%1“; verwenden Sie eines von %2, oder löschen Sie die Variable.</translation>
     </message>
     <message>
         <source>names a value longer than the file</source>

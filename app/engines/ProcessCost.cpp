@@ -2,6 +2,7 @@
 #include "app/engines/ProcessCost.h"
 
 #include <malloc.h>
+#include <sys/utsname.h>
 
 #include <ctime>
 #include <fstream>
@@ -50,9 +51,11 @@ void forgetPeak() {
 }
 
 std::string machineName() {
-  const std::string name = fieldOf("/proc/cpuinfo", "model name");
-  return (name.empty() ? "unknown processor" : name) + ", " +
-         std::to_string(std::thread::hardware_concurrency()) + " processors";
+  std::string name = fieldOf("/proc/cpuinfo", "model name");
+  // That of arm64 has but numbers for maker and part.
+  if (utsname system{}; name.empty() && uname(&system) == 0)
+    name = std::string(system.machine) + " processor";
+  return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " processors";
 }
 
 } // namespace limn

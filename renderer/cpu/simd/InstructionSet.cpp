@@ -5,7 +5,9 @@
 
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 namespace limn::cpu {
 namespace {
@@ -16,15 +18,29 @@ struct Level {
   std::int64_t target; ///< Highway's bit: better sets have lower ones
 };
 
+#if HWY_ARCH_X86
 constexpr Level levels[] = {
     {"avx512", "AVX-512", HWY_AVX3}, {"avx2", "AVX2", HWY_AVX2}, {"sse4", "SSE4", HWY_SSE4}};
+#else
+constexpr Level levels[] = {{"neon", "NEON", HWY_NEON}};
+#endif
+
+// Where one set alone is compiled it needs no look at the processor.
+bool isHere(const Level& level) {
+  return (HWY_SUPPORTED_TARGETS & level.target) != 0;
+}
 
 // The best level that the processor has; null below SSE4.
 const Level* bestLevel() {
+  const auto best = std::ranges::find_if(levels, isHere);
+  return best == std::end(levels) ? nullptr : best;
+}
+
+std::string wordsOfLevels() {
+  std::string words;
   for (const Level& level : levels)
-    if ((hwy::SupportedTargets() & level.target) != 0)
-      return &level;
-  return nullptr;
+    words += (words.empty() ? "" : ", ") + std::string(level.word);
+  return words;
 }
 
 std::string chosenLevel() {
@@ -37,7 +53,7 @@ std::string chosenLevel() {
     return best->name;
   for (const Level& level : levels)
     if (std::string(wanted) == level.word) {
-      if ((hwy::SupportedTargets() & level.target) == 0)
+      if (!isHere(level))
         throw Error(Error::Kind::usage,
                     Message::tr("LIMN_CPU_TARGET is \"%1\", which this processor does not have; unset it.")
                         .arg(wanted));
@@ -45,8 +61,9 @@ std::string chosenLevel() {
       hwy::DisableTargets(level.target - 1);
       return level.name;
     }
-  throw Error(Error::Kind::usage,
-              Message::tr("LIMN_CPU_TARGET is \"%1\"; use sse4, avx2 or avx512, or unset it.").arg(wanted));
+  throw Error(
+      Error::Kind::usage,
+      Message::tr("LIMN_CPU_TARGET is \"%1\"; use one of %2, or unset it.").arg(wanted).arg(wordsOfLevels()));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ Message sentence(const std::filesystem::path& file, const Message& rest) {
 
 std::string plainText(std::string text, std::size_t most) {
   for (char& c : text)
-    c = (c >= 0 && c < ' ') || c == 0x7f ? '?' : c;
+    c = static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c; // whether or not char has a sign
   if (text.size() <= most)
     return text;
   // Not within a letter of several bytes.
