@@ -217,7 +217,7 @@
     </message>
     <message>
         <source>So little memory is not enough for any volume; give at least %1 MB (--memory).</source>
-        <translation>So wenig Speicher reicht für kein Volumen; mindestens %1 MB angeben (--memory).</translation>
+        <translation>So wenig Speicher reicht für kein Volumen; mindestens %1&#xa0;MB angeben (--memory).</translation>
     </message>
 </context>
 <context>
@@ -7154,7 +7154,7 @@
     </message>
     <message>
         <source>Cannot keep the volume&apos;s data in %1: they need %2 GB and %3 GB are free there; make room, or set TMPDIR to a folder on a larger disk.</source>
-        <translation>Die Daten des Volumens lassen sich nicht in %1 ablegen: sie brauchen %2 GB, und dort sind %3 GB frei; Platz schaffen oder TMPDIR auf einen Ordner auf einer größeren Festplatte setzen.</translation>
+        <translation>Die Daten des Volumens lassen sich nicht in %1 ablegen: sie brauchen %2&#xa0;GB, und dort sind %3&#xa0;GB frei; Platz schaffen oder TMPDIR auf einen Ordner auf einer größeren Festplatte setzen.</translation>
     </message>
     <message>
         <source>Cannot keep the volume&apos;s data in %1: %2; set TMPDIR to a folder on a disk that can be written.</source>
@@ -7166,7 +7166,7 @@
     </message>
     <message>
         <source>The voxels are kept on disk while the volume is open (%1 GB in %2), because they need more memory than may be used.</source>
-        <translation>Die Voxel liegen auf der Festplatte, solange das Volumen offen ist (%1 GB in %2), weil sie mehr Speicher brauchen, als benutzt werden darf.</translation>
+        <translation>Die Voxel liegen auf der Festplatte, solange das Volumen offen ist (%1&#xa0;GB in %2), weil sie mehr Speicher brauchen, als benutzt werden darf.</translation>
     </message>
     <message>
         <source>it became shorter while it was read, or its disk failed</source>
@@ -7187,6 +7187,14 @@
     <message>
         <source>The volume&apos;s file became shorter while it was read, or its disk failed; copy the file again and open it anew.</source>
         <translation>Die Datei des Volumens wurde kürzer, während sie gelesen wurde, oder ihre Festplatte hat versagt; die Datei noch einmal kopieren und neu öffnen.</translation>
+    </message>
+    <message>
+        <source>it is no picture, or a damaged one</source>
+        <translation>sie ist kein Bild oder ist beschädigt</translation>
+    </message>
+    <message>
+        <source>draw it anew</source>
+        <translation>zeichnen Sie das Bild neu</translation>
     </message>
 </context>
 <context>

@@ -121,7 +121,7 @@ Image readExr(const fs::path& path) {
     if (picture->readRows(image.pixels.data(), 0, picture->height))
       return image;
   }
-  failReading(path, Message::tr("it is no picture, or a damaged one"), "draw it anew");
+  failReading(path, Message::tr("it is no picture, or a damaged one"), Message::tr("draw it anew"));
 }
 
 bool isWholePicture(const fs::path& path) {
