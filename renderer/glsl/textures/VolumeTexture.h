@@ -16,8 +16,8 @@ namespace limn {
 class VolumeTexture {
 public:
   /// Makes room; nothing may be drawn before it is complete. Throws Error (openGl) where even a small texture
-  /// is refused, VolumeTooLarge where the whole one is and nothing less may be shown, or where the volume does
-  /// not lie in memory.
+  /// is refused, VolumeTooLarge where the whole one is and nothing less may be shown, or where the volume
+  /// does not lie in memory.
   explicit VolumeTexture(const Volume& volume, VolumeFormat format = VolumeFormat::r32f,
                          const VolumeRoom& room = {});
 

@@ -81,9 +81,9 @@ TEST_F(OnDisk, leftOpenTheCpuEngineDrawsAndSaysSo) {
   EXPECT_TRUE(pixelsOf("auto.exr") == byCpu);
   EXPECT_EQ(run("turntable", "--size 32x24 --frames 2 -o " + quoted("frames")).status, 0);
   // Beside one that lies in memory.
-  const Outcome both =
-      test::runProgram(folder.path(), "figure phantom:8 " + quoted("large.mha") +
-                                          " --memory 64 --size 4cm --dpi 72 --quiet -o " + quoted("both.png"));
+  const Outcome both = test::runProgram(folder.path(), "figure phantom:8 " + quoted("large.mha") +
+                                                           " --memory 64 --size 4cm --dpi 72 --quiet -o " +
+                                                           quoted("both.png"));
   EXPECT_EQ(both.status, 0) << both.err;
 }
 
