@@ -3,6 +3,7 @@
 
 #include "scene/steps/BlockGatherer.h"
 #include "scene/volume/RowPieces.h"
+#include "scene/volume/Volume.h"
 
 #include <algorithm>
 

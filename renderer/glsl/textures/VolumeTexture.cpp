@@ -4,6 +4,7 @@
 #include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
 #include "glsl/textures/TextureBlocks.h"
+#include "glsl/textures/TextureVoxels.h"
 
 #include <epoxy/gl.h>
 
