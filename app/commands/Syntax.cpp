@@ -2,6 +2,7 @@
 #include "app/commands/Syntax.h"
 
 #include "app/commands/Arguments.h"
+#include "app/commands/describe/Slips.h"
 
 #include <CLI/CLI.hpp>
 
@@ -158,7 +159,8 @@ std::optional<int> ProgramSyntax::run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     return m_app->exit(asked);
   } catch (const CLI::ParseError& error) {
-    note(std::string(error.what()) + " (see limn --help)");
+    const std::string slip = slipIn(described(), {argv + 1, argv + argc});
+    note(slip.empty() ? std::string(error.what()) + " (see " + m_app->get_name() + " --help)" : slip);
     return 2;
   }
   return m_app->get_subcommands().empty() ? std::nullopt : std::optional(0);

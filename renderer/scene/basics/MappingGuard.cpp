@@ -36,28 +36,30 @@ std::uintptr_t bytesOfPage = 0;
 // Where a whole file vanishes, each page would be a signal of its own.
 constexpr std::uintptr_t replacedAtOnce = std::uintptr_t{1} << 20;
 
-bool replace(const Watched& mapping, std::uintptr_t address) {
-  const std::uintptr_t first = address / bytesOfPage * bytesOfPage;
-  const std::uintptr_t bytes = std::min(replacedAtOnce, mapping.end.load() - first);
-  return ::mmap(reinterpret_cast<void*>(first), bytes, PROT_READ | PROT_WRITE,
-                MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE, -1, 0) != MAP_FAILED;
+bool replace(const Watched& mapping, void* place) {
+  char* const first = static_cast<char*>(place) - reinterpret_cast<std::uintptr_t>(place) % bytesOfPage;
+  const std::uintptr_t bytes =
+      std::min(replacedAtOnce, mapping.end.load() - reinterpret_cast<std::uintptr_t>(first));
+  return ::mmap(first, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED | MAP_NORESERVE,
+                -1, 0) != MAP_FAILED;
 }
 
-bool isReplaced(std::uintptr_t address) {
+bool isReplaced(void* place) {
+  const auto address = reinterpret_cast<std::uintptr_t>(place);
   for (std::size_t i = 0; i < mostWatched; ++i) {
     const Watched& mapping = watchedMappings[i];
     const std::uintptr_t begin = mapping.begin;
     if (begin == 0 || address < begin || address >= mapping.end)
       continue;
     mapping.isDamaged.load()->store(true);
-    return replace(mapping, address);
+    return replace(mapping, place);
   }
   return false;
 }
 
 void onBusError(int signal, siginfo_t* info, void* context) {
   const int error = errno;
-  const bool done = isReplaced(reinterpret_cast<std::uintptr_t>(info->si_addr));
+  const bool done = isReplaced(info->si_addr);
   errno = error;
   if (done)
     return;
