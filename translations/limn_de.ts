@@ -7196,6 +7196,10 @@
         <source>draw it anew</source>
         <translation>zeichnen Sie das Bild neu</translation>
     </message>
+    <message>
+        <source>Cannot write %1: there is no folder %2; make it, or choose another.</source>
+        <translation>%1 kann nicht geschrieben werden: Den Ordner %2 gibt es nicht; legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>
