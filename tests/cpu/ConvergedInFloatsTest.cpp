@@ -63,9 +63,8 @@ double worstInFloats(const Scene& scene) {
 
 TEST(ConvergedInFloats, liesWithinWhatIsPromisedOfTheOneInDouble) {
   double worst = 0.0;
-  for (const ShadingModel model : {ShadingModel::none, ShadingModel::classic, ShadingModel::robust})
-    for (const Projection projection :
-         {Projection::composite, Projection::xray, Projection::compositeIsosurface}) {
+  for (const ShadingModel model : {ShadingModel::none, ShadingModel::robust})
+    for (const Projection projection : {Projection::composite, Projection::compositeIsosurface}) {
       Scene scene = test::noisyPhantom(model);
       scene.projection = projection;
       worst = std::max(worst, worstInFloats(scene));
