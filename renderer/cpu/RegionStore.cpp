@@ -13,7 +13,7 @@ bool placesAreWeights(const Region& region) {
   for (std::size_t place = 0; place < region.weights.size(); ++place)
     if (region.weights[place] != static_cast<double>(place))
       return false;
-  return std::holds_alternative<std::vector<std::uint8_t>>(region.labels->places());
+  return std::holds_alternative<StoredVoxels<std::uint8_t>>(region.labels->places());
 }
 
 template <class Weights>
@@ -44,7 +44,7 @@ void RegionStore::update(const Region& region, const BlockBox& box, const std::s
     m_blocks = blockWeights(region, {box.upper - box.lower, glm::ivec3(blockSize), box.lower}, effort, room);
     const LabelMap& labels = *region.labels;
     if (placesAreWeights(region)) {
-      m_source = sourceOf(VoxelSource::Kind::byte, std::get<std::vector<std::uint8_t>>(labels.places()),
+      m_source = sourceOf(VoxelSource::Kind::byte, std::get<StoredVoxels<std::uint8_t>>(labels.places()),
                           labels.dims(), 1.0f);
     } else {
       m_shares.resize(static_cast<std::size_t>(labels.dims().x) * labels.dims().y * labels.dims().z);

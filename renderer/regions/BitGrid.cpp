@@ -5,9 +5,9 @@
 
 namespace limn {
 
-BitGrid::BitGrid(const glm::ivec3& dims)
+BitGrid::BitGrid(const glm::ivec3& dims, const std::shared_ptr<Room>& room)
     : m_dims(dims), m_rowWords((dims.x + wordBits - 1) / wordBits),
-      m_words(static_cast<std::size_t>(m_rowWords) * dims.y * dims.z, 0) {}
+      m_words(static_cast<std::size_t>(m_rowWords) * dims.y * dims.z, 0, room) {}
 
 bool BitGrid::at(const glm::ivec3& voxel) const {
   return (row(voxel.y, voxel.z)[voxel.x / wordBits] >> (voxel.x % wordBits) & 1) != 0;
@@ -48,7 +48,7 @@ BitGrid& BitGrid::operator-=(const BitGrid& other) {
 }
 
 BitGrid BitGrid::complement() const {
-  BitGrid others(m_dims);
+  BitGrid others = emptyLike();
   for (std::size_t n = 0; n < m_words.size(); ++n)
     others.m_words[n] = ~m_words[n] & voxelsOfWord(static_cast<int>(n % m_rowWords));
   return others;

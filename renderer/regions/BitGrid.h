@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Room.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace limn {
 
@@ -16,8 +18,12 @@ public:
   using Word = std::uint64_t;
   static constexpr int wordBits = 64;
 
-  /// The empty set on a grid of positive dimensions.
-  explicit BitGrid(const glm::ivec3& dims);
+  /// The empty set on a grid of positive dimensions; its bits lie in the room, or in memory where there is
+  /// none.
+  explicit BitGrid(const glm::ivec3& dims, const std::shared_ptr<Room>& room = {});
+
+  /// The empty set on the same grid, whose bits lie in the same room.
+  BitGrid emptyLike() const { return BitGrid(m_dims, m_words.get_allocator().room()); }
 
   const glm::ivec3& dims() const { return m_dims; }
   int rowWords() const { return m_rowWords; }
@@ -51,7 +57,7 @@ private:
 
   glm::ivec3 m_dims;
   int m_rowWords;
-  std::vector<Word> m_words;
+  RoomVector<Word> m_words;
 };
 
 } // namespace limn

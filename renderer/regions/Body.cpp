@@ -56,9 +56,9 @@ Piece largestPiece(const BitGrid& tissue, const glm::dvec3& ball, const Effort& 
   return {isCut ? body : whole, contact};
 }
 
-Region regionOf(const BitGrid& kept, const Effort& effort) {
+Region regionOf(const BitGrid& kept, const std::shared_ptr<Room>& room, const Effort& effort) {
   const glm::ivec3& dims = kept.dims();
-  std::vector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z);
+  RoomVector<std::uint8_t> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, room);
   forEachPiece(dims.z, effort, [&](int z) {
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x)
@@ -100,7 +100,7 @@ BodyFinding findBody(const Volume& volume, const Effort& effort) {
   const double share = shareOf(beside.count(), all);
   const bool isAlone = share < worthHiding;
   const Message doubt = doubtAbout(share, piece.contact, isAlone);
-  return {regionOf(kept, partOf(effort, 0.95, 1.0)), doubt.empty(), isAlone, doubt};
+  return {regionOf(kept, volume.room(), partOf(effort, 0.95, 1.0)), doubt.empty(), isAlone, doubt};
 }
 
 } // namespace limn

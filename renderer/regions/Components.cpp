@@ -118,7 +118,7 @@ BitGrid largestComponent(const BitGrid& set, const Effort& effort) {
   std::vector<std::size_t> voxels(runs.all.size(), 0);
   for (std::uint32_t n = 0; n < runs.all.size(); ++n)
     voxels[forest.rootOf(n)] += runs.all[n].last - runs.all[n].first + 1;
-  BitGrid largest(set.dims());
+  BitGrid largest = set.emptyLike();
   if (voxels.empty())
     return largest;
   const auto root =

@@ -146,13 +146,13 @@ private:
 };
 
 template <class Place, class T>
-std::vector<Place> placesOn(const Grid& grid, const Volume& volume, const StoredVoxels<T>& stored,
-                            const std::vector<Label>& labels, const Effort& effort) {
+RoomVector<Place> placesOn(const Grid& grid, const Volume& volume, const StoredVoxels<T>& stored,
+                           const std::vector<Label>& labels, const Effort& effort) {
   const Values values(volume);
   const NearestVoxel nearest(grid, volume.grid());
   const PlacesByValue placeOf(labels);
   const glm::ivec3& dims = grid.dims;
-  std::vector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 0);
+  RoomVector<Place> places(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 0, volume.room());
   forEachPiece(dims.z, effort, [&](int z) {
     for (int y = 0; y < dims.y; ++y)
       for (int x = 0; x < dims.x; ++x)

@@ -61,7 +61,7 @@ void widenRow(const Word* from, Word* to, int words, int reach) {
 }
 
 BitGrid widened(const BitGrid& set, int reach, const Effort& effort) {
-  BitGrid wide(set.dims());
+  BitGrid wide = set.emptyLike();
   forEachPiece(set.dims().z, effort, [&](int z) {
     for (int y = 0; y < set.dims().y; ++y) {
       widenRow(set.row(y, z), wide.row(y, z), set.rowWords(), reach);
@@ -73,7 +73,7 @@ BitGrid widened(const BitGrid& set, int reach, const Effort& effort) {
 
 BitGrid dilatedOnce(const BitGrid& set, const glm::dvec3& radii, const Effort& effort) {
   const glm::ivec3& dims = set.dims();
-  BitGrid result(dims);
+  BitGrid result = set.emptyLike();
   const EllipsoidRows groups = rowsOf(radii);
   double done = 0.0;
   for (const auto& [reach, offsets] : groups) {

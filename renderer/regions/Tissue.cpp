@@ -30,7 +30,7 @@ double tissueThreshold(const Volume& volume, const Effort& effort) {
 BitGrid tissueOf(const Volume& volume, double threshold, const Effort& effort) {
   const glm::ivec3& dims = volume.grid().dims;
   const VoxelMask& invalid = volume.invalidMask();
-  BitGrid tissue(dims);
+  BitGrid tissue(dims, volume.room());
   visitVoxels(volume, [&](const auto& stored) {
     forEachPiece(dims.z, effort, [&](int z) {
       for (int y = 0; y < dims.y; ++y)

@@ -103,7 +103,7 @@ TEST(SceneFile, whatIsKeptIsReadBack) {
                 {1.0, 0.1, 1.0}};
   const KeptPart written{Region::Kind::labels, "seg.nrrd", {{3, 0.1}}};
   EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, written);
-  scene.keep = bodyRegion(glm::ivec3(1), {1});
+  scene.keep = bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1});
   EXPECT_EQ(parseScene(sceneToJson(scene, "v"), "t").keep, (KeptPart{Region::Kind::body, "", {}}));
 }
 

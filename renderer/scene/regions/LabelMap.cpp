@@ -13,7 +13,7 @@ void enclose(VoxelBox& box, const glm::ivec3& lower, const glm::ivec3& upper) {
 
 /// The smallest box around each label, run by run of each row.
 template <class Place>
-std::vector<VoxelBox> boxesAround(const std::vector<Place>& places, const glm::ivec3& dims,
+std::vector<VoxelBox> boxesAround(const StoredVoxels<Place>& places, const glm::ivec3& dims,
                                   std::size_t labels) {
   std::vector<VoxelBox> boxes(labels);
   const Place* row = places.data();

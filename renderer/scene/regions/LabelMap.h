@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/volume/StoredVoxels.h"
 #include "scene/volume/VoxelBox.h"
 
 #include <cstddef>
@@ -23,7 +24,7 @@ struct Label {
 /// of labels, x fastest.
 class LabelMap {
 public:
-  using Places = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>>;
+  using Places = std::variant<StoredVoxels<std::uint8_t>, StoredVoxels<std::uint16_t>>;
 
   /// Throws Error (input) where `places` has not as many entries as the grid voxels, where one lies beyond
   /// the list, or where the list is empty or longer than 65536.

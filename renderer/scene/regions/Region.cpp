@@ -11,7 +11,7 @@ bool isRestricting(const Region& region) {
                                       [](double weight) { return weight != 1.0; });
 }
 
-Region bodyRegion(const glm::ivec3& dims, std::vector<std::uint8_t> places) {
+Region bodyRegion(const glm::ivec3& dims, StoredVoxels<std::uint8_t> places) {
   const std::vector<Label> labels{{0, "Table and holder", glm::dvec3(0.5)}, {1, "Body", glm::dvec3(1.0)}};
   return {Region::Kind::body, {}, std::make_shared<const LabelMap>(dims, std::move(places), labels), {0, 1}};
 }

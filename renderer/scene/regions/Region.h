@@ -23,7 +23,7 @@ struct Region {
 bool isRestricting(const Region& region);
 
 /// The region that keeps `places` 1 of two labels and drops those of 0. `places` has one for each voxel.
-Region bodyRegion(const glm::ivec3& dims, std::vector<std::uint8_t> places);
+Region bodyRegion(const glm::ivec3& dims, StoredVoxels<std::uint8_t> places);
 
 /// The weight at a continuous voxel index: trilinear between voxel centres, clamped to the edge beyond the
 /// outermost centres. 1 where there are no labels.

@@ -196,6 +196,26 @@ TEST_F(LargeVolume, isDrawnInLittleMemoryAsInMuch) {
   EXPECT_LE(levels, 0.05);
 }
 
+// What is kept of a volume is as large as it.
+TEST_F(LargeVolume, whoseBodyIsKeptIsDrawnInLittleMemoryToo) {
+  if (!hasRoom(2.5 * largeBytes))
+    GTEST_SKIP() << "needs 3.7 GB of disk in " << place;
+  const std::string volume = file("large.nii");
+  writeNifti(volume, large);
+  const auto drawn = [&](const std::string& picture, const char* memory) {
+    return watched(folder.path, renderOf(volume, picture, {"--keep", "body", "--memory", memory}));
+  };
+  const WatchedRun much = drawn(file("much.exr"), "100000");
+  ASSERT_EQ(much.status, 0) << much.err;
+  const WatchedRun little = drawn(file("little.exr"), "300");
+  ASSERT_EQ(little.status, 0) << little.err;
+  RecordProperty("ownMB", std::to_string(little.ownBytes / 1000000));
+  EXPECT_LE(little.ownBytes, 450'000'000u);
+  const double levels = largestDifference(file("much.exr"), file("little.exr"));
+  EXPECT_GE(levels, 0.0);
+  EXPECT_LE(levels, 0.05);
+}
+
 TEST_F(LargeVolume, packedIsDrawnInLittleMemoryToo) {
   if (!hasRoom(2.5 * largeBytes))
     GTEST_SKIP() << "needs 3.7 GB of disk in " << place;

@@ -45,7 +45,8 @@ TEST_F(RegionNote, tellsWhatIsHidden) {
             QStringLiteral("1 label hidden or faded"));
   EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {0.5, 0, 1}}),
             QStringLiteral("2 labels hidden or faded"));
-  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), {1})), QStringLiteral("Body only: table hidden"));
+  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1})),
+            QStringLiteral("Body only: table hidden"));
 }
 
 TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
