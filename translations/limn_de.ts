@@ -3488,6 +3488,14 @@
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>To where the link was followed (Alt+Left)</source>
+        <translation>Dorthin, wo dem Link gefolgt wurde (Alt+Links)</translation>
+    </message>
 </context>
 <context>
     <name>limn::HistogramButton</name>
@@ -8969,8 +8977,8 @@
         <translation>Den Beispielkopf öffnen</translation>
     </message>
     <message>
-        <source>The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or click the curve to add one: the picture follows. Ctrl+Z takes anything back.</source>
-        <translation>Die Kurve sagt, wie deckend jeder Wert ist; dahinter steht, wie oft er vorkommt. Einen Punkt ziehen, oder auf die Kurve klicken für einen neuen: Das Bild folgt. Strg+Z nimmt alles zurück.</translation>
+        <source>The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or click the curve to add one: the picture follows. Ctrl+Z takes back what you did to the picture.</source>
+        <translation>Die Kurve sagt, wie deckend jeder Wert ist; dahinter steht, wie oft er vorkommt. Einen Punkt ziehen, oder auf die Kurve klicken für einen neuen: Das Bild folgt. Strg+Z nimmt zurück, was am Bild geändert wurde.</translation>
     </message>
 </context>
 <context>

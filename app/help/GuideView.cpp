@@ -38,7 +38,11 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent) {
   document()->setDocumentMargin(margin);
   m_page =
       guidePage(guideChapters(), [](const QString& path) { return QStringLiteral("qrc:/guide/") + path; });
-  connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) { goTo(url.fragment()); });
+  connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
+    m_left.push_back(placeAtTop());
+    goTo(url.fragment());
+    emit scrolled(); // also where it leads to what is shown
+  });
   connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &GuideView::scrolled);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or the width would depend on the height
   m_layOut.setSingleShot(true);
@@ -47,10 +51,27 @@ GuideView::GuideView(QWidget* parent) : QTextBrowser(parent) {
   layOut();
 }
 
+GuideView::Place GuideView::placeAtTop() const {
+  const int at = headingAtTop(), value = verticalScrollBar()->value();
+  return {at, at < 0 ? value : value - topOf(at)};
+}
+
+void GuideView::showPlace(const Place& place) {
+  verticalScrollBar()->setValue((place.heading < 0 ? 0 : topOf(place.heading)) + place.beyond);
+}
+
+void GuideView::goBack() {
+  if (m_left.empty())
+    return;
+  const Place left = m_left.back();
+  m_left.pop_back();
+  showPlace(left);
+  emit scrolled();
+}
+
 // Anew where colours or the room for pictures change.
 void GuideView::layOut() {
-  const int at = headingAtTop();
-  const int beyond = at < 0 ? 0 : verticalScrollBar()->value() - topOf(at);
+  const Place seen = placeAtTop();
   QString wanted;
   if (m_shown >= 0)
     wanted = m_hits[m_shown].selectedText();
@@ -64,8 +85,8 @@ void GuideView::layOut() {
       m_places.push_back(block.position());
   m_hits.clear();
   m_shown = -1;
-  if (at >= 0)
-    verticalScrollBar()->setValue(topOf(at) + beyond);
+  if (seen.heading >= 0)
+    showPlace(seen);
   if (!wanted.isEmpty())
     look(wanted);
 }

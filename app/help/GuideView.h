@@ -21,6 +21,9 @@ public:
   void goTo(const QString& anchor);
   /// The heading under which what is seen at the top stands; -1 above the first.
   int headingAtTop() const;
+  /// Goes back to where the last link was followed; does nothing where none was.
+  void goBack();
+  bool canGoBack() const { return !m_left.empty(); }
 
   /// Marks every place of a text, whatever its case, and goes to the first from what is seen on. The number
   /// of places.
@@ -39,6 +42,14 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  // So many pixels below the top of a heading; of the page where that is -1.
+  struct Place {
+    int heading = -1;
+    int beyond = 0;
+  };
+
+  Place placeAtTop() const;
+  void showPlace(const Place& place);
   void layOut();
   void mark();
   int topOf(int heading) const;
@@ -46,9 +57,10 @@ private:
   GuidePage m_page;
   std::vector<int> m_places; ///< of the headings in the document
   std::vector<QTextCursor> m_hits;
-  int m_shown = -1; ///< of the hits
-  int m_width = 0;  ///< for which pictures were made, pixels
-  QTimer m_layOut;  ///< once the event that asks for it is over: a page must not change while it is laid out
+  std::vector<Place> m_left; ///< where links were followed
+  int m_shown = -1;          ///< of the hits
+  int m_width = 0;           ///< for which pictures were made, pixels
+  QTimer m_layOut; ///< once the event that asks for it is over: a page must not change while it is laid out
 };
 
 } // namespace limn

@@ -92,6 +92,9 @@ QWidget* GuideWindow::makeSearch() {
   m_search->setMaximumWidth(360);
   m_found = new QLabel(bar);
   m_found->setObjectName(QStringLiteral("guideFound"));
+  m_back = stepButton(tr("Back"), tr("To where the link was followed (Alt+Left)"));
+  m_back->setObjectName(QStringLiteral("guideBack"));
+  m_back->setEnabled(false);
   QToolButton* before = stepButton(tr("Previous"), tr("The place before (Shift+F3)"));
   QToolButton* next = stepButton(tr("Next"), tr("The next place (F3, Enter)"));
   auto* language = new QLabel(tr("The guide is written in English."), bar);
@@ -99,6 +102,7 @@ QWidget* GuideWindow::makeSearch() {
   language->setVisible(QLocale().language() != QLocale::English && QLocale().language() != QLocale::C);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(12, 8, 12, 8);
+  row->addWidget(m_back);
   row->addWidget(m_search, 1);
   row->addWidget(before);
   row->addWidget(next);
@@ -113,10 +117,12 @@ QWidget* GuideWindow::makeSearch() {
     connect(new QShortcut(key, this), &QShortcut::activated, this, run);
   };
   connect(m_search, &QLineEdit::textChanged, this, &GuideWindow::look);
+  connect(m_back, &QToolButton::clicked, m_page, &GuideView::goBack);
   connect(before, &QToolButton::clicked, this, [step] { step(-1); });
   connect(next, &QToolButton::clicked, this, [step] { step(1); });
   onKey(Qt::Key_F3, [step] { step(1); });
   onKey(Qt::SHIFT | Qt::Key_F3, [step] { step(-1); });
+  onKey(Qt::ALT | Qt::Key_Left, [this] { m_page->goBack(); });
   onKey(QKeySequence::Find, [this] {
     m_search->setFocus(Qt::ShortcutFocusReason);
     m_search->selectAll();
@@ -147,6 +153,7 @@ void GuideWindow::noteFound() {
 
 // The contents follow the page, and ask it for nothing.
 void GuideWindow::noteScrolled() {
+  m_back->setEnabled(m_page->canGoBack());
   const int at = m_page->headingAtTop();
   if (at < 0)
     return;

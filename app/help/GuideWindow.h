@@ -14,7 +14,8 @@ namespace limn {
 class GuideView;
 
 /// The guide in a window of its own, which blocks nothing: contents at the left, what is looked for above the
-/// page. Ctrl+F looks, F3 and Shift+F3 go on; Esc ends looking, then closes.
+/// page. Ctrl+F looks, F3 and Shift+F3 go on; Alt+Left goes back to where a link was followed; Esc ends
+/// looking, then closes.
 class GuideWindow : public QDialog {
   Q_OBJECT
 
@@ -39,6 +40,7 @@ private:
   GuideView* m_page;
   QTreeWidget* m_contents;
   QLineEdit* m_search = nullptr;
+  QToolButton* m_back = nullptr;
   QLabel* m_found = nullptr;
   QList<QTreeWidgetItem*> m_items; ///< by heading; that of its chapter for a heading of the third level
 };

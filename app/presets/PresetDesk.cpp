@@ -261,6 +261,7 @@ void PresetDesk::save(const QString& name) {
     refresh();
     m_with.session.adoptPreset(preset);
     markShown();
+    m_with.browser.reveal(name);
     if (replaced)
       offerBack(*replaced, tr("\"%1\" was replaced by what is shown.").arg(name), tr("Take the old one back"),
                 false);
@@ -376,6 +377,7 @@ void PresetDesk::duplicate(const QString& name) {
     m_with.notes.attempt([&] {
       m_store.save(copy);
       refresh();
+      m_with.browser.reveal(entered);
     });
   };
   ask(tr("Duplicate preset"), tr("Name of the copy (a preset of the same name is replaced):"),

@@ -48,7 +48,7 @@ std::vector<TourStep> TourDesk::steps() const {
        m_parts.window.findChild<CompareView*>()},
       {tr("Shape the curve"),
        tr("The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or "
-          "click the curve to add one: the picture follows. Ctrl+Z takes anything back."),
+          "click the curve to add one: the picture follows. Ctrl+Z takes back what you did to the picture."),
        part("curveDock")},
       {tr("Choose a preset"),
        tr("Each shows what it makes of your volume. Point at one to try it, click to use it. "

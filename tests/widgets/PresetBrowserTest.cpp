@@ -259,6 +259,18 @@ TEST_F(PresetBrowserTest, theGalleryHasTheSameOrderAndDoesWhatTheListDoes) {
   EXPECT_EQ(gallery.currentIndex().data().toString(), QStringLiteral("CT lung"));
 }
 
+TEST_F(PresetBrowserTest, whatWasMadeIsShownThoughASearchWouldHideIt) {
+  QTest::keyClicks(search(), QStringLiteral("temporal"));
+  m_browser.reveal(QStringLiteral("My temporal bone"));
+  EXPECT_EQ(presetNames(m_browser), QStringList{"My temporal bone"})
+      << "the search goes on where it finds it";
+  search()->selectAll();
+  QTest::keyClicks(search(), QStringLiteral("lung"));
+  m_browser.reveal(QStringLiteral("My temporal bone"));
+  EXPECT_TRUE(search()->text().isEmpty());
+  EXPECT_TRUE(presetNames(m_browser).contains(QStringLiteral("My temporal bone")));
+}
+
 TEST_F(PresetBrowserTest, aClickOnAGroupChoosesNothing) {
   click(QStringLiteral("MR"));
   EXPECT_TRUE(m_chosen.empty());

@@ -217,12 +217,22 @@ void PresetBrowser::setCurrent(const QString& name, bool isModified) {
     markPresetUse(*m_model, name, isModified ? PresetUse::modified : PresetUse::shown);
 }
 
+QModelIndex PresetBrowser::listed(const QString& name) const {
+  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, name, 1,
+                                                  Qt::MatchExactly | Qt::MatchRecursive);
+  return name.isEmpty() || found.isEmpty() ? QModelIndex() : found.front();
+}
+
+void PresetBrowser::reveal(const QString& name) {
+  if (!listed(name).isValid())
+    m_search->clear();
+  m_list->scrollTo(listed(name));
+}
+
 // The keyboard goes on from there, too.
 void PresetBrowser::mark() {
   markPresetUse(*m_model, m_current, m_isModified ? PresetUse::modified : PresetUse::shown);
-  const QModelIndexList found = m_filtered->match(m_filtered->index(0, 0), Qt::DisplayRole, m_current, 1,
-                                                  Qt::MatchExactly | Qt::MatchRecursive);
-  const QModelIndex current = m_current.isEmpty() || found.isEmpty() ? QModelIndex() : found.front();
+  const QModelIndex current = listed(m_current);
   m_list->setCurrentIndex(current);
   m_gallery->setCurrentIndex(m_flat->mapFromSource(current));
   showButtons();

@@ -52,6 +52,9 @@ public:
   /// answers with this where the preset took effect.
   void setCurrent(const QString& name, bool isModified = false);
 
+  /// Lists a preset that was just made, and ends a search that hides it.
+  void reveal(const QString& name);
+
   /// Shows a preset by what it makes of the volume that is open; `showsNothing` where there is nothing to
   /// see.
   void setPicture(const QString& name, const QImage& picture, bool showsNothing);
@@ -99,6 +102,7 @@ private:
   QWidget* makeButtons();
   void refill();
   void search(const QString& text);
+  QModelIndex listed(const QString& name) const;
   void mark();
   void offerMenu(const QModelIndex& index, const QPoint& at);
   void choose(const QModelIndex& index);

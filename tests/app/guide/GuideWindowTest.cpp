@@ -13,6 +13,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QUndoStack>
 
@@ -139,6 +140,24 @@ TEST_F(GuideWindowTest, goesFromItsContentsToTheChapterAndBack) {
   EXPECT_EQ(headingShown(shown), QStringLiteral("limits"));
   shown.showPlace(QStringLiteral("gestures"));
   EXPECT_EQ(contents->currentItem()->text(0), QStringLiteral("Mouse and keys"));
+}
+
+TEST_F(GuideWindowTest, goesBackToWhereALinkWasFollowed) {
+  GuideWindow& shown = guide();
+  auto* back = shown.findChild<QToolButton*>(QStringLiteral("guideBack"));
+  auto& page = const_cast<GuideView&>(shown.page()); // to follow links
+  shown.showPlace(QStringLiteral("limits"));
+  const int left = page.verticalScrollBar()->value();
+  EXPECT_FALSE(back->isEnabled());
+  emit page.anchorClicked(QUrl(QStringLiteral("#gestures")));
+  EXPECT_EQ(headingShown(shown), QStringLiteral("gestures"));
+  emit page.anchorClicked(QUrl(QStringLiteral("#privacy")));
+  QTest::keyClick(&shown, Qt::Key_Left, Qt::AltModifier);
+  EXPECT_EQ(headingShown(shown), QStringLiteral("gestures"));
+  EXPECT_TRUE(back->isEnabled());
+  QTest::mouseClick(back, Qt::LeftButton);
+  EXPECT_EQ(page.verticalScrollBar()->value(), left);
+  EXPECT_FALSE(back->isEnabled());
 }
 
 TEST_F(GuideWindowTest, noPictureIsWiderThanThePage) {

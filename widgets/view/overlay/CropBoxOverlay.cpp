@@ -11,18 +11,20 @@
 namespace limn {
 namespace {
 
-// What a held face cuts off, beside its handle.
-Note cropNote(const OverlaySource& source, const CropHandle& handle) {
+// What the face of a handle is called and cuts off, beside the handle and within its picture.
+Note cropNote(const OverlaySource& source, const QRectF& picture, const CropHandle& handle) {
   const Volume& volume = source.volume();
   const CropFace face = handle.face;
   const double place = placeOf(source.comparison.scene.crop, face);
   const double cut = face.isUpper ? 1.0 - place : place;
-  QString text = QObject::tr("%1: %2 % cut").arg(cropFaceName(volume, face), plainNumber(100.0 * cut, 1));
-  if (volume.info().spacingKnown)
+  QString text = cropFaceName(volume, face);
+  if (cut > 0.0)
+    text = QObject::tr("%1: %2 % cut").arg(text, plainNumber(100.0 * cut, 1));
+  if (cut > 0.0 && volume.info().spacingKnown)
     text += QObject::tr(" · %1 mm").arg(plainNumber(cut * boxSizeMm(volume.grid())[face.axis], 1));
   Note note = noteAt(source.font, text, {0.0, 0.0}, Qt::AlignLeft, source.geometry.size.width());
   note.plate.moveCenter(handle.centre + QPointF(0.0, -28.0));
-  const QRectF room = source.view().adjusted(4.0, 4.0, -4.0, -4.0);
+  const QRectF room = picture.adjusted(4.0, 4.0, -4.0, -4.0);
   note.plate.moveLeft(std::max(room.left(), std::min(note.plate.left(), room.right() - note.plate.width())));
   note.plate.moveTop(std::max(room.top(), note.plate.top()));
   return note;
@@ -40,8 +42,8 @@ std::vector<CropBoxOverlay> cropBoxesOf(const OverlaySource& source) {
                        source.heldFace ? source.heldFace : source.hovered.face,
                        {}};
     for (const CropHandle& handle : box.shape.handles)
-      if (source.heldFace == handle.face)
-        box.note = cropNote(source, handle);
+      if (box.lively == handle.face)
+        box.note = cropNote(source, box.picture, handle);
     boxes.push_back(box);
   }
   return boxes;

@@ -19,7 +19,7 @@ struct CropBoxOverlay {
   QRectF picture;
   CropBoxShape shape;
   std::optional<CropFace> lively; ///< the face whose handle is hovered or held
-  std::optional<Note> note;       ///< what the held face cuts off
+  std::optional<Note> note;       ///< what that face is called and cuts off
 };
 
 /// One for each picture that the box stands over; empty where it is not shown.
