@@ -7205,7 +7205,7 @@
         <translation>zeichnen Sie das Bild neu</translation>
     </message>
     <message>
-        <source>Cannot write %1: there is no folder %2; make it, or choose another.</source>
+        <source>Cannot write %1: there is no folder %2; make it, or choose another folder.</source>
         <translation>%1 kann nicht geschrieben werden: Den Ordner %2 gibt es nicht; legen Sie ihn an, oder wählen Sie einen anderen.</translation>
     </message>
 </context>

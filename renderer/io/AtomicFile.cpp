@@ -30,7 +30,7 @@ struct Target {
 [[noreturn]] void failWriting(const Target& target, int error) {
   if (error == ENOENT && target.place == FilePlace::chosen && target.path.has_parent_path())
     throw Error(Error::Kind::other,
-                Message::tr("Cannot write %1: there is no folder %2; make it, or choose another.")
+                Message::tr("Cannot write %1: there is no folder %2; make it, or choose another folder.")
                     .arg(target.path.string())
                     .arg(target.path.parent_path().string()));
   const Message advice = target.place == FilePlace::chosen
