@@ -53,6 +53,7 @@ std::vector<CoarseVolume> pyramidAs(const Volume& volume, const StoredVoxels<T>&
                                     const std::vector<int>& reductions, const Effort& effort) {
   const glm::ivec3 dims = volume.grid().dims;
   std::vector<CoarseField<T>> fields;
+  fields.reserve(reductions.size());
   for (const int reduction : reductions)
     fields.emplace_back(stored, storedRange(volume), dims, reducedDims(dims, reduction));
   const auto slices =
