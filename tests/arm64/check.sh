@@ -17,8 +17,8 @@ export __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null
 version=$(emulated build/arm64/limn --version)
 [ "$version" = "$("$native" --version)" ] || { echo "arm64 says it is \"$version\"" >&2; exit 1; }
 
-# As far apart as two sets of instructions may be (tests/cpu/InstructionSetTest.cpp), and as an engine and the definition
-# (tests/cpu/CpuAgainstReferenceTest.cpp).
+# As far apart as two sets of instructions may be (tests/cpu/InstructionSetTest.cpp), and half as far as the engine may
+# be from the definition (tests/cpu/CpuAgainstReferenceTest.cpp).
 for model in none classic enhanced robust; do
   scene=(render sample --model "$model" --size 128x128)
   echo "arm64 draws the sample, $model:"
@@ -38,6 +38,6 @@ tests() {
   echo "limn_$1_tests $2:"
   time emulated "build/arm64/tests/$1/limn_$1_tests" --gtest_brief=1 --gtest_filter="$2"
 }
-tests scene '*'
+tests scene '-Boundaries.*:Phantom.noise*:Pyramid.comparesEverySlice'
 tests reference '*'
 tests cpu 'CpuAnalytic.*:CpuAgainstReference.everyParameter*:CpuAgainstReference.everyStored*:CpuRules.*'
