@@ -16,6 +16,7 @@ Timing timingOf(std::vector<double> times) {
 
 std::vector<double> wallTimes(const std::vector<FrameCost>& frames) {
   std::vector<double> times;
+  times.reserve(frames.size());
   for (const FrameCost& frame : frames)
     times.push_back(frame.ms);
   return times;
@@ -23,6 +24,7 @@ std::vector<double> wallTimes(const std::vector<FrameCost>& frames) {
 
 std::vector<double> processorTimes(const std::vector<FrameCost>& frames) {
   std::vector<double> times;
+  times.reserve(frames.size());
   for (const FrameCost& frame : frames)
     times.push_back(frame.cpuMs);
   return times;

@@ -90,6 +90,12 @@ void addPictures(Corpus& corpus) {
   surplus[3].picture = bomb(bytesOf(std::vector<std::uint16_t>{18, 19, 20, 21, 22, 23}), 512, 15);
   surplus[3].entries[279] = {4, 1, static_cast<std::uint32_t>(surplus[3].picture.size())};
   corpus.addFile("decompression bomb", "a.tif", tiffOf(surplus), {correct, refused});
+  // A strip that does not inflate: what the library says of it reaches the sentence.
+  std::vector<TiffPage> spoilt = {goodPage(0, true), goodPage(1, true), goodPage(2, true), goodPage(3, true)};
+  spoilt[2].picture[0] = '\0';
+  corpus.addFile("contradiction", "a.tif", tiffOf(spoilt), {refused}, "the picture is damaged (");
+  // Colours from a table that is not there: the library takes the samples for grey.
+  corpus.addFile("contradiction", "a.tif", changedAll(262, {3, 1, 3}), {correct});
   // Tiles of 2³⁰ pixels where the picture has six.
   std::string tiled = changedAll(322, {4, 1, 32768});
   corpus.addFile("decompression bomb", "a.tif", tiled, {refused});
