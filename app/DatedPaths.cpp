@@ -8,6 +8,10 @@
 
 namespace limn {
 
+std::string entryKey(const std::string& prefix, const std::string& name, const std::string& suffix) {
+  return prefix + name + suffix;
+}
+
 std::string nameOf(const SettingsDocument& values, const std::string& prefix, const std::string& path) {
   for (const auto& [key, value] : values)
     if (value == path && key.starts_with(prefix) && key.ends_with(pathSuffix))
@@ -44,7 +48,7 @@ static QString laterThanAll(const std::vector<DatedEntry>& latestFirst) {
 
 void forget(SettingsDocument& values, const std::string& prefix, const std::string& name) {
   for (const std::string& suffix : {pathSuffix, labelSuffix, openedSuffix})
-    values.erase(prefix + name + suffix);
+    values.erase(entryKey(prefix, name, suffix));
 }
 
 std::string putFirst(SettingsDocument& values, const std::string& prefix, const std::string& path,
@@ -53,8 +57,8 @@ std::string putFirst(SettingsDocument& values, const std::string& prefix, const 
   if (name.empty())
     name = fresh;
   const QString now = laterThanAll(datedEntries(values, prefix));
-  values[prefix + name + pathSuffix] = path;
-  values[prefix + name + openedSuffix] = now.toStdString();
+  values[entryKey(prefix, name, pathSuffix)] = path;
+  values[entryKey(prefix, name, openedSuffix)] = now.toStdString();
   const std::vector<DatedEntry> entries = datedEntries(values, prefix);
   for (std::size_t i = most; i < entries.size(); ++i)
     forget(values, prefix, entries[i].name);

@@ -13,6 +13,9 @@ inline const std::string pathSuffix = "/path";
 inline const std::string labelSuffix = "/label";
 inline const std::string openedSuffix = "/opened";
 
+/// What an entry is kept under: PREFIX name and one of the above.
+std::string entryKey(const std::string& prefix, const std::string& name, const std::string& suffix);
+
 /// The name under which this path is kept; empty where it is not.
 std::string nameOf(const SettingsDocument& values, const std::string& prefix, const std::string& path);
 

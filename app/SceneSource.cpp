@@ -188,7 +188,7 @@ std::string volumeOf(const SceneDocument& document, const SourceOptions& options
   if (fs::exists(document.volume))
     return document.volume;
   // Built-in volumes are named without a folder; reading made the name absolute.
-  const std::string name = fs::path(document.volume).filename().string();
+  std::string name = fs::path(document.volume).filename().string();
   if (name == "phantom" || name == "sample" || name.starts_with("phantom:"))
     return name;
   if (const auto referred = options.references.find(name); referred != options.references.end())

@@ -133,8 +133,8 @@ QList<RecentSource> Settings::recentSources() {
   readAgain();
   QList<RecentSource> sources;
   for (const DatedEntry& entry : datedEntries(m_values, recentPrefix))
-    sources << RecentSource{text(recentPrefix + entry.name + pathSuffix),
-                            text(recentPrefix + entry.name + labelSuffix),
+    sources << RecentSource{text(entryKey(recentPrefix, entry.name, pathSuffix)),
+                            text(entryKey(recentPrefix, entry.name, labelSuffix)),
                             QString::fromStdString(entry.opened)};
   return sources.mid(0, mostRecent);
 }
@@ -169,7 +169,7 @@ std::vector<fs::path> Settings::knownVolumes() {
   readAgain();
   std::vector<fs::path> known;
   for (const DatedEntry& entry : datedEntries(m_values, knownPrefix))
-    known.emplace_back(text(knownPrefix + entry.name + pathSuffix).toStdString());
+    known.emplace_back(text(entryKey(knownPrefix, entry.name, pathSuffix)).toStdString());
   return known;
 }
 
@@ -209,12 +209,12 @@ void Settings::setLookEnding(const QString& ending) {
 
 std::string Settings::referenceTo(const std::string& path, const std::string& kind) {
   readAgain();
-  if (const std::string known = nameOf(m_values, volumePrefix, path); !known.empty())
+  if (std::string known = nameOf(m_values, volumePrefix, path); !known.empty())
     return known;
   const std::string fresh = kind + "-" + newName();
   change([&](SettingsDocument& values) {
     if (nameOf(values, volumePrefix, path).empty())
-      values[volumePrefix + fresh + pathSuffix] = path;
+      values[entryKey(volumePrefix, fresh, pathSuffix)] = path;
   });
   return nameOf(m_values, volumePrefix, path);
 }

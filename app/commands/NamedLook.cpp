@@ -66,7 +66,7 @@ Preset presetAskedFor(const std::string& word, const Volume& volume, bool isQuie
     return read.preset;
   }
   // Own presets were shaped on data like this; built-in ones fit themselves to it.
-  const Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), word);
+  Preset preset = presetNamed(allPresets(PresetStore::ofThisUser()), word);
   const std::vector<Preset> builtIn = builtInPresets();
   if (std::find(builtIn.begin(), builtIn.end(), preset) == builtIn.end())
     return preset;

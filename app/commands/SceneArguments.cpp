@@ -46,6 +46,7 @@ Region keptBy(Keep keep, const Scene& scene, bool isQuiet) {
 
 std::vector<std::string> modelWords() {
   std::vector<std::string> words;
+  words.reserve(shadingModels.size());
   for (const ShadingModel model : shadingModels)
     words.emplace_back(nameOf(model));
   return words;

@@ -66,6 +66,7 @@ Value chosen(const std::map<std::string, Value>& choices, const std::string& wor
 template <class Value>
 std::vector<std::string> wordsOf(const std::map<std::string, Value>& choices) {
   std::vector<std::string> words;
+  words.reserve(choices.size());
   for (const auto& [name, value] : choices)
     words.push_back(name);
   return words;

@@ -118,9 +118,10 @@ void DicomDesk::save() {
     const SeriesImages images = shownSeries(*scene.volume, source, series, reading);
     MakingOptions told = order;
     told.effort = effort;
-    makeEach({scene}, {scene.image.width, scene.image.height}, told, [&](std::size_t, MadePicture picture) {
-      saveToDicom(path.toStdString(), scene, picture.image, images, isAnonymous);
-    });
+    makeEach({scene}, {scene.image.width, scene.image.height}, told,
+             [&](std::size_t, const MadePicture& picture) {
+               saveToDicom(path.toStdString(), scene, picture.image, images, isAnonymous);
+             });
     return [this, path] {
       if (m_dialog)
         m_dialog->endProgress(tr("Saved %1.").arg(QFileInfo(path).fileName()));

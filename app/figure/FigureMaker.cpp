@@ -15,12 +15,13 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
 
 uchar byteOfShare(float value) {
-  return static_cast<uchar>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+  return static_cast<uchar>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
 QImage withoutBackground(const Image& picture) {
@@ -35,7 +36,7 @@ QImage withoutBackground(const Image& picture) {
 }
 
 QImage sliceOf(const FigurePanel& panel, const QSize& size, bool isTransparent) {
-  const QImage slice = PlanePictures().picture(planeContentOf(panel), planeFrameOf(panel, size).grid);
+  QImage slice = PlanePictures().picture(planeContentOf(panel), planeFrameOf(panel, size).grid);
   if (isTransparent)
     return slice;
   // As dark as air beside it, so that the volume's edge does not look like a part of the patient.
@@ -66,6 +67,7 @@ std::vector<std::size_t> panelsWithScene(const Figure& figure) {
 
 std::vector<Scene> scenesOf(const Figure& figure, const std::vector<std::size_t>& panels) {
   std::vector<Scene> scenes;
+  scenes.reserve(panels.size());
   for (const std::size_t panel : panels)
     scenes.push_back(figure.panels[panel].scene);
   return scenes;

@@ -3,6 +3,7 @@
 
 #include "app/help/GuideView.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -128,7 +129,7 @@ QWidget* GuideWindow::makeSearch() {
     m_search->selectAll();
   });
   connect(m_search, &QLineEdit::returnPressed, this,
-          [step] { step(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier ? -1 : 1); });
+          [step] { step(QApplication::keyboardModifiers() & Qt::ShiftModifier ? -1 : 1); });
   return bar;
 }
 

@@ -44,7 +44,7 @@ std::string lastNames(const std::string& source, int parts) {
       break;
     }
   for (rest = rest.parent_path(); parts > 1 && rest.has_filename(); --parts, rest = rest.parent_path())
-    name = rest.filename().string() + "-" + name;
+    name.insert(0, rest.filename().string() + "-");
   return plainName(name);
 }
 
@@ -87,7 +87,9 @@ std::vector<Choice> turns(int pictures) {
   for (int i = 0; i < pictures; ++i) {
     std::string number = std::to_string(i);
     number.insert(0, of.size() - number.size(), '0');
-    all.push_back({"turn-" + number + "-of-" + of, {"--turn", std::to_string(i) + "/" + of}});
+    std::string name = "turn-";
+    name.append(number).append("-of-").append(of);
+    all.push_back({name, {"--turn", std::to_string(i).append("/").append(of)}});
   }
   return all;
 }

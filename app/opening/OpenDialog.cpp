@@ -21,7 +21,7 @@ QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings&
   giveRoom(dialog);
   if (dialog.exec() != QDialog::Accepted)
     return {};
-  const QStringList paths = dialog.selectedFiles();
+  QStringList paths = dialog.selectedFiles();
   settings.setDialogFolder(QFileInfo(paths.value(0)).absolutePath());
   return paths;
 }

@@ -289,7 +289,7 @@ void PresetDesk::remove(const QString& name) {
   const auto known = named(m_own, name);
   if (known == m_own.end())
     return;
-  const Preset removed = *known;
+  Preset removed = *known;
   try {
     m_store.remove(removed.name);
     const bool isFavourite = m_with.settings.favourites().contains(removed.name);

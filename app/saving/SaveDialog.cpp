@@ -97,7 +97,7 @@ QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& 
     if (dialog.exec() != QDialog::Accepted)
       return {};
     filter = dialog.selectedNameFilter();
-    const QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
+    QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
     if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
       settings.setSaveFolder(QFileInfo(path).absolutePath());
       return path;

@@ -100,8 +100,7 @@ std::string SavingDesk::seenFrom(const std::filesystem::path& file, const std::f
                                  const std::string& kind) const {
   if (!named.is_absolute())
     return named.string();
-  const std::string relative =
-      named.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
+  std::string relative = named.lexically_relative(std::filesystem::absolute(file).parent_path()).string();
   const Volume& shown = *m_document.scene().volume;
   if (!pathMayNameThePatient(QString::fromStdString(relative), shown.info().patient))
     return relative;

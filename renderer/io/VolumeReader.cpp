@@ -194,7 +194,7 @@ std::shared_ptr<const Volume> readVolume(const fs::path& path, const ReadOptions
                                          const Progress& progress) {
   requireUsable(options);
   requireExisting(path);
-  const auto volume = reported(path, [&] { return readExisting(path, options, progress); });
+  auto volume = reported(path, [&] { return readExisting(path, options, progress); });
   requireWhole(path, *volume);
   return volume;
 }

@@ -3,8 +3,10 @@
 
 #include "scene/steps/RayFrame.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <functional>
 #include <sstream>
 
@@ -44,9 +46,12 @@ bool surelyMisses(const FramedRay& ray, const IndexBox& box) {
   return spanInBox(ray, grown).isEmpty();
 }
 
+std::array<std::uint32_t, 4> bitsOf(const glm::vec4& p) {
+  return std::bit_cast<std::array<std::uint32_t, 4>>(p);
+}
+
 bool isZero(const glm::vec4& p) {
-  const glm::vec4 zero(0.0f);
-  return std::memcmp(&p, &zero, sizeof(zero)) == 0;
+  return bitsOf(p) == bitsOf(glm::vec4(0.0f));
 }
 
 } // namespace
@@ -77,7 +82,7 @@ std::vector<std::string> brokenInvariants(const Scene& scene, const Image& image
 
 std::string firstDifference(const Image& image, const Image& again) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
-    if (std::memcmp(&image.pixels[i], &again.pixels[i], sizeof(glm::vec4)) != 0)
+    if (bitsOf(image.pixels[i]) != bitsOf(again.pixels[i]))
       return place(image, i) + ", the other " + place(again, i);
   return {};
 }

@@ -110,7 +110,7 @@ void FoldingHeader::keyPressEvent(QKeyEvent* event) {
   else if (event->key() == Qt::Key_Space)
     QAbstractButton::keyPressEvent(event);
   else
-    QWidget::keyPressEvent(event); // arrows scroll the panel rather than walk the buttons
+    event->ignore(); // arrows scroll the panel rather than walk the buttons
 }
 
 void FoldingHeader::changeEvent(QEvent* event) {

@@ -5,6 +5,8 @@
 #include "widgets/figure/FigureText.h"
 
 #include <QFontMetricsF>
+#include <QObject>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>

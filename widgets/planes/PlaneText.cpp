@@ -65,8 +65,7 @@ QString windowText(const PlaneContent& content) {
   const GreyWindow window = windowOf(content);
   const auto number = [](double value, double step) { return valueText(value, {}, decimalsFor(step)); };
   const double step = window.width / 500.0;
-  const QString grey =
-      QObject::tr("W %1 · L %2").arg(number(window.width, step), number(window.centre, step));
+  QString grey = QObject::tr("W %1 · L %2").arg(number(window.width, step), number(window.centre, step));
   const Slab& slab = content.settings.slab;
   if (slab.thicknessMm <= 0.0)
     return grey;

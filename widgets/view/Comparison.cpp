@@ -15,6 +15,7 @@ Scene sceneOfSide(const Comparison& comparison, int side) {
 
 std::vector<Scene> scenesOfSides(const Comparison& comparison) {
   std::vector<Scene> scenes;
+  scenes.reserve(2);
   for (int side = 0; side < pictureCount(comparison.layout); ++side)
     scenes.push_back(sceneOfSide(comparison, side));
   return scenes;

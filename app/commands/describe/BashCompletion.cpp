@@ -91,7 +91,8 @@ std::string valueLine(const std::string& path, const std::vector<std::string>& n
                       const ValueWords& value) {
   std::string line;
   for (const std::string& name : names)
-    line += (line.empty() ? "    " : " | ") + shellQuoted(path + ":" + name);
+    line.append(line.empty() ? "    " : " | ")
+        .append(shellQuoted(std::string(path).append(":").append(name)));
   line += ") words=(" + shellQuoted(value.known()) + ")";
   if (value.isFile || value.isFolder)
     line += value.isFile ? " kind=file" : " kind=folder";

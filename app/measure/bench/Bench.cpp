@@ -68,6 +68,7 @@ std::vector<BenchRow> benchRows(const std::string& name, const Scene& scene,
                                 const std::vector<std::unique_ptr<Contender>>& contenders, int frames,
                                 const std::function<void()>& advance) {
   std::vector<BenchRow> rows;
+  rows.reserve(contenders.size());
   std::exception_ptr refusal;
   for (const auto& contender : contenders)
     rows.push_back(firstRow(name, scene, *contender, advance, refusal));

@@ -73,7 +73,7 @@ private:
 
 // The program that draws with VTK lies beside this one.
 std::filesystem::path rivalProgram() {
-  const std::filesystem::path program =
+  std::filesystem::path program =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "limn_bench_vtk";
   if (!std::filesystem::exists(program))
     throw Error(Error::Kind::usage, "The program that draws with VTK is not built; build it beside limn "

@@ -34,7 +34,7 @@ QImage pictureOf(Contender& contender) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("picture.png"));
   contender.save(path.toStdString());
-  const QImage picture = QImage(path).convertToFormat(QImage::Format_RGB888);
+  QImage picture = QImage(path).convertToFormat(QImage::Format_RGB888);
   if (picture.isNull())
     throw Error(Error::Kind::other, "The picture of " + contender.program() + " cannot be read back.");
   return picture;
@@ -88,6 +88,7 @@ std::vector<ErrorAndTime> errorCurve(Contender& contender, const Scene& scene, c
     contender.drawFirst(one);
     const double error = errors.meanError(contender, one);
     std::vector<FrameCost> costs;
+    costs.reserve(static_cast<std::size_t>(frames));
     for (int i = 0; i < frames; ++i)
       costs.push_back(contender.draw(one));
     curve.push_back({error, timingOf(processorTimes(costs)).median});

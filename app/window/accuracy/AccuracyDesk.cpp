@@ -41,7 +41,7 @@ QByteArray pngOf(const QImage& picture) {
 QByteArray accuracyFile(const AccuracyReport& report, const QString& ending) {
   if (ending == QStringLiteral("csv"))
     return QByteArray::fromStdString(accuracyCsv(report));
-  const QByteArray chart = pngOf(accuracyChartPicture(report, chartSize, ChartStyle::print));
+  QByteArray chart = pngOf(accuracyChartPicture(report, chartSize, ChartStyle::print));
   if (ending != QStringLiteral("html"))
     return chart;
   // The page carries its chart, so that one file can be passed on.

@@ -148,6 +148,7 @@ void AccuracyMeasurer::findSteps(const std::vector<Scene>& scenes, const glm::iv
       return job.renderers().render(tried, pixels);
     };
     std::vector<WithinTolerance> found;
+    found.reserve(scenes.size());
     for (const Scene& scene : scenes)
       found.push_back(withinTolerance(scene, size, draw));
     const WithinTolerance finest = *std::min_element(found.begin(), found.end(), needsFinerSteps);

@@ -100,6 +100,7 @@ T storedOf(const Sample& sample, T empty) {
 
 std::vector<std::optional<Neighbours>> columnOf(int outputCount, double shift, int sourceCount) {
   std::vector<std::optional<Neighbours>> result;
+  result.reserve(static_cast<std::size_t>(outputCount));
   for (int i = 0; i < outputCount; ++i)
     result.push_back(neighbours(i - shift, sourceCount));
   return result;

@@ -117,6 +117,7 @@ Grid SegmentationFile::gridOf(const SegmentPixels& pixels, const std::vector<Seg
   const glm::dvec3 normal = glm::cross(axes[0], axes[1]);
   const glm::dvec2 spacing = *m_first.pixelSpacingMm;
   std::vector<double> heights;
+  heights.reserve(frames.size());
   for (const SegmentFrame& frame : frames)
     heights.push_back(glm::dot(frame.positionMm, normal));
   const auto lowest =

@@ -13,7 +13,7 @@ namespace {
 
 using OIIO::TypeDesc;
 
-StoredPicture::Sample sampleOf(TypeDesc stored) {
+StoredPicture::Sample sampleOf(const TypeDesc& stored) {
   switch (stored.basetype) {
   case TypeDesc::UINT8:
     return StoredPicture::Sample::uint8;

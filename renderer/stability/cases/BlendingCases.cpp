@@ -60,6 +60,11 @@ std::vector<Finding> premultiplied(Workbench& bench) {
   return findings;
 }
 
+// The grey of pixel `i` of `greys`, 0..255: the picture begins above, the slice below.
+double greyAt(std::size_t i) {
+  return static_cast<double>(i % 16 + 16 * (15 - i / 16));
+}
+
 // A slice with a grey for each of 256 values, opaque.
 Scene greys() {
   const auto volume = volumeOf(centredGrid({16, 1, 16}, white),
@@ -77,10 +82,8 @@ std::vector<Finding> encoding(Workbench& bench) {
                      bench.requireOpenGl();
                      const std::vector<glm::u8vec4> shown = presented(draw(greys(), {16, 16}), black);
                      double largest = 0.0;
-                     for (int y = 0; y < 16; ++y)
-                       for (int x = 0; x < 16; ++x)
-                         largest = std::max(largest, levelError(shown[static_cast<std::size_t>(16 * y + x)],
-                                                                glm::dvec3((x + 16 * (15 - y)) / 255.0)));
+                     for (std::size_t i = 0; i < shown.size(); ++i)
+                       largest = std::max(largest, levelError(shown[i], glm::dvec3(greyAt(i) / 255.0)));
                      return largest;
                    });
   findings +=

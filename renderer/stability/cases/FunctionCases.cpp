@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace limn {
@@ -37,6 +38,14 @@ double largestOver(const Draw& draw, const Scene& scene,
   return largest;
 }
 
+// 1024 values from 0 to 1.
+std::vector<double> unitRamp() {
+  std::vector<double> values(1024);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<double>(i) / 1023.0;
+  return values;
+}
+
 // Opacity 1 is limited to 1 - 2⁻²⁴.
 constexpr double fullOpacity = 0x1p-24 + 1e-12;
 
@@ -53,17 +62,16 @@ std::vector<Finding> narrowRanges(Workbench& bench) {
                                                "alpha against the value's share of the ramp: half a step of "
                                                "12 bits; full opacity is short of 1 by 2^-24",
                                                [](const Draw& draw) {
-                                                 std::vector<std::uint16_t> values;
-                                                 for (int i = 0; i < 4096; ++i)
-                                                   values.push_back(static_cast<std::uint16_t>(i));
+                                                 std::vector<std::uint16_t> values(4096);
+                                                 std::iota(values.begin(), values.end(), std::uint16_t{0});
                                                  return rampError(draw, swatches(values, 64), 0.0, 4095.0);
                                                });
   findings += inEachEngine(
       bench, "a function over a hundredth of a range of floats", {fullOpacity, 1.0 / 2048.0, 1.0 / 2048.0},
       "alpha against the value's share of the ramp: half of one of its 1024 values", [](const Draw& draw) {
-        std::vector<float> values;
-        for (int i = 0; i < 1024; ++i)
-          values.push_back(static_cast<float>(i) * (200.0f / 1023.0f));
+        std::vector<float> values(1024);
+        for (std::size_t i = 0; i < values.size(); ++i)
+          values[i] = static_cast<float>(i) * (200.0f / 1023.0f);
         values.front() = -1e4f;
         values.back() = 1e4f;
         return rampError(draw, swatches(values, 32), 0.0, 200.0);
@@ -88,12 +96,7 @@ double outsideFunction(const TransferFunction& function, double value, double re
 // 1024 values from 0 to 1. Texture coordinates are off by 2⁻²⁴ of 34 texels, rows differ by 1/32.
 double functionError(const Draw& draw, const TransferFunction& function) {
   constexpr double reach = 0x1p-24 * (34.0 / 32.0 + 2.0);
-  static const Scene values = [] {
-    std::vector<double> ramp;
-    for (int i = 0; i < 1024; ++i)
-      ramp.push_back(i / 1023.0);
-    return swatches(ramp, 32);
-  }();
+  static const Scene values = swatches(unitRamp(), 32);
   Scene scene = values;
   scene.transferFunction = function;
   return largestOver(draw, scene, [&](double value, const glm::dvec4& pixel) {
@@ -205,12 +208,7 @@ std::vector<Finding> degenerateFunctions(Workbench& bench) {
 }
 
 std::vector<Finding> lookUps(Workbench& bench) {
-  const auto figure = [](const Draw& draw) {
-    std::vector<double> values;
-    for (int i = 0; i < 1024; ++i)
-      values.push_back(i / 1023.0);
-    return rampError(draw, swatches(values, 32), 0.0, 1.0);
-  };
+  const auto figure = [](const Draw& draw) { return rampError(draw, swatches(unitRamp(), 32), 0.0, 1.0); };
   const std::string reason =
       "alpha against the value itself; a table read half an entry aside is off by 1e-3";
   std::vector<Finding> findings =

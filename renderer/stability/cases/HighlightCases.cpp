@@ -119,6 +119,7 @@ double largestFall(const std::function<std::vector<double>(const std::vector<glm
 
 std::vector<double> highlightsInCpp(const std::vector<glm::vec4>& arguments) {
   std::vector<double> shown;
+  shown.reserve(arguments.size());
   for (const glm::vec4& v : arguments)
     shown.push_back(knee(glm::dvec3(1.0 + blinnTerm(v.x, v.y)), 0.8).r);
   return shown;

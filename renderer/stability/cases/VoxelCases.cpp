@@ -90,6 +90,7 @@ std::vector<Finding> denormals(Workbench& bench) {
                    "difference from the same multiples of 1: none", [](const Draw& draw) {
                      const auto at = [&](double unit) {
                        std::vector<float> voxels;
+                       voxels.reserve(125);
                        for (int i = 0; i < 125; ++i)
                          voxels.push_back(static_cast<float>(unit * (i * 37 % 101)));
                        const auto volume =

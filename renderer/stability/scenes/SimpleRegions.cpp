@@ -6,6 +6,7 @@ namespace limn {
 Region cubesRegion(const glm::ivec3& dims, int edge, const std::vector<double>& weights) {
   const int count = static_cast<int>(weights.size());
   std::vector<Label> labels;
+  labels.reserve(weights.size());
   for (int value = 0; value < count; ++value)
     labels.push_back({value, "Cubes " + std::to_string(value), glm::dvec3(1.0)});
   std::vector<std::uint8_t> places;

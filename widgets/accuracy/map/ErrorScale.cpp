@@ -36,7 +36,8 @@ QImage errorMapImage(const ErrorMap& map) {
   for (int y = 0; y < map.size.y; ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
     for (int x = 0; x < map.size.x; ++x) {
-      const float levels = map.levels[static_cast<std::size_t>(y * map.size.x + x)];
+      const float levels = map.levels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.size.x) +
+                                      static_cast<std::size_t>(x)];
       row[x] =
           levels < 0.0f ? 0u : colors[static_cast<std::size_t>(std::lround(steps * errorScalePlace(levels)))];
     }

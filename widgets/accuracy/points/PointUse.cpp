@@ -79,6 +79,7 @@ std::optional<OperatingPoint> pointOf(const Scene& scene, double steepestPerMm) 
 
 std::vector<OperatingPoint> dialPoints(const Scene& scene, double steepestPerMm) {
   std::vector<OperatingPoint> points;
+  points.reserve(dialSteps.size() + 1);
   for (const double step : dialSteps)
     points.push_back(*pointOf(withStep(scene, step), steepestPerMm));
   if (integrates(scene.projection))

@@ -39,7 +39,7 @@ QString sideTitle(const Scene& scene) {
 }
 
 QString sideTitle(const Comparison& comparison, int side) {
-  const QString title = sideTitle(sceneOfSide(comparison, side));
+  QString title = sideTitle(sceneOfSide(comparison, side));
   if (!comparison.look || comparison.layout == CompareLayout::single)
     return title;
   const std::string& name = comparison.look->names[static_cast<std::size_t>(side)];

@@ -206,7 +206,7 @@ void EmptyPanel::setRecentSources(const QStringList& texts) {
   title->setAlignment(Qt::AlignCenter);
   column->addWidget(title);
   for (int number = 0; number < std::min<int>(texts.size(), mostRecentShown); ++number) {
-    const QString name = texts[number];
+    const QString& name = texts[number];
     auto* button = panelButton(QString(name).replace(QLatin1Char('&'), QStringLiteral("&&")),
                                QStringLiteral("recent"), m_recent);
     button->setAccessibleName(tr("Open again: %1").arg(name));

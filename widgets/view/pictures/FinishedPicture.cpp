@@ -10,6 +10,7 @@ namespace {
 
 // The nearest; std::lround takes ten times as long.
 uchar byteOf(double value) {
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings)
   return static_cast<uchar>(std::clamp(value, 0.0, 1.0) * 255.0 + 0.5);
 }
 

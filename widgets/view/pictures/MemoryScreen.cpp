@@ -88,13 +88,18 @@ int mostApart(QRgb left, QRgb right) {
   return most;
 }
 
+std::size_t placeOf(int apart) {
+  const int place = apart + 255;
+  return static_cast<std::size_t>(place);
+}
+
 // The colour of every difference from -255 to 255.
 std::array<QRgb, 511> differenceColors(double gain) {
   std::array<QRgb, 511> colors{};
   for (int apart = -255; apart <= 255; ++apart) {
     const glm::dvec3 color =
         std::min(1.0, gain * std::abs(apart) / 255.0) * (apart < 0 ? leftBrighterColor : rightBrighterColor);
-    colors[static_cast<std::size_t>(apart + 255)] = colorOf(color).rgb();
+    colors[placeOf(apart)] = colorOf(color).rgb();
   }
   return colors;
 }
@@ -106,7 +111,7 @@ void keepDifference(QImage& left, const QImage& right, double gain) {
     auto* row = reinterpret_cast<QRgb*>(left.scanLine(y));
     const auto* other = reinterpret_cast<const QRgb*>(right.constScanLine(y));
     for (int x = 0; x < left.width(); ++x)
-      row[x] = colors[static_cast<std::size_t>(mostApart(row[x], other[x]) + 255)];
+      row[x] = colors[placeOf(mostApart(row[x], other[x]))];
   }
 }
 

@@ -55,6 +55,7 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   if (!refines)
     return RestTurn::nothing;
   std::vector<std::optional<ErrorEstimate>> rough;
+  rough.reserve(static_cast<std::size_t>(m_count));
   for (int i = 0; i < m_count; ++i)
     rough.push_back(m_probe.estimate(i, m_sides[i].finishedQuality().stepVoxels));
   const RestTurn turn = m_refinement.step(*m_engine, sides(), rough, budgetMs);

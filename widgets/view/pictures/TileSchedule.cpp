@@ -66,7 +66,7 @@ void TileSchedule::finished(double ms) {
   m_spentMs += ms;
   m_pixelMs = std::max(ms, 1e-3) / (static_cast<double>(done.size.x) * done.size.y);
   for (int row = 0; row < done.size.y; ++row)
-    m_rowMs[static_cast<std::size_t>(m_rowsDone + row)] += ms / done.size.y;
+    m_rowMs[static_cast<std::size_t>(m_rowsDone) + static_cast<std::size_t>(row)] += ms / done.size.y;
   m_columnsDone += done.size.x;
   if (m_columnsDone >= m_size.x) {
     if (!m_expectedMs.empty())

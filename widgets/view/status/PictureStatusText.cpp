@@ -60,7 +60,7 @@ QString estimateText(const PictureState& state) {
   if (!isKnown(state))
     return QObject::tr("estimating…");
   const SideState& worst = worstOf(state);
-  const QString text = worstText(worst);
+  QString text = worstText(worst);
   const bool isMeasured =
       std::ranges::any_of(state.sides, [](const SideState& side) { return side.measuredLevels.has_value(); });
   if (state.sides.size() < 2 || !isMeasured)

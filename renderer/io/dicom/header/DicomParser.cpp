@@ -81,7 +81,7 @@ public:
       m_held = std::min<std::uint64_t>(m_window.size(), m_end - m_position);
       load(m_window.data(), m_held);
     }
-    const std::string value = m_window.substr(m_position - m_windowStart, count);
+    std::string value = m_window.substr(m_position - m_windowStart, count);
     m_position += count;
     return value;
   }

@@ -68,7 +68,7 @@ VoxelType typeOfElement(const fs::path& file, const std::string& name) {
 // The numbers of a field, at least `least` of them; empty where it is absent.
 std::vector<double> listOf(const fs::path& file, const Header& header,
                            std::initializer_list<const char*> names, std::size_t least) {
-  const std::vector<double> values = numbers(file, header.field(names));
+  std::vector<double> values = numbers(file, header.field(names));
   if (!values.empty() && values.size() < least)
     failReading(file, Message::tr("its header's field %1 has too few numbers").arg(*names.begin()),
                 copyAgain);

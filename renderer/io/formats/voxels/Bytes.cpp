@@ -188,7 +188,7 @@ fs::path detachedFile(const fs::path& header, const std::string& name) {
         header,
         Message::tr("it names its voxel file \"%1\", which is not in the folder of the header").arg(name),
         Message::tr("put both files into one folder and name the voxel file without a path"));
-  const fs::path file = header.parent_path() / normal;
+  fs::path file = header.parent_path() / normal;
   std::error_code problem;
   if (!fs::is_regular_file(file, problem))
     failReading(header, Message::tr("its voxel file %1 is missing").arg(file.string()),

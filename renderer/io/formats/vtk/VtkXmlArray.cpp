@@ -225,7 +225,7 @@ private:
 
 ByteReader arrayBytes(const fs::path& file, const ByteReader& coded, const VtkXmlEncoding& encoding,
                       std::uint64_t expected) {
-  const ByteReader bytes = decoded(file, coded, encoding);
+  ByteReader bytes = decoded(file, coded, encoding);
   if (!encoding.isCompressed) {
     if (takeLength(file, bytes, encoding) != expected)
       failDamagedArray(file);

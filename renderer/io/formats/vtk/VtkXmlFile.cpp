@@ -44,7 +44,7 @@ Document parse(const fs::path& file) {
 
 std::vector<double> listOf(const fs::path& file, const pugi::xml_node& node, const char* name,
                            std::size_t count) {
-  const std::vector<double> values = numbers(file, node.attribute(name).as_string());
+  std::vector<double> values = numbers(file, node.attribute(name).as_string());
   if (!values.empty() && values.size() != count)
     failReading(file, Message::tr("its attribute %1 has the wrong number of numbers").arg(name), copyAgain);
   return values;

@@ -99,7 +99,7 @@ TransferFunction osirixCurves(const PlistFields& fields, const std::string& file
     requirePointCount(points += curves.back().size(), file);
   }
   bool overlap = false;
-  const TransferFunction function = naming(file, [&] { return normalised(joined(curves, &overlap)); });
+  TransferFunction function = naming(file, [&] { return normalised(joined(curves, &overlap)); });
   if (overlap)
     tell(changes, Message::tr("Curves that overlap became one; where they do, the most opaque shows."));
   return function;
@@ -164,7 +164,7 @@ void tellLostFields(const PlistFields& fields, std::vector<Message>& changes) {
 // A modality that a group is named for, such as "Bone CT".
 std::string modalityOfGroup(const std::string& group) {
   for (const std::string& word : words(group))
-    if (const std::string modality = modalityIn(word); !modality.empty())
+    if (std::string modality = modalityIn(word); !modality.empty())
       return modality;
   return "";
 }

@@ -22,7 +22,7 @@ std::optional<GradientOpacity> gradientOpacityOf(VtkProperty& property, const st
   if (property.gradientOpacity.empty())
     return std::nullopt;
   std::vector<Message> onTheWay;
-  const std::optional<GradientOpacity> opacity = gradientOpacityFromVtk(
+  std::optional<GradientOpacity> opacity = gradientOpacityFromVtk(
       straightCurve(std::move(property.gradientOpacity), file, onTheWay), target, onTheWay);
   if (opacity && property.gradientOpacityIsOff) {
     tell(changes, Message::tr("Its gradient opacity, which is switched off there, was left out."));

@@ -99,6 +99,7 @@ std::vector<ControlPoint> inSpace(std::vector<ControlPoint> points, const std::s
   if (!isLab)
     return points;
   std::vector<BentPoint> bent;
+  bent.reserve(points.size());
   for (const ControlPoint& point : points)
     bent.push_back({point});
   return straightened(checkedCurve(std::move(bent), file, changes), {ColorSpace::lab}, file, changes);
