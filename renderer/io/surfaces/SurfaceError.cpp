@@ -133,13 +133,13 @@ Distances summary(const std::vector<double>& distances) {
           distances.size()};
 }
 
-constexpr std::size_t perPiece = 1 << 12;
+constexpr std::size_t placesPerPiece = 1 << 12;
 
 template <class Function>
 void forEachOf(std::size_t count, const Effort& effort, Function&& function) {
-  forEachPiece(static_cast<int>((count + perPiece - 1) / perPiece), effort, [&](int piece) {
-    const std::size_t begin = static_cast<std::size_t>(piece) * perPiece;
-    for (std::size_t i = begin; i < std::min(begin + perPiece, count); ++i)
+  forEachPiece(static_cast<int>((count + placesPerPiece - 1) / placesPerPiece), effort, [&](int piece) {
+    const std::size_t begin = static_cast<std::size_t>(piece) * placesPerPiece;
+    for (std::size_t i = begin; i < std::min(begin + placesPerPiece, count); ++i)
       function(i);
   });
 }

@@ -97,10 +97,10 @@ std::vector<Finding> encoding(Workbench& bench) {
   return findings;
 }
 
-constexpr double density = 0.35, fogGrey = 0.5, objectGrey = 0.9;
+constexpr double fogDensity = 0.35, fogGrey = 0.5, objectGrey = 0.9;
 
 Fog fogOf(Fog::Mode mode, double start = 0.0, double end = 0.0) {
-  return {mode, glm::dvec3(fogGrey), density, start, end};
+  return {mode, glm::dvec3(fogGrey), fogDensity, start, end};
 }
 
 // An opaque sheet of so little thickness that it has one distance, `z` mm from the eye.
@@ -121,15 +121,16 @@ std::vector<Finding> fogFactors(Workbench& bench) {
     double (*factor)(double z);
   };
   // Linear fog from 2 back to 1, from 2 to 2: all of it from where it starts.
-  const Row rows[] = {{"linear from 1 to 5 mm", fogOf(Fog::Mode::linear, 1.0, 5.0),
-                       [](double z) { return std::clamp((5.0 - z) / 4.0, 0.0, 1.0); }},
-                      {"linear that ends where it starts", fogOf(Fog::Mode::linear, 2.25, 2.25),
-                       [](double z) { return z < 2.25 ? 1.0 : 0.0; }},
-                      {"linear that ends before it starts", fogOf(Fog::Mode::linear, 2.25, 1.0),
-                       [](double z) { return z < 2.25 ? 1.0 : 0.0; }},
-                      {"exponential", fogOf(Fog::Mode::exp), [](double z) { return std::exp(-density * z); }},
-                      {"squared exponential", fogOf(Fog::Mode::exp2),
-                       [](double z) { return std::exp(-density * density * z * z); }}};
+  const Row rows[] = {
+      {"linear from 1 to 5 mm", fogOf(Fog::Mode::linear, 1.0, 5.0),
+       [](double z) { return std::clamp((5.0 - z) / 4.0, 0.0, 1.0); }},
+      {"linear that ends where it starts", fogOf(Fog::Mode::linear, 2.25, 2.25),
+       [](double z) { return z < 2.25 ? 1.0 : 0.0; }},
+      {"linear that ends before it starts", fogOf(Fog::Mode::linear, 2.25, 1.0),
+       [](double z) { return z < 2.25 ? 1.0 : 0.0; }},
+      {"exponential", fogOf(Fog::Mode::exp), [](double z) { return std::exp(-fogDensity * z); }},
+      {"squared exponential", fogOf(Fog::Mode::exp2),
+       [](double z) { return std::exp(-fogDensity * fogDensity * z * z); }}};
   std::vector<Finding> findings;
   for (const Row& row : rows)
     findings += inEachEngine(
@@ -151,7 +152,7 @@ double foggedLayersError(const Draw& draw) {
       layers({1.0, 0.0, 0.0, 2.0}, {{0.5, near, 0.0}, {0.5, near, 0.3}, {1.5, near, 0.3}, {1.5, far, 0.6}});
   scene.camera.position.y = -2.5;
   scene.fog = fogOf(Fog::Mode::exp);
-  const double f1 = std::exp(-density), f4 = std::exp(-4.0 * density);
+  const double f1 = std::exp(-fogDensity), f4 = std::exp(-4.0 * fogDensity);
   const double color =
       0.3 * (f1 * 0.9 + (1.0 - f1) * fogGrey) + 0.7 * 0.6 * (f4 * 0.2 + (1.0 - f4) * fogGrey);
   return largestDifference(draw(scene, {1, 1}).at(0, 0), {glm::dvec3(color), 0.72});
@@ -163,9 +164,10 @@ double mediumError(const Draw& draw) {
   const double unit = 0.1;
   Scene scene = rayThrough(columnOf({0.0, 0.0, 0.0, 1.0}, 1.0));
   scene.transferFunction = {
-      unit, {{0.5, glm::dvec3(fogGrey), -std::expm1(-density * unit)}, {0.5, glm::dvec3(objectGrey), 1.0}}};
+      unit,
+      {{0.5, glm::dvec3(fogGrey), -std::expm1(-fogDensity * unit)}, {0.5, glm::dvec3(objectGrey), 1.0}}};
   scene.quality.stepVoxels = 0.1;
-  const double f = std::exp(-3.0 * density);
+  const double f = std::exp(-3.0 * fogDensity);
   return largestDifference(draw(scene, {1, 1}).at(0, 0),
                            {glm::dvec3(f * objectGrey + (1.0 - f) * fogGrey), 1.0});
 }

@@ -17,12 +17,12 @@ constexpr unsigned silenceSeconds = 120;
 
 // Plain memory, which a signal handler may read.
 std::array<std::array<char, longestAction>, keptActions> actions;
-std::size_t count = 0;
+std::size_t noted = 0;
 std::array<char, 64> heading;
 
 template <class Write>
 void forEachKept(Write write) {
-  for (std::size_t i = count > keptActions ? count - keptActions : 0; i < count; ++i)
+  for (std::size_t i = noted > keptActions ? noted - keptActions : 0; i < noted; ++i)
     write(actions[i % keptActions].data());
 }
 
@@ -47,8 +47,8 @@ void watchForDeath(unsigned seed) {
 }
 
 void noteAction(const QString& action) {
-  std::snprintf(actions[count % keptActions].data(), longestAction, "  %s\n", qPrintable(action));
-  ++count;
+  std::snprintf(actions[noted % keptActions].data(), longestAction, "  %s\n", qPrintable(action));
+  ++noted;
   alarm(silenceSeconds);
 }
 

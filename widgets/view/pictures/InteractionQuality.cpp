@@ -10,15 +10,15 @@
 namespace limn {
 namespace {
 
-constexpr std::array<QualityLevel, InteractionQuality::levelCount> levels{{{1.0, 1.0},
-                                                                           {1.0, 2.0},
-                                                                           {0.75, 2.0},
-                                                                           {0.5, 2.0},
-                                                                           {0.375, 2.0},
-                                                                           {0.3125, 2.0},
-                                                                           {0.25, 3.0},
-                                                                           {0.1875, 4.0},
-                                                                           {0.125, 4.0}}};
+constexpr std::array<QualityLevel, InteractionQuality::levelCount> qualityLevels{{{1.0, 1.0},
+                                                                                  {1.0, 2.0},
+                                                                                  {0.75, 2.0},
+                                                                                  {0.5, 2.0},
+                                                                                  {0.375, 2.0},
+                                                                                  {0.3125, 2.0},
+                                                                                  {0.25, 3.0},
+                                                                                  {0.1875, 4.0},
+                                                                                  {0.125, 4.0}}};
 
 // A finer level must promise this part of the target, or two levels would take turns.
 constexpr double marginToFiner = 0.75;
@@ -27,11 +27,11 @@ constexpr double marginToFiner = 0.75;
 
 QualityLevel InteractionQuality::levelAt(int index) {
   assert(index >= 0 && index < levelCount);
-  return levels[index];
+  return qualityLevels[index];
 }
 
 double InteractionQuality::relativeCost(int index) {
-  const QualityLevel& level = levels[index];
+  const QualityLevel& level = qualityLevels[index];
   // A renderer that skips empty space gains less than half from twice the step: measured exponents lie
   // between 0.76 (opaque) and 0.9 (semi-transparent).
   return level.imageScale * level.imageScale / std::pow(level.stepFactor, 0.8);

@@ -16,7 +16,7 @@ constexpr std::uint64_t mostPassed = std::uint64_t{2} << 30; // masks and surfac
 // Masks compress a hundredfold and the matrix beside them hardly, so what is passed over shrinks less as a
 // whole.
 constexpr std::uint64_t leastSuspicious = std::uint64_t{256} << 20;
-constexpr std::uint64_t largestRatio = 100;
+constexpr std::uint64_t mostPackedRatio = 100;
 constexpr int mostEntries = 10000;
 
 using Archive = std::unique_ptr<archive, decltype(&archive_read_free)>;
@@ -43,7 +43,7 @@ void passOver(const std::filesystem::path& file, archive* opened, std::uint64_t&
   while ((status = archive_read_data_block(opened, &block, &size, &offset)) == ARCHIVE_OK) {
     passed += size;
     if (passed > mostPassed ||
-        (passed > leastSuspicious && passed / largestRatio > std::filesystem::file_size(file)))
+        (passed > leastSuspicious && passed / mostPackedRatio > std::filesystem::file_size(file)))
       failReading(file, Message::tr("its archive holds gigabytes before the project"),
                   Message::tr("open it in InVesalius and save it again"));
   }
