@@ -24,9 +24,8 @@ struct ShownChart {
     chart->setLegendAtRight(true);
     chart->setReport(report);
     chart->resize(600.0, 400.0);
-    QImage drawn(600, 400, QImage::Format_RGB32);
     QPainter painter(&drawn);
-    scene.render(&painter);
+    scene.render(&painter, drawn.rect(), drawn.rect());
   }
 
   QStringList legend() const {
@@ -39,6 +38,7 @@ struct ShownChart {
 
   QGraphicsScene scene;
   AccuracyChart* chart = new AccuracyChart;
+  QImage drawn{600, 400, QImage::Format_RGB32};
 };
 
 TEST(AccuracyChart, showsOneSeriesAndOneNamePerFamily) {
@@ -86,6 +86,22 @@ TEST(AccuracyChart, showsErrorsThatCannotBeToldFromNoneAtTheFloor) {
   EXPECT_DOUBLE_EQ(curves[0].marks.back().error, 0.06);
   EXPECT_TRUE(curves[0].marks.back().isBelowFloor);
   EXPECT_FALSE(curves[0].marks.front().isBelowFloor);
+}
+
+TEST(AccuracyChart, writesABoundToTheLeftOfItsArrowWhereThePlotEnds) {
+  AccuracyReport report = sampleReport(fewPoints());
+  report.reference.lastChangeLevels = 0.02;
+  const ShownChart shown(report);
+  const ChartMark last = chartCurves(report, ErrorMeasure::p99_9)[0].marks.back();
+  ASSERT_TRUE(last.isBelowFloor);
+  const QPoint mark = shown.chart->positionOf(last.index)->toPoint();
+  ASSERT_GT(mark.x() + 40, shown.chart->plotArea().right()) << "the bound fits to the right";
+  // Beside the arrow, under the curve.
+  std::set<QRgb> left;
+  for (int x = mark.x() - 40; x < mark.x() - 6; ++x)
+    for (int y = mark.y() + 10; y < mark.y() + 18; ++y)
+      left.insert(shown.drawn.pixel(x, y));
+  EXPECT_GT(left.size(), 4u) << "no letters, only the grid";
 }
 
 TEST(AccuracyChart, showsNoErrorsWhereTheExactPictureHasNotConverged) {

@@ -130,7 +130,7 @@ void ChartNotes::paintSpread(QPainter& painter, const ChartMark& mark, const QCo
   }
 }
 
-// An arrow and what the error is known to be below.
+// An arrow and what the error is known to be below, to its left where it would leave the plot.
 void ChartNotes::paintFloor(QPainter& painter, const ChartMark& mark, const QColor& color) const {
   const double unit = m_chart.m_textSize;
   const QPointF top = m_chart.positionAt(mark.ms, mark.error) + QPointF(0.0, 0.5 * unit);
@@ -139,8 +139,10 @@ void ChartNotes::paintFloor(QPainter& painter, const ChartMark& mark, const QCol
   painter.drawLine(top, tip);
   painter.drawPolyline(QPolygonF{tip + QPointF(-0.22, -0.25) * unit, tip, tip + QPointF(0.22, -0.25) * unit});
   painter.setPen(chartColors(m_chart.m_style).secondaryText);
-  painter.drawText(tip + QPointF(0.6 * unit, 0.2 * unit),
-                   AccuracyChart::tr("< %1").arg(digitsNumber(mark.error, 2)));
+  const QString bound = AccuracyChart::tr("< %1").arg(digitsNumber(mark.error, 2));
+  const double width = QFontMetricsF(painter.font()).horizontalAdvance(bound);
+  const bool fitsRight = tip.x() + 0.6 * unit + width <= m_chart.plotArea().right();
+  painter.drawText(tip + QPointF(fitsRight ? 0.6 * unit : -0.6 * unit - width, 0.2 * unit), bound);
 }
 
 void ChartNotes::paintChosen(QPainter& painter) const {
