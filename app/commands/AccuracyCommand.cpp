@@ -135,6 +135,7 @@ void runAccuracy(const AccuracyArguments& arguments) {
   if (arguments.reports.empty() == arguments.scene.source.source.empty())
     throw Error(Error::Kind::usage, "limn accuracy measures a SOURCE, or joins reports with --join; give one "
                                     "of the two.");
+  requireReportFolder(arguments.folder);
   if (!arguments.reports.empty())
     return joinReports(arguments);
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
@@ -177,9 +178,9 @@ void addAccuracyCommand(CommandSyntax& root) {
   command
       .option("--within", arguments->withinLevels,
               "say which point is the fastest within that many levels (99.9th percentile)")
-      .positive();
+      .within(0.01, 255.0);
   command.option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
-      .positive();
+      .within(0.01, 1e7);
   command.footer(
       "Errors are told in levels of 255 against a picture in double precision that finer steps no "
       "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"

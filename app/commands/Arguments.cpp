@@ -5,10 +5,14 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <sstream>
 
 namespace limn {
+
+namespace fs = std::filesystem;
 
 void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
   command.option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
@@ -82,12 +86,32 @@ glm::ivec2 parsedSize(const std::string& text) {
   return size;
 }
 
-void makeReportFolder(const std::filesystem::path& folder) {
+namespace {
+
+[[noreturn]] void failFolder(const fs::path& folder, const std::string& why) {
+  std::error_code unknown;
+  throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be " +
+                                      (fs::is_directory(folder, unknown) ? "written to" : "made") + " (" +
+                                      why + "); choose another one with -o.");
+}
+
+} // namespace
+
+void requireReportFolder(const fs::path& folder) {
+  std::error_code unknown;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, unknown) && there.has_relative_path())
+    there = there.parent_path();
+  // The dot refuses a file in a folder's place.
+  if (::access((there / ".").c_str(), W_OK | X_OK) != 0)
+    failFolder(folder, std::strerror(errno));
+}
+
+void makeReportFolder(const fs::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  fs::create_directories(folder, failure);
   if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+    failFolder(folder, failure.message());
 }
 
 void note(const std::string& sentence) {

@@ -35,6 +35,10 @@ Progress terminalProgress(bool quiet);
 /// "WxH" in pixels. Throws Error (usage).
 glm::ivec2 parsedSize(const std::string& text);
 
+/// Throws the Error that making the folder given by -o, or writing into it, would end with; makes nothing. To
+/// be asked before long work.
+void requireReportFolder(const std::filesystem::path& folder);
+
 /// Makes the folder given by -o, with those above it. Throws Error.
 void makeReportFolder(const std::filesystem::path& folder);
 

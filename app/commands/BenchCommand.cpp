@@ -238,6 +238,10 @@ void runScale(const BenchArguments& arguments) {
 void runBench(const BenchArguments& arguments) {
   // A shader that an earlier run left on disk would make the first frame look fast.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  if (!arguments.page.empty())
+    requireWritable(arguments.page);
+  if (!arguments.pictures.empty())
+    requireReportFolder(arguments.pictures);
   if (arguments.scale)
     return runScale(arguments);
   if (arguments.sources.empty())

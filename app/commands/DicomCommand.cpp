@@ -29,6 +29,7 @@ void runDicom(const DicomArguments& arguments) {
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
   const PictureEngine engine = chosen(dicomEngines, arguments.engine, "--engine");
+  requireReportFolder(arguments.out);
   const LoadedScene loaded =
       loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
   const SeriesImages series =

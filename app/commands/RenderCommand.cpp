@@ -5,6 +5,7 @@
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
+#include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
@@ -72,6 +73,11 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
   if (arguments.skipsExisting && isWholePicture(arguments.out))
     return;
+  for (const std::string& picture : {arguments.out, arguments.samplesSpent})
+    if (!picture.empty()) {
+      requirePictureEnding(picture);
+      requireWritable(picture);
+    }
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
   const LoadedScene loaded =

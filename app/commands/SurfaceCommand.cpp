@@ -3,7 +3,9 @@
 
 #include "app/commands/SceneArguments.h"
 #include "app/engines/ProcessCost.h"
+#include "io/AtomicFile.h"
 #include "io/surfaces/SurfaceExport.h"
+#include "io/surfaces/SurfaceFile.h"
 
 #include <chrono>
 #include <csignal>
@@ -92,6 +94,10 @@ void noteMissedTolerance(const MadeSurface& made) {
 }
 
 void makeSurfaces(const SurfaceArguments& arguments) {
+  for (const std::filesystem::path& file : surfacePaths(arguments.out, arguments.values)) {
+    surfaceFormatOf(file);
+    requireWritable(file);
+  }
   const bool isQuiet = arguments.source.quiet;
   const auto start = std::chrono::steady_clock::now();
   const Progress progress = stoppableProgress(isQuiet);
