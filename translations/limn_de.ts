@@ -1683,6 +1683,10 @@
         <source>preview from 1/%1 of the voxels along each axis</source>
         <translation>Vorschau aus 1/%1 der Voxel entlang jeder Achse</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Zugeschnitten</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>

@@ -14,6 +14,12 @@ namespace limn {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* clearedLine = "\r\033[K";
+
+}
+
 void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
   command.option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
   command
@@ -55,6 +61,14 @@ SourceOptions sourceOptions(const SourceArguments& arguments) {
   return options;
 }
 
+LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress) {
+  LoadedScene loaded = loadScene(arguments.source, sourceOptions(arguments), progress);
+  if (!arguments.quiet)
+    for (const Message& remark : loaded.notes)
+      note(remark.english());
+  return loaded;
+}
+
 Progress terminalProgress(bool quiet) {
   Progress progress;
   if (quiet || !isatty(STDERR_FILENO))
@@ -63,10 +77,10 @@ Progress terminalProgress(bool quiet) {
     const std::string what = message.english();
     char line[160];
     if (fraction < 0.0)
-      std::snprintf(line, sizeof line, "\r\033[K%s", what.c_str());
+      std::snprintf(line, sizeof line, "%s%s", clearedLine, what.c_str());
     else
-      std::snprintf(line, sizeof line, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
-                    fraction >= 1.0 ? "\r\033[K" : "");
+      std::snprintf(line, sizeof line, "%s%s %3.0f %%%s", clearedLine, what.c_str(), 100.0 * fraction,
+                    fraction >= 1.0 ? clearedLine : "");
     if (shown != line)
       std::fputs(line, stderr);
     shown = line;
@@ -115,7 +129,7 @@ void makeReportFolder(const fs::path& folder) {
 }
 
 void note(const std::string& sentence) {
-  std::fprintf(stderr, "limn: %s\n", sentence.c_str());
+  std::fprintf(stderr, "%slimn: %s\n", isatty(STDERR_FILENO) ? clearedLine : "", sentence.c_str());
 }
 
 } // namespace limn

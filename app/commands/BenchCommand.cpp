@@ -67,10 +67,12 @@ std::vector<Preset> presetsFor(const std::vector<std::string>& names, const Volu
   return presets;
 }
 
-std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
+std::vector<BenchScene> scenesOf(const std::string& name, const BenchArguments& arguments,
                                  const Progress& progress) {
-  const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
-  const QString file = shareableName(QString::fromStdString(source), *loaded.scene.volume);
+  SourceArguments source = arguments.source;
+  source.source = name;
+  const LoadedScene loaded = loadScene(source, progress);
+  const QString file = shareableName(QString::fromStdString(name), *loaded.scene.volume);
   const std::string stem = std::filesystem::path(file.toStdString()).stem().string();
   std::vector<BenchScene> scenes;
   for (const Preset& preset : presetsFor(arguments.presets, *loaded.scene.volume, arguments.source.quiet))

@@ -142,6 +142,8 @@ void addReopened(Plan& plan, const LoadedFigure& figure, const SceneArguments& a
     FigurePanel panel = panelOf(loaded);
     panel.scene = adjusted(loaded.scene, arguments);
     addPanel(plan, panel, loaded.scene);
+    for (const Message& note : loaded.scene.notes)
+      say(plan, note.english());
   }
 }
 

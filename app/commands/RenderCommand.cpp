@@ -80,8 +80,7 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     }
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
@@ -112,8 +111,6 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
     note("Shown with the preset \"" + loaded.preset + "\".");
-  for (const Message& remark : loaded.notes)
-    note(remark.english());
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& remark : picture.notes)

@@ -40,7 +40,7 @@ Progress stoppableProgress(bool isQuiet) {
 }
 
 Scene sceneOf(const SurfaceArguments& arguments, const Progress& progress) {
-  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source), progress);
+  const LoadedScene loaded = loadScene(arguments.source, progress);
   SceneArguments look;
   look.source = arguments.source;
   look.keep = arguments.keep;

@@ -39,8 +39,7 @@ void runTurntable(const TurntableArguments& arguments) {
   requirePlace(arguments.out);
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   Turntable turntable;
   turntable.scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())

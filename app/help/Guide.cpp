@@ -86,19 +86,22 @@ QString guideText(const std::vector<GuideChapter>& chapters, const QString& word
   const QStringList wanted = words.split(space, Qt::SkipEmptyParts);
   QStringList found;
   for (const GuideChapter& chapter : chapters) {
-    QStringList above; // headings that no piece was found below yet
+    QStringList above;    // headings that no piece was found below yet
+    bool isNamed = false; // by the last heading, or the one right above it: all of its text is meant
+    bool isBelowHeading = false;
     for (const QString& piece : piecesOf(chapter.markdown)) {
       const int level = levelOf(piece);
       const bool isFound = std::ranges::all_of(
           wanted, [&](const QString& word) { return piece.contains(word, Qt::CaseInsensitive); });
-      if (level > 0)
+      if (level > 0) {
         erase_if(above, [level](const QString& heading) { return levelOf(heading) >= level; });
-      if (level > 0 && !isFound)
         above << piece;
-      if (!isFound)
-        continue;
-      found << above << piece;
-      above.clear();
+        isNamed = isFound || (isNamed && isBelowHeading);
+      } else if (isFound || isNamed) {
+        found << above << piece;
+        above.clear();
+      }
+      isBelowHeading = level > 0;
     }
   }
   return found.isEmpty() ? QString() : found.join(QStringLiteral("\n\n")) + QLatin1Char('\n');

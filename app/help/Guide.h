@@ -20,8 +20,9 @@ std::vector<GuideChapter> guideChapters();
 /// Where a file of the guide lies within the program: ":/guide/window.png".
 QString guideResource(const QString& path);
 
-/// The guide for a terminal: every paragraph, line of a table or code that holds all of these words, below
-/// the headings that it stands under. Without words everything. Case does not matter.
+/// The guide for a terminal: every paragraph, line of a table or code that holds all of these words, or stands
+/// right under a heading that does, below the headings that it stands under. Without words everything. Case
+/// does not matter.
 QString guideText(const std::vector<GuideChapter>& chapters, const QString& words = {});
 
 } // namespace limn

@@ -309,6 +309,24 @@ TEST_F(CommandLine, theFilesOfAFolderAreCountedAndTheFolderIsNamed) {
                 file("series").string() + " (see limn info --help)\n");
 }
 
+TEST_F(CommandLine, everyCommandSaysThatTheNumberOfASeriesWasIgnored) {
+  const std::string out = file("out").string();
+  for (const std::string& command : std::vector<std::string>{
+           "info phantom:16 --series 3", "effects phantom:16 --series 3 --size 16x16 --frames 5",
+           "render phantom:16 --series 3 --size 16x16 -o '" + out + ".png'",
+           "figure phantom:16 --series 3 --size 300 -o '" + out + ".png'",
+           "surface phantom:16 --series 3 --value 300 -o '" + out + ".stl'",
+           "turntable phantom:16 --series 3 --size 16x16 --frames 2 -o '" + out + "'",
+           "bench phantom:16 --series 3 --size 16x16 --frames 1 --engine cpu"}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("This is no DICOM series; its number 3 was ignored."), std::string::npos)
+        << command << "\n"
+        << outcome.err;
+  }
+  EXPECT_EQ(run("info phantom:16 --series 3 --quiet").err, "");
+}
+
 TEST_F(CommandLine, aSceneWithAMisspeltKeyIsRefusedByName) {
   std::ofstream(file("scene.json")) << R"({"limn_scene": 1, "volume": "phantom:8", "shadingg": {}})";
   const Outcome outcome = run("render " + file("scene.json").string() + " -o x.png");

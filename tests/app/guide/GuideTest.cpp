@@ -88,6 +88,15 @@ TEST(Guide, isFoundByWordsBelowItsHeadings) {
   EXPECT_EQ(guideText(one, QStringLiteral("unheard")), QString());
 }
 
+TEST(Guide, isFoundByItsHeadingsWithTheTextBelow) {
+  const std::vector<GuideChapter> one{
+      {"one", "one.md", "# How exact?\n\n## Briefly\n\nVery.\n\n- So.\n\n## At length\n\nToo long.\n"}};
+  EXPECT_EQ(guideText(one, QStringLiteral("at length")).toStdString(),
+            "# How exact?\n\n## At length\n\nToo long.\n");
+  EXPECT_EQ(guideText(one, QStringLiteral("exact how")).toStdString(),
+            "# How exact?\n\n## Briefly\n\nVery.\n\n- So.\n");
+}
+
 class GuideCommand : public testing::Test {
 protected:
   test::Outcome run(const std::string& arguments) { return test::runProgram(folder.path(), arguments); }
