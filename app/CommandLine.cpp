@@ -101,6 +101,7 @@ int runCommandLine(int argc, char** argv) {
   addStabilityCommand(syntax);
   addBenchCommand(syntax);
   addGuideCommand(syntax);
+  addHelpCommand(syntax, program);
   addDescribeCommand(syntax, program, LIMN_VERSION);
   return statusOf([&] {
     if (const std::optional<int> status = program.run(argc, argv))

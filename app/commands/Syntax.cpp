@@ -204,9 +204,10 @@ CommandWords ProgramSyntax::described() const {
 
 namespace {
 
-// `limn help render` is `limn render --help`.
+// `limn help render` is `limn render --help`; `limn help --help` tells of help itself.
 bool asksForHelp(std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front() != "help")
+  const auto isHelp = [](const std::string& word) { return word == "--help" || word == "-h"; };
+  if (arguments.empty() || arguments.front() != "help" || std::ranges::any_of(arguments, isHelp))
     return false;
   arguments.erase(arguments.begin());
   arguments.emplace_back("--help");

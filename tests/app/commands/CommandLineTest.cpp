@@ -262,6 +262,7 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"render phantom:8 --presett x", 2, "did you mean --preset?"},
       {"accurcy", 2, "did you mean accuracy?"},
       {"help accurcy", 2, "did you mean accuracy?"},
+      {"--theme dark help", 2, "Help stands in front"},
       {"render phantom:8 -o x.png --preset bone", 2, "did you mean \"CT bone\"?"},
       {"render phantom:8 -o x.png --model clasic", 2, "did you mean classic?"},
       {"bench phantom:8 --engine cpuu", 2, "did you mean cpu?"},
