@@ -5,6 +5,8 @@
 #include "app/commands/Arguments.h"
 #include "app/commands/Commands.h"
 #include "app/commands/Syntax.h"
+#include "app/commands/describe/Slips.h"
+#include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
 
 #include <QCoreApplication>
@@ -99,12 +101,18 @@ int runCommandLine(int argc, char** argv) {
   addStabilityCommand(syntax);
   addBenchCommand(syntax);
   addGuideCommand(syntax);
+  addHelpCommand(syntax, program);
   addDescribeCommand(syntax, program, LIMN_VERSION);
   return statusOf([&] {
     if (const std::optional<int> status = program.run(argc, argv))
       return *status;
-    arguments.window.options = sourceOptions(arguments.source);
-    return runWindow(argc, argv, arguments.window);
+    // A word that is no file may be a command that was misspelt.
+    if (const std::string slip = slipIn(program.described(), {window.path}); !slip.empty())
+      throw Error(Error::Kind::usage, slip);
+    if (!window.screenshot.empty())
+      requireWritable(window.screenshot);
+    window.options = sourceOptions(arguments.source);
+    return runWindow(argc, argv, window);
   });
 }
 

@@ -58,7 +58,7 @@ std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Prog
   return phantomVolume(spec, progress.isCancelled);
 }
 
-OpenedVolume openVolume(const std::string& source, const ReadOptions& options, const Progress& progress,
+OpenedVolume readSource(const std::string& source, const ReadOptions& options, const Progress& progress,
                         std::vector<Message>& notes) {
   if (source == "sample") {
     if (const auto head = installedSampleHead())
@@ -69,10 +69,15 @@ OpenedVolume openVolume(const std::string& source, const ReadOptions& options, c
   }
   if (isPhantom(source))
     return {phantomNamed(source, progress), source};
-  const auto volume = readVolume(source, options, progress);
-  if (options.series && volume->info().format != "DICOM")
+  return {readVolume(source, options, progress), absoluteSource(source)};
+}
+
+OpenedVolume openVolume(const std::string& source, const ReadOptions& options, const Progress& progress,
+                        std::vector<Message>& notes) {
+  OpenedVolume opened = readSource(source, options, progress, notes);
+  if (options.series && opened.volume->info().format != "DICOM")
     notes.push_back(Message::tr("This is no DICOM series; its number %1 was ignored.").arg(*options.series));
-  return {volume, absoluteSource(source)};
+  return opened;
 }
 
 OpenedVolume openedBefore(const std::string& source, const SourceOptions& options, const Progress& progress,

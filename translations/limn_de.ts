@@ -1683,6 +1683,10 @@
         <source>preview from 1/%1 of the voxels along each axis</source>
         <translation>Vorschau aus 1/%1 der Voxel entlang jeder Achse</translation>
     </message>
+    <message>
+        <source>Cropped</source>
+        <translation>Zugeschnitten</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -7207,6 +7211,14 @@
     <message>
         <source>Cannot write %1: there is no folder %2; make it, or choose another folder.</source>
         <translation>%1 kann nicht geschrieben werden: Den Ordner %2 gibt es nicht; legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>There is no preset &quot;%1&quot;; did you mean &quot;%2&quot;? The command limn presets list names all.</source>
+        <translation>Es gibt kein Preset „%1“; meinten Sie „%2“? Der Befehl limn presets list nennt alle.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: a turntable is a video with the ending .mp4, or frames in a folder, whose name needs no ending.</source>
+        <translation>%1 kann nicht geschrieben werden: Eine Drehansicht ist ein Video mit der Endung .mp4 oder besteht aus Einzelbildern in einem Ordner, dessen Name keine Endung braucht.</translation>
     </message>
 </context>
 <context>

@@ -88,9 +88,9 @@ QList<HelpRow> curveRows() {
 QList<HelpRow> menuRows(const Actions& actions) {
   QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
   for (const QAction* action :
-       {actions.openFile, actions.openFolder, actions.saveSession, actions.savePicture, actions.copyPicture,
-        actions.undo, actions.redo, actions.findPreset, actions.settings, actions.guide, actions.closeVolume,
-        actions.quit}) {
+       {actions.openFile, actions.openFolder, actions.saveSession, actions.savePicture, actions.saveFigure,
+        actions.copyPicture, actions.undo, actions.redo, actions.findPreset, actions.settings, actions.guide,
+        actions.closeVolume, actions.quit}) {
     // Undo also says what it would undo.
     QString does = action == actions.undo   ? QObject::tr("Undo")
                    : action == actions.redo ? QObject::tr("Redo")

@@ -19,6 +19,7 @@
 
 #include <QApplication>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -38,7 +39,10 @@ struct AccuracyArguments {
   double withinMs = 0.0;     ///< 0: not given
 };
 
+namespace fs = std::filesystem;
+
 constexpr QSize chartSize(1600, 1000);
+constexpr const char* reportName = "accuracy.json";
 
 std::string nameOf(const SceneArguments& arguments, const LoadedScene& loaded) {
   // The report may travel.
@@ -68,7 +72,7 @@ void writeChart(const AccuracyReport& report, const std::filesystem::path& path)
 
 void writeReport(const AccuracyReport& report, const std::filesystem::path& folder) {
   makeReportFolder(folder);
-  writeFileAtomically(folder / "accuracy.json", accuracyJson(report));
+  writeFileAtomically(folder / reportName, accuracyJson(report));
   writeFileAtomically(folder / "accuracy.csv", accuracyCsv(report));
   writeFileAtomically(folder / "accuracy.html", accuracyPage(report, "accuracy.png"));
   writeChart(report, folder / "accuracy.png");
@@ -114,11 +118,40 @@ AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
   return report;
 }
 
-// A report by its file, or by the folder that `limn accuracy -o` made.
-NamedReport readReport(const std::string& name) {
-  namespace fs = std::filesystem;
+[[noreturn]] void failReport(const std::string& what) {
+  throw Error(Error::Kind::input,
+              what + "; give folders that limn accuracy -o wrote, or their accuracy.json.");
+}
+
+bool holdsReport(const fs::path& folder) {
   std::error_code unknown;
-  const fs::path file = fs::is_directory(name, unknown) ? fs::path(name) / "accuracy.json" : fs::path(name);
+  return fs::is_regular_file(folder / reportName, unknown);
+}
+
+// The report that is meant by its file, or by the folder that `limn accuracy -o` made.
+fs::path reportFile(const fs::path& named) {
+  std::error_code unknown;
+  if (!fs::exists(named, unknown))
+    failReport("There is no report " + named.string());
+  if (!fs::is_directory(named, unknown)) {
+    if (const std::string ending = named.extension().string();
+        ending == ".csv" || ending == ".html" || ending == ".png")
+      failReport("The file " + named.string() + " shows a report to people; --join does not read it");
+    return named;
+  }
+  if (holdsReport(named))
+    return named / reportName;
+  const bool isAbove = std::ranges::any_of(fs::directory_iterator(named, unknown),
+                                           [](const auto& entry) { return holdsReport(entry.path()); });
+  if (isAbove)
+    throw Error(Error::Kind::input, "The folder " + named.string() +
+                                        " holds reports in folders of their own; join them with --join " +
+                                        (named / "*").string() + ".");
+  failReport("The folder " + named.string() + " holds no report");
+}
+
+NamedReport readReport(const std::string& name) {
+  const fs::path file = reportFile(name);
   return {name, parseAccuracy(readTextFile(file), file.string())};
 }
 
@@ -135,11 +168,11 @@ void runAccuracy(const AccuracyArguments& arguments) {
   if (arguments.reports.empty() == arguments.scene.source.source.empty())
     throw Error(Error::Kind::usage, "limn accuracy measures a SOURCE, or joins reports with --join; give one "
                                     "of the two.");
+  requireReportFolder(arguments.folder);
   if (!arguments.reports.empty())
     return joinReports(arguments);
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
@@ -177,9 +210,9 @@ void addAccuracyCommand(CommandSyntax& root) {
   command
       .option("--within", arguments->withinLevels,
               "say which point is the fastest within that many levels (99.9th percentile)")
-      .positive();
+      .within(0.01, 255.0);
   command.option("--at-most-ms", arguments->withinMs, "say which point is the most accurate in that time")
-      .positive();
+      .within(0.01, 1e7);
   command.footer(
       "Errors are told in levels of 255 against a picture in double precision that finer steps no "
       "longer change.\nExample: limn accuracy head.nii.gz --preset \"CT bone\" --within 1 -o report\n"

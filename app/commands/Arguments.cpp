@@ -5,10 +5,20 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <sstream>
 
 namespace limn {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* clearedLine = "\r\033[K";
+
+}
 
 void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
   command.option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
@@ -51,6 +61,14 @@ SourceOptions sourceOptions(const SourceArguments& arguments) {
   return options;
 }
 
+LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress) {
+  LoadedScene loaded = loadScene(arguments.source, sourceOptions(arguments), progress);
+  if (!arguments.quiet)
+    for (const Message& remark : loaded.notes)
+      note(remark.english());
+  return loaded;
+}
+
 Progress terminalProgress(bool quiet) {
   Progress progress;
   if (quiet || !isatty(STDERR_FILENO))
@@ -59,10 +77,10 @@ Progress terminalProgress(bool quiet) {
     const std::string what = message.english();
     char line[160];
     if (fraction < 0.0)
-      std::snprintf(line, sizeof line, "\r\033[K%s", what.c_str());
+      std::snprintf(line, sizeof line, "%s%s", clearedLine, what.c_str());
     else
-      std::snprintf(line, sizeof line, "\r\033[K%s %3.0f %%%s", what.c_str(), 100.0 * fraction,
-                    fraction >= 1.0 ? "\r\033[K" : "");
+      std::snprintf(line, sizeof line, "%s%s %3.0f %%%s", clearedLine, what.c_str(), 100.0 * fraction,
+                    fraction >= 1.0 ? clearedLine : "");
     if (shown != line)
       std::fputs(line, stderr);
     shown = line;
@@ -82,16 +100,36 @@ glm::ivec2 parsedSize(const std::string& text) {
   return size;
 }
 
-void makeReportFolder(const std::filesystem::path& folder) {
+namespace {
+
+[[noreturn]] void failFolder(const fs::path& folder, const std::string& why) {
+  std::error_code unknown;
+  throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be " +
+                                      (fs::is_directory(folder, unknown) ? "written to" : "made") + " (" +
+                                      why + "); choose another one with -o.");
+}
+
+} // namespace
+
+void requireReportFolder(const fs::path& folder) {
+  std::error_code unknown;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, unknown) && there.has_relative_path())
+    there = there.parent_path();
+  // The dot refuses a file in a folder's place.
+  if (::access((there / ".").c_str(), W_OK | X_OK) != 0)
+    failFolder(folder, std::strerror(errno));
+}
+
+void makeReportFolder(const fs::path& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
+  fs::create_directories(folder, failure);
   if (failure)
-    throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be made (" +
-                                        failure.message() + "); choose another one with -o.");
+    failFolder(folder, failure.message());
 }
 
 void note(const std::string& sentence) {
-  std::fprintf(stderr, "limn: %s\n", sentence.c_str());
+  std::fprintf(stderr, "%slimn: %s\n", isatty(STDERR_FILENO) ? clearedLine : "", sentence.c_str());
 }
 
 } // namespace limn

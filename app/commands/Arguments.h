@@ -28,6 +28,10 @@ void addSourceArguments(CommandSyntax& command, SourceArguments& arguments, cons
 /// What the arguments ask for. Throws Error (usage) for a spacing that is not three positive numbers.
 SourceOptions sourceOptions(const SourceArguments& arguments);
 
+/// Loads the source; what was noteworthy goes to stderr, unless the arguments ask for quiet. Throws as
+/// loadScene does.
+LoadedScene loadScene(const SourceArguments& arguments, const Progress& progress);
+
 /// Reports to stderr while it is a terminal and `quiet` is not set; without a figure where the fraction is
 /// negative.
 Progress terminalProgress(bool quiet);
@@ -35,10 +39,14 @@ Progress terminalProgress(bool quiet);
 /// "WxH" in pixels. Throws Error (usage).
 glm::ivec2 parsedSize(const std::string& text);
 
+/// Throws the Error that making the folder given by -o, or writing into it, would end with; makes nothing. To
+/// be asked before long work.
+void requireReportFolder(const std::filesystem::path& folder);
+
 /// Makes the folder given by -o, with those above it. Throws Error.
 void makeReportFolder(const std::filesystem::path& folder);
 
-/// Prints one line to stderr.
+/// Prints one line to stderr, in the place of progress that stands there.
 void note(const std::string& sentence);
 
 } // namespace limn

@@ -67,10 +67,12 @@ std::vector<Preset> presetsFor(const std::vector<std::string>& names, const Volu
   return presets;
 }
 
-std::vector<BenchScene> scenesOf(const std::string& source, const BenchArguments& arguments,
+std::vector<BenchScene> scenesOf(const std::string& name, const BenchArguments& arguments,
                                  const Progress& progress) {
-  const LoadedScene loaded = loadScene(source, sourceOptions(arguments.source), progress);
-  const QString file = shareableName(QString::fromStdString(source), *loaded.scene.volume);
+  SourceArguments source = arguments.source;
+  source.source = name;
+  const LoadedScene loaded = loadScene(source, progress);
+  const QString file = shareableName(QString::fromStdString(name), *loaded.scene.volume);
   const std::string stem = std::filesystem::path(file.toStdString()).stem().string();
   std::vector<BenchScene> scenes;
   for (const Preset& preset : presetsFor(arguments.presets, *loaded.scene.volume, arguments.source.quiet))
@@ -238,6 +240,10 @@ void runScale(const BenchArguments& arguments) {
 void runBench(const BenchArguments& arguments) {
   // A shader that an earlier run left on disk would make the first frame look fast.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+  if (!arguments.page.empty())
+    requireWritable(arguments.page);
+  if (!arguments.pictures.empty())
+    requireReportFolder(arguments.pictures);
   if (arguments.scale)
     return runScale(arguments);
   if (arguments.sources.empty())

@@ -37,7 +37,7 @@ void addSurfaceCommand(CommandSyntax& root);
 /// `limn effects`: what a picture simulates, why, and what each effect costs.
 void addEffectsCommand(CommandSyntax& root);
 
-/// `limn presets list` and `limn presets show NAME`.
+/// `limn presets list`, `limn presets show NAME` and `limn presets convert IN OUT`.
 void addPresetsCommand(CommandSyntax& root);
 
 /// `limn accuracy SOURCE -o DIR`: error against time of a scene.
@@ -52,6 +52,10 @@ void addGuideCommand(CommandSyntax& root);
 
 /// `limn bench`: milliseconds per frame by renderer, scene and step.
 void addBenchCommand(CommandSyntax& root);
+
+/// `limn help [COMMAND]`: what --help behind the command prints (ProgramSyntax::run). `program` is asked when
+/// completions are made.
+void addHelpCommand(CommandSyntax& root, const ProgramSyntax& program);
 
 /// `limn describe`, hidden: manual page and completions, made from `program`'s own words. `version` and
 /// `program` are asked when it runs.

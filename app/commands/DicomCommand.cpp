@@ -29,8 +29,8 @@ void runDicom(const DicomArguments& arguments) {
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
   const PictureEngine engine = chosen(dicomEngines, arguments.engine, "--engine");
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  requireReportFolder(arguments.out);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   const SeriesImages series =
       shownSeries(*loaded.scene.volume, loaded.volumePath, loaded.read.series, progress);
   Scene scene = adjusted(loaded, arguments.scene);
@@ -45,8 +45,6 @@ void runDicom(const DicomArguments& arguments) {
       saveToDicom(arguments.out, scene, picture.image, series, arguments.isAnonymous);
   if (isQuiet)
     return;
-  for (const Message& remark : loaded.notes)
-    note(remark.english());
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& loss : losses)

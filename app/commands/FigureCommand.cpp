@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
+#include "app/MeantWord.h"
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
 #include "app/commands/FigureArguments.h"
@@ -9,6 +10,7 @@
 #include "app/commands/SceneArguments.h"
 #include "app/figure/FigureFiles.h"
 #include "app/figure/FigureScenes.h"
+#include "io/AtomicFile.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
 #include "widgets/figure/FigureText.h"
@@ -111,6 +113,28 @@ void addWord(Plan& plan, const LoadedScene& loaded, SceneArguments arguments, co
   addPanel(plan, panel, loaded);
 }
 
+std::vector<std::string> panelWords() {
+  std::vector<std::string> words = modelWords();
+  for (const PatientPlane plane : patientPlanes)
+    words.emplace_back(nameOf(plane));
+  const std::vector<std::string> presets = presetWords();
+  words.insert(words.end(), presets.begin(), presets.end());
+  return words;
+}
+
+void requirePanel(const std::string& word) {
+  const std::vector<std::string> known = panelWords();
+  if (std::ranges::find(known, word) != known.end() || namesPreset(word) || namesLookFile(word))
+    return;
+  const std::string meant = meantBy(word, known);
+  throw Error(
+      Error::Kind::usage,
+      "--panels cannot be \"" + word + "\"; " +
+          (meant.empty() ? "choose" : "did you mean \"" + meant + "\"? Choose") +
+          " a model (classic, enhanced, robust, none), a slice (axial, coronal, sagittal) or a preset "
+          "(limn presets list).");
+}
+
 void addReopened(Plan& plan, const LoadedFigure& figure, const SceneArguments& arguments) {
   plan.settings = figure.settings;
   plan.isReopened = true;
@@ -118,6 +142,8 @@ void addReopened(Plan& plan, const LoadedFigure& figure, const SceneArguments& a
     FigurePanel panel = panelOf(loaded);
     panel.scene = adjusted(loaded.scene, arguments);
     addPanel(plan, panel, loaded.scene);
+    for (const Message& note : loaded.scene.notes)
+      say(plan, note.english());
   }
 }
 
@@ -127,6 +153,8 @@ Plan planned(const FigureRequest& request, const Progress& progress) {
   if (!request.panels.empty() && (request.sources.size() > 1 || !request.scene.model.empty()))
     throw Error(Error::Kind::usage,
                 "--panels shows one scene in several ways; it takes one SCENE and no --model.");
+  for (const std::string& word : request.panels)
+    requirePanel(word);
   SourceOptions options = sourceOptions(request.scene.source);
   for (const std::string& source : request.sources) {
     if (const auto figure = loadFigure(source, options, progress)) {
@@ -214,6 +242,7 @@ void tell(const MadeFigure& made, const Plan& plan, double ms) {
 
 void runFigure(const FigureRequest& request) {
   const FigurePixels pixels = pixelsFor(figureFormatOf(request.out));
+  requireWritable(request.out);
   const FontsWithoutDisplay fonts;
   const Progress progress = terminalProgress(request.scene.source.quiet);
   Plan plan = planned(request, progress);
@@ -235,15 +264,6 @@ void runFigure(const FigureRequest& request) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   if (!request.scene.source.quiet)
     tell(made, plan, ms.count());
-}
-
-std::vector<std::string> panelWords() {
-  std::vector<std::string> words = modelWords();
-  for (const PatientPlane plane : patientPlanes)
-    words.emplace_back(nameOf(plane));
-  const std::vector<std::string> presets = presetWords();
-  words.insert(words.end(), presets.begin(), presets.end());
-  return words;
 }
 
 } // namespace

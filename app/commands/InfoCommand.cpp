@@ -123,7 +123,7 @@ void runInfo(const InfoArguments& arguments) {
     throw Error(Error::Kind::usage, "limn info needs a volume, such as: limn info head.nii.gz");
   VolumeFacts facts;
   const Progress progress = terminalProgress(arguments.source.quiet);
-  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source), progress);
+  const LoadedScene loaded = loadScene(arguments.source, progress);
   facts.volume = loaded.scene.volume;
   if (std::filesystem::exists(loaded.volumePath))
     facts.series = listSeries(loaded.volumePath);

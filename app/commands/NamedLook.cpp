@@ -12,15 +12,6 @@
 namespace limn {
 namespace {
 
-bool isPresetName(const std::string& word) {
-  try {
-    presetNamed(allPresets(PresetStore::ofThisUser()), word);
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
 std::string namesOf(const std::vector<ReadLook>& looks) {
   constexpr std::size_t most = 20;
   std::string names;
@@ -31,8 +22,17 @@ std::string namesOf(const std::vector<ReadLook>& looks) {
 
 } // namespace
 
+bool namesPreset(const std::string& word) {
+  try {
+    presetNamed(allPresets(PresetStore::ofThisUser()), word);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 bool namesLookFile(const std::string& word) {
-  if (isPresetName(word))
+  if (namesPreset(word))
     return false;
   std::error_code failed;
   return std::filesystem::is_regular_file(word, failed) || word.find('/') != std::string::npos ||

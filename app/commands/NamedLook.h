@@ -7,6 +7,9 @@
 
 namespace limn {
 
+/// Whether a built-in preset or one of the user's own has that name.
+bool namesPreset(const std::string& word);
+
 /// Whether a word of the command line is a file with looks in it rather than the name of a preset: no preset
 /// has that name, and there is such a file, or the word has a folder or an ending.
 bool namesLookFile(const std::string& word);

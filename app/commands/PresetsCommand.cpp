@@ -82,6 +82,7 @@ ReadLook lookToConvert(const ConvertArguments& arguments, const std::optional<Lo
 // Nothing is written before everything is known to be right.
 void convertLook(const ConvertArguments& arguments) {
   requireLookEnding(arguments.out);
+  requireWritable(arguments.out);
   const auto [volume, target] = meantFor(arguments.volume);
   ReadLook read = lookToConvert(arguments, target);
   if (volume)

@@ -5,6 +5,7 @@
 #include "accuracy/SamplePicture.h"
 #include "app/PrivateNames.h"
 #include "app/Settings.h"
+#include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
@@ -72,10 +73,14 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
                 "--texture-mb limits the ray caster alone; use it with --engine auto or gl.");
   if (arguments.skipsExisting && isWholePicture(arguments.out))
     return;
+  for (const std::string& picture : {arguments.out, arguments.samplesSpent})
+    if (!picture.empty()) {
+      requirePictureEnding(picture);
+      requireWritable(picture);
+    }
   const bool isComparison = arguments.scene.model == "compare";
   const Progress progress = terminalProgress(arguments.scene.source.quiet);
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   if (isComparison && !arguments.samplesSpent.empty())
     throw Error(Error::Kind::usage, "--samples-spent counts one model at a time; choose one with --model.");
   if (isComparison && arguments.printsFigures)
@@ -106,8 +111,6 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     return;
   if (arguments.scene.preset.empty() && !loaded.preset.empty())
     note("Shown with the preset \"" + loaded.preset + "\".");
-  for (const Message& remark : loaded.notes)
-    note(remark.english());
   for (const Message& warning : scene.volume->info().warnings)
     note(warning.english());
   for (const Message& remark : picture.notes)

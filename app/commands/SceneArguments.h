@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/Arguments.h"
+#include "app/commands/describe/Slips.h"
 #include "scene/basics/Error.h"
 
 #include <map>
@@ -50,18 +51,6 @@ Camera viewOf(const Scene& scene, const std::string& view, double aspect);
 /// The shading model of that name; `option` is named where there is none. Throws Error (usage).
 ShadingModel modelNamed(const std::string& word, const std::string& option);
 
-/// The value chosen by a word. Throws Error (usage) with the words that there are.
-template <class Value>
-Value chosen(const std::map<std::string, Value>& choices, const std::string& word,
-             const std::string& option) {
-  if (const auto found = choices.find(word); found != choices.end())
-    return found->second;
-  std::string known;
-  for (const auto& [name, value] : choices)
-    known += (known.empty() ? "" : ", ") + name;
-  throw Error(Error::Kind::usage, option + " cannot be \"" + word + "\"; choose one of " + known + ".");
-}
-
 /// The words of a choice.
 template <class Value>
 std::vector<std::string> wordsOf(const std::map<std::string, Value>& choices) {
@@ -70,6 +59,16 @@ std::vector<std::string> wordsOf(const std::map<std::string, Value>& choices) {
   for (const auto& [name, value] : choices)
     words.push_back(name);
   return words;
+}
+
+/// The value chosen by a word. Throws Error (usage) with the words that there are.
+template <class Value>
+Value chosen(const std::map<std::string, Value>& choices, const std::string& word,
+             const std::string& option) {
+  if (const auto found = choices.find(word); found != choices.end())
+    return found->second;
+  throw Error(Error::Kind::usage,
+              option + " cannot be \"" + word + "\"; " + choiceAmong(wordsOf(choices), word) + ".");
 }
 
 } // namespace limn

@@ -109,6 +109,8 @@ void runStability(const StabilityArguments& arguments) {
   if (arguments.folder.empty() && arguments.seeds < 1 && arguments.only.empty())
     throw Error(Error::Kind::usage, "Where shall the report go? Give a folder with -o, or --fuzz N or --only "
                                     "H1 for figures on the terminal alone.");
+  if (!arguments.folder.empty())
+    requireReportFolder(arguments.folder);
   const bool hasCases = !arguments.folder.empty() || !arguments.only.empty();
   const std::vector<HardCase> cases = hasCases ? chosenCases(arguments.only) : std::vector<HardCase>();
   const Progress progress = terminalProgress(arguments.quiet);

@@ -3,7 +3,9 @@
 
 #include "app/commands/SceneArguments.h"
 #include "app/engines/ProcessCost.h"
+#include "io/AtomicFile.h"
 #include "io/surfaces/SurfaceExport.h"
+#include "io/surfaces/SurfaceFile.h"
 
 #include <chrono>
 #include <csignal>
@@ -38,7 +40,7 @@ Progress stoppableProgress(bool isQuiet) {
 }
 
 Scene sceneOf(const SurfaceArguments& arguments, const Progress& progress) {
-  const LoadedScene loaded = loadScene(arguments.source.source, sourceOptions(arguments.source), progress);
+  const LoadedScene loaded = loadScene(arguments.source, progress);
   SceneArguments look;
   look.source = arguments.source;
   look.keep = arguments.keep;
@@ -92,6 +94,10 @@ void noteMissedTolerance(const MadeSurface& made) {
 }
 
 void makeSurfaces(const SurfaceArguments& arguments) {
+  for (const std::filesystem::path& file : surfacePaths(arguments.out, arguments.values)) {
+    surfaceFormatOf(file);
+    requireWritable(file);
+  }
   const bool isQuiet = arguments.source.quiet;
   const auto start = std::chrono::steady_clock::now();
   const Progress progress = stoppableProgress(isQuiet);

@@ -24,9 +24,7 @@ public:
   OptionSyntax(CLI::Option& option, ValueWords& value) : m_option(&option), m_value(&value) {}
 
   OptionSyntax& required(bool isRequired = true);
-  OptionSyntax& within(int lowest, int highest);
-  OptionSyntax& within(double lowest, double highest);
-  OptionSyntax& positive();
+  OptionSyntax& within(double lowest, double highest); ///< numbers, both included
   OptionSyntax& oneOf(const std::vector<std::string>& words);
   OptionSyntax& separatedByCommas();
 

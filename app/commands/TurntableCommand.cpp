@@ -5,6 +5,7 @@
 #include "app/Settings.h"
 #include "app/commands/SceneArguments.h"
 #include "app/turntable/Turntable.h"
+#include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 
 #include <chrono>
@@ -25,11 +26,20 @@ struct TurntableArguments {
 const std::map<std::string, PictureEngine> turntableEngines{
     {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl}, {"cpu", PictureEngine::cpu}};
 
+// What would be refused after the work is refused before it.
+void requirePlace(const std::string& out) {
+  if (isVideo(out))
+    requireWritable(out);
+  else
+    requireReportFolder(out);
+  requireTurntableName(out);
+}
+
 void runTurntable(const TurntableArguments& arguments) {
+  requirePlace(arguments.out);
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
-  const LoadedScene loaded =
-      loadScene(arguments.scene.source.source, sourceOptions(arguments.scene.source), progress);
+  const LoadedScene loaded = loadScene(arguments.scene.source, progress);
   Turntable turntable;
   turntable.scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())

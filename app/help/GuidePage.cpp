@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help/GuidePage.h"
 
-#include <QDir>
 #include <QFile>
 #include <QTextBlock>
 #include <QTextDocument>
@@ -127,7 +126,7 @@ private:
     if (format.isImageFormat()) {
       const QTextImageFormat image = format.toImageFormat();
       return QStringLiteral("<img src=\"%1\" alt=\"%2\">")
-          .arg(m_picture(pathOf(image.name())),
+          .arg(m_picture(guidePathOf(m_chapter, image.name())),
                image.property(QTextFormat::ImageAltText).toString().toHtmlEscaped());
     }
     QString html = fragment.text().toHtmlEscaped();
@@ -140,27 +139,15 @@ private:
     return format.isAnchor() ? linked(html, format.anchorHref()) : html;
   }
 
-  // A path of a link as seen from the guide's folder: "presets/README.md", "../../README.md".
-  QString pathOf(const QString& link) const {
-    const QString folder = m_chapter.path.contains(QLatin1Char('/'))
-                               ? m_chapter.path.section(QLatin1Char('/'), 0, -2) + QLatin1Char('/')
-                               : QString();
-    return QDir::cleanPath(folder + link);
-  }
-
   QString linked(const QString& html, const QString& to) const {
     const QString file = to.section(QLatin1Char('#'), 0, 0);
     const QString place = to.section(QLatin1Char('#'), 1);
-    const QString path = file.isEmpty() ? m_chapter.path : pathOf(file);
+    const QString path = file.isEmpty() ? m_chapter.path : guidePathOf(m_chapter, file);
     for (const GuideChapter& chapter : m_all)
       if (chapter.path == path)
         return QStringLiteral("<a href=\"#%1\">%2</a>")
             .arg(place.isEmpty() ? chapter.id : chapter.id + QLatin1Char('.') + place, html);
-    // It lies in the sources, which a reader of the program may not have.
-    QString name = path;
-    while (name.startsWith(QLatin1String("../")))
-      name.remove(0, 3);
-    return QStringLiteral("%1 (%2)").arg(html, tagged("code", name.toHtmlEscaped()));
+    return withSource(html, tagged("code", sourcePathOf(path).toHtmlEscaped()));
   }
 
   const GuideChapter& m_chapter;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetStore.h"
 
+#include "app/MeantWord.h"
 #include "app/UserFolders.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
@@ -133,11 +134,19 @@ Preset presetNamed(const std::vector<Preset>& presets, const std::string& name) 
     for (const Preset& preset : presets)
       if (QString::fromStdString(preset.name).compare(wanted, sensitivity) == 0)
         return preset;
+  std::vector<std::string> names;
   std::string known;
-  for (const Preset& preset : presets)
+  for (const Preset& preset : presets) {
     known += (known.empty() ? "" : ", ") + preset.name;
+    names.push_back(preset.name);
+  }
+  const std::string meant = meantBy(name, names);
   throw Error(Error::Kind::usage,
-              Message::tr("There is no preset \"%1\"; there are: %2.").arg(name).arg(known));
+              meant.empty() ? Message::tr("There is no preset \"%1\"; there are: %2.").arg(name).arg(known)
+                            : Message::tr("There is no preset \"%1\"; did you mean \"%2\"? The command limn "
+                                          "presets list names all.")
+                                  .arg(name)
+                                  .arg(meant));
 }
 
 } // namespace limn

@@ -83,6 +83,10 @@ void encode(const fs::path& frames, const fs::path& video, double framesPerSecon
             .toStdString());
 }
 
+QString endingOf(const fs::path& path) {
+  return QString::fromStdString(path.extension().string()).toLower();
+}
+
 void makeFolderFor(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
@@ -115,25 +119,39 @@ std::vector<Scene> framesOf(const Turntable& turntable) {
 }
 
 bool isVideo(const fs::path& path) {
-  return QString::fromStdString(path.extension().string()).toLower() == QLatin1String(".mp4");
+  return endingOf(path) == QLatin1String(".mp4");
 }
 
 std::string videoProgram() {
   return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).toStdString();
 }
 
+void requireTurntableName(const fs::path& path) {
+  static const QStringList others =
+      QStringLiteral(".apng .avi .bmp .exr .gif .jpeg .jpg .m4v .mkv .mov .mpeg .mpg .ogv .pdf .png .tif "
+                     ".tiff .webm .webp .wmv")
+          .split(QLatin1Char(' '));
+  std::error_code unknown;
+  if (others.contains(endingOf(path)) && !fs::is_directory(path, unknown))
+    throw Error(Error::Kind::usage,
+                Message::tr("Cannot write %1: a turntable is a video with the ending .mp4, or frames in a "
+                            "folder, whose name needs no ending.")
+                    .arg(path.string()));
+  if (isVideo(path) && videoProgram().empty())
+    throw Error(Error::Kind::usage,
+                Message::tr("No video can be made, because ffmpeg is not installed; install the package "
+                            "ffmpeg or save frames into a folder."));
+}
+
 std::vector<std::string> writeTurntable(const fs::path& path, const Turntable& turntable,
                                         const MakingOptions& order, const DescribeScene& describe) {
+  requireTurntableName(path);
   std::set<std::string> notes;
   if (!isVideo(path)) {
     makeFolderFor(path);
     writeFrames(path, turntable, order, describe, notes);
     return {notes.begin(), notes.end()};
   }
-  if (videoProgram().empty())
-    throw Error(Error::Kind::usage,
-                Message::tr("No video can be made, because ffmpeg is not installed; install the package "
-                            "ffmpeg or save frames into a folder."));
   // Frames carry no scenes there: they vanish.
   const QTemporaryDir frames;
   if (!frames.isValid())

@@ -149,16 +149,31 @@ void writeAll(const fs::path& path, const Target& target, std::string_view bytes
   }
 }
 
-} // namespace
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
 
-void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write,
-                       FilePlace place) {
+// The file that is replaced: a link stays, what it points to is not.
+fs::path replacedBy(const fs::path& target, FilePlace place) {
   std::error_code unknown;
   if (target.filename().empty() || fs::is_directory(target, unknown))
     failWriting({target, place}, EISDIR);
-  // A link stays; what it points to is replaced.
-  const fs::path file = fs::is_symlink(target, unknown) ? fs::weakly_canonical(target) : target;
-  removeAbandoned(file.has_parent_path() ? file.parent_path() : fs::path("."));
+  return fs::is_symlink(target, unknown) ? fs::weakly_canonical(target) : target;
+}
+
+} // namespace
+
+void requireWritable(const fs::path& target) {
+  const fs::path file = replacedBy(target, FilePlace::chosen);
+  // The dot refuses a file in the folder's place.
+  if (::access((folderOf(file) / ".").c_str(), W_OK | X_OK) != 0)
+    failWriting({file, FilePlace::chosen}, errno);
+}
+
+void replaceAtomically(const fs::path& target, const std::function<void(const fs::path& temporary)>& write,
+                       FilePlace place) {
+  const fs::path file = replacedBy(target, place);
+  removeAbandoned(folderOf(file));
   TemporaryFile temporary({file, place});
   write(temporary.path());
   temporary.replaceTarget();

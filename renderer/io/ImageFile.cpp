@@ -63,6 +63,10 @@ void requireJpegCanHold(const fs::path& path, const glm::ivec2& size, const std:
 
 } // namespace
 
+void requirePictureEnding(const fs::path& path) {
+  formatOf(path);
+}
+
 BytePicture bytesOverBackground(const Image& image, const glm::dvec3& background) {
   BytePicture picture;
   picture.size = image.size;

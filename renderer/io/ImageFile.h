@@ -10,6 +10,9 @@
 
 namespace limn {
 
+/// Throws Error (usage) where the extension names no format that writeImage knows.
+void requirePictureEnding(const std::filesystem::path& path);
+
 /// Writes a picture by its extension: PNG, TIFF and JPEG as 8 bits composited over `background` (0..1), EXR
 /// as premultiplied float RGBA without it. `description` (ASCII, may be empty) goes into the image
 /// description. Atomic: the file is complete or untouched. Throws Error, also where JPEG cannot hold the size

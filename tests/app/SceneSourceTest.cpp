@@ -63,6 +63,7 @@ TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
   ASSERT_EQ(loaded.notes.size(), 1u);
   EXPECT_NE(loaded.notes.front().english().find("3 was ignored"), std::string::npos)
       << loaded.notes.front().english();
+  EXPECT_EQ(loadScene("phantom:16", options, {}).notes.size(), 1u);
 }
 
 SessionDocument sessionOfPhantom() {

@@ -54,6 +54,27 @@ TEST(AtomicFile, aFolderIsNeverReplaced) {
   EXPECT_TRUE(fs::is_directory(folder.path() / "sub"));
 }
 
+TEST(AtomicFile, aPlaceIsRefusedBeforehandWhereWritingWouldFail) {
+  const TemporaryFolder folder;
+  const auto refusal = [](const fs::path& target) {
+    try {
+      requireWritable(target);
+      return std::string();
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+  };
+  const fs::path file = folder.path() / "a.json";
+  EXPECT_EQ(refusal(file), "") << "a new file";
+  writeFileAtomically(file, "old");
+  EXPECT_EQ(refusal(file), "") << "an old one";
+  EXPECT_NE(refusal(folder.path() / "none" / "a.json").find("there is no folder"), std::string::npos);
+  EXPECT_NE(refusal(file / "b.json").find("Not a directory"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("Is a directory"), std::string::npos);
+  EXPECT_EQ(bytesOfFile(file), "old");
+  EXPECT_EQ(entriesOf(folder.path()), 1u) << "nothing is left of the trial";
+}
+
 TEST(AtomicFile, theRightsOfTheOldFileStay) {
   const TemporaryFolder folder;
   writeFileAtomically(folder.path() / "a.json", "old");

@@ -42,20 +42,28 @@ QString accuracyNote(const Figure& figure) {
       .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));
 }
 
+// What hides parts of the volume in a panel's picture.
+QStringList hidingIn(const FigurePanel& panel) {
+  if (panel.plane)
+    return {};
+  QStringList texts{regionText(panel.scene.keep)};
+  if (panel.scene.crop != CropBox())
+    texts << QObject::tr("Cropped");
+  texts.removeAll(QString());
+  return texts;
+}
+
 QStringList regionNotes(const Figure& figure) {
   QStringList notes;
-  for (const FigurePanel& panel : figure.panels) {
-    const QString text = regionText(panel.scene.keep);
-    const auto isSaid = [&](const FigurePanel& other) { return regionText(other.scene.keep) == text; };
-    if (text.isEmpty() || panel.plane)
-      continue;
-    const QString where =
-        lettersWhere(figure, [&](const FigurePanel& other) { return !other.plane && isSaid(other); });
-    const QString note =
-        where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
-    if (!notes.contains(note))
-      notes << note;
-  }
+  for (const FigurePanel& panel : figure.panels)
+    for (const QString& text : hidingIn(panel)) {
+      const QString where =
+          lettersWhere(figure, [&](const FigurePanel& other) { return hidingIn(other).contains(text); });
+      const QString note =
+          where.isEmpty() ? QObject::tr("%1.").arg(text) : QObject::tr("%1 (%2).").arg(text, where);
+      if (!notes.contains(note))
+        notes << note;
+    }
   return notes;
 }
 

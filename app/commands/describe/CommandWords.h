@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ValueWords {
   bool isFolder = false;
   std::vector<std::string> endings; ///< of the files, such as ".png"; empty: any
   bool isList = false;              ///< several, separated by commas
+  std::optional<double> lowest;     ///< of numbers; with `highest`, both included
+  std::optional<double> highest;
 
   std::vector<std::string> known() const { return words ? words() : std::vector<std::string>(); }
 };
@@ -24,7 +27,7 @@ struct ValueWords {
 struct OptionWords {
   std::vector<std::string> names; ///< with their dashes; empty for a word that is known by its place
   std::string valueName; ///< such as TEXT, or SOURCE for a word without a name; empty: takes no value
-  std::string range;     ///< such as "INT in [1 - 9]"; empty: any
+  std::string range;     ///< such as "[1 - 9]"; empty: any
   std::string what;
   bool isRequired = false;
   ValueWords value;

@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/describe/Slips.h"
 
+#include "app/MeantWord.h"
+
 #include <algorithm>
 #include <filesystem>
 
 namespace limn {
 namespace {
-
-// The optimal string alignment distance: how many letters are left out, added, changed or swapped.
-std::size_t lettersApart(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> apart(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i)
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        apart[i][j] = i + j;
-        continue;
-      }
-      const std::size_t changed = a[i - 1] == b[j - 1] ? 0 : 1;
-      apart[i][j] = std::min({apart[i - 1][j] + 1, apart[i][j - 1] + 1, apart[i - 1][j - 1] + changed});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        apart[i][j] = std::min(apart[i][j], apart[i - 2][j - 2] + 1);
-    }
-  return apart[a.size()][b.size()];
-}
 
 std::vector<std::string> optionsOf(const CommandWords& command) {
   std::vector<std::string> names;
@@ -61,15 +46,12 @@ std::string sentence(const std::string& what, const std::string& word, const std
 
 } // namespace
 
-std::string meantBy(const std::string& word, const std::vector<std::string>& known) {
-  std::string nearest;
-  std::size_t least = word.size() / 3 + 1;
-  for (const std::string& candidate : known)
-    if (const std::size_t apart = lettersApart(word, candidate); apart < least) {
-      least = apart;
-      nearest = candidate;
-    }
-  return nearest;
+std::string choiceAmong(const std::vector<std::string>& known, const std::string& word) {
+  std::string all;
+  for (const std::string& one : known)
+    all += (all.empty() ? "" : ", ") + one;
+  const std::string meant = meantBy(word, known);
+  return meant.empty() ? "choose one of " + all : "did you mean " + meant + "? It is one of " + all;
 }
 
 std::string slipIn(const CommandWords& program, const std::vector<std::string>& arguments) {

@@ -5,10 +5,9 @@
 
 namespace limn {
 
-/// Of the words that are known the one that a slip of the keyboard made `word` of: by at most one letter left
-/// out, added, changed or swapped with its neighbour for each three of its letters. Empty where there is
-/// none.
-std::string meantBy(const std::string& word, const std::vector<std::string>& known);
+/// What to do about a word that is not known, as the end of a sentence without its stop: "did you mean
+/// classic? It is one of classic, enhanced" or "choose one of classic, enhanced".
+std::string choiceAmong(const std::vector<std::string>& known, const std::string& word);
 
 /// What is wrong with arguments that were refused, where a word among them is no command or option of the
 /// program: one sentence that names it, the one that was probably meant, and where help is. Empty where all

@@ -260,6 +260,23 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"presets conver a.json b.json", 2, "did you mean convert?"},
       {"render phantom:8 -o x.png --modle classic", 2, "did you mean --model?"},
       {"render phantom:8 --presett x", 2, "did you mean --preset?"},
+      {"accurcy", 2, "did you mean accuracy?"},
+      {"help accurcy", 2, "did you mean accuracy?"},
+      {"--theme dark help", 2, "Help stands in front"},
+      {"render phantom:8 -o x.png --preset bone", 2, "did you mean \"CT bone\"?"},
+      {"render phantom:8 -o x.png --model clasic", 2, "did you mean classic?"},
+      {"bench phantom:8 --engine cpuu", 2, "did you mean cpu?"},
+      {"render phantom:8", 2, "--output is required (see limn render --help)"},
+      {"presets", 2, "limn presets needs one of its commands: list, show, convert (see limn presets --help)"},
+      {"presets convert a.json b.json c.json", 2, "takes one IN and one OUT; c.json is one word too many"},
+      {"render phantom:8 --size", 2, "--size needs a value behind it (see limn render --help)"},
+      {"render phantom:8 --size 8x8 --size 9x9 -o x.png", 2, "--size is there more than once"},
+      {"render phantom:8 -o x.png -x", 2, "limn render has no option -x"},
+      {"render phantom:8 -o x.png --step abc", 2, "\"abc\" is not a number from 0.0001 to 10000"},
+      {"render phantom:8 -o x.png --threads 1.5", 2, "\"1.5\" is not a whole number from 1 to 4096"},
+      {"accuracy phantom:8 -o x --within -1", 2, "\"-1\" is not a number from 0.01 to 255"},
+      {"surface phantom:8 -o x.stl --value abc", 2, "\"abc\" is not a number (see limn surface --help)"},
+      {"stability -o x --seed -1", 2, "\"-1\" is not a whole number from 0"},
       {"render phantom:8 -o nowhere/x.png", 1, "there is no folder nowhere"},
       {"presets show nothing", 2, "nothing"},
       {"bench phantom:8 --step fast", 2, "--step"},
@@ -273,6 +290,42 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_TRUE(outcome.out.empty()) << outcome.out;
   }
+}
+
+TEST_F(CommandLine, helpIsACommandToo) {
+  EXPECT_EQ(run("help").out, run("--help").out);
+  EXPECT_EQ(run("help presets convert").out, run("presets convert --help").out);
+  EXPECT_EQ(run("help render").status, 0);
+}
+
+TEST_F(CommandLine, theFilesOfAFolderAreCountedAndTheFolderIsNamed) {
+  std::filesystem::create_directory(file("series"));
+  for (const char* name : {"1.dcm", "2.dcm", "3.dcm", "4.dcm"})
+    test::writeBytes(file("series") / name, "slice");
+  const Outcome outcome = run("info '" + file("series").string() + "'/*.dcm");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.err,
+            "limn: limn info takes one SOURCE; " + (file("series") / "2.dcm").string() +
+                " and 2 more are too many, and slices of one series are given by their folder, " +
+                file("series").string() + " (see limn info --help)\n");
+}
+
+TEST_F(CommandLine, everyCommandSaysThatTheNumberOfASeriesWasIgnored) {
+  const std::string out = file("out").string();
+  for (const std::string& command : std::vector<std::string>{
+           "info phantom:16 --series 3", "effects phantom:16 --series 3 --size 16x16 --frames 5",
+           "render phantom:16 --series 3 --size 16x16 -o '" + out + ".png'",
+           "figure phantom:16 --series 3 --size 300 -o '" + out + ".png'",
+           "surface phantom:16 --series 3 --value 300 -o '" + out + ".stl'",
+           "turntable phantom:16 --series 3 --size 16x16 --frames 2 -o '" + out + "'",
+           "bench phantom:16 --series 3 --size 16x16 --frames 1 --engine cpu"}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << command << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("This is no DICOM series; its number 3 was ignored."), std::string::npos)
+        << command << "\n"
+        << outcome.err;
+  }
+  EXPECT_EQ(run("info phantom:16 --series 3 --quiet").err, "");
 }
 
 TEST_F(CommandLine, aSceneWithAMisspeltKeyIsRefusedByName) {

@@ -90,6 +90,16 @@ protected:
   test::TemporaryFolder folder;
 };
 
+TEST_F(FigureCommand, aPanelThatIsNoneIsRefusedBeforeTheWorkWithTheNearest) {
+  for (const auto& [word, meant] :
+       {std::pair("axiall", "axial"), {"bone", "CT bone"}, {"clasic", "classic"}}) {
+    const Outcome outcome = run("figure nowhere.nii --panels classic," + std::string(word) + " -o x.png");
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("did you mean \"" + std::string(meant) + "\"?"), std::string::npos)
+        << outcome.err;
+  }
+}
+
 TEST_F(FigureCommand, panelsAreThePicturesOfRenderBitForBitUnderTheirMarks) {
   make("figure phantom:6 --model compare" + std::string(small) + "-o " + file("figure.png"));
   const Figure figure = figureIn("figure.png");

@@ -204,6 +204,23 @@ TEST_F(JobsOfTheGuide, joinTheReportsOfACohort) {
   EXPECT_EQ(damaged.status, 3);
   EXPECT_NE(damaged.err.find("reports/chest/accuracy.json"), std::string::npos) << damaged.err;
   EXPECT_FALSE(fs::exists(folder.path() / "again"));
+  // What holds no report is named, and what would do.
+  const auto refusal = [&](const char* given) {
+    const auto outcome =
+        test::runProgram(folder.path(), "accuracy --join " + in(given) + " -o " + in("again"));
+    EXPECT_EQ(outcome.status, 3) << outcome.err;
+    return outcome.err;
+  };
+  fs::create_directory(folder.path() / "empty");
+  EXPECT_NE(refusal("empty").find("/empty holds no report; give folders that limn accuracy -o wrote"),
+            std::string::npos);
+  EXPECT_NE(refusal("reports").find("in folders of their own; join them with --join " +
+                                    (folder.path() / "reports/*").string() + "."),
+            std::string::npos);
+  EXPECT_NE(refusal("reports/head/accuracy.csv").find("accuracy.csv shows a report to people"),
+            std::string::npos);
+  EXPECT_NE(refusal("nowhere/*").find("There is no report " + (folder.path() / "nowhere/*").string()),
+            std::string::npos);
   EXPECT_EQ(test::runProgram(folder.path(), "accuracy -o " + in("again")).status, 2);
   EXPECT_EQ(test::runProgram(folder.path(), "accuracy " + in("head.nrrd") + " --join " + in("reports/head") +
                                                 " -o " + in("again"))

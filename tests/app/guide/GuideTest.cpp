@@ -74,7 +74,7 @@ TEST(Guide, keepsMarkdownsTextOnThePage) {
        {"<h1 id=\"one\">One &amp; two</h1>", "<code>a &lt; b</code>", "<b>bold</b>",
         "<a href=\"#two.its-part\">that</a>", "<ul><li>first</li>\n<li>second</li>\n</ul>",
         "<tr><th>a</th><th>b</th></tr>\n<tr><td>1</td><td>2</td></tr>", "<pre>run | that\nagain\n</pre>",
-        "code (<code>else/x.md</code>)", "<h2 id=\"two.its-part\">Its part</h2>"})
+        "code (<code>else/x.md</code> in Limn's source)", "<h2 id=\"two.its-part\">Its part</h2>"})
     EXPECT_TRUE(made.body.contains(QLatin1String(part))) << part << "\n" << made.body.toStdString();
   ASSERT_EQ(made.headings.size(), 3u);
   EXPECT_EQ(made.headings[2].anchor, QStringLiteral("two.its-part"));
@@ -86,6 +86,25 @@ TEST(Guide, isFoundByWordsBelowItsHeadings) {
   EXPECT_EQ(guideText(one, QStringLiteral("BOX cuts")).toStdString(), "# One\n\n## Crop\n\nThe box\ncuts.\n");
   EXPECT_EQ(guideText(one, QStringLiteral("row")).toStdString(), "# One\n\n## Crop\n\n| the box | row |\n");
   EXPECT_EQ(guideText(one, QStringLiteral("unheard")), QString());
+}
+
+TEST(Guide, isFoundByItsHeadingsWithTheTextBelow) {
+  const std::vector<GuideChapter> one{
+      {"one", "one.md", "# How exact?\n\n## Briefly\n\nVery.\n\n- So.\n\n## At length\n\nToo long.\n"}};
+  EXPECT_EQ(guideText(one, QStringLiteral("at length")).toStdString(),
+            "# How exact?\n\n## At length\n\nToo long.\n");
+  EXPECT_EQ(guideText(one, QStringLiteral("exact how")).toStdString(),
+            "# How exact?\n\n## Briefly\n\nVery.\n\n- So.\n");
+}
+
+TEST(Guide, hasNoLinksInATerminal) {
+  const std::vector<GuideChapter> two{
+      {"one", "one.md",
+       "# One\n\nSee [the\nsecond](accuracy/README.md#its), [below](#x) or [a page](../../else/x.md).\n"},
+      {"two", "accuracy/README.md", "# Two\n\n![A head](head.png)\n\n[All](../README.md)\n"}};
+  EXPECT_EQ(guideText(two).toStdString(),
+            "# One\n\nSee the\nsecond, below or a page (else/x.md in Limn's source).\n\n"
+            "# Two\n\n[A head]\n\nAll (app/guide/README.md in Limn's source)\n");
 }
 
 class GuideCommand : public testing::Test {

@@ -162,6 +162,13 @@ TEST(FigureText, tellsARegionThatIsHidden) {
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (a)."));
   figure.panels[1].scene.keep = figure.panels[0].scene.keep;
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden."));
+  figure.panels[1].scene.crop.upper.z = 0.5;
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden. Cropped (b)."));
+  figure.panels[0].scene.keep = {};
+  figure.panels[0].scene.crop = figure.panels[1].scene.crop;
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Cropped. Body only: table hidden (b)."));
+  figure.panels[0].plane = PatientPlane::axial;
+  EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (b). Cropped (b)."));
 }
 
 TEST(PictureMarks, scaleBarIsAsLongAsItSays) {
