@@ -178,6 +178,41 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
   }
 }
 
+// Where a face lies across the line of sight and beyond the picture, or its corner under a title.
+TEST_F(OverlayAbove, noTextHidesTheHandleOfAFaceInFrontOrBehind) {
+  for (SideState& side : state.sides) {
+    side.estimate = ErrorEstimate{0.42, 0.1, 1.0};
+    side.isRough = false;
+    side.completeMs = 123.4;
+    side.contrast = 0.2017;
+  }
+  comparison.scene.crop.upper.z = 0.9;
+  const Camera usual = defaultCamera(comparison.scene.volume->grid());
+  for (const double near : {0.5, 0.7, 0.8, 1.0, 1.2})
+    for (const QSize size : {QSize(408, 370), QSize(700, 400), QSize(1400, 900)}) {
+      comparison.scene.camera = usual;
+      comparison.scene.camera.position = usual.target + near * (usual.position - usual.target);
+      OverlaySource with = source();
+      with.geometry.size = size;
+      with.hasCropBox = true;
+      const Overlay overlay = overlayOf(with);
+      int across = 0;
+      for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
+        if (!handle.isAcross)
+          continue;
+        ++across;
+        QRectF disc(0, 0, 2 * cropHandleHitRadius, 2 * cropHandleHitRadius);
+        disc.moveCenter(handle.centre);
+        for (const PlacedLabel& label : overlay.labels)
+          EXPECT_FALSE(label.plate.intersects(disc)) << near << " " << size.width();
+        for (const Note& note : overlay.notes)
+          EXPECT_FALSE(note.plate.intersects(disc)) << note.text.toStdString() << near << " " << size.width();
+        EXPECT_FALSE(overlay.scale && overlay.scale->plate.intersects(disc)) << near << " " << size.width();
+      }
+      EXPECT_GE(across, 1) << near;
+    }
+}
+
 TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {
   EXPECT_FALSE(overlayOf(source()).difference);
   comparison.layout = CompareLayout::difference;
