@@ -938,10 +938,6 @@
         <translation>%1 Labels ausgeblendet oder abgeschwächt</translation>
     </message>
     <message>
-        <source>%1 – show everything</source>
-        <translation>%1 – alles zeigen</translation>
-    </message>
-    <message>
         <source>SP %1</source>
         <translation>SP %1</translation>
     </message>
@@ -1550,10 +1546,6 @@
         <translation>Nur Körper: Tisch ausgeblendet</translation>
     </message>
     <message>
-        <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
-        <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
-    </message>
-    <message>
         <source>Compared: %1</source>
         <translation>Verglichen: %1</translation>
     </message>
@@ -1684,8 +1676,40 @@
         <translation>Vorschau aus 1/%1 der Voxel entlang jeder Achse</translation>
     </message>
     <message>
+        <source>measure distance</source>
+        <translation>Abstand messen</translation>
+    </message>
+    <message>
+        <source>remove distance</source>
+        <translation>Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>change distance</source>
+        <translation>Abstand ändern</translation>
+    </message>
+    <message>
+        <source>%1 · on the disk</source>
+        <translation>%1 · auf der Festplatte</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The voxels stay on the disk, because they would take more than a third of the memory that Limn may use (--memory). The processor draws them, and reads what the curve shows.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Die Voxel bleiben auf der Festplatte, weil sie mehr als ein Drittel des Speichers bräuchten, den Limn verwenden darf (--memory). Der Prozessor zeichnet sie und liest, was die Kurve zeigt.&lt;/p&gt;</translation>
+    </message>
+    <message>
         <source>Cropped</source>
         <translation>Zugeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 · cropped</source>
+        <translation>%1 · zugeschnitten</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>A part of the volume is hidden. A click shows everything again and takes the crop back; View ▸ Body only hides the table and what else lies beside the body.</source>
+        <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles und nimmt den Zuschnitt zurück; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
     </message>
 </context>
 <context>

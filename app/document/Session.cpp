@@ -50,6 +50,32 @@ private:
   std::uint64_t m_gesture;
 };
 
+/// Replaces the distance measured in the slices, and nothing else that they show.
+class DistanceEdit : public QUndoCommand {
+public:
+  using Distance = std::optional<MeasuredDistance>;
+
+  DistanceEdit(Session& session, const Distance& before, const Distance& after)
+      : QUndoCommand(!before  ? QObject::tr("measure distance")
+                     : !after ? QObject::tr("remove distance")
+                              : QObject::tr("change distance")),
+        m_session(session), m_before(before), m_after(after) {}
+
+  void undo() override { show(m_before); }
+  void redo() override { show(m_after); }
+
+private:
+  void show(const Distance& distance) {
+    PlaneSettings settings = m_session.planes();
+    settings.distance = distance;
+    m_session.setPlanes(settings);
+  }
+
+  Session& m_session;
+  Distance m_before;
+  Distance m_after;
+};
+
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const LoadedScene& loaded, const Preset& preset) {
@@ -86,6 +112,11 @@ void Session::setPlanes(const PlaneSettings& settings) {
     return;
   m_planes = settings;
   emit planesChanged(m_planes);
+}
+
+void Session::noteDistance(const std::optional<MeasuredDistance>& before) {
+  if (before != m_planes.distance)
+    m_undo.push(new DistanceEdit(*this, before, m_planes.distance));
 }
 
 void Session::replace(const Scene& scene) {

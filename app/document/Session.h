@@ -69,6 +69,10 @@ public:
   const PlaneSettings& planes() const { return m_planes; }
   void setPlanes(const PlaneSettings& settings);
 
+  /// The distance measured in them is work, not a way of looking: that it is what it is now, and was
+  /// `before`, becomes an undo step. An equal one changes nothing.
+  void noteDistance(const std::optional<MeasuredDistance>& before);
+
 signals:
   void sceneChanged(const limn::Scene& scene);
   void planesChanged(const limn::PlaneSettings& settings);

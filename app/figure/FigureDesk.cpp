@@ -84,7 +84,11 @@ void FigureDesk::show() {
   if (!m_dialog) {
     m_dialog = new FigureDialog(&m_parts.window);
     m_dialog->options().setSettings(m_parts.settings.figure());
-    connect(m_dialog, &FigureDialog::edited, this, &FigureDesk::refreshPreview);
+    connect(m_dialog, &FigureDialog::edited, this, [this] {
+      m_outcome.clear();
+      refreshPreview();
+    });
+    connect(m_dialog, &FigureDialog::previewResized, this, &FigureDesk::refreshPreview);
     connect(m_dialog, &FigureDialog::saveRequested, this, &FigureDesk::save);
     connect(m_dialog, &FigureDialog::copyRequested, this, &FigureDesk::copy);
     connect(m_dialog, &FigureDialog::cancelled, this, [this] {
@@ -102,6 +106,7 @@ void FigureDesk::show() {
   if (!isNew)
     return;
   m_drawn = {};
+  m_outcome.clear();
   m_dialog->preview().setPictures({});
   refreshSources();
 }
@@ -220,6 +225,8 @@ void FigureDesk::sayWhatItIs() {
                        .arg(layout.pictureSize().height());
     if (const std::string memory = memoryNote(layout, FigurePixels::bytes); !memory.empty())
       text += QLatin1Char(' ') + QString::fromStdString(memory);
+    if (!m_outcome.isEmpty())
+      text.prepend(m_outcome + QLatin1Char('\n'));
     m_dialog->describe(withNotes(text, m_notes), hasMemoryFor(layout, FigurePixels::bytes));
   } catch (const Error& error) {
     m_dialog->describe(translated(error), false);
@@ -292,7 +299,9 @@ void FigureDesk::copy() {
 void FigureDesk::endWork(const QString& sentence) {
   if (!m_dialog)
     return;
+  m_outcome = sentence;
   m_dialog->endProgress(sentence);
+  sayWhatItIs();
   if (m_isStale)
     m_soon.start();
 }

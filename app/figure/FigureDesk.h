@@ -63,6 +63,7 @@ private:
   QPointer<FigureDialog> m_dialog;
   Figure m_drawn;                       ///< whose pictures the preview shows
   std::vector<std::string> m_notes;     ///< on those pictures
+  QString m_outcome;                    ///< of the last work, told until something is edited
   std::vector<FigurePanel> m_estimated; ///< panels whose errors are known
   bool m_isStale = false;               ///< the scene changed while a figure was made
   QTimer m_soon;                        ///< until the scene rests

@@ -37,7 +37,7 @@ FigureDialog::FigureDialog(QWidget* parent)
   connect(m_panels, &PanelList::edited, this, &FigureDialog::edited);
   connect(m_options, &FigureOptions::edited, this, &FigureDialog::edited);
   connect(m_exact, &QCheckBox::clicked, this, &FigureDialog::edited);
-  connect(m_preview, &FigurePreview::resized, this, &FigureDialog::edited);
+  connect(m_preview, &FigurePreview::resized, this, &FigureDialog::previewResized);
   resize(1100, 660);
 }
 

@@ -32,6 +32,8 @@ public:
 
 signals:
   void edited();
+  /// The preview has room for another number of pixels.
+  void previewResized();
   void saveRequested();
   void copyRequested();
 

@@ -52,6 +52,8 @@ void WorkDialog::showProgress(double fraction) {
   const bool wasWorking = isWorking();
   m_bar->setValue(static_cast<int>(1000.0 * fraction));
   m_bar->show();
+  if (!wasWorking)
+    m_before = focusWidget();
   setStartable(false);
   m_close->setText(tr("Cancel"));
   say(doing(fraction));
@@ -65,8 +67,11 @@ void WorkDialog::endProgress(const QString& text) {
   setStartable(true);
   m_close->setText(tr("Close"));
   say(text);
-  if (wasWorking)
-    emit workingChanged(false);
+  if (!wasWorking)
+    return;
+  emit workingChanged(false);
+  if (m_before && m_close->hasFocus()) // where the keyboard went as what had it could not be used
+    m_before->setFocus(Qt::OtherFocusReason);
 }
 
 bool WorkDialog::isWorking() const {

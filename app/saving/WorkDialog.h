@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QPointer>
 
 #include <vector>
 
@@ -54,6 +55,7 @@ private:
   QLabel* m_text;
   QProgressBar* m_bar;
   QPushButton* m_close;
+  QPointer<QWidget> m_before; ///< what had the keyboard when work began
   std::vector<QPushButton*> m_starts;
 };
 

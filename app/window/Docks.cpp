@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/Docks.h"
 
+#include "app/window/FirstSize.h"
+#include "app/window/KeyboardEntry.h"
 #include "app/window/SharedPlace.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/curve/CurvePanel.h"
@@ -9,10 +11,13 @@
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/ray/RayPanel.h"
 
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QScreen>
 #include <QStyledItemDelegate>
+#include <QTabBar>
 #include <QUndoView>
 
 #include <algorithm>
@@ -97,8 +102,9 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   m_right[0]->raise();
   m_curve = add(tr("Transfer f&unction"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
-  window.resizeDocks({m_presets, m_right[0]}, {220, 300}, Qt::Horizontal);
-  window.resizeDocks({m_curve}, {296}, Qt::Vertical);
+  const FirstDockSizes sizes = firstDockSizes(firstWindowSize(window.screen()->availableSize()));
+  window.resizeDocks({m_presets, m_right[0]}, {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
+  window.resizeDocks({m_curve}, {sizes.curveHeight}, Qt::Vertical);
   for (QDockWidget* dock : m_right)
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
@@ -110,6 +116,27 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
     if (dock != m_curve)
       connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
   showTitles();
+  window.installEventFilter(this);
+}
+
+// The window makes its bars of tabs whenever it lays out its docks.
+bool Docks::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
+    for (const QTabBar* tabs : m_window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      connect(
+          tabs, &QTabBar::tabBarClicked, this, &Docks::enterTab,
+          static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::UniqueConnection)); // once it is shown
+  return QObject::eventFilter(watched, event);
+}
+
+// A click on a tab leads the keyboard into what it shows, so that F1 and F6 go on from there.
+void Docks::enterTab(int tab) {
+  const auto* tabs = qobject_cast<QTabBar*>(sender());
+  for (QDockWidget* dock : all())
+    if (tabs && dock->windowTitle() == tabs->tabText(tab) && !dock->isFloating()) {
+      QWidget* entry = keyboardEntryOf(*dock->widget());
+      (entry ? entry : dock->widget())->setFocus(Qt::MouseFocusReason);
+    }
 }
 
 void Docks::showTitles() {

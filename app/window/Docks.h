@@ -59,7 +59,11 @@ public:
 signals:
   void panelChanged();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+  void enterTab(int tab);
   /// Tabs and contents name docks; a title below or above them would say it again. A dock of the right side
   /// without tabs has one, and so has a dock in a window of its own.
   void showTitles();

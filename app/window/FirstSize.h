@@ -10,4 +10,15 @@ namespace limn {
 /// beside its own bars.
 QSize firstWindowSize(const QSize& available);
 
+/// How much of such a window its panels take at the first start, in points.
+struct FirstDockSizes {
+  int presetsWidth;
+  int propertiesWidth;
+  int curveHeight;
+};
+
+/// The curve alone gives way where a window is lower than 800, so that the picture stays the larger part; the
+/// panels beside the picture grow with a wide window up to where lines are read with ease.
+FirstDockSizes firstDockSizes(const QSize& window);
+
 } // namespace limn

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/PanelCycle.h"
 
+#include "app/window/KeyboardEntry.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QWidget>
@@ -10,26 +12,6 @@ namespace {
 
 bool isSeen(const QWidget& widget) {
   return widget.isVisible() && !widget.visibleRegion().isEmpty();
-}
-
-bool takesKeys(const QWidget& widget) {
-  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;
-}
-
-// Where the keyboard enters an area that it was never in.
-QWidget* entryOf(QWidget& area) {
-  QWidget* proxy = area.focusProxy();
-  while (proxy && proxy->focusProxy())
-    proxy = proxy->focusProxy();
-  if (proxy && takesKeys(*proxy))
-    return proxy;
-  QWidget* next = &area;
-  do {
-    if ((next == &area || area.isAncestorOf(next)) && takesKeys(*next))
-      return next;
-    next = next->nextInFocusChain();
-  } while (next != &area);
-  return nullptr;
 }
 
 } // namespace
@@ -64,8 +46,9 @@ void PanelCycle::step(int direction) {
     Panel& panel = m_panels[((from + direction * steps) % count + count) % count];
     if (&panel == here || !isSeen(*panel.area))
       continue;
-    QWidget* entry = panel.last && takesKeys(*panel.last) && isSeen(*panel.last) ? panel.last.data()
-                                                                                 : entryOf(*panel.area);
+    QWidget* entry = panel.last && takesKeys(*panel.last) && isSeen(*panel.last)
+                         ? panel.last.data()
+                         : keyboardEntryOf(*panel.area);
     if (!entry || panelOf(entry) != &panel)
       continue;
     entry->window()->activateWindow(); // a dock may float

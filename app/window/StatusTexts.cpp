@@ -46,7 +46,15 @@ StatusTexts::StatusTexts(QStatusBar& bar)
 }
 
 void StatusTexts::showVolume(const Volume* volume) {
-  m_volume->setText(volume ? volumeText(*volume) : QString());
+  const bool isOnDisk = volume && volume->room();
+  m_volume->setText(isOnDisk ? QObject::tr("%1 · on the disk").arg(volumeText(*volume).trimmed())
+                    : volume ? volumeText(*volume)
+                             : QString());
+  m_volume->setToolTip(isOnDisk
+                           ? QObject::tr("<p>The voxels stay on the disk, because they would take more than "
+                                         "a third of the memory that Limn may use (--memory). The processor "
+                                         "draws them, and reads what the curve shows.</p>")
+                           : QString());
 }
 
 void StatusTexts::showProbe(const std::optional<Probe>& probe, const Volume* volume) {

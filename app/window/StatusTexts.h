@@ -19,7 +19,7 @@ class StatusTexts {
 public:
   explicit StatusTexts(QStatusBar& bar);
 
-  /// Null: none.
+  /// Also whether its voxels stay on the disk. Null: none.
   void showVolume(const Volume* volume);
   void showProbe(const std::optional<Probe>& probe, const Volume* volume);
   void showPicture(const PictureState& state, const Scene& scene);

@@ -172,8 +172,11 @@ QToolButton* PlaneBar::makeMoreButton() {
   menu->addSeparator();
   menu->addAction(tr("Crosshair to the middle"), this,
                   [this] { edit([](PlaneSettings& s) { s.crosshairMm.reset(); }); });
-  menu->addAction(tr("Remove the distance"), this,
-                  [this] { edit([](PlaneSettings& s) { s.distance.reset(); }); });
+  menu->addAction(tr("Remove the distance"), this, [this] {
+    const std::optional<MeasuredDistance> before = m_content.settings.distance;
+    edit([](PlaneSettings& s) { s.distance.reset(); });
+    emit distanceEdited(before);
+  });
   connect(menu, &QMenu::aboutToShow, this, [this, smooth, outline] {
     smooth->setChecked(m_content.settings.interpolation == PlaneInterpolation::linear);
     outline->setChecked(m_content.settings.outlinesRegion);

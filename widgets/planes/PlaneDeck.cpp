@@ -65,9 +65,11 @@ PlaneDeck::PlaneDeck(QWidget& picture, QWidget* parent)
   for (const PatientPlane plane : patientPlanes) {
     auto* view = m_views[static_cast<std::size_t>(plane)] = new PlaneView(plane, this);
     connect(view, &PlaneView::settingsEdited, this, &PlaneDeck::settingsEdited);
+    connect(view, &PlaneView::distanceEdited, this, &PlaneDeck::distanceEdited);
     connect(view, &PlaneView::toolRequested, this, &PlaneDeck::setTool);
   }
   connect(m_bar, &PlaneBar::settingsEdited, this, &PlaneDeck::settingsEdited);
+  connect(m_bar, &PlaneBar::distanceEdited, this, &PlaneDeck::distanceEdited);
   connect(m_bar, &PlaneBar::toolRequested, this, &PlaneDeck::setTool);
   setContent({});
   arrange();

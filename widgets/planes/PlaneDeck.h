@@ -32,6 +32,7 @@ public:
 
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
+  void distanceEdited(const std::optional<limn::MeasuredDistance>& before); ///< as PlaneView says it
 
 protected:
   void resizeEvent(QResizeEvent* event) override;

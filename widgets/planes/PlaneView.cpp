@@ -16,6 +16,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -158,6 +159,8 @@ void PlaneView::mouseReleaseEvent(QMouseEvent* event) {
   const MeasuredDistance& distance = *settings->distance;
   if (glm::length(distance.to - distance.from) < shortestDistance * mmPerLogicalPixel(drag.frame))
     emit settingsEdited(drag.before);
+  else
+    emit distanceEdited(drag.before.distance);
 }
 
 void PlaneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -230,8 +233,9 @@ bool PlaneView::obey(int key, bool isFast) {
     return chooseWindow(key - Qt::Key_0);
   case Qt::Key_Delete: {
     PlaneSettings settings = m_content.settings;
-    settings.distance.reset();
+    const std::optional<MeasuredDistance> before = std::exchange(settings.distance, std::nullopt);
     emit settingsEdited(settings);
+    emit distanceEdited(before);
     return true;
   }
   default:

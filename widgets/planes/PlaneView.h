@@ -44,6 +44,8 @@ public:
 
 signals:
   void settingsEdited(const limn::PlaneSettings& settings);
+  /// A drag or a key has ended that left another distance in the settings than `before`.
+  void distanceEdited(const std::optional<limn::MeasuredDistance>& before);
   void toolRequested(limn::PlaneTool tool);
 
 protected:

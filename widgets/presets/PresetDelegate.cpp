@@ -63,7 +63,8 @@ int mostNoteLines(const QStyleOptionViewItem& option) {
   return std::clamp(room / QFontMetrics(noteFont(option.font)).height(), 2, 4);
 }
 
-// The whole note where it has room, otherwise what stands before its semicolon; the tool tip has the rest.
+// The whole note where it has room, otherwise what stands before its semicolon, with an ellipsis unless that
+// would cut a word; the tool tip has the rest.
 // That the preset was changed, or shows nothing, comes first.
 QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& index, int width) {
   QString note = index.data(presetRole::note).toString();
@@ -73,8 +74,15 @@ QStringList noteLines(const QStyleOptionViewItem& option, const QModelIndex& ind
     note = QObject::tr("Shows nothing of this volume. %1", "a preset; its note follows").arg(note);
   const QFont font = noteFont(option.font);
   const int most = mostNoteLines(option);
-  const bool hasRoom = wrapped(note, font, width, most + 1).size() <= most;
-  return wrapped(hasRoom ? note : note.section(QLatin1Char(';'), 0, 0), font, width, most);
+  if (wrapped(note, font, width, most + 1).size() <= most)
+    return wrapped(note, font, width, most);
+  QStringList lines = wrapped(note.section(QLatin1Char(';'), 0, 0), font, width, most);
+  if (lines.isEmpty())
+    return lines;
+  const QString goesOn = lines.back() + QChar(0x2026);
+  if (!lines.back().endsWith(QChar(0x2026)) && QFontMetrics(font).horizontalAdvance(goesOn) <= width)
+    lines.back() = goesOn;
+  return lines;
 }
 
 // Of a row that is so wide, beside its picture.

@@ -26,6 +26,7 @@ PlaneSettings forOtherVolume(PlaneSettings settings, bool hasSameVoxels) {
 
 PlaneDesk::PlaneDesk(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
   connect(&parts.deck, &PlaneDeck::settingsEdited, &parts.session, &Session::setPlanes);
+  connect(&parts.deck, &PlaneDeck::distanceEdited, &parts.session, &Session::noteDistance);
   connect(&parts.session, &Session::planesChanged, this, &PlaneDesk::show);
   connect(&parts.session, &Session::sceneChanged, this, &PlaneDesk::showScene);
   connect(&parts.view, &CompareView::probed, this, &PlaneDesk::showProbe);

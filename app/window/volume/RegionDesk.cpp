@@ -14,6 +14,17 @@
 #include <QRegularExpression>
 
 namespace limn {
+namespace {
+
+// Labels stay open, each shown wholly; a body goes.
+Region shownWholly(Region region) {
+  if (region.kind != Region::Kind::labels)
+    return {};
+  std::fill(region.weights.begin(), region.weights.end(), 1.0);
+  return region;
+}
+
+} // namespace
 
 RegionDesk::RegionDesk(Parts parts) : QObject(&parts.window), m_parts(parts) {
   connect(&m_parts.bodyOnly, &QAction::triggered, this, &RegionDesk::setBodyOnly);
@@ -44,23 +55,23 @@ void RegionDesk::openLabels(const QString& path) {
 
 void RegionDesk::setBodyOnly(bool isOn) {
   const QString gesture = tr("body only");
-  if (!isOn)
-    showEverything();
-  else if (m_body.kind == Region::Kind::body)
+  if (!isOn) {
+    cancel();
+    m_parts.session.setKeep(shownWholly(m_parts.session.scene().keep),
+                            {nextGestureId(), tr("show everything")});
+  } else if (m_body.kind == Region::Kind::body) {
     keep({m_body, {}}, gesture);
-  else
+  } else {
     start(tr("Looking for the body"), gesture, bodyOf);
+  }
 }
 
-// Labels stay open, each shown wholly; a body goes.
 void RegionDesk::showEverything() {
   cancel();
-  Region all = m_parts.session.scene().keep;
-  if (all.kind == Region::Kind::labels)
-    std::fill(all.weights.begin(), all.weights.end(), 1.0);
-  else
-    all = {};
-  m_parts.session.setKeep(all, {nextGestureId(), tr("show everything")});
+  Scene all = m_parts.session.scene();
+  all.keep = shownWholly(all.keep);
+  all.crop = {};
+  m_parts.session.edit(all, {nextGestureId(), tr("show everything")});
 }
 
 void RegionDesk::showScene(const Scene& scene) {

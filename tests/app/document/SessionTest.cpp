@@ -48,6 +48,34 @@ TEST(Session, slicesAreAWayOfLookingWithoutUndo) {
   EXPECT_EQ(session.undoStack().count(), 0);
 }
 
+TEST(Session, aMeasuredDistanceIsAnUndoStepThatLeavesTheRestOfTheSlices) {
+  Session session;
+  const auto measure = [&](const std::optional<MeasuredDistance>& distance) {
+    PlaneSettings settings = session.planes();
+    const auto before = std::exchange(settings.distance, distance);
+    session.setPlanes(settings);
+    session.noteDistance(before);
+  };
+  const MeasuredDistance first{PatientPlane::axial, {0, 0, 0}, {3, 4, 0}};
+  measure(first);
+  measure(first);
+  EXPECT_EQ(session.undoStack().count(), 1) << "an equal one is no step";
+  measure(std::nullopt);
+  EXPECT_EQ(session.undoStack().undoText(), QStringLiteral("remove distance"));
+  session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});
+  PlaneSettings elsewhere = session.planes();
+  elsewhere.crosshairMm = glm::dvec3(1, 2, 3);
+  session.setPlanes(elsewhere);
+  session.undoStack().undo();
+  session.undoStack().undo();
+  EXPECT_EQ(session.planes().distance, first);
+  EXPECT_EQ(session.planes().crosshairMm, elsewhere.crosshairMm);
+  session.undoStack().undo();
+  EXPECT_FALSE(session.planes().distance);
+  session.undoStack().redo();
+  EXPECT_EQ(session.planes().distance, first);
+}
+
 TEST(Session, undoKeepsTheCameraOfTheMoment) {
   Session session;
   session.setTransferFunction(rampTo(10), {nextGestureId(), "a"});

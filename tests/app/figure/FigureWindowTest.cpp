@@ -102,6 +102,20 @@ TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
   }
 }
 
+TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  ASSERT_TRUE(saveAs("figure.png"));
+  EXPECT_TRUE(part<QPushButton>("figureSave").hasFocus());
+  dialog().resize(dialog().size() + QSize(40, 30)); // the preview is drawn anew
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Saved figure.png."))) << said().toStdString();
+  EXPECT_TRUE(said().contains(QStringLiteral("pixels"))) << said().toStdString();
+  check("figureMark-curve");
+  EXPECT_FALSE(said().contains(QStringLiteral("Saved"))) << said().toStdString();
+}
+
 TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
   setLayout(CompareLayout::single);
   window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();

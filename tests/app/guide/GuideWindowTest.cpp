@@ -13,6 +13,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QUndoStack>
@@ -83,6 +84,31 @@ TEST_F(GuideWindowTest, opensAtThePanelWithTheKeyboard) {
   view().setFocus();
   EXPECT_EQ(headingShown(guide()), QStringLiteral("panels.picture"));
   EXPECT_EQ(window->findChildren<GuideWindow*>().size(), 1);
+}
+
+TEST_F(GuideWindowTest, opensAtThePanelWhoseTabWasClicked) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  const auto clickTab = [this](const QString& title, int beside) { // elsewhere: no double click
+    for (QTabBar* tabs : window->findChildren<QTabBar*>())
+      for (int i = 0; i < tabs->count(); ++i)
+        if (tabs->tabText(i) == title)
+          QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                            tabs->mapTo(window.get(), tabs->tabRect(i).center() + QPoint(beside, 0)));
+    QCoreApplication::processEvents();
+  };
+  int clicks = 0;
+  for (const auto& [title, place] : {std::pair("Effects", "panels.effects"),
+                                     {"Accuracy", "panels.accuracy"},
+                                     {"Properties", "panels.properties"},
+                                     {"History", "panels.history"},
+                                     {"Presets", "panels.presets"},
+                                     {"Presets", "panels.presets"}}) {
+    activate(*window);
+    view().setFocus();
+    clickTab(QLatin1String(title), 12 * (clicks++ % 2));
+    EXPECT_EQ(guidePlaceOf(window->focusWidget()), QLatin1String(place)) << title;
+    EXPECT_EQ(headingShown(guide()), QLatin1String(place)) << title;
+  }
 }
 
 TEST_F(GuideWindowTest, hasAPlaceForEveryPanel) {

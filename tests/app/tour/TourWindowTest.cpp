@@ -2,6 +2,7 @@
 #include "app/WindowHarness.h"
 #include "app/tour/TourDesk.h"
 #include "app/window/FirstSize.h"
+#include "widgets/ContrastRatio.h"
 
 #include <QDockWidget>
 #include <QPushButton>
@@ -108,6 +109,23 @@ TEST_F(TourWindow, leavesEverythingElseAtWork) {
   EXPECT_TRUE(callout()->isVisible() && !frame().isVisible()) << "of nothing that is seen";
 }
 
+TEST_F(TourWindow, everyButtonIsLegibleWithTheKeyboardOnIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  start().trigger();
+  press(Qt::Key_Return);
+  for (const char* name : {"tourNext", "tourBack", "tourEnd"}) {
+    for (int step = 0; step < 4 && !button(name).hasFocus(); ++step)
+      press(Qt::Key_Right);
+    ASSERT_TRUE(button(name).hasFocus()) << name;
+    const QImage seen = button(name).grab().toImage();
+    const QColor ground = seen.pixelColor(5, 5);
+    double contrast = 1.0; // of the words: the frame lies outside
+    for (int x = 8; x < seen.width() - 8; ++x)
+      contrast = std::max(contrast, contrastRatio(seen.pixelColor(x, seen.height() / 2), ground));
+    EXPECT_GE(contrast, 4.5) << name << ": WCAG 2.1 asks that of text";
+  }
+}
+
 TEST(CalloutPlaces, standBesideTheirTargetWhereThereIsRoom) {
   const QRect window(0, 0, 1000, 700);
   const QSize size(300, 150);
@@ -121,6 +139,18 @@ TEST(CalloutPlaces, standBesideTheirTargetWhereThereIsRoom) {
   const CalloutPlace corner = calloutPlace({970, 0, 30, 30}, size, window, 12);
   EXPECT_TRUE(window.contains(corner.box));
   EXPECT_FALSE(corner.box.intersects({970, 0, 30, 30}));
+}
+
+TEST(FirstWindow, leavesThePictureTheLargerPartAndGrowsPanelsWithALargeOne) {
+  for (const QSize screen : {QSize(1366, 728), QSize(1366, 768), QSize(1280, 800), QSize(1440, 900)}) {
+    const QSize window = firstWindowSize(screen);
+    const int bars = 132; // of menus, tools and status
+    const int curve = firstDockSizes(window).curveHeight;
+    EXPECT_GT(window.height() - bars - curve, 5 * curve / 4) << screen.height();
+  }
+  EXPECT_EQ(firstDockSizes({1440, 860}).curveHeight, 296);
+  EXPECT_EQ(firstDockSizes({1440, 860}).presetsWidth, 220);
+  EXPECT_EQ(firstDockSizes(firstWindowSize({3840, 2160})).presetsWidth, 340);
 }
 
 TEST(FirstWindow, fitsSmallScreensAndFillsLargeOnes) {

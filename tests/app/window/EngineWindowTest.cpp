@@ -135,6 +135,7 @@ TEST_F(EngineWindow, whatMovesKeepsToTheMemoryThatTheWindowWasGiven) {
   setLayout(CompareLayout::single);
   ASSERT_TRUE(rest());
   EXPECT_TRUE(scene().volume->room()) << "opened without a word on memory";
+  EXPECT_TRUE(labelSays(QStringLiteral("0 to 200 · on the disk"))) << "also at rest";
   reductions.clear();
   Camera near = scene().camera;
   near.position = near.target + 0.3 * (near.position - near.target);

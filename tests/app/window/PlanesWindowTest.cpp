@@ -192,6 +192,39 @@ TEST_F(PlanesWindow, aDistanceIsMeasuredWithItsToolAndEscLeavesIt) {
   EXPECT_TRUE(test::waitUntil([&] { return planes().crosshairMm.has_value(); }));
 }
 
+TEST_F(PlanesWindow, ctrlZTakesBackAMeasuredDistanceAndBringsBackARemovedOne) {
+  choose("one_large");
+  PlaneView& axial = plane(PatientPlane::axial);
+  axial.setFocus();
+  QWindow* handle = window->windowHandle();
+  QTest::keyClick(handle, Qt::Key_D);
+  const QPoint from = axial.mapTo(window.get(), axial.rect().center());
+  QTest::mousePress(handle, Qt::LeftButton, {}, from);
+  for (int step = 1; step <= 5; ++step)
+    QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, from + QPoint(10 * step, 0));
+  QTest::mouseRelease(handle, Qt::LeftButton, {}, from + QPoint(50, 0));
+  ASSERT_TRUE(test::waitUntil([&] { return planes().distance.has_value(); }));
+  const auto measured = planes().distance;
+  EXPECT_EQ(undo().undoText(), QStringLiteral("measure distance"));
+  EXPECT_EQ(undo().count(), 1) << "one step, however it was dragged";
+  QTest::mouseClick(handle, Qt::LeftButton, {}, from + QPoint(0, 60));
+  EXPECT_EQ(undo().count(), 1) << "a click measures nothing";
+  EXPECT_EQ(planes().distance, measured);
+  QTest::keyClick(handle, Qt::Key_Delete);
+  EXPECT_FALSE(planes().distance);
+  QTest::keyClick(handle, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(planes().distance, measured);
+  QTest::keyClick(handle, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(planes().distance);
+  undo().redo();
+  EXPECT_EQ(planes().distance, measured);
+  for (QAction* entry : window->findChild<PlaneDeck*>()->findChildren<QAction*>())
+    if (entry->text() == QStringLiteral("Remove the distance"))
+      entry->trigger();
+  EXPECT_FALSE(planes().distance);
+  EXPECT_EQ(undo().undoText(), QStringLiteral("remove distance"));
+}
+
 TEST_F(PlanesWindow, aDoubleClickMakesASliceLargeAndBack) {
   choose("picture_and_three");
   PlaneView& sagittal = plane(PatientPlane::sagittal);

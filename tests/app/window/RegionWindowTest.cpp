@@ -89,6 +89,25 @@ TEST_F(RegionWindow, theTableIsHiddenOnOpeningAndOneClickShowsItAgain) {
   EXPECT_TRUE(bodyOnly().isChecked());
 }
 
+TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndOneClickOnTheNoteTakesAllBack) {
+  ASSERT_TRUE(open(pathTo("head.nrrd")));
+  setLayout(CompareLayout::single);
+  CropBox crop;
+  crop.upper.z = 0.6;
+  session().setCrop(crop, {nextGestureId(), QStringLiteral("crop")});
+  EXPECT_FALSE(view().cropBoxIsVisible());
+  ASSERT_TRUE(rest());
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note());
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_EQ(scene().crop, CropBox{});
+  undo().undo();
+  EXPECT_EQ(scene().keep.kind, Region::Kind::body);
+  EXPECT_EQ(scene().crop, crop) << "one step";
+  bodyOnly().trigger();
+  EXPECT_EQ(scene().keep, Region{});
+  EXPECT_EQ(scene().crop, crop) << "the action is about the table alone";
+}
+
 TEST_F(RegionWindow, theActionHidesAndShowsTheTableInOneUndoStepEach) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   const Region body = scene().keep;

@@ -67,6 +67,30 @@ TEST(Panels, enterDoesWhatIsLikeliestWhereverThePointerIs) {
   EXPECT_TRUE(buttonNamed(host, "openFolder")->hasFocus());
 }
 
+TEST(Panels, inALowViewNoButtonIsCut) {
+  ViewHost host;
+  ASSERT_TRUE(host.show());
+  EmptyPanel& panel = host.view.emptyPanel();
+  const auto isWhole = [&](const QPushButton& button) {
+    return button.height() >= button.sizeHint().height() &&
+           panel.rect().contains(QRect(button.mapTo(&panel, QPoint()), button.size()));
+  };
+  panel.setUnfinished(QStringLiteral("Head, 3.4.26 14:03"));
+  panel.setRecentSources({QStringLiteral("one"), QStringLiteral("two"), QStringLiteral("three")});
+  auto* recent = buttonNamed(host, "recent");
+  for (const int height : {700, 400, 300, 240, 700}) {
+    host.view.window()->resize(820, height);
+    ASSERT_TRUE(test::waitUntil([&] { return panel.height() == height; }));
+    QCoreApplication::processEvents();
+    for (const char* name : {"continue", "openFolder", "openFile", "sample"})
+      EXPECT_TRUE(isWhole(*buttonNamed(host, name)))
+          << name << height << " is " << buttonNamed(host, name)->height() << " of "
+          << buttonNamed(host, name)->sizeHint().height();
+    EXPECT_TRUE(!recent->isVisible() || isWhole(*recent)) << height;
+    EXPECT_EQ(recent->isVisible(), height >= 400) << height;
+  }
+}
+
 TEST(Panels, dragsAndKeysOfAnEmptyViewAskForNothing) {
   ViewHost host;
   ASSERT_TRUE(host.show());

@@ -44,9 +44,9 @@ void ViewInput::setTool(ViewTool tool) {
 
 // What a press here would do.
 void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
-  m_view->setCursor(m_hovered.label >= 0 || m_hovered.region ? Qt::PointingHandCursor
-                    : handle                                 ? cursorFor(*handle)
-                    : m_hovered.wipe                         ? Qt::SplitHCursor
+  m_view->setCursor(m_hovered.label >= 0 || m_hovered.region >= 0 ? Qt::PointingHandCursor
+                    : handle                                      ? cursorFor(*handle)
+                    : m_hovered.wipe                              ? Qt::SplitHCursor
                                      : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
 }
 
@@ -72,8 +72,8 @@ void ViewInput::press(const QMouseEvent& event) {
       emit modelsRequested(position);
       return;
     }
-    if (isOnRegionNote(source, press.point)) {
-      m_hovered.region = false;
+    if (regionNoteAt(source, press.point) >= 0) {
+      m_hovered.region = -1;
       emit everythingRequested();
       return;
     }
@@ -120,7 +120,7 @@ void ViewInput::cancelDrag(const Scene& shown) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
   if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
-      labelAt(source, event.position()) >= 0 || isOnRegionNote(source, event.position()))
+      labelAt(source, event.position()) >= 0 || regionNoteAt(source, event.position()) >= 0)
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
     uncut(source.comparison.scene, handle->face);
@@ -152,8 +152,8 @@ void ViewInput::hover(const QMouseEvent& event) {
   const QPointF point = event.position();
   Hovered now;
   now.label = labelAt(source, point);
-  now.region = now.label < 0 && isOnRegionNote(source, point);
-  const bool isOnText = now.label >= 0 || now.region;
+  now.region = now.label < 0 ? regionNoteAt(source, point) : -1;
+  const bool isOnText = now.label >= 0 || now.region >= 0;
   const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;

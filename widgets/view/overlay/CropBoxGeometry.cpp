@@ -11,7 +11,11 @@ namespace {
 // Below this sine of the angle between a face's axis and the line of sight (11.5°) a pixel of the pointer
 // would move the face by many, and the handles of front and back would lie over each other.
 constexpr double leastSine = 0.2;
-constexpr double fromEdge = 20.0; // of the picture, in which a handle must be reached, pixels
+
+// How far from the edges of a picture a handle stays that stands for a face, pixels: clear of the titles
+// above and of scale and notes below, which would hide it and take its presses. Of a low picture a quarter.
+constexpr double fromSides = 20.0;
+constexpr double fromTexts = 60.0;
 
 glm::dvec3 worldAt(const Grid& grid, const glm::dvec3& fraction) {
   return indexToWorld(grid, fraction * glm::dvec3(grid.dims) - 0.5);
@@ -70,7 +74,8 @@ std::optional<CropHandle> handleAcross(const CropBox& crop, const Grid& grid, Cr
   if (!middle || !best || *best == *middle)
     return std::nullopt;
   const QPointF way = *best - *middle;
-  const QRectF room = projection.picture.adjusted(fromEdge, fromEdge, -fromEdge, -fromEdge);
+  const double fromRows = std::min(fromTexts, projection.picture.height() / 4.0);
+  const QRectF room = projection.picture.adjusted(fromSides, fromRows, -fromSides, -fromRows);
   return CropHandle{face, *middle + shareInside(room, *middle, *best) * way,
                     way / std::hypot(way.x(), way.y()), isBehind, true};
 }

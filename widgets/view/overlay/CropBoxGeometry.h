@@ -20,7 +20,8 @@ struct CropEdge {
 };
 
 /// The handle of a face as seen: in its middle, or, where the face lies across the line of sight and would
-/// move along it, towards a corner: of the face in front up to the right, of the one behind down to the left.
+/// move along it, towards a corner as far as that is seen beside the texts at the edges of the picture: of
+/// the face in front up to the right, of the one behind down to the left.
 struct CropHandle {
   CropFace face;
   QPointF centre;

@@ -14,9 +14,8 @@
 namespace limn {
 namespace {
 
-constexpr double letterGap = 4.0;     // between a letter and a plate, logical pixels
-constexpr double depthOfLane = 0.2;   // of the picture, from its edge inwards
-constexpr double reachOfLane = 0.375; // of the picture, from the wished place along the edge
+constexpr double letterGap = 4.0;   // between a letter and a plate, logical pixels
+constexpr double depthOfLane = 0.2; // of the picture, from its edge inwards
 
 // Places that touch a plate's edge, and the wished one: a nearest free place is one of them.
 std::vector<double> candidates(double wished, double size,
@@ -41,22 +40,19 @@ std::pair<double, double> detour(const QRectF& wished, const QRectF& place, Qt::
   return along == Qt::Horizontal ? std::pair(y, x) : std::pair(x, y);
 }
 
-// The strip at one edge of the picture in which a letter may stand.
-QRectF laneOf(const QRectF& wished, const QRectF& picture, Qt::Orientation along) {
+// The strip at one edge of the picture in which a letter may stand: all of it, because a letter at the end of
+// its edge tells more than none.
+QRectF laneOf(const QRectF& wished, const LetterWish& wish, Qt::Orientation along) {
+  const QRectF& picture = wish.picture;
   const QRectF inner =
       picture.adjusted(overlayMargin / 3, overlayMargin / 3, -overlayMargin / 3, -overlayMargin / 3);
   QRectF lane = inner;
+  lane.setTop(inner.top() + wish.titles);
   if (along == Qt::Horizontal) {
-    const double reach = reachOfLane * picture.width();
-    lane.setLeft(std::max(inner.left(), wished.center().x() - reach));
-    lane.setRight(std::min(inner.right(), wished.center().x() + reach));
     const double depth = std::max(depthOfLane * picture.height(), wished.height() + overlayMargin);
-    wished.center().y() < picture.center().y() ? lane.setBottom(picture.top() + depth)
+    wished.center().y() < picture.center().y() ? lane.setBottom(picture.top() + wish.titles + depth)
                                                : lane.setTop(picture.bottom() - depth);
   } else {
-    const double reach = reachOfLane * picture.height();
-    lane.setTop(std::max(inner.top(), wished.center().y() - reach));
-    lane.setBottom(std::min(inner.bottom(), wished.center().y() + reach));
     const double depth = std::max(depthOfLane * picture.width(), wished.width() + overlayMargin);
     wished.center().x() < picture.center().x() ? lane.setRight(picture.left() + depth)
                                                : lane.setLeft(picture.right() - depth);
@@ -103,12 +99,15 @@ LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wis
   const double edge = overlayMargin + size.height() / 2;
   const auto placeAt = [&](double x, double y, Qt::Orientation along) {
     const QRectF wished(QPointF(x - size.width() / 2, y - size.height() / 2), size);
-    return clearPlace(wished, laneOf(wished, picture, along), along, plates);
+    return clearPlace(wished, laneOf(wished, wish, along), along, plates);
   };
+  const double top = picture.top() + std::max(edge, wish.titles + letterGap + size.height() / 2);
+  std::optional<QRectF> upper = placeAt(wish.across, top, Qt::Horizontal);
+  if (upper && upper->bottom() > picture.center().y())
+    upper.reset();
   return {letters,
           {placeAt(picture.left() + inset, wish.down, Qt::Vertical),
-           placeAt(picture.right() - inset, wish.down, Qt::Vertical),
-           placeAt(wish.across, picture.top() + edge, Qt::Horizontal),
+           placeAt(picture.right() - inset, wish.down, Qt::Vertical), upper,
            placeAt(wish.across, picture.bottom() - edge, Qt::Horizontal)}};
 }
 

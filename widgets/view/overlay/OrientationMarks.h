@@ -23,11 +23,14 @@ struct LetterMarks {
 };
 
 /// Where in `picture` letters are wished: `across` the place of the upper and the lower one, `down` that of
-/// the left and the right one.
+/// the left and the right one. The upper one stands below the rows of titles that take the upper
+/// `titles` pixels of the picture, however wide those are at the moment: numbers come and go beside a title,
+/// and no letter may move for them.
 struct LetterWish {
   QRectF picture;
   double across = 0.0;
   double down = 0.0;
+  double titles = 0.0;
 };
 
 /// The room an orientation letter takes.
@@ -42,7 +45,8 @@ std::optional<QRectF> clearPlace(const QRectF& wished, const QRectF& lane, Qt::O
                                  const std::vector<QRectF>& plates);
 
 /// Letters at the edges of a picture, clear of the plates: along the edge where a plate is in the way,
-/// inwards by at most a fifth of the picture, and left out rather than put upon the patient.
+/// inwards by at most a fifth of the picture from the titles on, and left out rather than put upon the
+/// patient.
 LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wish, const QFont& font,
                         const std::vector<QRectF>& plates);
 

@@ -37,8 +37,13 @@ std::optional<ScaleMark> scaleMarkOf(const OverlaySource& source) {
   return ScaleMark{bar, text, scaleBarPlate(source.font, bar, text, source.written(0))};
 }
 
-// What is seen is not what is edited; in the middle, clear of other plates.
-Note previewNoteOf(const OverlaySource& source, const std::vector<QRectF>& plates) {
+// What is seen is not what is edited; in the middle, clear of other plates and of the letters: it comes and
+// goes with the pointer, they stay.
+Note previewNoteOf(const OverlaySource& source, const Overlay& overlay, std::vector<QRectF> plates) {
+  for (const LetterMarks& marks : overlay.letters)
+    for (const std::optional<QRectF>& place : marks.places)
+      if (place)
+        plates.push_back(*place);
   const double middle = source.view().center().x();
   Note note =
       noteAt(source.font, QObject::tr("Preview: %1").arg(QString::fromStdString(source.comparison.preview)),
@@ -53,18 +58,15 @@ std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   overlay.labels = labelsOf(source);
   for (const PlacedLabel& label : overlay.labels)
     plates.push_back(label.steadyPlate);
-  if (const std::optional<Note> region = regionNoteOf(source)) {
-    overlay.notes.push_back(*region);
-    plates.push_back(region->plate);
-  }
+  for (int position = 0; position < standingCount(source.geometry); ++position)
+    if (const std::optional<Note> region = regionNoteOf(source, position)) {
+      overlay.notes.push_back(*region);
+      plates.push_back(region->plate);
+    }
   overlay.difference = differenceTitleOf(source);
   overlay.explanationOpacity = source.labelOpacity;
   if (overlay.difference)
     plates.insert(plates.end(), {overlay.difference->label.plate, overlay.difference->note.plate});
-  if (!source.comparison.preview.empty()) {
-    overlay.notes.push_back(previewNoteOf(source, plates));
-    plates.push_back(overlay.notes.back().plate);
-  }
   return plates;
 }
 
@@ -152,7 +154,9 @@ void addOrientation(Overlay& overlay, const OverlaySource& source, std::vector<Q
   for (std::size_t position = 0; position < columns.size(); ++position) {
     const QRectF picture = source.written(static_cast<int>(position));
     LetterMarks marks = letterMarks(orientationLetters(source.comparison.scene.camera),
-                                    {picture, columns[position], picture.center().y()}, source.font, plates);
+                                    {picture, columns[position], picture.center().y(),
+                                     overlay.labels[position].plate.bottom() - picture.top()},
+                                    source.font, plates);
     marks.onPlates = source.hasCropBox;
     overlay.letters.push_back(marks);
   }
@@ -201,6 +205,8 @@ Overlay overlayOf(const OverlaySource& source) {
   const std::vector<QRectF> notes = addNotes(overlay, source);
   plates.insert(plates.end(), notes.begin(), notes.end());
   addOrientation(overlay, source, plates);
+  if (!source.comparison.preview.empty())
+    overlay.notes.push_back(previewNoteOf(source, overlay, plates));
   overlay.marks = marksOf(source, source.comparison.markMm);
   overlay.halves = marksOf(source, source.comparison.halfMm);
   if (source.read)

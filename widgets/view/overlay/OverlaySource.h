@@ -17,7 +17,7 @@ namespace limn {
 struct Hovered {
   int label = -1; ///< the position of a picture, -1 for none
   bool wipe = false;
-  bool region = false; ///< the note that tells what is hidden
+  int region = -1; ///< the position of the note that tells what is hidden, -1 for none
   std::optional<CropFace> face;
   bool operator==(const Hovered&) const = default;
 };

@@ -12,11 +12,15 @@ namespace limn {
 /// hides nothing.
 QString regionText(const Region& region);
 
-/// Tells under the first label that a part of the volume is hidden; a click on it shows everything again.
-/// Absent where nothing is hidden.
-std::optional<Note> regionNoteOf(const OverlaySource& source);
+/// The same with what the crop box cuts off: "Body only: table hidden · cropped"; empty where all is shown.
+QString hiddenText(const Scene& scene);
 
-/// Whether a point of the view, logical pixels, lies on that note; never where there is none.
-bool isOnRegionNote(const OverlaySource& source, const QPointF& point);
+/// Tells under the label of the picture that stands at `position` that a part of the volume is hidden; a
+/// click on it shows everything again. It is as wide under the pointer as without it. Absent where nothing is
+/// hidden.
+std::optional<Note> regionNoteOf(const OverlaySource& source, int position = 0);
+
+/// The position of the picture on whose note a point of the view, logical pixels, lies; -1 for none.
+int regionNoteAt(const OverlaySource& source, const QPointF& point);
 
 } // namespace limn

@@ -12,6 +12,14 @@
 namespace limn {
 namespace {
 
+// Without the numbers of the last picture at rest, which is not the one that is seen.
+SideState whileMoving(SideState state) {
+  state.completeMs.reset();
+  state.contrast.reset();
+  state.overflow.reset();
+  return state;
+}
+
 SideLabel labelOf(const OverlaySource& source, int position) {
   const int side = sideShownAt(source.comparison, position);
   const Scene scene = sceneOfSide(source.comparison, side);
@@ -19,8 +27,8 @@ SideLabel labelOf(const OverlaySource& source, int position) {
   SideLabel label;
   label.title = sideTitle(source.comparison, side);
   label.leadsToMenu = usesLight(scene.projection);
-  label.details =
-      sideDetails(scene, isDrawn ? source.state.sides[static_cast<std::size_t>(side)] : SideState{});
+  const SideState state = isDrawn ? source.state.sides[static_cast<std::size_t>(side)] : SideState{};
+  label.details = sideDetails(scene, source.state.resting ? state : whileMoving(state));
   label.hovered = position == source.hovered.label;
   label.detailsOpacity = label.hovered ? 1.0 : source.labelOpacity;
   return label;
@@ -90,10 +98,10 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
 
 // Only over titles and notes: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
-  if (source.hovered.region)
-    return QObject::tr("A part of the volume is hidden. A click shows everything again; View ▸ Body only "
-                       "hides the table and "
-                       "what else lies beside the body.");
+  if (source.hovered.region >= 0)
+    return QObject::tr(
+        "A part of the volume is hidden. A click shows everything again and takes the crop back; "
+        "View ▸ Body only hides the table and what else lies beside the body.");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

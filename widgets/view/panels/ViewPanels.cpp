@@ -69,6 +69,8 @@ QColor panelColor(const char* name) {
 
 constexpr int leastWidth = 520;    // of the place to drop something, where there is room
 constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
+constexpr int targetMargin = 24;
+constexpr int arrowRoom = 56; // above the words of the place to drop something
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -116,10 +118,9 @@ EmptyPanel::EmptyPanel(QWidget* parent)
     : PicturePanel(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
   setAttribute(Qt::WA_StyledBackground);
   auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
-  auto* formats =
-      new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
-  formats->setAlignment(Qt::AlignCenter);
-  formats->setWordWrap(true);
+  m_formats = new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
+  m_formats->setAlignment(Qt::AlignCenter);
+  m_formats->setWordWrap(true);
   m_folder = panelButton(tr("Open DICOM folder…"), QStringLiteral("openFolder"), m_target);
   m_continue = panelButton({}, QStringLiteral("continue"), this);
   auto* file = panelButton(tr("Open file…"), QStringLiteral("openFile"), m_target);
@@ -130,10 +131,10 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   connect(m_continue, &QPushButton::clicked, this, &EmptyPanel::continueRequested);
 
   auto* column = new QVBoxLayout(m_target);
-  column->setContentsMargins(24, 80, 24, 24);
+  column->setContentsMargins(targetMargin, targetMargin + arrowRoom, targetMargin, targetMargin);
   column->setSpacing(8);
   column->addWidget(title);
-  column->addWidget(formats);
+  column->addWidget(m_formats);
   column->addSpacing(16);
   m_ways = new QHBoxLayout;
   m_ways->setSpacing(8);
@@ -164,6 +165,7 @@ void EmptyPanel::setUnfinished(const QString& text) {
       tr("Continue where you left\n%1").arg(QString(text).replace(QLatin1Char('&'), QStringLiteral("&&"))));
   m_continue->setAccessibleName(tr("Continue where you left: %1").arg(text));
   showLikeliest(hadFocus);
+  fit();
 }
 
 QPushButton* EmptyPanel::likeliest() const {
@@ -190,6 +192,33 @@ void EmptyPanel::resizeEvent(QResizeEvent* event) {
   m_ways->setDirection(width() < std::max(leastWidth, beside) + around.left() + around.right()
                            ? QBoxLayout::TopToBottom
                            : QBoxLayout::LeftToRight);
+  fit();
+}
+
+// The words first, then what was open before, the arrow last.
+void EmptyPanel::fit() {
+  QLayout& inner = *m_target->layout();
+  const int width = std::min(m_target->maximumWidth(), this->width()) - 2 * targetMargin;
+  const int words = m_formats->heightForWidth(width) + inner.spacing();
+  const int recent = m_recent->sizeHint().height() + layout()->spacing();
+  const auto height = [this](QLayout& of) {
+    of.invalidate();
+    return of.hasHeightForWidth() ? of.totalHeightForWidth(this->width()) : of.totalSizeHint().height();
+  };
+  int room = this->height() - height(*layout()) + (m_formats->isHidden() ? 0 : words) +
+             (m_recent->isHidden() ? 0 : recent) + (m_hasArrow ? arrowRoom : 0);
+  const auto hasRoom = [&room](int pixels) {
+    const bool has = room >= pixels;
+    room -= has ? pixels : 0;
+    return has;
+  };
+  m_formats->setVisible(hasRoom(words));
+  m_recent->setVisible(m_hasRecent && hasRoom(recent));
+  m_hasArrow = hasRoom(arrowRoom);
+  inner.setContentsMargins(targetMargin, targetMargin + (m_hasArrow ? arrowRoom : 0), targetMargin,
+                           targetMargin);
+  m_target->updateGeometry();
+  layout()->activate();
 }
 
 void EmptyPanel::showEvent(QShowEvent* event) {
@@ -213,7 +242,8 @@ void EmptyPanel::setRecentSources(const QStringList& texts) {
     connect(button, &QPushButton::clicked, this, [this, number] { emit recentRequested(number); });
     column->addWidget(button);
   }
-  m_recent->setVisible(!texts.isEmpty());
+  m_hasRecent = !texts.isEmpty();
+  fit();
 }
 
 void EmptyPanel::paintEvent(QPaintEvent* event) {
@@ -223,6 +253,8 @@ void EmptyPanel::paintEvent(QPaintEvent* event) {
   const QRectF frame = QRectF(m_target->geometry()).adjusted(0.5, 0.5, -0.5, -0.5);
   painter.setPen(QPen(isContrast() ? panelColor("@line") : QColor(86, 95, 110), 1.5, Qt::DashLine));
   painter.drawRoundedRect(frame, 12, 12);
+  if (!m_hasArrow)
+    return;
   // An arrow into a tray: drop here.
   painter.setPen(QPen(panelColor("@accent"), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   const QPointF top(frame.center().x(), frame.top() + 36.0);

@@ -29,7 +29,8 @@ private:
 };
 
 /// Covers the view while there is no volume: where to drop one, three ways to open one, what was left
-/// unfinished, and what was opened before. The keyboard stands on what is likeliest, so that Enter does it.
+/// unfinished, and what was opened before. In a low view what is only told gives way, never a button that
+/// opens something for the first time. The keyboard stands on what is likeliest, so that Enter does it.
 class EmptyPanel : public PicturePanel {
   Q_OBJECT
 
@@ -58,6 +59,7 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
+  void fit();
   QPushButton* likeliest() const;
   void showLikeliest(bool takesFocus);
 
@@ -65,7 +67,10 @@ private:
   QBoxLayout* m_ways = nullptr; ///< to open one
   QPushButton* m_folder = nullptr;
   QPushButton* m_continue = nullptr;
+  QLabel* m_formats = nullptr;
   QWidget* m_recent = nullptr;
+  bool m_hasRecent = false;
+  bool m_hasArrow = true;
 };
 
 /// Covers the view where drawing failed: the sentence, and a way to try again.

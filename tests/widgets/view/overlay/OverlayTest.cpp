@@ -100,6 +100,66 @@ TEST_F(OverlayAbove, aLabelWithLittleRoomKeepsItsError) {
     EXPECT_FALSE(shown(width).contains(QChar(0x2026))) << width;
 }
 
+TEST_F(OverlayAbove, aLabelTellsNothingOfTheLastPictureAtRestWhileAnotherIsSeen) {
+  state.sides[0].completeMs = 123.4;
+  state.sides[0].contrast = 0.2017;
+  state.sides[0].overflow = Overflow{0.0283, 0.1};
+  EXPECT_EQ(labelsOf(source())[0].label.details.size(), 4);
+  state.resting = false;
+  EXPECT_EQ(labelsOf(source())[0].label.details, QStringList{QStringLiteral("SP 32")});
+}
+
+TEST_F(OverlayAbove, noCaptionMovesALetter) {
+  comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
+  const auto places = [&](const OverlaySource& of) {
+    std::vector<std::optional<QRectF>> all;
+    for (const LetterMarks& marks : overlayOf(of).letters)
+      all.insert(all.end(), marks.places.begin(), marks.places.end());
+    return all;
+  };
+  comparison.scene.crop.upper.z = 0.5; // so that there is a note, too
+  for (const CompareLayout layout : {CompareLayout::single, CompareLayout::sideBySide, CompareLayout::wipe})
+    for (const QSize size : {QSize(408, 148), QSize(204, 148), QSize(700, 400), QSize(1400, 800)}) {
+      comparison.layout = layout;
+      comparison.preview.clear();
+      state = {};
+      state.sides.resize(2);
+      OverlaySource before = source();
+      before.geometry.size = size;
+      const auto bare = places(before);
+      state.resting = true;
+      for (SideState& side : state.sides) {
+        side.estimate = ErrorEstimate{0.42, 0.1, 1.0};
+        side.isRough = false;
+        side.completeMs = 123.4;
+        side.contrast = 0.2017;
+      }
+      comparison.preview = "Bone and veil";
+      OverlaySource told = source();
+      told.geometry.size = size;
+      told.hovered = {0, false, 0, {}};
+      EXPECT_EQ(places(told), bare) << size.width() << " " << nameOf(layout);
+      for (const Note& note : overlayOf(told).notes)
+        for (const auto& place : places(told))
+          EXPECT_FALSE(place && place->intersects(note.plate)) << note.text.toStdString();
+    }
+}
+
+// Four views share a window of 1366 × 768, and two pictures one of them.
+TEST_F(OverlayAbove, everyLetterHasAPlaceInSmallPictures) {
+  comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), 0.5, 0.4);
+  for (const bool isCropped : {false, true})
+    for (const CompareLayout layout : {CompareLayout::single, CompareLayout::sideBySide}) {
+      comparison.layout = layout;
+      comparison.scene.crop.upper.z = isCropped ? 0.5 : 1.0;
+      OverlaySource small = source();
+      small.geometry.size = {408, 148};
+      for (const LetterMarks& marks : overlayOf(small).letters)
+        for (const std::optional<QRectF>& place : marks.places)
+          EXPECT_TRUE(place) << nameOf(layout) << isCropped;
+    }
+}
+
 TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
   for (const double turn : {0.0, 0.3, 0.8}) {
     comparison.scene.camera = orbited(defaultCamera(comparison.scene.volume->grid()), turn, turn / 2.0);
@@ -116,6 +176,41 @@ TEST_F(OverlayAbove, lettersKeepClearOfTheHandlesOfTheCropBox) {
         EXPECT_FALSE(place && place->intersects(disc)) << turn;
     }
   }
+}
+
+// Where a face lies across the line of sight and beyond the picture, or its corner under a title.
+TEST_F(OverlayAbove, noTextHidesTheHandleOfAFaceInFrontOrBehind) {
+  for (SideState& side : state.sides) {
+    side.estimate = ErrorEstimate{0.42, 0.1, 1.0};
+    side.isRough = false;
+    side.completeMs = 123.4;
+    side.contrast = 0.2017;
+  }
+  comparison.scene.crop.upper.z = 0.9;
+  const Camera usual = defaultCamera(comparison.scene.volume->grid());
+  for (const double near : {0.5, 0.7, 0.8, 1.0, 1.2})
+    for (const QSize size : {QSize(408, 370), QSize(700, 400), QSize(1400, 900)}) {
+      comparison.scene.camera = usual;
+      comparison.scene.camera.position = usual.target + near * (usual.position - usual.target);
+      OverlaySource with = source();
+      with.geometry.size = size;
+      with.hasCropBox = true;
+      const Overlay overlay = overlayOf(with);
+      int across = 0;
+      for (const CropHandle& handle : overlay.cropBoxes[0].shape.handles) {
+        if (!handle.isAcross)
+          continue;
+        ++across;
+        QRectF disc(0, 0, 2 * cropHandleHitRadius, 2 * cropHandleHitRadius);
+        disc.moveCenter(handle.centre);
+        for (const PlacedLabel& label : overlay.labels)
+          EXPECT_FALSE(label.plate.intersects(disc)) << near << " " << size.width();
+        for (const Note& note : overlay.notes)
+          EXPECT_FALSE(note.plate.intersects(disc)) << note.text.toStdString() << near << " " << size.width();
+        EXPECT_FALSE(overlay.scale && overlay.scale->plate.intersects(disc)) << near << " " << size.width();
+      }
+      EXPECT_GE(across, 1) << near;
+    }
 }
 
 TEST_F(OverlayAbove, onlyADifferenceHasATitleAndExplainsIt) {

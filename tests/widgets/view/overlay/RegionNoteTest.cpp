@@ -33,7 +33,7 @@ protected:
 
 TEST_F(RegionNote, isAbsentWhereNothingIsHidden) {
   EXPECT_FALSE(regionNoteOf(source()));
-  EXPECT_FALSE(isOnRegionNote(source(), {30.0, 50.0}));
+  EXPECT_EQ(regionNoteAt(source(), {30.0, 50.0}), -1);
   EXPECT_TRUE(toolTipAt(source(), {30.0, 50.0}).isEmpty());
 }
 
@@ -65,8 +65,8 @@ TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
       EXPECT_FALSE(overlay.difference->label.plate.intersects(note->plate));
       EXPECT_FALSE(overlay.difference->note.plate.intersects(note->plate));
     }
-    EXPECT_TRUE(isOnRegionNote(source(), note->plate.center()));
-    EXPECT_FALSE(isOnRegionNote(source(), {350.0, 200.0}));
+    EXPECT_EQ(regionNoteAt(source(), note->plate.center()), 0);
+    EXPECT_EQ(regionNoteAt(source(), {350.0, 200.0}), -1);
   }
 }
 
@@ -80,9 +80,36 @@ TEST_F(RegionNote, leavesALowPictureToWhatItShows) {
 TEST_F(RegionNote, saysWhatAClickDoesUnderThePointer) {
   keepBody();
   OverlaySource under = source();
-  under.hovered.region = true;
-  EXPECT_EQ(regionNoteOf(under)->text, QStringLiteral("Body only: table hidden – show everything"));
+  under.hovered.region = 0;
+  EXPECT_EQ(regionNoteOf(under)->text, QStringLiteral("Show everything"));
   EXPECT_FALSE(toolTipAt(under, {}).isEmpty());
+  EXPECT_EQ(regionNoteOf(under)->plate, regionNoteOf(source())->plate) << "and moves nothing";
+  comparison.scene.keep = {};
+  comparison.scene.crop.upper.z = 0.5;
+  EXPECT_EQ(regionNoteOf(under)->plate, regionNoteOf(source())->plate);
+}
+
+TEST_F(RegionNote, tellsACropWhetherOrNotItsBoxIsShown) {
+  comparison.scene.crop.lower.x = 0.25;
+  EXPECT_EQ(regionNoteOf(source())->text, QStringLiteral("Cropped"));
+  OverlaySource withBox = source();
+  withBox.hasCropBox = true;
+  EXPECT_EQ(regionNoteOf(withBox)->text, QStringLiteral("Cropped"));
+  keepBody();
+  EXPECT_EQ(regionNoteOf(source())->text, QStringLiteral("Body only: table hidden · cropped"));
+}
+
+TEST_F(RegionNote, standsInEachOfTwoPicturesAndTellsThemApart) {
+  keepBody();
+  comparison.layout = CompareLayout::sideBySide;
+  const std::optional<Note> right = regionNoteOf(source(), 1);
+  ASSERT_TRUE(right);
+  EXPECT_TRUE(pictureRect(source().geometry, 1).contains(right->plate));
+  EXPECT_EQ(regionNoteAt(source(), right->plate.center()), 1);
+  OverlaySource under = source();
+  under.hovered.region = 1;
+  EXPECT_EQ(regionNoteOf(under, 0)->text, QStringLiteral("Body only: table hidden"));
+  EXPECT_EQ(regionNoteOf(under, 1)->text, QStringLiteral("Show everything"));
 }
 
 } // namespace
