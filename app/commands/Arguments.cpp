@@ -18,7 +18,14 @@ namespace {
 
 constexpr const char* clearedLine = "\r\033[K";
 
+[[noreturn]] void failFolder(const fs::path& folder, const std::string& why) {
+  std::error_code unknown;
+  throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be " +
+                                      (fs::is_directory(folder, unknown) ? "written to" : "made") + " (" +
+                                      why + "); choose another one with -o.");
 }
+
+} // namespace
 
 void addSourceOptions(CommandSyntax& command, SourceArguments& arguments) {
   command.option("--spacing", arguments.spacing, "voxel spacing X,Y,Z in mm, for files that name none");
@@ -99,17 +106,6 @@ glm::ivec2 parsedSize(const std::string& text) {
                 "--size takes WIDTHxHEIGHT in pixels from 1x1 to 16384x16384, such as 800x600.");
   return size;
 }
-
-namespace {
-
-[[noreturn]] void failFolder(const fs::path& folder, const std::string& why) {
-  std::error_code unknown;
-  throw Error(Error::Kind::other, "The folder " + folder.string() + " cannot be " +
-                                      (fs::is_directory(folder, unknown) ? "written to" : "made") + " (" +
-                                      why + "); choose another one with -o.");
-}
-
-} // namespace
 
 void requireReportFolder(const fs::path& folder) {
   std::error_code unknown;
