@@ -4,7 +4,6 @@
 #include "app/actions/ModelMenus.h"
 #include "app/document/DocumentText.h"
 #include "app/document/SceneEdits.h"
-#include "app/window/FirstSize.h"
 #include "app/window/MessageBar.h"
 #include "scene/framing/Framing.h"
 #include "widgets/accuracy/AccuracyPanel.h"
@@ -28,7 +27,6 @@
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QUndoView>
@@ -102,7 +100,7 @@ MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& m
   connectActions();
   m_panels.history->setStack(&m_session.undoStack());
   m_presets.refresh();
-  resize(firstWindowSize(screen()->availableSize()));
+  m_docks.takeFirstSizes();
   restoreGeometry(m_settings.windowGeometry());
   restoreState(m_settings.windowState());
   m_title.show();

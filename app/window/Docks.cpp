@@ -102,9 +102,6 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
   m_right[0]->raise();
   m_curve = add(tr("Transfer f&unction"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
   makeFloatingMenu();
-  const FirstDockSizes sizes = firstDockSizes(firstWindowSize(window.screen()->availableSize()));
-  window.resizeDocks({m_presets, m_right[0]}, {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
-  window.resizeDocks({m_curve}, {sizes.curveHeight}, Qt::Vertical);
   for (QDockWidget* dock : m_right)
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
@@ -112,9 +109,14 @@ Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
       emit panelChanged();
     });
   // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
+  // Hidden it must keep its place in the layout: an empty dock cannot grow, nor can those before it.
   for (QDockWidget* dock : all())
-    if (dock != m_curve)
+    if (dock != m_curve) {
+      QSizePolicy policy = dock->widget()->sizePolicy();
+      policy.setRetainSizeWhenHidden(true);
+      dock->widget()->setSizePolicy(policy);
       connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
+    }
   showTitles();
   window.installEventFilter(this);
 }
@@ -205,6 +207,14 @@ void Docks::show(SessionDocument::Panel panel) {
   QDockWidget* dock = m_right[static_cast<std::size_t>(panel) - 1];
   dock->show();
   dock->raise();
+}
+
+void Docks::takeFirstSizes() {
+  const QSize size = firstWindowSize(m_window.screen()->availableSize());
+  const FirstDockSizes sizes = firstDockSizes(size);
+  m_window.resize(size); // first: in a small window the panels would share what there is
+  m_window.resizeDocks({m_presets, m_right[0]}, {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
+  m_window.resizeDocks({m_curve}, {sizes.curveHeight}, Qt::Vertical);
 }
 
 void Docks::showPresets() {

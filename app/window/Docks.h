@@ -43,6 +43,9 @@ public:
   /// Makes the panels, too.
   Docks(QMainWindow& window, Panels& panels);
 
+  /// Gives the window and its docks the sizes of a first start.
+  void takeFirstSizes();
+
   /// Show and hide each dock, and put it into a window of its own.
   QList<QAction*> toggleActions() const;
 

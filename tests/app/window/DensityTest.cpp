@@ -77,6 +77,23 @@ TEST_F(Density, theWholeNoteOfThePresetUnderThePointerStandsInTheStatusBar) {
   EXPECT_EQ(window->statusBar()->currentMessage(), QString());
 }
 
+TEST_F(Density, thePanelsBesideThePictureGrowUnderTheMouse) {
+  QWindow* handle = window->windowHandle();
+  const auto drag = [&](const QPoint& edge, int by) {
+    QTest::mousePress(handle, Qt::LeftButton, {}, edge);
+    for (int step = 1; step <= 4; ++step)
+      QTest::mouseEvent(QTest::MouseMove, handle, Qt::NoButton, {}, edge + QPoint(by * step / 4, 0));
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, edge + QPoint(by, 0));
+    QCoreApplication::processEvents();
+  };
+  for (const auto& [name, way] : {std::pair("presetDock", 1), std::pair("shadingDock", -1)}) {
+    const int before = dock(name).width();
+    const QRect place = dock(name).geometry();
+    drag({way > 0 ? place.right() + 2 : place.left() - 2, place.center().y()}, 80 * way);
+    EXPECT_EQ(dock(name).width(), before + 80) << name;
+  }
+}
+
 TEST_F(Density, aPropertyWithOneNumberTakesOneLine) {
   const auto sliders = window->findChild<LightSection*>()->findChildren<ValueSlider*>();
   ASSERT_EQ(sliders.size(), 7);
