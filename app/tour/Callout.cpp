@@ -22,6 +22,7 @@ QPushButton* button(const QString& text, const char* name, QWidget& parent) {
   auto* made = new QPushButton(text, &parent);
   made->setObjectName(QLatin1String(name));
   made->setAutoDefault(true); // Enter presses it
+  made->installEventFilter(&parent);
   return made;
 }
 
@@ -113,6 +114,18 @@ void Callout::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(colors.accent, 2));
   painter.setBrush(colors.raised);
   painter.drawPath(shape);
+}
+
+// A button would give the keyboard to its neighbour for an arrow, and at last to the picture.
+bool Callout::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress)
+    return QFrame::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key == Qt::Key_Right && !m_end->isHidden())
+    emit next();
+  else if (key == Qt::Key_Left && !m_back->isHidden())
+    emit back();
+  return key == Qt::Key_Right || key == Qt::Key_Left || QFrame::eventFilter(watched, event);
 }
 
 void Callout::keyPressEvent(QKeyEvent* event) {

@@ -20,8 +20,8 @@ struct CalloutText {
   QString action; ///< what its own button does; empty: it has none
 };
 
-/// A box with an arrow that speaks of a part of the window and lies over it: Enter goes on, Esc ends. It
-/// blocks nothing, and the rest of the window takes clicks and keys as ever.
+/// A box with an arrow that speaks of a part of the window and lies over it: Enter and Right go on, Left goes
+/// back, Esc ends. It blocks nothing, and the rest of the window takes clicks and keys as ever.
 class Callout : public QFrame {
   Q_OBJECT
 
@@ -40,6 +40,7 @@ signals:
   void actionRequested();
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 

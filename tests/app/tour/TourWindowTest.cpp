@@ -86,6 +86,25 @@ TEST_F(TourWindow, goesBackEndsByEscAndReturnsTheKeyboard) {
   EXPECT_EQ(tour().step(), 0) << "it is found again";
 }
 
+TEST_F(TourWindow, arrowsTurnItsPagesAndNeverLeaveIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
+  const Camera camera = scene().camera;
+  start().trigger();
+  press(Qt::Key_Left);
+  EXPECT_EQ(tour().step(), 0);
+  for (int step = 1; step < 6; ++step) {
+    press(Qt::Key_Right);
+    EXPECT_EQ(tour().step(), step);
+  }
+  press(Qt::Key_Right);
+  EXPECT_EQ(tour().step(), 5) << "the last page ends by Done";
+  press(Qt::Key_Left);
+  EXPECT_EQ(tour().step(), 4);
+  press(Qt::Key_Escape);
+  EXPECT_EQ(tour().step(), -1);
+  EXPECT_EQ(scene().camera, camera) << "no arrow came to the picture";
+}
+
 TEST_F(TourWindow, offersTheSampleWhereNothingIsOpenAndOnlyThere) {
   start().trigger();
   EXPECT_TRUE(button("tourAction").isVisible());
@@ -115,7 +134,7 @@ TEST_F(TourWindow, everyButtonIsLegibleWithTheKeyboardOnIt) {
   press(Qt::Key_Return);
   for (const char* name : {"tourNext", "tourBack", "tourEnd"}) {
     for (int step = 0; step < 4 && !button(name).hasFocus(); ++step)
-      press(Qt::Key_Right);
+      press(Qt::Key_Tab);
     ASSERT_TRUE(button(name).hasFocus()) << name;
     const QImage seen = button(name).grab().toImage();
     const QColor ground = seen.pixelColor(5, 5);
