@@ -70,7 +70,7 @@ void WorkDialog::endProgress(const QString& text) {
   if (!wasWorking)
     return;
   emit workingChanged(false);
-  if (m_before && m_close->hasFocus()) // where the keyboard went as what had it could not be used
+  if (m_before && focusWidget() == m_close) // where the keyboard went as what had it could not be used
     m_before->setFocus(Qt::OtherFocusReason);
 }
 

@@ -17,7 +17,7 @@ FirstDockSizes firstDockSizes(const QSize& window) {
   const auto grown = [&](int usual, int most) {
     return std::clamp(usual * window.width() / usualWidth, usual, most);
   };
-  return {grown(220, 340), grown(300, 380), std::clamp(296 - (lowWindow - window.height()), 220, 296)};
+  return {grown(204, 340), grown(300, 380), std::clamp(296 - (lowWindow - window.height()), 220, 296)};
 }
 
 } // namespace limn

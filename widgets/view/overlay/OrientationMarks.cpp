@@ -97,18 +97,25 @@ LetterMarks letterMarks(const OrientationLetters& letters, const LetterWish& wis
   const double inset = letterInset(font);
   const QRectF& picture = wish.picture;
   const double edge = overlayMargin + size.height() / 2;
-  const auto placeAt = [&](double x, double y, Qt::Orientation along) {
-    const QRectF wished(QPointF(x - size.width() / 2, y - size.height() / 2), size);
-    return clearPlace(wished, laneOf(wished, wish, along), along, plates);
+  // With room for three, so that turning moves none; where that is not free, with room for what is written.
+  const auto placeAt = [&](const std::string& text, double x, double y, Qt::Orientation along) {
+    const QFontMetricsF metrics(titleFont(font));
+    std::optional<QRectF> place;
+    for (const double width : {size.width(), metrics.horizontalAdvance(QString::fromStdString(text))}) {
+      const QRectF wished(x - width / 2, y - size.height() / 2, width, size.height());
+      if (!place)
+        place = clearPlace(wished, laneOf(wished, wish, along), along, plates);
+    }
+    return place;
   };
   const double top = picture.top() + std::max(edge, wish.titles + letterGap + size.height() / 2);
-  std::optional<QRectF> upper = placeAt(wish.across, top, Qt::Horizontal);
+  std::optional<QRectF> upper = placeAt(letters.top, wish.across, top, Qt::Horizontal);
   if (upper && upper->bottom() > picture.center().y())
     upper.reset();
   return {letters,
-          {placeAt(picture.left() + inset, wish.down, Qt::Vertical),
-           placeAt(picture.right() - inset, wish.down, Qt::Vertical), upper,
-           placeAt(wish.across, picture.bottom() - edge, Qt::Horizontal)}};
+          {placeAt(letters.left, picture.left() + inset, wish.down, Qt::Vertical),
+           placeAt(letters.right, picture.right() - inset, wish.down, Qt::Vertical), upper,
+           placeAt(letters.bottom, wish.across, picture.bottom() - edge, Qt::Horizontal)}};
 }
 
 void paintLetters(QPainter& painter, const LetterMarks& marks) {

@@ -69,8 +69,13 @@ QColor panelColor(const char* name) {
 
 constexpr int leastWidth = 520;    // of the place to drop something, where there is room
 constexpr int mostRecentShown = 3; // they fit a window of 800 pixels
+
+// Of the place to drop something: around its words, above them with the arrow, and where there is little
+// room.
 constexpr int targetMargin = 24;
-constexpr int arrowRoom = 56; // above the words of the place to drop something
+constexpr int arrowMargin = 80;
+constexpr int lowMargin = 12;
+constexpr int arrowRoom = arrowMargin + targetMargin - 2 * lowMargin;
 
 QLabel* heading(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -117,7 +122,7 @@ void PicturePanel::dress() {
 EmptyPanel::EmptyPanel(QWidget* parent)
     : PicturePanel(parent), m_target(new QWidget(this)), m_recent(new QWidget(this)) {
   setAttribute(Qt::WA_StyledBackground);
-  auto* title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
+  m_title = heading(tr("Drop a DICOM folder or a volume file here"), m_target);
   m_formats = new QLabel(tr("DICOM · NIfTI · NRRD · MetaImage · VTK · TIFF, PNG and JPEG stacks"), m_target);
   m_formats->setAlignment(Qt::AlignCenter);
   m_formats->setWordWrap(true);
@@ -131,9 +136,9 @@ EmptyPanel::EmptyPanel(QWidget* parent)
   connect(m_continue, &QPushButton::clicked, this, &EmptyPanel::continueRequested);
 
   auto* column = new QVBoxLayout(m_target);
-  column->setContentsMargins(targetMargin, targetMargin + arrowRoom, targetMargin, targetMargin);
+  column->setContentsMargins(targetMargin, arrowMargin, targetMargin, targetMargin);
   column->setSpacing(8);
-  column->addWidget(title);
+  column->addWidget(m_title);
   column->addWidget(m_formats);
   column->addSpacing(16);
   m_ways = new QHBoxLayout;
@@ -195,28 +200,32 @@ void EmptyPanel::resizeEvent(QResizeEvent* event) {
   fit();
 }
 
-// The words first, then what was open before, the arrow last.
+// What was open before first, then the words, the arrow last.
 void EmptyPanel::fit() {
   QLayout& inner = *m_target->layout();
   const int width = std::min(m_target->maximumWidth(), this->width()) - 2 * targetMargin;
-  const int words = m_formats->heightForWidth(width) + inner.spacing();
+  const auto wordsIn = [&](const QLabel& label) { return label.heightForWidth(width) + inner.spacing(); };
   const int recent = m_recent->sizeHint().height() + layout()->spacing();
   const auto height = [this](QLayout& of) {
     of.invalidate();
     return of.hasHeightForWidth() ? of.totalHeightForWidth(this->width()) : of.totalSizeHint().height();
   };
-  int room = this->height() - height(*layout()) + (m_formats->isHidden() ? 0 : words) +
-             (m_recent->isHidden() ? 0 : recent) + (m_hasArrow ? arrowRoom : 0);
+  int room = this->height() - height(*layout()) + (m_hasArrow ? arrowRoom : 0);
+  for (const auto& [part, pixels] : {std::pair<QWidget*, int>(m_title, wordsIn(*m_title)),
+                                     {m_formats, wordsIn(*m_formats)},
+                                     {m_recent, recent}})
+    room += part->isHidden() ? 0 : pixels;
   const auto hasRoom = [&room](int pixels) {
     const bool has = room >= pixels;
     room -= has ? pixels : 0;
     return has;
   };
-  m_formats->setVisible(hasRoom(words));
   m_recent->setVisible(m_hasRecent && hasRoom(recent));
+  m_title->setVisible(hasRoom(wordsIn(*m_title)));
+  m_formats->setVisible(hasRoom(wordsIn(*m_formats)));
   m_hasArrow = hasRoom(arrowRoom);
-  inner.setContentsMargins(targetMargin, targetMargin + (m_hasArrow ? arrowRoom : 0), targetMargin,
-                           targetMargin);
+  inner.setContentsMargins(targetMargin, m_hasArrow ? arrowMargin : lowMargin, targetMargin,
+                           m_hasArrow ? targetMargin : lowMargin);
   m_target->updateGeometry();
   layout()->activate();
 }

@@ -67,6 +67,7 @@ private:
   QBoxLayout* m_ways = nullptr; ///< to open one
   QPushButton* m_folder = nullptr;
   QPushButton* m_continue = nullptr;
+  QLabel* m_title = nullptr;
   QLabel* m_formats = nullptr;
   QWidget* m_recent = nullptr;
   bool m_hasRecent = false;

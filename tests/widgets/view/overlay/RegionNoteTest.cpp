@@ -70,6 +70,17 @@ TEST_F(RegionNote, keepsClearOfEverythingElseInEveryLayout) {
   }
 }
 
+// The window at its smallest, and two pictures beside each other in it.
+TEST_F(RegionNote, leavesTheLettersOfASmallPictureTheirPlace) {
+  keepBody();
+  comparison.layout = CompareLayout::sideBySide;
+  OverlaySource small = source();
+  small.geometry.size = {354, 180};
+  for (const LetterMarks& letters : overlayOf(small).letters)
+    for (const std::optional<QRectF>& place : letters.places)
+      EXPECT_TRUE(place);
+}
+
 TEST_F(RegionNote, leavesALowPictureToWhatItShows) {
   keepBody();
   OverlaySource low = source();
