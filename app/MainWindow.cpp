@@ -101,8 +101,7 @@ MainWindow::MainWindow(UserFolders folders, const std::optional<MemoryBudget>& m
   m_panels.history->setStack(&m_session.undoStack());
   m_presets.refresh();
   m_docks.takeFirstSizes();
-  restoreGeometry(m_settings.windowGeometry());
-  restoreState(m_settings.windowState());
+  m_docks.restore(m_settings.windowGeometry(), m_settings.windowState());
   m_title.show();
   m_comparison.setLayout(CompareLayout::sideBySide);
   showScene(m_session.scene());

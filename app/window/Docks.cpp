@@ -217,6 +217,13 @@ void Docks::takeFirstSizes() {
   m_window.resizeDocks({m_curve}, {sizes.curveHeight}, Qt::Vertical);
 }
 
+void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
+  m_window.restoreGeometry(geometry);
+  if (!m_window.isMaximized() && !m_window.isFullScreen())
+    m_window.setGeometry(withinScreen(m_window.geometry(), m_window.screen()->availableGeometry()));
+  m_window.restoreState(state);
+}
+
 void Docks::showPresets() {
   m_presets->show();
   m_presets->raise();

@@ -46,6 +46,10 @@ public:
   /// Gives the window and its docks the sizes of a first start.
   void takeFirstSizes();
 
+  /// Those that it was left with, as Qt saves them, whole on the screen of now; where there are none, no
+  /// change.
+  void restore(const QByteArray& geometry, const QByteArray& state);
+
   /// Show and hide each dock, and put it into a window of its own.
   QList<QAction*> toggleActions() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QRect>
 #include <QSize>
 
 namespace limn {
@@ -9,6 +10,10 @@ namespace limn {
 /// has room for that, and on a small one all of it but for a title bar. `available` is what the screen leaves
 /// beside its own bars.
 QSize firstWindowSize(const QSize& available);
+
+/// A window as it was left on another screen, whole on this one: cut to what the screen has free, with room
+/// for a title bar, and moved inside.
+QRect withinScreen(QRect window, const QRect& available);
 
 /// How much of such a window its panels take at the first start, in points.
 struct FirstDockSizes {

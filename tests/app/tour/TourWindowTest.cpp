@@ -172,6 +172,14 @@ TEST(FirstWindow, leavesThePictureTheLargerPartAndGrowsPanelsWithALargeOne) {
   EXPECT_EQ(firstDockSizes(firstWindowSize({3840, 2160})).presetsWidth, 340);
 }
 
+TEST(FirstWindow, fromALargerScreenComesBackWholly) {
+  const QRect small(0, 0, 1366, 768);
+  EXPECT_EQ(withinScreen({0, 20, 1400, 860}, small), QRect(0, 20, 1366, 728)) << "room for a title bar";
+  EXPECT_EQ(withinScreen({900, 500, 800, 600}, small), QRect(566, 168, 800, 600));
+  EXPECT_EQ(withinScreen({-900, -50, 800, 600}, small), QRect(0, 0, 800, 600));
+  EXPECT_EQ(withinScreen({10, 30, 1000, 700}, small), QRect(10, 30, 1000, 700)) << "as it was left";
+}
+
 TEST(FirstWindow, fitsSmallScreensAndFillsLargeOnes) {
   EXPECT_EQ(firstWindowSize({1366, 728}), QSize(1366, 688)) << "1366 × 768 with a bar of 40 pixels";
   EXPECT_EQ(firstWindowSize({1440, 900}), QSize(1440, 860));
