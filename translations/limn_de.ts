@@ -1700,16 +1700,20 @@
         <translation>Zugeschnitten</translation>
     </message>
     <message>
-        <source>%1 · cropped</source>
-        <translation>%1 · zugeschnitten</translation>
-    </message>
-    <message>
         <source>Show everything</source>
         <translation>Alles zeigen</translation>
     </message>
     <message>
-        <source>A part of the volume is hidden. A click shows everything again and takes the crop back; View ▸ Body only hides the table and what else lies beside the body.</source>
-        <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles und nimmt den Zuschnitt zurück; „Ansicht ▸ Nur Körper“ blendet den Tisch und anderes neben dem Körper aus.</translation>
+        <source>Reset crop</source>
+        <translation>Zuschnitt zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The crop box cuts a part of the volume off. A click shows all of it again; B shows the box.</source>
+        <translation>Der Zuschnittquader schneidet einen Teil des Volumens ab. Ein Klick zeigt wieder alles davon; B zeigt den Quader.</translation>
+    </message>
+    <message>
+        <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
+        <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch aus und was sonst neben dem Körper liegt.</translation>
     </message>
 </context>
 <context>
@@ -9218,6 +9222,10 @@
     <message>
         <source>reset crop face: %1</source>
         <translation>Zuschnittfläche zurücksetzen: %1</translation>
+    </message>
+    <message>
+        <source>reset crop</source>
+        <translation>Zuschnitt zurücksetzen</translation>
     </message>
 </context>
 <context>

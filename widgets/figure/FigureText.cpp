@@ -4,7 +4,7 @@
 #include "widgets/ValueText.h"
 #include "widgets/planes/PlaneText.h"
 #include "widgets/properties/ProjectionSection.h"
-#include "widgets/view/overlay/RegionNote.h"
+#include "widgets/view/overlay/HiddenNotes.h"
 #include "widgets/view/overlay/SideText.h"
 
 #include <QObject>

@@ -171,7 +171,7 @@ signals:
   void toolChanged(limn::ViewTool tool);
   void windowPresetRequested(int number); ///< 0 the full range, 1..9 the presets
   void shortcutListRequested();
-  /// The note was clicked that tells what is hidden.
+  /// The note was clicked that tells what a region hides.
   void everythingRequested();
   void maximiseRequested();
   void pictureStateChanged(const limn::PictureState& state);

@@ -55,23 +55,18 @@ void RegionDesk::openLabels(const QString& path) {
 
 void RegionDesk::setBodyOnly(bool isOn) {
   const QString gesture = tr("body only");
-  if (!isOn) {
-    cancel();
-    m_parts.session.setKeep(shownWholly(m_parts.session.scene().keep),
-                            {nextGestureId(), tr("show everything")});
-  } else if (m_body.kind == Region::Kind::body) {
+  if (!isOn)
+    showEverything();
+  else if (m_body.kind == Region::Kind::body)
     keep({m_body, {}}, gesture);
-  } else {
+  else
     start(tr("Looking for the body"), gesture, bodyOf);
-  }
 }
 
 void RegionDesk::showEverything() {
   cancel();
-  Scene all = m_parts.session.scene();
-  all.keep = shownWholly(all.keep);
-  all.crop = {};
-  m_parts.session.edit(all, {nextGestureId(), tr("show everything")});
+  m_parts.session.setKeep(shownWholly(m_parts.session.scene().keep),
+                          {nextGestureId(), tr("show everything")});
 }
 
 void RegionDesk::showScene(const Scene& scene) {

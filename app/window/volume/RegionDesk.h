@@ -41,7 +41,7 @@ public slots:
   void askForLabels();
   void openLabels(const QString& path);
   void setBodyOnly(bool isOn);
-  /// Takes back as one undo step what labels, Body only and the crop box hide.
+  /// Takes back what labels or Body only hide; a crop stays.
   void showEverything();
   void cancel();
   void showScene(const limn::Scene& scene);

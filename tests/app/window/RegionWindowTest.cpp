@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/window/volume/RegionDesk.h"
-#include "widgets/view/overlay/RegionNote.h"
+#include "widgets/view/overlay/HiddenNotes.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -50,15 +50,19 @@ protected:
     return test::waitUntil([this] { return !desk().isBusy(); });
   }
 
-  // The middle of the note in the picture, in the window's pixels.
-  QPoint note() {
+  // The middle of the note in the picture that tells what hides, in the window's pixels.
+  QPoint note(HiddenBy by) {
     Comparison shown;
     shown.scene = scene();
     shown.layout = view().compareLayout();
     const PictureState state = view().pictureState();
     const OverlaySource source{
         shown, {shown.layout, 0.5, view().size(), 1.0}, state, view().font(), 1.0, {}, false, {}, {}};
-    return view().mapTo(window.get(), regionNoteOf(source)->plate.center().toPoint());
+    for (const HiddenNote& hidden : hiddenNotesOf(source))
+      if (hidden.by == by)
+        return view().mapTo(window.get(), hidden.note.plate.center().toPoint());
+    ADD_FAILURE() << "no such note";
+    return {};
   }
 
   void drop(const QString& path) {
@@ -80,7 +84,7 @@ TEST_F(RegionWindow, theTableIsHiddenOnOpeningAndOneClickShowsItAgain) {
   EXPECT_FALSE(window->isWindowModified()) << "what the program did by itself is no edit";
   setLayout(CompareLayout::single);
   ASSERT_TRUE(rest());
-  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note());
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note(HiddenBy::region));
   EXPECT_EQ(scene().keep, Region{});
   EXPECT_FALSE(bodyOnly().isChecked());
   EXPECT_EQ(undo().undoText(), QStringLiteral("show everything"));
@@ -89,7 +93,7 @@ TEST_F(RegionWindow, theTableIsHiddenOnOpeningAndOneClickShowsItAgain) {
   EXPECT_TRUE(bodyOnly().isChecked());
 }
 
-TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndOneClickOnTheNoteTakesAllBack) {
+TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndEachNoteTakesBackWhatItTells) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   setLayout(CompareLayout::single);
   CropBox crop;
@@ -97,15 +101,16 @@ TEST_F(RegionWindow, aCropIsToldWithItsBoxHiddenAndOneClickOnTheNoteTakesAllBack
   session().setCrop(crop, {nextGestureId(), QStringLiteral("crop")});
   EXPECT_FALSE(view().cropBoxIsVisible());
   ASSERT_TRUE(rest());
-  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note());
-  EXPECT_EQ(scene().keep, Region{});
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note(HiddenBy::crop));
   EXPECT_EQ(scene().crop, CropBox{});
-  undo().undo();
   EXPECT_EQ(scene().keep.kind, Region::Kind::body);
-  EXPECT_EQ(scene().crop, crop) << "one step";
-  bodyOnly().trigger();
+  EXPECT_EQ(undo().undoText(), QStringLiteral("reset crop"));
+  undo().undo();
+  EXPECT_EQ(scene().crop, crop);
+  ASSERT_TRUE(rest());
+  QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {}, note(HiddenBy::region));
   EXPECT_EQ(scene().keep, Region{});
-  EXPECT_EQ(scene().crop, crop) << "the action is about the table alone";
+  EXPECT_EQ(scene().crop, crop) << "the table alone";
 }
 
 TEST_F(RegionWindow, theActionHidesAndShowsTheTableInOneUndoStepEach) {

@@ -4,7 +4,7 @@
 #include "widgets/properties/AxisNames.h"
 #include "widgets/view/gestures/DragCursor.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
-#include "widgets/view/overlay/RegionNote.h"
+#include "widgets/view/overlay/HiddenNotes.h"
 #include "widgets/view/overlay/Titles.h"
 
 #include <QAbstractSpinBox>
@@ -44,9 +44,9 @@ void ViewInput::setTool(ViewTool tool) {
 
 // What a press here would do.
 void ViewInput::showCursor(const std::optional<CropHandle>& handle) {
-  m_view->setCursor(m_hovered.label >= 0 || m_hovered.region >= 0 ? Qt::PointingHandCursor
-                    : handle                                      ? cursorFor(*handle)
-                    : m_hovered.wipe                              ? Qt::SplitHCursor
+  m_view->setCursor(m_hovered.label >= 0 || m_hovered.hidden ? Qt::PointingHandCursor
+                    : handle                                 ? cursorFor(*handle)
+                    : m_hovered.wipe                         ? Qt::SplitHCursor
                                      : cursorOf(dragKind(Qt::LeftButton, Qt::NoModifier, m_tool)));
 }
 
@@ -72,9 +72,12 @@ void ViewInput::press(const QMouseEvent& event) {
       emit modelsRequested(position);
       return;
     }
-    if (regionNoteAt(source, press.point) >= 0) {
-      m_hovered.region = -1;
-      emit everythingRequested();
+    if (const std::optional<HiddenPlace> place = hiddenNoteAt(source, press.point)) {
+      m_hovered.hidden.reset();
+      if (place->by == HiddenBy::crop)
+        emit cropEdited({}, {nextGestureId(), tr("reset crop")});
+      else
+        emit everythingRequested();
       return;
     }
     handle = cropHandleAt(source, press.point);
@@ -120,7 +123,7 @@ void ViewInput::cancelDrag(const Scene& shown) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
   const OverlaySource source = m_facts.shown();
   if (event.button() != Qt::LeftButton || !source.comparison.scene.volume ||
-      labelAt(source, event.position()) >= 0 || regionNoteAt(source, event.position()) >= 0)
+      labelAt(source, event.position()) >= 0 || hiddenNoteAt(source, event.position()))
     return;
   if (const std::optional<CropHandle> handle = cropHandleAt(source, event.position()))
     uncut(source.comparison.scene, handle->face);
@@ -152,8 +155,9 @@ void ViewInput::hover(const QMouseEvent& event) {
   const QPointF point = event.position();
   Hovered now;
   now.label = labelAt(source, point);
-  now.region = now.label < 0 ? regionNoteAt(source, point) : -1;
-  const bool isOnText = now.label >= 0 || now.region >= 0;
+  if (now.label < 0)
+    now.hidden = hiddenNoteAt(source, point);
+  const bool isOnText = now.label >= 0 || now.hidden;
   const std::optional<CropHandle> handle = isOnText ? std::nullopt : cropHandleAt(source, point);
   if (handle)
     now.face = handle->face;

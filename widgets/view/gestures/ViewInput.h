@@ -69,7 +69,7 @@ signals:
   void pinRequested(double value);
   void placePinned(const glm::dvec3& worldMm);
   void modelsRequested(int position); ///< of which the label was clicked
-  void everythingRequested();         ///< of what is hidden
+  void everythingRequested();         ///< of what a region hides
   void maximiseRequested();
   void windowPresetRequested(int number);
   void shortcutListRequested();

@@ -3,8 +3,8 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/view/ViewProjection.h"
+#include "widgets/view/overlay/HiddenNotes.h"
 #include "widgets/view/overlay/OverlayRows.h"
-#include "widgets/view/overlay/RegionNote.h"
 #include "widgets/view/overlay/SideText.h"
 
 #include <QObject>
@@ -59,9 +59,9 @@ std::vector<QRectF> addTitles(Overlay& overlay, const OverlaySource& source) {
   for (const PlacedLabel& label : overlay.labels)
     plates.push_back(label.steadyPlate);
   for (int position = 0; position < standingCount(source.geometry); ++position)
-    if (const std::optional<Note> region = regionNoteOf(source, position)) {
-      overlay.notes.push_back(*region);
-      plates.push_back(region->plate);
+    for (const HiddenNote& hidden : hiddenNotesOf(source, position)) {
+      overlay.notes.push_back(hidden.note);
+      plates.push_back(hidden.note.plate);
     }
   overlay.difference = differenceTitleOf(source);
   overlay.explanationOpacity = source.labelOpacity;

@@ -13,11 +13,21 @@
 
 namespace limn {
 
+/// What may hide a part of the volume.
+enum class HiddenBy { region, crop };
+
+/// A note that tells what is hidden.
+struct HiddenPlace {
+  int position; ///< of its picture
+  HiddenBy by;
+  bool operator==(const HiddenPlace&) const = default;
+};
+
 /// What of the overlay the pointer is over, or holds.
 struct Hovered {
   int label = -1; ///< the position of a picture, -1 for none
   bool wipe = false;
-  int region = -1; ///< the position of the note that tells what is hidden, -1 for none
+  std::optional<HiddenPlace> hidden;
   std::optional<CropFace> face;
   bool operator==(const Hovered&) const = default;
 };

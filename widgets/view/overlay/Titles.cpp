@@ -98,10 +98,14 @@ int labelAt(const OverlaySource& source, const QPointF& point) {
 
 // Only over titles and notes: a tool tip anywhere else would cover the picture.
 QString toolTipAt(const OverlaySource& source, const QPointF& point) {
-  if (source.hovered.region >= 0)
-    return QObject::tr(
-        "A part of the volume is hidden. A click shows everything again and takes the crop back; "
-        "View ▸ Body only hides the table and what else lies beside the body.");
+  if (source.hovered.hidden)
+    return source.hovered.hidden->by == HiddenBy::crop
+               ? QObject::tr(
+                     "The crop box cuts a part of the volume off. A click shows all of it again; B shows "
+                     "the box.")
+               : QObject::tr(
+                     "A part of the volume is hidden. A click shows everything again; View ▸ Body only "
+                     "hides the table and what else lies beside the body.");
   const std::optional<DifferenceTitle> title = differenceTitleOf(source);
   if (!title || !(title->label.plate.contains(point) || title->note.plate.contains(point)))
     return {};

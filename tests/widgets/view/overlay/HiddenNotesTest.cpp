@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/overlay/HiddenNotes.h"
+
+#include "scene/volume/Phantom.h"
+#include "widgets/view/overlay/Overlay.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+class HiddenNotes : public testing::Test {
+protected:
+  HiddenNotes() {
+    comparison.scene.volume = phantomVolume({12.0, 0.0, 1});
+    comparison.scene.camera = defaultCamera(comparison.scene.volume->grid());
+    state.sides.resize(2);
+  }
+
+  OverlaySource source() const {
+    return {comparison, {comparison.layout, 0.5, {700, 400}, 1.0}, state, QFont(), 1.0, {}, false, {}, {}};
+  }
+
+  void keepBody() {
+    const glm::ivec3 dims = comparison.scene.volume->grid().dims;
+    comparison.scene.keep =
+        bodyRegion(dims, std::vector<std::uint8_t>(static_cast<std::size_t>(dims.x) * dims.y * dims.z, 1));
+  }
+
+  Comparison comparison;
+  PictureState state;
+};
+
+TEST_F(HiddenNotes, areAbsentWhereNothingIsHidden) {
+  EXPECT_TRUE(hiddenNotesOf(source()).empty());
+  EXPECT_FALSE(hiddenNoteAt(source(), {30.0, 50.0}));
+  EXPECT_TRUE(toolTipAt(source(), {30.0, 50.0}).isEmpty());
+}
+
+TEST_F(HiddenNotes, tellWhatIsHidden) {
+  const auto labels = std::make_shared<const LabelMap>(
+      glm::ivec3(1), std::vector<std::uint8_t>{0}, std::vector<Label>{{0, "", {}}, {1, "", {}}, {2, "", {}}});
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {1, 1, 1}}), QString());
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {1, 0, 1}}),
+            QStringLiteral("1 label hidden or faded"));
+  EXPECT_EQ(regionText({Region::Kind::labels, "s", labels, {0.5, 0, 1}}),
+            QStringLiteral("2 labels hidden or faded"));
+  EXPECT_EQ(regionText(bodyRegion(glm::ivec3(1), std::vector<std::uint8_t>{1})),
+            QStringLiteral("Body only: table hidden"));
+}
+
+TEST_F(HiddenNotes, keepClearOfEverythingElseInEveryLayout) {
+  keepBody();
+  comparison.scene.crop.upper.z = 0.5;
+  for (const CompareLayout layout : compareLayouts) {
+    comparison.layout = layout;
+    const std::vector<HiddenNote> notes = hiddenNotesOf(source());
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_FALSE(notes[0].note.plate.intersects(notes[1].note.plate));
+    const Overlay overlay = overlayOf(source());
+    for (const auto& [by, note] : notes) {
+      for (const PlacedLabel& label : overlay.labels)
+        EXPECT_FALSE(label.steadyPlate.intersects(note.plate)) << nameOf(layout);
+      for (const LetterMarks& letters : overlay.letters)
+        for (const std::optional<QRectF>& place : letters.places)
+          EXPECT_FALSE(place && place->intersects(note.plate)) << nameOf(layout);
+      if (overlay.difference) {
+        EXPECT_FALSE(overlay.difference->label.plate.intersects(note.plate));
+        EXPECT_FALSE(overlay.difference->note.plate.intersects(note.plate));
+      }
+      EXPECT_EQ(hiddenNoteAt(source(), note.plate.center()), (HiddenPlace{0, by}));
+    }
+    EXPECT_FALSE(hiddenNoteAt(source(), {350.0, 200.0}));
+  }
+}
+
+// The window at its smallest, and two pictures beside each other in it.
+TEST_F(HiddenNotes, leaveTheLettersOfASmallPictureTheirPlace) {
+  keepBody();
+  comparison.layout = CompareLayout::sideBySide;
+  OverlaySource small = source();
+  small.geometry.size = {354, 180};
+  for (const LetterMarks& letters : overlayOf(small).letters)
+    for (const std::optional<QRectF>& place : letters.places)
+      EXPECT_TRUE(place);
+}
+
+TEST_F(HiddenNotes, leaveALowPictureToWhatItShows) {
+  keepBody();
+  OverlaySource low = source();
+  low.geometry.size = {110, 125};
+  EXPECT_TRUE(hiddenNotesOf(low).empty());
+}
+
+TEST_F(HiddenNotes, sayWhatAClickDoesUnderThePointer) {
+  keepBody();
+  comparison.scene.crop.upper.z = 0.5;
+  OverlaySource under = source();
+  under.hovered.hidden = {0, HiddenBy::region};
+  EXPECT_EQ(hiddenNotesOf(under)[0].note.text, QStringLiteral("Show everything"));
+  EXPECT_EQ(hiddenNotesOf(under)[1].note.text, QStringLiteral("Cropped"));
+  const QString ofRegion = toolTipAt(under, {});
+  under.hovered.hidden = {0, HiddenBy::crop};
+  EXPECT_EQ(hiddenNotesOf(under)[0].note.text, QStringLiteral("Body only: table hidden"));
+  EXPECT_EQ(hiddenNotesOf(under)[1].note.text, QStringLiteral("Reset crop"));
+  EXPECT_FALSE(ofRegion.isEmpty());
+  EXPECT_NE(toolTipAt(under, {}), ofRegion);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_EQ(hiddenNotesOf(under)[i].note.plate, hiddenNotesOf(source())[i].note.plate)
+        << "and moves nothing";
+}
+
+TEST_F(HiddenNotes, tellACropWhetherOrNotItsBoxIsShown) {
+  comparison.scene.crop.lower.x = 0.25;
+  for (const bool hasBox : {false, true}) {
+    OverlaySource cropped = source();
+    cropped.hasCropBox = hasBox;
+    ASSERT_EQ(hiddenNotesOf(cropped).size(), 1u);
+    EXPECT_EQ(hiddenNotesOf(cropped)[0].note.text, QStringLiteral("Cropped"));
+  }
+}
+
+TEST_F(HiddenNotes, standInEachOfTwoPicturesAndTellThemApart) {
+  keepBody();
+  comparison.layout = CompareLayout::sideBySide;
+  const std::vector<HiddenNote> right = hiddenNotesOf(source(), 1);
+  ASSERT_EQ(right.size(), 1u);
+  EXPECT_TRUE(pictureRect(source().geometry, 1).contains(right[0].note.plate));
+  EXPECT_EQ(hiddenNoteAt(source(), right[0].note.plate.center()), (HiddenPlace{1, HiddenBy::region}));
+  OverlaySource under = source();
+  under.hovered.hidden = {1, HiddenBy::region};
+  EXPECT_EQ(hiddenNotesOf(under, 0)[0].note.text, QStringLiteral("Body only: table hidden"));
+  EXPECT_EQ(hiddenNotesOf(under, 1)[0].note.text, QStringLiteral("Show everything"));
+}
+
+} // namespace
+} // namespace limn
