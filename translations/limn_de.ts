@@ -1709,7 +1709,7 @@
     </message>
     <message>
         <source>The crop box cuts a part of the volume off. A click shows all of it again; B shows the box.</source>
-        <translation>Der Zuschnittquader schneidet einen Teil des Volumens ab. Ein Klick zeigt wieder alles davon; B zeigt den Quader.</translation>
+        <translation>Die Zuschnittbox schneidet einen Teil des Volumens ab. Ein Klick zeigt wieder alles davon; B zeigt die Box.</translation>
     </message>
     <message>
         <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
