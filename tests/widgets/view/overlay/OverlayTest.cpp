@@ -137,7 +137,7 @@ TEST_F(OverlayAbove, noCaptionMovesALetter) {
       comparison.preview = "Bone and veil";
       OverlaySource told = source();
       told.geometry.size = size;
-      told.hovered = {0, false, 0, {}};
+      told.hovered = {0, false, HiddenPlace{0, HiddenBy::region}, {}};
       EXPECT_EQ(places(told), bare) << size.width() << " " << nameOf(layout);
       for (const Note& note : overlayOf(told).notes)
         for (const auto& place : places(told))
