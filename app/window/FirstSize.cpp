@@ -28,12 +28,9 @@ QRect withinScreen(QRect window, const QRect& available) {
 }
 
 FirstDockSizes firstDockSizes(const QSize& window) {
-  constexpr int usualWidth = 1440;
   constexpr int lowWindow = 800;
-  const auto grown = [&](int usual, int most) {
-    return std::clamp(usual * window.width() / usualWidth, usual, most);
-  };
-  return {grown(204, 340), grown(300, 380), std::clamp(296 - (lowWindow - window.height()), 220, 296)};
+  return {std::min(window.width() / 8, 340), std::clamp(window.width() / 5, 300, 380),
+          std::clamp(296 - (lowWindow - window.height()), 220, 296)};
 }
 
 } // namespace limn

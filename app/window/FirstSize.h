@@ -22,8 +22,9 @@ struct FirstDockSizes {
   int curveHeight;
 };
 
-/// The curve alone gives way where a window is lower than 800, so that the picture stays the larger part; the
-/// panels beside the picture grow with a wide window up to where lines are read with ease.
+/// The curve alone gives way where a window is lower than 800, so that the picture stays the larger part. The
+/// panels beside the picture are as narrow as they can be (presets, which ask for more than they are given
+/// here) until a wide window has room for lines that are read with ease.
 FirstDockSizes firstDockSizes(const QSize& window);
 
 } // namespace limn
