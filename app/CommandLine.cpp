@@ -76,8 +76,9 @@ int runCommandLine(int argc, char** argv) {
   WindowArguments& window = arguments.window;
   CommandSyntax syntax = program.words();
   syntax
-      .option("PATH", window.path,
-              "open the window on this volume, DICOM folder, session, scene or Limn picture")
+      .option(
+          "PATH", window.path,
+          "open the window on this volume, DICOM folder, session, scene or Limn picture, or on the `sample`")
       .words({"sample"})
       .file();
   syntax

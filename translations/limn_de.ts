@@ -7248,6 +7248,18 @@
         <source>Cannot write %1: a turntable is a video with the ending .mp4, or frames in a folder, whose name needs no ending.</source>
         <translation>%1 kann nicht geschrieben werden: Eine Drehansicht ist ein Video mit der Endung .mp4 oder besteht aus Einzelbildern in einem Ordner, dessen Name keine Endung braucht.</translation>
     </message>
+    <message>
+        <source>%1 holds %2 of a longer turntable, which would follow on these %3 frames; choose another folder, or delete it.</source>
+        <translation>%1 enthält %2 einer längeren Drehung, das auf diese %3 Bilder folgen würde; wählen Sie einen anderen Ordner oder löschen Sie es.</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>limn::MessageBar</name>

@@ -277,7 +277,7 @@ void runBench(const BenchArguments& arguments) {
 void addBenchCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<BenchArguments>();
   CommandSyntax command = root.command("bench", "milliseconds per frame by renderer, scene and step");
-  command.option("SOURCE", arguments->sources, "scene files, volumes, or `phantom:SPACING`")
+  command.option("SOURCE", arguments->sources, "scene files, volumes, `sample` or `phantom:SPACING`")
       .words({"sample"})
       .file();
   addSourceOptions(command, arguments->source);

@@ -13,6 +13,7 @@
 #include "io/AtomicFile.h"
 #include "scene/framing/Framing.h"
 #include "scene/light/ModelName.h"
+#include "widgets/ValueText.h"
 #include "widgets/figure/FigureText.h"
 
 #include <algorithm>
@@ -223,8 +224,22 @@ MakingOptions orderOf(const FigureRequest& request, Settings& settings, const Pr
   return order;
 }
 
-void tell(const MadeFigure& made, const Plan& plan, double ms) {
+// Of pictures that are not accurate to the screen, how to get such.
+std::string coarseNote(const Figure& figure) {
+  constexpr double accurateLevels = 1.0;
+  double worst = 0.0;
+  for (const FigurePanel& panel : figure.panels)
+    worst = std::max(worst, panel.errorLevels.value_or(0.0));
+  if (worst <= accurateLevels)
+    return {};
+  return "A picture is up to " + promisedLevels(worst).toStdString() +
+         " of 255 levels from the exact one; --tolerance 0.5 draws it to that, and takes longer.";
+}
+
+void tell(const MadeFigure& made, const Plan& plan, const std::string& file, double ms) {
   for (const std::string& sentence : plan.notes)
+    note(sentence);
+  if (const std::string sentence = coarseNote(made.figure); !sentence.empty())
     note(sentence);
   for (const std::string& sentence : made.notes)
     note(sentence);
@@ -233,11 +248,11 @@ void tell(const MadeFigure& made, const Plan& plan, double ms) {
   char line[200];
   std::snprintf(
       line, sizeof line,
-      "%d x %d pixels (%.1f x %.1f cm at %g dpi), pictures of %d x %d, in %.0f ms (set-up included)%s",
+      ": %d x %d pixels (%.1f x %.1f cm at %g dpi), pictures of %d x %d, in %.0f ms (set-up included)%s",
       layout.size.width(), layout.size.height(), cm * layout.size.width(), cm * layout.size.height(),
       made.figure.settings.dotsPerInch, layout.pictureSize().width(), layout.pictureSize().height(), ms,
       made.engine.empty() ? "" : " on ");
-  note(line + made.engine);
+  note(file + line + made.engine);
 }
 
 void runFigure(const FigureRequest& request) {
@@ -263,7 +278,7 @@ void runFigure(const FigureRequest& request) {
   writeFigure(request.out, made, figureDescription(made.figure, volumes, named));
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   if (!request.scene.source.quiet)
-    tell(made, plan, ms.count());
+    tell(made, plan, request.out, ms.count());
 }
 
 } // namespace

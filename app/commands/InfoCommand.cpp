@@ -142,7 +142,8 @@ void runInfo(const InfoArguments& arguments) {
 void addInfoCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<InfoArguments>();
   CommandSyntax command = root.command("info", "what a volume is: grid, values, gradients, series, warnings");
-  addSourceArguments(command, arguments->source, "volume, DICOM folder, scene, or `phantom:SPACING`");
+  addSourceArguments(command, arguments->source,
+                     "volume, DICOM folder, scene, `sample` or `phantom:SPACING`");
   command.added("SOURCE").required(false);
   command.flag("--json", arguments->json, "one JSON object on stdout");
   command.flag("--system", arguments->system,

@@ -11,6 +11,7 @@
 #include "io/scenefile/SceneFile.h"
 #include "scene/presets/PresetFit.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -19,13 +20,18 @@ namespace limn {
 namespace {
 
 void listPresets() {
-  for (const Preset& preset : builtInPresets())
-    std::printf("%-18s %-4s built-in  %s\n", preset.name.c_str(), preset.modality.c_str(),
-                preset.note.c_str());
   const PresetStore::Contents own = PresetStore::ofThisUser().read();
-  for (const Preset& preset : own.presets)
-    std::printf("%-18s %-4s own       %s\n", preset.name.c_str(), preset.modality.c_str(),
-                preset.note.c_str());
+  std::size_t width = 0;
+  for (const std::vector<Preset>& presets : {builtInPresets(), own.presets})
+    for (const Preset& preset : presets)
+      width = std::max(width, preset.name.size());
+  const auto list = [width](const std::vector<Preset>& presets, const char* whose) {
+    for (const Preset& preset : presets)
+      std::printf("%-*s %-4s %-8s  %s\n", static_cast<int>(width), preset.name.c_str(),
+                  preset.modality.c_str(), whose, preset.note.c_str());
+  };
+  list(builtInPresets(), "built-in");
+  list(own.presets, "own");
   for (const Message& problem : own.problems)
     note(problem.english());
 }

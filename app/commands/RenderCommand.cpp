@@ -116,9 +116,9 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
   for (const Message& remark : picture.notes)
     note(remark.english());
   char line[160];
-  std::snprintf(line, sizeof line, "%d x %d pixels in %.0f ms (set-up included) on %s", picture.image.size.x,
-                picture.image.size.y, ms.count(), picture.engine.c_str());
-  note(line);
+  std::snprintf(line, sizeof line, ": %d x %d pixels in %.0f ms (set-up included) on %s",
+                picture.image.size.x, picture.image.size.y, ms.count(), picture.engine.c_str());
+  note(arguments.out + line);
 }
 
 std::vector<std::string> renderEngineWords() {

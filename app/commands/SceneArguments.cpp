@@ -133,7 +133,7 @@ Scene adjusted(const LoadedScene& loaded, const SceneArguments& arguments) {
 void addSceneArguments(CommandSyntax& command, SceneArguments& arguments, const std::string& models) {
   addSourceArguments(
       command, arguments.source,
-      "scene or session file, volume, DICOM folder or look, Limn picture, or `phantom:SPACING`");
+      "scene or session file, volume, DICOM folder or look, Limn picture, `sample` or `phantom:SPACING`");
   command.option("--size", arguments.size, "WIDTHxHEIGHT in pixels (default: the scene's, 512x512)");
   command.option("--model", arguments.model, models)
       .words(models.find("compare") == std::string::npos ? modelWords : modelWordsAndCompare);

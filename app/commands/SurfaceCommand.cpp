@@ -64,7 +64,7 @@ void tell(const WrittenSurface& surface) {
   std::printf("  triangles  %zu", made.mesh.triangles.size());
   if (made.mesh.triangles.size() != made.trianglesBefore)
     std::printf(" of %zu", made.trianglesBefore);
-  std::printf(", %zu parts", made.parts);
+  std::printf(made.parts == 1 ? ", %zu part" : ", %zu parts", made.parts);
   if (made.dropped.parts + made.dropped.hollows > 0)
     std::printf(" (left out: %zu small ones of %.3g mm3 together; filled: %zu hollows)", made.dropped.parts,
                 made.dropped.enclosedMm3, made.dropped.hollows);
@@ -143,8 +143,9 @@ void addSurfaceCommand(CommandSyntax& root) {
   auto arguments = std::make_shared<SurfaceArguments>();
   CommandSyntax command = root.command(
       "surface", "the isosurface as a mesh to print, in mm and patient axes, with its measured distance");
-  addSourceArguments(command, arguments->source,
-                     "volume, DICOM folder, scene or session file, Limn picture, or `phantom:SPACING`");
+  addSourceArguments(
+      command, arguments->source,
+      "volume, DICOM folder, scene or session file, Limn picture, `sample` or `phantom:SPACING`");
   command
       .option("--value", arguments->values, "isovalue, in the volume's unit; several make several surfaces")
       .required();

@@ -27,16 +27,16 @@ const std::map<std::string, PictureEngine> turntableEngines{
     {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl}, {"cpu", PictureEngine::cpu}};
 
 // What would be refused after the work is refused before it.
-void requirePlace(const std::string& out) {
+void requirePlace(const std::string& out, int frames) {
   if (isVideo(out))
     requireWritable(out);
   else
     requireReportFolder(out);
-  requireTurntableName(out);
+  requireTurntablePlace(out, frames);
 }
 
 void runTurntable(const TurntableArguments& arguments) {
-  requirePlace(arguments.out);
+  requirePlace(arguments.out, arguments.frames);
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
   const LoadedScene loaded = loadScene(arguments.scene.source, progress);
@@ -72,9 +72,9 @@ void runTurntable(const TurntableArguments& arguments) {
   for (const std::string& sentence : notes)
     note(sentence);
   char line[120];
-  std::snprintf(line, sizeof line, "%d frames of %d x %d pixels in %.1f s (set-up included)",
+  std::snprintf(line, sizeof line, ": %d frames of %d x %d pixels in %.1f s (set-up included)",
                 turntable.frames, turntable.size.x, turntable.size.y, seconds.count());
-  note(line);
+  note(arguments.out + line);
 }
 
 } // namespace

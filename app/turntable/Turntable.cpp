@@ -37,14 +37,19 @@ glm::dvec3 uprightAxis(const Camera& camera) {
   return upright;
 }
 
+std::string frameName(int frame) {
+  char name[32];
+  std::snprintf(name, sizeof name, "frame-%04d.png", frame + 1);
+  return name;
+}
+
 void writeFrames(const fs::path& folder, const Turntable& turntable, const MakingOptions& order,
                  const DescribeScene& describe, std::set<std::string>& notes) {
   makeEach(framesOf(turntable), turntable.size, order, [&](std::size_t index, const MadePicture& picture) {
-    char name[32];
-    std::snprintf(name, sizeof name, "frame-%04d.png", static_cast<int>(index) + 1);
     for (const Message& note : picture.notes)
       notes.insert(translated(note).toStdString());
-    writeImage(folder / name, picture.image, picture.scene.image.background, describe(picture.scene));
+    writeImage(folder / frameName(static_cast<int>(index)), picture.image, picture.scene.image.background,
+               describe(picture.scene));
   });
 }
 
@@ -126,7 +131,7 @@ std::string videoProgram() {
   return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).toStdString();
 }
 
-void requireTurntableName(const fs::path& path) {
+void requireTurntablePlace(const fs::path& path, int frames) {
   static const QStringList others =
       QStringLiteral(".apng .avi .bmp .exr .gif .jpeg .jpg .m4v .mkv .mov .mpeg .mpg .ogv .pdf .png .tif "
                      ".tiff .webm .webp .wmv")
@@ -141,11 +146,19 @@ void requireTurntableName(const fs::path& path) {
     throw Error(Error::Kind::usage,
                 Message::tr("No video can be made, because ffmpeg is not installed; install the package "
                             "ffmpeg or save frames into a folder."));
+  if (const std::string next = frameName(frames); fs::exists(path / next, unknown))
+    throw Error(
+        Error::Kind::usage,
+        Message::tr("%1 holds %2 of a longer turntable, which would follow on these %3 frames; choose "
+                    "another folder, or delete it.")
+            .arg(path.string())
+            .arg(next)
+            .arg(frames));
 }
 
 std::vector<std::string> writeTurntable(const fs::path& path, const Turntable& turntable,
                                         const MakingOptions& order, const DescribeScene& describe) {
-  requireTurntableName(path);
+  requireTurntablePlace(path, turntable.frames);
   std::set<std::string> notes;
   if (!isVideo(path)) {
     makeFolderFor(path);

@@ -37,9 +37,10 @@ bool isVideo(const std::filesystem::path& path);
 /// The program that makes videos; empty where it is not installed.
 std::string videoProgram();
 
-/// Refuses a path that means neither: a video of another kind, a single picture, or a video where there is
-/// nothing to make it with. A folder that is there may be called as it likes. Throws Error (usage).
-void requireTurntableName(const std::filesystem::path& path);
+/// Refuses a path that means neither: a video of another kind, a single picture, a video where there is
+/// nothing to make it with, or a folder with more frames than will be written, which would be taken for the
+/// same turn. Else a folder that is there may be called as it likes. Throws Error (usage).
+void requireTurntablePlace(const std::filesystem::path& path, int frames);
 
 /// Draws all frames and writes them: a PNG each, frame-0001.png, into a folder, which is made where there is
 /// none, or a video, complete or untouched. Of frames that are cancelled those drawn stay. Returns one

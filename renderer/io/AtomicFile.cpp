@@ -28,15 +28,19 @@ struct Target {
 };
 
 [[noreturn]] void failWriting(const Target& target, int error) {
-  if (error == ENOENT && target.place == FilePlace::chosen && target.path.has_parent_path())
+  std::error_code unknown;
+  if (error == ENOENT && target.place == FilePlace::chosen && target.path.has_parent_path() &&
+      !fs::exists(target.path.parent_path(), unknown))
     throw Error(Error::Kind::other,
                 Message::tr("Cannot write %1: there is no folder %2; make it, or choose another folder.")
                     .arg(target.path.string())
                     .arg(target.path.parent_path().string()));
-  const Message advice = target.place == FilePlace::chosen
-                             ? Message::tr("choose another folder or make room")
-                             : Message::tr("make room there or allow Limn to write there");
-  std::error_code unknown;
+  const bool isFull = error == ENOSPC || error == EDQUOT;
+  const Message advice = target.place != FilePlace::chosen
+                             ? Message::tr("make room there or allow Limn to write there")
+                         : isFull          ? Message::tr("choose another folder or make room")
+                         : error == EISDIR ? Message::tr("choose another name")
+                                           : Message::tr("choose another folder");
   const bool isThere = fs::is_regular_file(target.path, unknown);
   throw Error(Error::Kind::other,
               (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")

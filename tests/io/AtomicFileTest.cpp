@@ -70,7 +70,7 @@ TEST(AtomicFile, aPlaceIsRefusedBeforehandWhereWritingWouldFail) {
   EXPECT_EQ(refusal(file), "") << "an old one";
   EXPECT_NE(refusal(folder.path() / "none" / "a.json").find("there is no folder"), std::string::npos);
   EXPECT_NE(refusal(file / "b.json").find("Not a directory"), std::string::npos);
-  EXPECT_NE(refusal(folder.path()).find("Is a directory"), std::string::npos);
+  EXPECT_NE(refusal(folder.path()).find("Is a directory; choose another name."), std::string::npos);
   EXPECT_EQ(bytesOfFile(file), "old");
   EXPECT_EQ(entriesOf(folder.path()), 1u) << "nothing is left of the trial";
 }
@@ -112,6 +112,9 @@ TEST(AtomicFile, adviceIsSuchThatItCanBeTaken) {
   const std::string programs = writeRefusal(folder.path() / "none" / "a.json", FilePlace::fixed);
   EXPECT_NE(programs.find("allow Limn to write there"), std::string::npos) << programs;
   EXPECT_EQ(programs.find("choose"), std::string::npos) << programs;
+  const std::string kernels = writeRefusal("/proc/a.json", FilePlace::chosen); // is there, and takes no file
+  EXPECT_NE(kernels.find("choose another folder."), std::string::npos) << kernels;
+  EXPECT_EQ(kernels.find("there is no folder"), std::string::npos) << kernels;
 }
 
 TEST(AtomicFile, aLinkStaysALink) {

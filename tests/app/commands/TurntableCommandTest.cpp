@@ -63,6 +63,15 @@ TEST_F(TurntableCommand, framesArePicturesOfRenderAndCarryTheirScenes) {
   EXPECT_NE(test::bytesOfFile(file("turn/frame-0001.png")), test::bytesOfFile(file("turn/frame-0002.png")));
 }
 
+TEST_F(TurntableCommand, framesOfALongerTurnAreNotMixedWithThese) {
+  const std::string words = " --size 32x32 --engine cpu --quiet -o " + file("turn");
+  ASSERT_EQ(run("turntable phantom:16 --frames 3" + words).status, 0);
+  const Outcome shorter = run("turntable phantom:16 --frames 2" + words);
+  EXPECT_EQ(shorter.status, 2);
+  EXPECT_NE(shorter.err.find("frame-0003.png of a longer turntable"), std::string::npos) << shorter.err;
+  EXPECT_EQ(run("turntable phantom:16 --frames 3" + words).status, 0) << "all of the old ones go";
+}
+
 TEST_F(TurntableCommand, aVideoIsMadeWhereFfmpegIsInstalled) {
   if (videoProgram().empty())
     GTEST_SKIP() << "ffmpeg is not installed";
