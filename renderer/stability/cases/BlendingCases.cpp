@@ -62,7 +62,8 @@ std::vector<Finding> premultiplied(Workbench& bench) {
 
 // The grey of pixel `i` of `greys`, 0..255: the picture begins above, the slice below.
 double greyAt(std::size_t i) {
-  return static_cast<double>(i % 16 + 16 * (15 - i / 16));
+  const std::size_t row = i / 16;
+  return static_cast<double>(i % 16 + 16 * (15 - row));
 }
 
 // A slice with a grey for each of 256 values, opaque.
