@@ -28,11 +28,13 @@ Note noteBelow(const QFont& font, const QString& text, double left, double top, 
 }
 
 // Title, place and value at the upper left, the window at the lower right.
-std::vector<Note> notesOf(const PlaneContent& content, PatientPlane plane, const QRectF& view,
-                          const QFont& font) {
+std::vector<Note> notesOf(const PlaneContent& content, PatientPlane plane, bool isOutsideCrop,
+                          const QRectF& view, const QFont& font) {
   const double room = view.width() - 2.0 * overlayMargin;
-  const QString title =
+  QString title =
       QStringLiteral("%1 · %2").arg(planeTitle(*content.volume, plane), slicePlaceText(content, plane));
+  if (isOutsideCrop)
+    title = QObject::tr("%1 · outside the crop").arg(title);
   std::vector<Note> notes{noteBelow(font, title, overlayMargin, overlayMargin, room)};
   if (view.height() < leastHeightForNotes)
     return notes;
@@ -150,7 +152,9 @@ PlaneOverlay planeOverlay(const PlaneContent& content, PatientPlane plane, const
   if (content.settings.outlinesRegion)
     for (const glm::dvec3& corner : cropOutline(content.volume->grid(), content.crop, frame.grid))
       overlay.crop << pointOf(frame, corner);
-  overlay.notes = notesOf(content, plane, overlay.view, font);
+  const bool isOutsideCrop =
+      content.settings.outlinesRegion && content.crop != CropBox{} && overlay.crop.empty();
+  overlay.notes = notesOf(content, plane, isOutsideCrop, overlay.view, font);
   overlay.scale = scaleOf(content, frame, overlay.view, font);
   if (overlay.scale && overlay.scale->plate.intersects(overlay.notes.back().plate))
     overlay.scale.reset();

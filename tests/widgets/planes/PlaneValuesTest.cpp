@@ -169,6 +169,15 @@ TEST(PlaneOverlay, outlinesTheCropBoxUnlessItIsNotAsked) {
   EXPECT_NEAR(box.width(), 20.0 / mmPerLogicalPixel(frame), 1e-9);
   EXPECT_NEAR(box.left(), pointOf(frame, {9.5, 0.0, 0.0}).x(), 1e-9);
   EXPECT_NEAR(box.bottom(), pointOf(frame, {0.0, 19.5, 0.0}).y(), 1e-9);
+  const auto title = [&] {
+    return planeOverlay(content, PatientPlane::axial, frame, {300, 300}, QFont()).notes.front().text;
+  };
+  EXPECT_FALSE(title().endsWith(QStringLiteral("outside the crop")));
+  const CropBox crop = content.crop;
+  content.crop = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.25}}; // and the slice lies in the middle
+  EXPECT_TRUE(outline().empty());
+  EXPECT_TRUE(title().endsWith(QStringLiteral("outside the crop"))) << title().toStdString();
+  content.crop = crop;
   content.settings.outlinesRegion = false;
   EXPECT_TRUE(outline().empty());
 }
