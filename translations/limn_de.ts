@@ -1715,6 +1715,10 @@
         <source>A part of the volume is hidden. A click shows everything again; View ▸ Body only hides the table and what else lies beside the body.</source>
         <translation>Ein Teil des Volumens ist ausgeblendet. Ein Klick zeigt wieder alles; „Ansicht ▸ Nur Körper“ blendet den Tisch aus und was sonst neben dem Körper liegt.</translation>
     </message>
+    <message>
+        <source>%1 · outside the crop</source>
+        <translation>%1 · außerhalb des Zuschnitts</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
