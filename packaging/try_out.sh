@@ -6,6 +6,7 @@
 set -euo pipefail
 package=$(realpath "$1")
 root=${2:-$(mktemp -d /tmp/limn-try-XXXXXX)}
+chmod 755 "$root" # mktemp lets nobody else in, and it becomes the stranger's /
 mirror=${LIMN_DEBIAN_MIRROR:-http://deb.debian.org/debian}
 
 inside() { unshare --mount --pid --fork --mount-proc="$root/proc" chroot "$root" env -i \

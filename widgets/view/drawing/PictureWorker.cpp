@@ -39,10 +39,22 @@ PictureWorker::~PictureWorker() = default;
 
 void PictureWorker::ask(PictureOrder order) {
   const std::lock_guard lock(m_mutex);
-  const bool isTaken = !m_next;
-  m_isInterrupted = true;
   m_next = std::move(order);
-  if (isTaken)
+  wake();
+}
+
+void PictureWorker::rest() {
+  const std::lock_guard lock(m_mutex);
+  m_next.reset();
+  m_restsFirst = true;
+  wake();
+}
+
+// Orders and rests come one after the other however late the thread wakes: a rest of its own in the queue
+// could end what was asked for after it.
+void PictureWorker::wake() {
+  m_isInterrupted = true;
+  if (!std::exchange(m_isWoken, true))
     QMetaObject::invokeMethod(this, &PictureWorker::begin, Qt::QueuedConnection);
 }
 
@@ -52,16 +64,25 @@ std::optional<PictureDelivery> PictureWorker::take() {
 }
 
 void PictureWorker::begin() {
-  PictureOrder next;
+  std::optional<PictureOrder> next;
+  bool restsFirst = false;
   {
     const std::lock_guard lock(m_mutex);
-    next = std::move(m_next).value();
-    m_next.reset();
+    next = std::exchange(m_next, std::nullopt);
+    restsFirst = std::exchange(m_restsFirst, false);
+    m_isWoken = false;
     m_isInterrupted = false;
-    m_endsPreparing = false;
+    if (next)
+      m_endsPreparing = false;
   }
-  const bool isOther = next.number != m_order.number;
-  m_order = std::move(next);
+  if (restsFirst) {
+    m_canDraw = false;
+    m_loop.stop();
+  }
+  if (!next)
+    return;
+  const bool isOther = next->number != m_order.number;
+  m_order = std::move(*next);
   if (isOther || !m_canDraw) {
     m_canDraw = true;
     m_loop.restart();
@@ -69,12 +90,6 @@ void PictureWorker::begin() {
   show();
   if (!isOther)
     m_loop.resume();
-}
-
-void PictureWorker::rest() {
-  m_isInterrupted = false;
-  m_canDraw = false;
-  m_loop.stop();
 }
 
 void PictureWorker::goOn() {

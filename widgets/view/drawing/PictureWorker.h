@@ -27,7 +27,7 @@ struct PictureDelivery {
 };
 
 /// Draws pictures with an engine that computes in memory, in the event loop of a thread of its own, where it
-/// must be moved to before the first order. All but `ask`, `take` and `interrupt` is called there.
+/// must be moved to before the first order. What is not said to be for any thread is called there.
 class PictureWorker : public QObject {
   Q_OBJECT
 
@@ -38,6 +38,9 @@ public:
   /// From any thread: asks for pictures instead of whatever was asked for before. What is being drawn at rest
   /// is dropped; a coarse picture is drawn to its end, so that there is something to see.
   void ask(PictureOrder order);
+  /// From any thread: draws nothing more until it is asked or told to go on; what was asked for before and
+  /// not begun is dropped.
+  void rest();
   /// From any thread: what there is of the order, if that is more than was taken before.
   std::optional<PictureDelivery> take();
   /// From any thread: ends what is being drawn at rest.
@@ -45,7 +48,6 @@ public:
   /// From any thread: ends getting a volume ready, too, which another order does not.
   void endPreparing() { m_endsPreparing = true; }
 
-  void rest(); ///< draws nothing more until it is asked or told to go on
   void goOn();
   void forget() { m_loop.forget(); }
   void forgetSpeed() { m_loop.forgetSpeed(); }
@@ -64,6 +66,7 @@ signals:
   void failed(const QString& sentence); ///< nothing is drawn until it is asked anew
 
 private:
+  void wake();
   void begin();
   void guard(const PictureContext::Work& work);
   void show();
@@ -79,6 +82,8 @@ private:
   std::atomic<bool> m_endsPreparing = false;
   std::mutex m_mutex;
   std::optional<PictureOrder> m_next;        ///< guarded
+  bool m_restsFirst = false;                 ///< guarded; before `m_next`, if there is one
+  bool m_isWoken = false;                    ///< guarded; `begin` is to come
   std::optional<PictureDelivery> m_delivery; ///< guarded
 };
 

@@ -91,8 +91,7 @@ void ProcessorDrawing::ask() {
 }
 
 void ProcessorDrawing::stop() {
-  m_worker->interrupt();
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::rest);
+  m_worker->rest();
 }
 
 void ProcessorDrawing::resume() {

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <semaphore>
+
 // Pictures from a thread of their own, without a window and without OpenGL.
 
 namespace limn {
@@ -108,6 +110,30 @@ TEST_F(Worker, theSameNumberOnlyPutsThePicturesTogetherOtherwise) {
   ASSERT_TRUE(test::waitUntil([&] { return deliveries.back().frame.width() == 200; }));
   for (std::size_t i = before; i < deliveries.size(); ++i)
     EXPECT_FALSE(deliveries[i].resting.empty()) << "what is complete stays so";
+}
+
+// On a busy machine the thread may see an order, a rest and another order at once.
+TEST_F(Worker, aRestEndsWhatWasAskedForBeforeItAndNothingAfter) {
+  const auto whileItSleeps = [this](const auto& work) {
+    std::binary_semaphore isAwake{0};
+    QMetaObject::invokeMethod(
+        worker, [&isAwake] { isAwake.acquire(); }, Qt::QueuedConnection);
+    work();
+    isAwake.release();
+    QMetaObject::invokeMethod(
+        worker, [] {}, Qt::BlockingQueuedConnection); // and all before it is done
+  };
+  whileItSleeps([this] {
+    ask(1, turned(0.0));
+    worker->rest();
+  });
+  EXPECT_FALSE(worker->take()) << "the first order was dropped";
+  whileItSleeps([this] {
+    ask(2, turned(0.1));
+    worker->rest();
+    ask(3, turned(0.2));
+  });
+  EXPECT_TRUE(isComplete(3));
 }
 
 TEST_F(Worker, afterAFailureTheNextOrderIsDrawn) {
