@@ -2,6 +2,7 @@
 #include "app/SceneSource.h"
 
 #include "app/KeptRegion.h"
+#include "app/MeantWord.h"
 #include "app/dicom/LookSource.h"
 #include "app/presets/PresetStore.h"
 #include "io/ImageFile.h"
@@ -58,6 +59,17 @@ std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Prog
   return phantomVolume(spec, progress.isCancelled);
 }
 
+// A built-in volume whose name was misspelt is no file that is missing.
+void refuseMisspeltName(const std::string& source) {
+  std::error_code unknown;
+  const std::string meant = meantBy(source.substr(0, source.find(':')), {"sample", "phantom"});
+  if (!meant.empty() && !fs::exists(source, unknown))
+    throw Error(Error::Kind::input,
+                Message::tr("Cannot read %1: there is no such file or folder; did you mean %2?")
+                    .arg(source)
+                    .arg(meant));
+}
+
 OpenedVolume readSource(const std::string& source, const ReadOptions& options, const Progress& progress,
                         std::vector<Message>& notes) {
   if (source == "sample") {
@@ -69,6 +81,7 @@ OpenedVolume readSource(const std::string& source, const ReadOptions& options, c
   }
   if (isPhantom(source))
     return {phantomNamed(source, progress), source};
+  refuseMisspeltName(source);
   return {readVolume(source, options, progress), absoluteSource(source)};
 }
 

@@ -56,7 +56,11 @@ void grabAndQuit(MainWindow& window, const QString& path) {
   QApplication::exit(saved ? 0 : 1);
 }
 
-// Saves a picture of the whole window once its volume is loaded, drawn at full quality and seen in the
+bool isRefined(const PictureState& state) {
+  return state.resting && !state.refines;
+}
+
+// Saves a picture of the whole window once its volume is loaded, drawn as finely as it gets and seen in the
 // list of presets, then quits the program: with status 0, 3 where loading failed, or 1 where saving did.
 void saveScreenshotAtRest(MainWindow& window, const QString& path) {
   QObject::connect(&window.loader(), &VolumeLoader::failed, &window,
@@ -78,14 +82,14 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
                    [&window, path](const PictureState& state) {
                      // The labels and panels catch up before the picture is taken; where that changes its
                      // size, it is drawn anew.
-                     if (state.resting && window.view().scene().volume)
+                     if (isRefined(state) && window.view().scene().volume)
                        QTimer::singleShot(0, &window, [&window] {
-                         if (window.view().pictureState().resting)
+                         if (isRefined(window.view().pictureState()))
                            window.thumbnails().drawNow();
                        });
                    });
   QObject::connect(&window.thumbnails(), &ThumbnailDesk::completed, &window, [&window, path] {
-    if (window.view().pictureState().resting)
+    if (isRefined(window.view().pictureState()))
       grabAndQuit(window, path);
   });
 }

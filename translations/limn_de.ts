@@ -1719,6 +1719,10 @@
         <source>%1 · outside the crop</source>
         <translation>%1 · außerhalb des Zuschnitts</translation>
     </message>
+    <message>
+        <source>The line is around what is kept</source>
+        <translation>Die Linie umgibt, was erhalten bleibt</translation>
+    </message>
 </context>
 <context>
     <name>Tissue</name>
@@ -7263,6 +7267,10 @@
     <message>
         <source>choose another folder</source>
         <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: there is no such file or folder; did you mean %2?</source>
+        <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei und keinen solchen Ordner; meinten Sie %2?</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@
 #include <QSysInfo>
 #include <QtGlobal>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -30,6 +31,18 @@ struct InfoArguments {
   bool json = false;
   bool system = false;
 };
+
+// "stored - 1024", "0.5 * stored + 3".
+std::string rescaleText(const Rescale& rescale) {
+  char factor[40] = "";
+  char offset[40] = "";
+  if (rescale.slope != 1.0)
+    std::snprintf(factor, sizeof factor, "%.6g * ", rescale.slope);
+  if (rescale.intercept != 0.0)
+    std::snprintf(offset, sizeof offset, " %c %.6g", rescale.intercept < 0.0 ? '-' : '+',
+                  std::abs(rescale.intercept));
+  return std::string(factor) + "stored" + offset;
+}
 
 void printText(const VolumeFacts& facts) {
   const Volume& volume = *facts.volume;
@@ -47,8 +60,8 @@ void printText(const VolumeFacts& facts) {
                 grid.direction[1][row], grid.direction[2][row]);
   if (!volume.info().orientationKnown)
     std::printf("            orientation unknown\n");
-  std::printf("type        %s, value = %.6g * stored + %.6g\n", voxelTypeName(volume.stored()).c_str(),
-              volume.rescale().slope, volume.rescale().intercept);
+  std::printf("type        %s, value = %s\n", voxelTypeName(volume.stored()).c_str(),
+              rescaleText(volume.rescale()).c_str());
   std::printf("range       %.6g to %.6g%s\n", volume.range().lowest, volume.range().highest, unit.c_str());
   std::printf("invalid     %zu voxels\n", volume.invalidVoxels());
   std::printf("gradient    largest %.6g, 99.5th percentile %.6g %s\n", facts.gradientMax,

@@ -111,6 +111,8 @@ void makeSurfaces(const SurfaceArguments& arguments) {
                       arguments.cells, memory});
   const std::vector<WrittenSurface> written =
       exportSurfaces(scene, orders, arguments.out, part(progress, 0.1, 1.0));
+  if (progress.report)
+    progress.report(1.0, ""); // takes its line away
   if (arguments.json)
     std::cout << surfacesJson(written);
   for (const WrittenSurface& surface : written) {

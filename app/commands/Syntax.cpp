@@ -268,7 +268,7 @@ std::string namesOf(const std::vector<const CLI::App*>& commands) {
 // What CLI11 says, where that is not in words of its own.
 std::string complaintOf(const CLI::ParseError& error, const Reached& at,
                         const std::vector<std::string>& arguments) {
-  const std::string said = error.what();
+  std::string said = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) && !at.command->remaining().empty())
     return complaintAboutMore(at, arguments);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))

@@ -42,10 +42,12 @@ QString accuracyNote(const Figure& figure) {
       .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));
 }
 
-// What hides parts of the volume in a panel's picture.
+// What hides parts of the volume in a panel's picture; a slice shows all of it and draws a line around the rest.
 QStringList hidingIn(const FigurePanel& panel) {
   if (panel.plane)
-    return {};
+    return panel.planes.outlinesRegion && isRestricting(panel.scene.keep)
+               ? QStringList{QObject::tr("The line is around what is kept")}
+               : QStringList();
   QStringList texts{regionText(panel.scene.keep)};
   if (panel.scene.crop != CropBox())
     texts << QObject::tr("Cropped");

@@ -261,6 +261,8 @@ TEST_F(CommandLine, mistakesEndWithTheirStatusAndOneSentence) {
       {"render phantom:8 -o x.png --modle classic", 2, "did you mean --model?"},
       {"render phantom:8 --presett x", 2, "did you mean --preset?"},
       {"accurcy", 2, "did you mean accuracy?"},
+      {"info sampel", 3, "did you mean sample?"},
+      {"info phantm:8", 3, "did you mean phantom?"},
       {"help accurcy", 2, "did you mean accuracy?"},
       {"--theme dark help", 2, "Help stands in front"},
       {"render phantom:8 -o x.png --preset bone", 2, "did you mean \"CT bone\"?"},
