@@ -4010,8 +4010,8 @@
         <translation>Zeiten sind von dort auf die %1 × %2 Pixel am Bildschirm umgerechnet.</translation>
     </message>
     <message>
-        <source>Measured from another direction. %1</source>
-        <translation>Aus einer anderen Richtung gemessen. %1</translation>
+        <source>Measured in another view. %1</source>
+        <translation>In einer anderen Ansicht gemessen. %1</translation>
     </message>
     <message>
         <source>Measured for an earlier picture; measure again to judge this one.</source>
@@ -9029,10 +9029,6 @@
         <translation>Speichern und Hilfe finden</translation>
     </message>
     <message>
-        <source>Snapshot saves the picture with everything that made it; File has figures, sessions and more. F1 opens the guide, ? lists every key, and Help has this tour again.</source>
-        <translation>Bild speichern bewahrt das Bild mit allem, was es ausmacht; Datei hat Abbildungen, Sitzungen und mehr. F1 öffnet den Leitfaden, ? zeigt alle Tasten, und Hilfe hat diesen Rundgang noch einmal.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -9043,6 +9039,10 @@
     <message>
         <source>The curve says how solid each value is; behind it stands how often each occurs. Drag a point, or click the curve to add one: the picture follows. Ctrl+Z takes back what you did to the picture.</source>
         <translation>Die Kurve sagt, wie deckend jeder Wert ist; dahinter steht, wie oft er vorkommt. Einen Punkt ziehen, oder auf die Kurve klicken für einen neuen: Das Bild folgt. Strg+Z nimmt zurück, was am Bild geändert wurde.</translation>
+    </message>
+    <message>
+        <source>The camera saves the picture with everything that made it; File has figures, sessions and more. F1 opens the guide, ? lists every key, and Help has this tour again.</source>
+        <translation>Die Kamera speichert das Bild mit allem, was es ausmacht; Datei hat Abbildungen, Sitzungen und mehr. F1 öffnet den Leitfaden, ? zeigt alle Tasten, und Hilfe hat diesen Rundgang noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -9177,6 +9177,14 @@
         <source>Saved %1.</source>
         <translation>%1 wurde gespeichert.</translation>
     </message>
+    <message>
+        <source>Left: %1</source>
+        <translation>Links: %1</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Rechts: %1</translation>
+    </message>
 </context>
 <context>
     <name>limn::TurntableDialog</name>
@@ -9239,6 +9247,10 @@
     <message>
         <source>Drawing frame %1 of %2…</source>
         <translation>Einzelbild %1 von %2 wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Bild</translation>
     </message>
 </context>
 <context>
@@ -9311,7 +9323,7 @@
     </message>
     <message>
         <source>Choose by limit</source>
-        <translation>Nach Grenze wählen</translation>
+        <translation>Nach Grenzwert wählen</translation>
     </message>
     <message>
         <source>Measure this picture first: the choice is among what was measured.</source>

@@ -106,9 +106,14 @@ void PanelList::setSources(const std::vector<PanelSource>& sources) {
   }
 }
 
+// Panels that are added show what no other does.
 void PanelList::choose(const std::vector<std::size_t>& sources) {
+  std::vector<std::size_t> order = sources;
+  for (std::size_t source = 0; source < m_sources.size(); ++source)
+    if (std::ranges::find(sources, source) == sources.end())
+      order.push_back(source);
   for (std::size_t i = 0; i < m_rows.size(); ++i) {
-    m_rows[i].chosen = m_sources[i < sources.size() ? sources[i] : std::min(i, m_sources.size() - 1)].text;
+    m_rows[i].chosen = m_sources[order[std::min(i, order.size() - 1)]].text;
     m_rows[i].ownName = QString();
     showRow(m_rows[i]);
   }

@@ -25,6 +25,11 @@ namespace {
 
 constexpr int statusMs = 6000;
 
+// A slash would name a folder.
+QString asFileName(QString presetName) {
+  return presetName.replace(QLatin1Char('/'), QLatin1Char('-'));
+}
+
 std::optional<LookTarget> targetOf(const Session& session) {
   const std::shared_ptr<const Volume>& volume = session.scene().volume;
   return volume ? std::optional(lookTargetOf(*volume)) : std::nullopt;
@@ -109,7 +114,7 @@ void LookDesk::exportPreset(const QString& name) {
 void LookDesk::askWhereToExport(const Preset& preset) {
   const QString path =
       askWhereToSave(&m_with.window,
-                     {tr("Export the look"), presetWords(QString::fromStdString(preset.name)),
+                     {tr("Export the look"), asFileName(presetWords(QString::fromStdString(preset.name))),
                       writtenLookFilters(m_with.settings.lookEnding())},
                      m_with.settings);
   if (path.isEmpty())

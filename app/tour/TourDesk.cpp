@@ -18,8 +18,12 @@ namespace limn {
 TourDesk::TourDesk(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
   connect(&m_parts.tour, &QAction::triggered, this, &TourDesk::start);
   connect(&m_parts.session, &Session::sceneChanged, this, [this] {
-    if (m_step == 0)
-      go(0); // the sample need not be offered any more
+    if (m_step != 0)
+      return;
+    const bool offered = m_offersSample;
+    go(0);
+    if (offered && !m_offersSample)
+      m_callout->takeFocus(); // which the window gives to what was opened
   });
 }
 
@@ -60,7 +64,8 @@ std::vector<TourStep> TourDesk::steps() const {
           "what exactness costs in time. The line below says how exact the picture is."),
        part("shadingDock")},
       {tr("Save, and find help"),
-       tr("Snapshot saves the picture with everything that made it; File has figures, sessions and more. F1 "
+       tr("The camera saves the picture with everything that made it; File has figures, sessions and more. "
+          "F1 "
           "opens the guide, ? lists every key, and Help has this tour again."),
        m_parts.window.findChild<QToolBar*>()->widgetForAction(
            m_parts.window.findChild<QAction*>(QStringLiteral("savePicture")))},
@@ -107,9 +112,9 @@ void TourDesk::go(int step) {
 
 void TourDesk::say(const TourStep& step) {
   const int count = static_cast<int>(steps().size());
-  const bool offersSample = m_step == 0 && !m_parts.session.scene().volume;
+  m_offersSample = m_step == 0 && !m_parts.session.scene().volume;
   m_callout->say({step.title, step.text, tr("%1 of %2").arg(m_step + 1).arg(count),
-                  offersSample ? tr("Open the sample head") : QString()},
+                  m_offersSample ? tr("Open the sample head") : QString()},
                  m_step == 0, m_step == count - 1);
 }
 

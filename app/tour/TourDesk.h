@@ -58,6 +58,7 @@ private:
 
   Parts m_parts;
   int m_step = -1;
+  bool m_offersSample = false; ///< by the step that is shown
   QPointer<Callout> m_callout;
   QPointer<CalloutFrame> m_frame;
   QPointer<QWidget> m_target;

@@ -12,6 +12,7 @@
 #include "app/window/picture/EngineDesk.h"
 #include "io/scenefile/SceneFile.h"
 #include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/SideText.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -37,9 +38,17 @@ void TurntableDesk::show() {
     const QRectF picture = m_parts.view.logicalRect(0);
     m_dialog->setSize({static_cast<int>(picture.width()), static_cast<int>(picture.height())});
   }
+  m_dialog->setPictures(pictures(), m_parts.view.ownSide());
   m_dialog->show();
   m_dialog->raise();
   m_dialog->activateWindow();
+}
+
+QStringList TurntableDesk::pictures() const {
+  const std::vector<Scene> scenes = m_parts.view.scenesOfSides();
+  if (scenes.size() < 2)
+    return {sideTitle(scenes.front())};
+  return {tr("Left: %1").arg(sideTitle(scenes[0])), tr("Right: %1").arg(sideTitle(scenes[1]))};
 }
 
 void TurntableDesk::save() {
@@ -55,7 +64,7 @@ void TurntableDesk::save() {
   if (path.isEmpty())
     return;
   Turntable turntable;
-  turntable.scene = m_parts.view.sceneOfSide(0);
+  turntable.scene = m_parts.view.sceneOfSide(m_dialog->picture());
   turntable.size = m_dialog->size();
   turntable.frames = m_dialog->frames();
   turntable.framesPerSecond = m_dialog->framesPerSecond();

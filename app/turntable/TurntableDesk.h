@@ -4,6 +4,7 @@
 #include "app/BackgroundWork.h"
 
 #include <QPointer>
+#include <QStringList>
 
 class QAction;
 class QWidget;
@@ -37,6 +38,7 @@ public:
 
 private:
   void show();
+  QStringList pictures() const;
   void save();
 
   Parts m_parts;

@@ -5,7 +5,10 @@
 
 #include <glm/glm.hpp>
 
+#include <QStringList>
+
 class QComboBox;
+class QFormLayout;
 
 namespace limn {
 
@@ -18,6 +21,11 @@ class TurntableDialog : public WorkDialog {
 public:
   /// Without `hasVideo` it offers frames alone, and says why.
   TurntableDialog(bool hasVideo, QWidget* parent);
+
+  /// What the window shows, from left to right: of several, one is asked for, at first `usual`; the same
+  /// ones keep what was chosen.
+  void setPictures(const QStringList& names, int usual);
+  int picture() const;
 
   void setSize(const glm::ivec2& pixels);
   glm::ivec2 size() const;
@@ -37,6 +45,8 @@ private:
   NumberField* m_frames;
   NumberField* m_perSecond;
   QComboBox* m_kind;
+  QComboBox* m_picture;
+  QFormLayout* m_form;
 };
 
 } // namespace limn

@@ -10,8 +10,14 @@
 namespace limn {
 namespace {
 
+// Not folded away to nothing. What lies over it is part of it: a child may show the whole picture.
 bool isSeen(const QWidget& widget) {
-  return widget.isVisible() && !widget.visibleRegion().isEmpty();
+  if (!widget.isVisible())
+    return false;
+  QRect seen = widget.rect();
+  for (const QWidget* at = &widget; !at->isWindow(); at = at->parentWidget())
+    seen = seen.translated(at->pos()) & at->parentWidget()->rect();
+  return !seen.isEmpty();
 }
 
 } // namespace

@@ -41,6 +41,11 @@ GreyWindow windowDragged(const GreyWindow& start, const ValueRange& range, doubl
       range, start.width * factor);
 }
 
+GreyWindow rounded(const GreyWindow& window) {
+  const double unit = std::min(1.0, std::pow(10.0, std::floor(std::log10(window.width / 50.0))));
+  return {unit * std::round(window.centre / unit), unit * std::round(window.width / unit)};
+}
+
 GreyWindow withWidth(GreyWindow window, const ValueRange& range, double width) {
   window.width = std::clamp(width, narrowest * widthOf(range), widest * widthOf(range));
   return window;

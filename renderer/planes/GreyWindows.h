@@ -41,6 +41,10 @@ GreyWindow firstWindow(const Volume& volume, const Histogram& histogram);
 /// times the volume's range.
 GreyWindow windowDragged(const GreyWindow& start, const ValueRange& range, double right, double up);
 
+/// The window in numbers as people say them: whole ones, or of a window narrower than 50 the power of ten
+/// that is at most a fiftieth of its width.
+GreyWindow rounded(const GreyWindow& window);
+
 /// The window with a typed width, at least a millionth of the range.
 GreyWindow withWidth(GreyWindow window, const ValueRange& range, double width);
 

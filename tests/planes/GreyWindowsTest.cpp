@@ -44,6 +44,9 @@ TEST(GreyWindows, widenToTheRightAndRiseUpwards) {
   EXPECT_DOUBLE_EQ(windowDragged(start, range, 256.0, 0.0).width, 400.0 * std::exp(1.0));
   EXPECT_DOUBLE_EQ(windowDragged(start, range, 0.0, 64.0).centre, 140.0);
   EXPECT_DOUBLE_EQ(windowDragged(start, range, -1e9, 0.0).width, 4e-3) << "a millionth of the range";
+  EXPECT_EQ(rounded({-53.84, 467.63}), (GreyWindow{-54.0, 468.0}));
+  EXPECT_DOUBLE_EQ(rounded({1.23456, 4e-3}).centre, 1.23456) << "of a narrow window nothing is lost";
+  EXPECT_DOUBLE_EQ(rounded({1.23456, 0.8}).centre, 1.23);
   EXPECT_GT(withWidth(start, {5.0, 5.0}, -3.0).width, 0.0);
 }
 

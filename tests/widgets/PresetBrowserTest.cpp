@@ -164,6 +164,21 @@ TEST_F(PresetBrowserTest, aPresetThatWasChangedSaysSoUntilTheSearchAndBeyond) {
   EXPECT_EQ(marked(), QStringLiteral("CT lung"));
 }
 
+TEST_F(PresetBrowserTest, theHitThatEnterUsesIsMarked) {
+  const auto hits = [this] {
+    return list()->model()->match(list()->model()->index(0, 0), presetRole::isBestHit, true, -1,
+                                  Qt::MatchExactly | Qt::MatchRecursive);
+  };
+  EXPECT_TRUE(hits().isEmpty());
+  QTest::keyClicks(search(), QStringLiteral("lung"));
+  ASSERT_EQ(hits().size(), 1);
+  const QString hit = hits().front().data().toString();
+  QTest::keyClick(search(), Qt::Key_Return);
+  EXPECT_EQ(marked(), hit);
+  search()->clear();
+  EXPECT_TRUE(hits().isEmpty());
+}
+
 TEST_F(PresetBrowserTest, aRightClickSelectsNothingAndOpensAMenu) {
   click(QStringLiteral("CT bone"));
   const QPoint lung = rowOf(m_browser, QStringLiteral("CT lung")).center();

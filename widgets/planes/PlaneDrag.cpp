@@ -66,7 +66,7 @@ std::optional<PlaneSettings> settingsAfter(const PlaneDrag& drag, const QPointF&
     return withCrosshair(drag.content, place);
   case PlaneDrag::Kind::windowLevel:
     settings.window =
-        windowDragged(windowOf(drag.content), drag.content.volume->range(), moved.x(), -moved.y());
+        rounded(windowDragged(windowOf(drag.content), drag.content.volume->range(), moved.x(), -moved.y()));
     return settings;
   case PlaneDrag::Kind::distanceFrom:
     settings.distance->from = place;

@@ -38,6 +38,13 @@ void PresetFilter::search(const QString& text) {
   sort(m_words.isEmpty() ? -1 : 0); // −1: the order of the list
 }
 
+QVariant PresetFilter::data(const QModelIndex& index, int role) const {
+  if (role != presetRole::isBestHit)
+    return QSortFilterProxyModel::data(index, role);
+  const QModelIndex group = index.parent();
+  return !m_words.isEmpty() && group.isValid() && group.row() == 0 && index.row() == 0;
+}
+
 bool PresetFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const QString text =
       sourceModel()->index(row, 0, parent).data(presetRole::searchText).toString(); // none of a group

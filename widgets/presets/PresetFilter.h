@@ -19,6 +19,9 @@ public:
   /// Every word must occur in name, modality or note, in any order and as it is written.
   void search(const QString& text);
 
+  /// The source's, and of the best hit of a search that it is this (presetRole::isBestHit).
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+
 protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;

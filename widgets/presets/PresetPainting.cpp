@@ -57,7 +57,9 @@ void paintPresetCard(QPainter& painter, const QStyleOptionViewItem& option, cons
   const ThemeColors colors = themeColors(option.palette);
   const auto use = static_cast<PresetUse>(index.data(presetRole::use).toInt());
   const bool hovered = option.state & QStyle::State_MouseOver;
-  const bool hasKeyboard = option.state & QStyle::State_HasFocus;
+  // Enter uses the one that has the keyboard, and in the search the best hit.
+  const bool hasKeyboard =
+      (option.state & QStyle::State_HasFocus) || index.data(presetRole::isBestHit).toBool();
   if (use == PresetUse::none && !hovered && !hasKeyboard)
     return;
   painter.setPen(use != PresetUse::none ? QPen(colors.accent, 1.5)

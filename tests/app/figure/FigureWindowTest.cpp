@@ -15,6 +15,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <set>
 
 // Figures, put together and saved in the program's window.
 
@@ -191,6 +192,18 @@ TEST_F(FigureWindow, panelsAreChosenNamedAndCountedByKeyboard) {
   EXPECT_EQ(dialog().figure().panels[1].name, QStringLiteral("Through the teeth"));
   ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
   EXPECT_EQ(undo().count(), 0) << "a figure is no edit";
+}
+
+TEST_F(FigureWindow, panelsThatAreAddedShowWhatNoOtherDoes) {
+  ASSERT_TRUE(ask());
+  ASSERT_EQ(dialog().figure().panels.size(), 2u);
+  auto& count = part<QComboBox>("panelCount");
+  count.setFocus();
+  QTest::keyClick(&count, Qt::Key_End);
+  std::set<QString> names;
+  for (const FigurePanel& panel : dialog().figure().panels)
+    names.insert(panel.name);
+  EXPECT_EQ(names.size(), 4u);
 }
 
 TEST_F(FigureWindow, marksAndPageAreRememberedForTheNextFigure) {

@@ -112,6 +112,14 @@ TEST_F(TourWindow, offersTheSampleWhereNothingIsOpenAndOnlyThere) {
   EXPECT_FALSE(button("tourAction").isVisible());
 }
 
+TEST_F(TourWindow, goesOnByTheKeyboardOnceTheSampleIsOpen) {
+  start().trigger();
+  QTest::mouseClick(&button("tourAction"), Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] { return scene().volume != nullptr; }) && rest());
+  press(Qt::Key_Return);
+  EXPECT_EQ(tour().step(), 1);
+}
+
 TEST_F(TourWindow, leavesEverythingElseAtWork) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")) && rest());
   start().trigger();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/SceneSource.h"
 #include "app/WindowHarness.h"
 #include "app/turntable/TurntableDialog.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
@@ -50,6 +52,26 @@ TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
     EXPECT_TRUE(fs::exists(folder.path() / "turn.frames" / frame)) << frame;
   EXPECT_FALSE(fs::exists(folder.path() / "turn.frames" / "frame-0005.png"));
   EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(TurntableWindow, ofTwoPicturesTheOneThatIsChosenIsSaved) {
+  auto& picture = *dialog().findChild<QComboBox*>(QStringLiteral("turntablePicture"));
+  EXPECT_EQ(picture.currentText(), QStringLiteral("Left: Classic"));
+  picture.setFocus();
+  QTest::keyClick(&picture, Qt::Key_Down);
+  EXPECT_EQ(picture.currentText(), QStringLiteral("Right: Enhanced"));
+  type("turntableFrames", QStringLiteral("2"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const LoadedScene saved = loadScene((folder.path() / "turn.frames" / "frame-0001.png").string(), {}, {});
+  EXPECT_EQ(saved.scene.shading.model, ShadingModel::enhanced);
+}
+
+TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  window->findChild<QAction*>(QStringLiteral("layout-single"))->trigger();
+  window->findChild<QAction*>(QStringLiteral("saveTurntable"))->trigger();
+  EXPECT_FALSE(dialog().findChild<QComboBox*>(QStringLiteral("turntablePicture"))->isVisible());
 }
 
 TEST_F(TurntableWindow, isCancelledByEsc) {

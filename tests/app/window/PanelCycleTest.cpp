@@ -46,6 +46,13 @@ TEST_F(PanelCycleTest, f6GoesRoundThePanelsThatAreSeenAndShiftF6Back) {
   EXPECT_EQ(press(Qt::Key_F6, Qt::ShiftModifier), &plot());
 }
 
+TEST_F(PanelCycleTest, thePictureIsReachedWhoeverDrawsIt) {
+  view().setEngine(ViewEngine::processor, {});
+  ASSERT_TRUE(rest());
+  EXPECT_EQ(press(Qt::Key_F6, Qt::ShiftModifier), presetList());
+  EXPECT_EQ(press(Qt::Key_F6), &view());
+}
+
 TEST_F(PanelCycleTest, slicesComeAfterThePictureWhereTheyAreShown) {
   PlaneSettings settings = session().planes();
   settings.layout = PlaneLayout::pictureAndThree;

@@ -245,7 +245,7 @@ TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
   scene.camera.position.x += 5.0;
   panel.setScene(scene);
   EXPECT_TRUE(
-      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured from another direction.")));
+      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured in another view.")));
   scene.transferFunction.points[1].opacity = 0.4;
   panel.setScene(scene);
   EXPECT_TRUE(

@@ -62,6 +62,19 @@ TEST(OnProcessor, aDragMovesThePictureAndItComesToRestAgain) {
   EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
 }
 
+TEST(OnProcessor, ofAnotherVolumeNothingIsToldUntilItIsSeen) {
+  ProcessorHost host;
+  ASSERT_TRUE(host.show());
+  ASSERT_TRUE(host.rest());
+  PictureState told = host.view.pictureState();
+  QObject::connect(&host.view, &CompareView::pictureStateChanged,
+                   [&](const PictureState& state) { told = state; });
+  host.showPhantom(8.0);
+  EXPECT_TRUE(told.sides.empty() && !told.resting) << "what was true of the volume before";
+  ASSERT_TRUE(host.rest());
+  EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
+}
+
 TEST(OnProcessor, aVolumeOnDiskMovesInFewerVoxelsAndRestsInAll) {
   const test::TemporaryFolder folder;
   ProcessorHost host;

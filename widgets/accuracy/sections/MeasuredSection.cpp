@@ -132,7 +132,7 @@ void MeasuredSection::showSummary() {
     m_summary->setText(how);
     break;
   case MeasuredFor::otherCamera:
-    m_summary->setText(tr("Measured from another direction. %1").arg(how));
+    m_summary->setText(tr("Measured in another view. %1").arg(how));
     break;
   case MeasuredFor::earlierPicture:
     m_summary->setText(tr("Measured for an earlier picture; measure again to judge this one."));

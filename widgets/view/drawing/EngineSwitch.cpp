@@ -90,6 +90,7 @@ void EngineSwitch::forget() {
   m_recovery.forget();
   m_drawing->forget();
   retryDriver();
+  emit stateChanged(state());
 }
 
 void EngineSwitch::cancelPreparing() {

@@ -104,6 +104,7 @@ void ProcessorDrawing::endPreparing() {
 
 void ProcessorDrawing::forget() {
   m_worker->endPreparing();
+  m_forgotten = m_number;
   m_delivery = {};
   m_state = {};
   QMetaObject::invokeMethod(m_worker, &PictureWorker::forget);
@@ -132,7 +133,7 @@ void ProcessorDrawing::setMovingMs(double ms) {
 // Pictures of an earlier order are shown, too: while something moves there are no others.
 void ProcessorDrawing::receive() {
   std::optional<PictureDelivery> delivery = m_worker->take();
-  if (!delivery)
+  if (!delivery || delivery->number <= m_forgotten)
     return;
   const bool isLast = delivery->number == m_number;
   const PictureState state = isLast ? delivery->state : stale(delivery->state);

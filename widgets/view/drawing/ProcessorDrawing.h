@@ -48,6 +48,7 @@ private:
   QThread m_thread;
   PictureWorker* m_worker; ///< on the thread
   int m_number = 0;        ///< of the last order
+  int m_forgotten = -1;    ///< the last order for the volume before
   QTimer m_askTimer;       ///< several changes of one turn are one order
   PictureDelivery m_delivery;
   PictureState m_state;

@@ -266,7 +266,8 @@ void paintNote(QPainter& painter, const Note& note) {
   painter.setFont(smallFont(painter.font()));
   paintPlate(painter, note.plate);
   painter.setPen(quietColor);
-  painter.drawText(note.plate, Qt::AlignCenter, note.text);
+  // A plate may be wider, for another text in its place.
+  painter.drawText(note.plate.adjusted(1.5 * unit, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, note.text);
   painter.restore();
 }
 
