@@ -82,7 +82,8 @@ int runCommandLine(int argc, char** argv) {
       .words({"sample"})
       .file();
   syntax
-      .option("--screenshot", window.screenshot, "save a PNG of the window once its picture is refined, then quit")
+      .option("--screenshot", window.screenshot,
+              "save a PNG of the window once its picture is refined, then quit")
       .file({".png"});
   syntax.option("--theme", window.theme, "light, dark or contrast (high), for this run")
       .oneOf({"light", "dark", "contrast"});

@@ -25,7 +25,18 @@ struct PresetPicture {
 
 /// Roles of the preset list beside Qt::DisplayRole, the preset's name or the group's title.
 namespace presetRole {
-enum { isGroup = Qt::UserRole + 1, isOwn, note, curve, picture, searchText, use, showsNothing, isFavourite, isBestHit };
+enum {
+  isGroup = Qt::UserRole + 1,
+  isOwn,
+  note,
+  curve,
+  picture,
+  searchText,
+  use,
+  showsNothing,
+  isFavourite,
+  isBestHit
+};
 }
 
 /// Fills `model` with groups of presets, each with a picture of its curve in the colours of a look.

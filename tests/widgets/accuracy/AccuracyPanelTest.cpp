@@ -244,8 +244,7 @@ TEST_F(AccuracyPanelTest, numbersOfAnEarlierPictureAreSaidToBeThatAndNotUsed) {
   measure();
   scene.camera.position.x += 5.0;
   panel.setScene(scene);
-  EXPECT_TRUE(
-      textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured in another view.")));
+  EXPECT_TRUE(textOf<MeasuredSection>("summary").startsWith(QStringLiteral("Measured in another view.")));
   scene.transferFunction.points[1].opacity = 0.4;
   panel.setScene(scene);
   EXPECT_TRUE(

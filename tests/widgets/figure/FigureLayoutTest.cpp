@@ -170,8 +170,9 @@ TEST(FigureText, tellsARegionThatIsHidden) {
   figure.panels[0].plane = PatientPlane::axial;
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (b). Cropped (b)."));
   figure.panels[0].scene.keep = figure.panels[1].scene.keep;
-  EXPECT_EQ(notesOf(figure), QStringLiteral("The line is around what is kept (a). Body only: table hidden (b). "
-                                            "Cropped (b)."));
+  EXPECT_EQ(notesOf(figure),
+            QStringLiteral("The line is around what is kept (a). Body only: table hidden (b). "
+                           "Cropped (b)."));
   figure.panels[0].planes.outlinesRegion = false;
   EXPECT_EQ(notesOf(figure), QStringLiteral("Body only: table hidden (b). Cropped (b)."));
 }
