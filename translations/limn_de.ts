@@ -1774,12 +1774,12 @@
         <translation>Zeit je Bild, ms</translation>
     </message>
     <message>
-        <source>Error, mean, levels of 255</source>
-        <translation>Mittlerer Fehler, Stufen von 255</translation>
+        <source>Error, levels of 255 (mean)</source>
+        <translation>Fehler, Stufen von 255 (Mittel)</translation>
     </message>
     <message>
-        <source>Error, 99.9th percentile, levels of 255</source>
-        <translation>Fehler, 99,9. Perzentil, Stufen von 255</translation>
+        <source>Error, levels of 255 (99.9th percentile)</source>
+        <translation>Fehler, Stufen von 255 (99,9. Perzentil)</translation>
     </message>
     <message>
         <source>%1 · %2 × %3 pixels · %4</source>

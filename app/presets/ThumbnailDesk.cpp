@@ -130,10 +130,13 @@ std::vector<Thumbnail> ThumbnailDesk::missing() {
 }
 
 Camera ThumbnailDesk::cameraOf(const Scene& scene) {
-  // A picture of another shape than the view's would cut what that shows.
   const Grid& grid = scene.volume->grid();
-  const Camera seen =
-      refitted(scene.camera, grid, croppedBox(grid, scene.crop), m_with.aspect(), pictureAspect);
+  const IndexBox box = croppedBox(grid, scene.crop);
+  // A picture of another shape than the view's would cut what that shows.
+  const Camera inView = refitted(scene.camera, grid, box, m_with.aspect(), pictureAspect);
+  // From farther off than the whole there would be specks.
+  const Camera whole = framed(scene.camera, grid, box, pictureAspect);
+  const Camera& seen = seenHeightMm(inView) > seenHeightMm(whole) ? whole : inView;
   if (m_shown.empty() || !seeAlike(m_camera, seen))
     m_camera = seen;
   return m_camera;

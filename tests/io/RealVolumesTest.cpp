@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 namespace limn {
 namespace {
 
@@ -17,6 +19,10 @@ struct Expected {
   ValueRange range;
   bool orientationKnown;
 };
+
+void PrintTo(const Expected& expected, std::ostream* out) {
+  *out << expected.file;
+}
 
 class RealVolume : public testing::TestWithParam<Expected> {};
 

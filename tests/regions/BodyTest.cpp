@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <ostream>
 
 namespace limn {
 namespace {
@@ -231,6 +232,10 @@ struct Expected {
   const char* file;
   bool isSure;
 };
+
+void PrintTo(const Expected& expected, std::ostream* out) {
+  *out << expected.file;
+}
 
 class RealBody : public testing::TestWithParam<Expected> {};
 

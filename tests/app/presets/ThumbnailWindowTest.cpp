@@ -92,6 +92,21 @@ TEST_F(ThumbnailWindow, theyFollowTheViewOnceItRestsFromAnotherSide) {
   EXPECT_NE(picture("CT bone"), front);
 }
 
+TEST_F(ThumbnailWindow, theyShowTheWholeWhereTheViewIsFarOff) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(complete());
+  const QImage framed = picture("CT bone");
+  const auto fromAfar = [this](double factor) {
+    Camera camera = scene().camera;
+    camera.position = camera.target + factor * (camera.position - camera.target);
+    session().setCamera(camera);
+    return complete() ? picture("CT bone") : QImage();
+  };
+  const QImage farOff = fromAfar(4.0);
+  EXPECT_NE(farOff, framed);
+  EXPECT_EQ(fromAfar(5.0), farOff) << "no speck";
+}
+
 TEST_F(ThumbnailWindow, aPresetThatHidesEverythingSaysSo) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   session().setTransferFunction({1.0, {{5000.0, {1, 1, 1}, 0.0}, {6000.0, {1, 1, 1}, 0.5}}},

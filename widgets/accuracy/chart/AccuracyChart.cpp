@@ -105,9 +105,10 @@ void AccuracyChart::addAxes() {
   m_timeAxis = logAxisAround(leastMs, std::max(mostMs, leastMs), m_timeTicks);
   m_errorAxis = logAxisAround(leastError, mostError, m_errorTicks);
   addAxis(categoryAxis(m_timeAxis, tr("Time per picture, ms")), Qt::AlignBottom);
+  // Where it is cut, the list below still says of which error.
   addAxis(categoryAxis(m_errorAxis, m_measure == ErrorMeasure::mean
-                                        ? tr("Error, mean, levels of 255")
-                                        : tr("Error, 99.9th percentile, levels of 255")),
+                                        ? tr("Error, levels of 255 (mean)")
+                                        : tr("Error, levels of 255 (99.9th percentile)")),
           Qt::AlignLeft);
 }
 
