@@ -96,15 +96,16 @@ TEST_F(ThumbnailWindow, theyShowTheWholeWhereTheViewIsFarOff) {
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(complete());
   const QImage framed = picture("CT bone");
-  const auto fromAfar = [this](double factor) {
-    Camera camera = scene().camera;
-    camera.position = camera.target + factor * (camera.position - camera.target);
-    session().setCamera(camera);
-    return complete() ? picture("CT bone") : QImage();
-  };
-  const QImage farOff = fromAfar(4.0);
-  EXPECT_NE(farOff, framed);
-  EXPECT_EQ(fromAfar(5.0), farOff) << "no speck";
+  Camera camera = scene().camera;
+  camera.position = camera.target + 6.0 * (camera.position - camera.target);
+  session().setCamera(camera);
+  ASSERT_TRUE(rest() && complete());
+  EXPECT_EQ(picture("CT bone"), framed) << "no speck";
+  camera.position = camera.target + 0.1 * (camera.position - camera.target);
+  session().setCamera(camera);
+  ASSERT_FALSE(desk().isComplete());
+  ASSERT_TRUE(complete());
+  EXPECT_NE(picture("CT bone"), framed) << "what is seen from near";
 }
 
 TEST_F(ThumbnailWindow, aPresetThatHidesEverythingSaysSo) {
