@@ -65,8 +65,7 @@ std::vector<TourStep> TourDesk::steps() const {
        part("shadingDock")},
       {tr("Save, and find help"),
        tr("The camera saves the picture with everything that made it; File has figures, sessions and more. "
-          "F1 "
-          "opens the guide, ? lists every key, and Help has this tour again."),
+          "F1 opens the guide, ? lists every key, and Help has this tour again."),
        m_parts.window.findChild<QToolBar*>()->widgetForAction(
            m_parts.window.findChild<QAction*>(QStringLiteral("savePicture")))},
   };

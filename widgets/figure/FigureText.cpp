@@ -42,8 +42,8 @@ QString accuracyNote(const Figure& figure) {
       .arg(isOne ? errors.front() : told.join(QStringLiteral(", ")));
 }
 
-// What hides parts of the volume in a panel's picture; a slice shows all of it and draws a line around the
-// rest.
+// What hides parts of the volume in a panel's picture; a slice shows all of it, with a line around what is
+// kept.
 QStringList hidingIn(const FigurePanel& panel) {
   if (panel.plane)
     return panel.planes.outlinesRegion && isRestricting(panel.scene.keep)
