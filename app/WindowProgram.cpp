@@ -2,13 +2,13 @@
 #include "app/WindowProgram.h"
 
 #include "app/MainWindow.h"
-#include "app/help/GuideWindow.h"
+#include "app/guide/GuideWindow.h"
 #include "app/language/Language.h"
 #include "scene/basics/Error.h"
-#include "widgets/Icons.h"
-#include "widgets/Theme.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/LookStyle.h"
 #include "widgets/view/CompareView.h"
-#include "widgets/view/SurfaceFormat.h"
+#include "widgets/view/drawing/DriverRecovery.h"
 #include "widgets/view/pictures/PictureState.h"
 
 #include <QApplication>
@@ -69,26 +69,25 @@ void saveScreenshotAtRest(MainWindow& window, const QString& path) {
                      QApplication::exit(3);
                    });
   QObject::connect(&window.loader(), &VolumeLoader::seriesFound, &window,
-                   [](const QString&, const std::vector<SeriesSummary>& series) {
+                   [](const QString&, const std::shared_ptr<const DicomFolder>& dicom) {
                      std::fprintf(stderr, "limn: The folder holds %zu series; choose one with --series.\n",
-                                  series.size());
+                                  dicom->summaries().size());
                      QApplication::exit(3);
                    });
   if (!window.loader().isLoading()) {
     new OnceExposed(window, [&window, path] { grabAndQuit(window, path); });
     return;
   }
-  QObject::connect(&window.view(), &CompareView::pictureStateChanged, &window,
-                   [&window, path](const PictureState& state) {
-                     // The labels and panels catch up before the picture is taken; where that changes its
-                     // size, it is drawn anew.
-                     if (isRefined(state) && window.view().scene().volume)
-                       QTimer::singleShot(0, &window, [&window] {
-                         if (isRefined(window.view().pictureState()))
-                           window.thumbnails().drawNow();
-                       });
-                   });
-  QObject::connect(&window.thumbnails(), &ThumbnailDesk::completed, &window, [&window, path] {
+  QObject::connect(&window.view(), &CompareView::told, &window, [&window, path](const ViewNews& news) {
+    // The labels and panels catch up before the picture is taken; where that changes its
+    // size, it is drawn anew.
+    if (isRefined(news.state) && window.view().scene().volume)
+      QTimer::singleShot(0, &window, [&window] {
+        if (isRefined(window.view().pictureState()))
+          window.thumbnails().drawNow();
+      });
+  });
+  QObject::connect(&window.thumbnails(), &ThumbnailController::completed, &window, [&window, path] {
     if (isRefined(window.view().pictureState()))
       grabAndQuit(window, path);
   });
@@ -103,21 +102,14 @@ void dress(QApplication& application, const std::string& theme, const std::strin
   QApplication::setDesktopFileName(QStringLiteral("org.limn.Limn")); // whose icon Wayland shows
 }
 
-} // namespace
-
-bool hasDisplay() {
-  return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
-         qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
-}
-
-void runGuideWindow(const QString& words) {
+void runGuideWindow(const std::string& words) {
   int count = 1;
   char name[] = "limn";
   char* arguments[] = {name, nullptr};
   QApplication application(count, arguments);
   dress(application, {}, {});
   GuideWindow guide;
-  guide.look(words);
+  guide.look(QString::fromStdString(words));
   guide.show();
   QApplication::exec();
 }
@@ -140,6 +132,12 @@ int runWindow(int argc, char** argv, const WindowArguments& arguments) {
   if (!arguments.screenshot.empty())
     saveScreenshotAtRest(window, QString::fromStdString(arguments.screenshot));
   return QApplication::exec();
+}
+
+} // namespace
+
+Windows programWindows() {
+  return {runWindow, runGuideWindow};
 }
 
 } // namespace limn

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/CommandLine.h"
+#include "app/WindowProgram.h"
 
 int main(int argc, char** argv) {
-  return limn::runCommandLine(argc, argv);
+  return limn::runCommandLine(argc, argv, limn::programWindows());
 }

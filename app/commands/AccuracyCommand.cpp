@@ -2,20 +2,20 @@
 #include "app/commands/Commands.h"
 
 #include "accuracy/sweep/FigureText.h"
-#include "app/PrivateNames.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
-#include "app/engines/RealRenderers.h"
+#include "app/core/drawing/RealRenderers.h"
+#include "app/document/PrivateNames.h"
+#include "app/lab/accuracy/AccuracyTable.h"
+#include "app/lab/accuracy/ExactBy.h"
+#include "app/lab/accuracy/MeasureDecisions.h"
 #include "app/language/Language.h"
-#include "app/measure/accuracy/AccuracyTable.h"
-#include "app/measure/accuracy/ExactBy.h"
-#include "app/measure/accuracy/MeasureDecisions.h"
 #include "io/AtomicFile.h"
 #include "io/reports/AccuracyFile.h"
 #include "io/reports/AccuracyPage.h"
 #include "io/reports/ReportJson.h"
 #include "io/scenefile/SceneFile.h"
-#include "widgets/accuracy/chart/AccuracyChartPicture.h"
+#include "widgets/accuracy/ChartPicture.h"
 
 #include <QApplication>
 
@@ -103,7 +103,7 @@ ConvergedPicture exactPicture(const LoadedScene& loaded, const Scene& scene, Rea
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
                               const AccuracyArguments& arguments, const Progress& progress) {
-  const RaysBy rays = raysAtHand(scene);
+  const Engine rays = raysAtHand(scene);
   RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const double end = arguments.isQuick ? 1.0 : 0.7;
@@ -113,7 +113,7 @@ AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
   AccuracyReport report = measureAccuracy(name, scene, size, arguments.isQuick ? fewPoints() : usualPoints(),
                                           converged, renderers, part(progress, 0.3, end).report);
   // Decisions are those of the textures.
-  if (!arguments.isQuick && rays == RaysBy::openGl)
+  if (!arguments.isQuick && rays == Engine::rayCaster)
     report.decisions = measureDecisions(scene, size, converged.pixels, part(progress, end, 1.0).report);
   return report;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/SceneSource.h"
 #include "app/commands/Syntax.h"
+#include "app/core/sources/SceneSource.h"
 
 #include <optional>
 #include <string>

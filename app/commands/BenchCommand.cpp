@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/PrivateNames.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
-#include "app/measure/bench/ScaleBench.h"
+#include "app/document/PrivateNames.h"
+#include "app/lab/bench/ScaleBench.h"
 #include "app/presets/PresetStore.h"
 #include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,8 @@ void addAccuracyCommand(CommandSyntax& root);
 /// one fails.
 void addStabilityCommand(CommandSyntax& root);
 
-/// `limn guide [WORDS]`: the guide, in a window, as a page or as text.
-void addGuideCommand(CommandSyntax& root);
+/// `limn guide [WORDS]`: the guide, in a window (`show`), as a page or as text.
+void addGuideCommand(CommandSyntax& root, const std::function<void(const std::string& words)>& show);
 
 /// `limn bench`: milliseconds per frame by renderer, scene and step.
 void addBenchCommand(CommandSyntax& root);

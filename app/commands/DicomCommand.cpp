@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/Settings.h"
 #include "app/commands/SceneArguments.h"
-#include "app/dicom/DicomSaving.h"
-#include "app/engines/PictureMaker.h"
+#include "app/core/drawing/PictureMaker.h"
+#include "app/core/making/DicomSaving.h"
+#include "app/document/Settings.h"
 
 #include <memory>
 
@@ -19,20 +19,16 @@ struct DicomArguments {
   bool isAnonymous = false;
 };
 
-const std::map<std::string, PictureEngine> dicomEngines{{"auto", PictureEngine::automatic},
-                                                        {"gl", PictureEngine::gl},
-                                                        {"slices", PictureEngine::slices},
-                                                        {"cpu", PictureEngine::cpu},
-                                                        {"reference", PictureEngine::reference}};
+const EngineWords dicomEngines =
+    engineWords({Engine::rayCaster, Engine::slices, Engine::cpu, Engine::reference});
 
 void runDicom(const DicomArguments& arguments) {
   const bool isQuiet = arguments.scene.source.quiet;
   const Progress progress = terminalProgress(isQuiet);
-  const PictureEngine engine = chosen(dicomEngines, arguments.engine, "--engine");
+  const std::optional<Engine> engine = chosen(dicomEngines, arguments.engine, "--engine");
   requireReportFolder(arguments.out);
   const LoadedScene loaded = loadScene(arguments.scene.source, progress);
-  const SeriesImages series =
-      shownSeries(*loaded.scene.volume, loaded.volumePath, loaded.read.series, progress);
+  const SeriesImages series = shownSeries(loaded.volumePath, loaded.dicom, loaded.read.series, progress);
   Scene scene = adjusted(loaded, arguments.scene);
   if (!arguments.scene.model.empty())
     scene.shading.model = modelNamed(arguments.scene.model, "--model");

@@ -2,11 +2,11 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
-#include "app/engines/OnDisk.h"
-#include "app/engines/RealRenderers.h"
+#include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/RealRenderers.h"
 #include "cpu/CpuCosts.h"
-#include "gl/FloatTarget.h"
 #include "gl/HeadlessContext.h"
+#include "gl/PictureTarget.h"
 #include "io/reports/ReportJson.h"
 #include "raycaster/CasterCosts.h"
 #include "scene/PictureFigures.h"
@@ -121,7 +121,7 @@ void runEffects(const EffectsArguments& arguments) {
     scene.shading.model = modelNamed(arguments.scene.model, "--model");
   if (arguments.shader)
     return printShader(scene);
-  const Report report = raysAtHand(scene) == RaysBy::openGl
+  const Report report = raysAtHand(scene) == Engine::rayCaster
                             ? reportWithOpenGl(scene, arguments.frames, progress)
                             : reportOnProcessor(scene, arguments.frames, progress);
   requireWhole(loaded.volumePath, *scene.volume);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/MeantWord.h"
-#include "app/PrivateNames.h"
-#include "app/Settings.h"
 #include "app/commands/FigureArguments.h"
 #include "app/commands/FontsWithoutDisplay.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
-#include "app/figure/FigureFiles.h"
-#include "app/figure/FigureScenes.h"
+#include "app/core/naming/MeantWord.h"
+#include "app/document/PrivateNames.h"
+#include "app/document/Settings.h"
+#include "app/figures/FigureFiles.h"
+#include "app/figures/FigureScenes.h"
 #include "io/AtomicFile.h"
 #include "scene/framing/Framing.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "widgets/ValueText.h"
 #include "widgets/figure/FigureText.h"
 
@@ -51,10 +51,7 @@ struct Plan {
   std::vector<std::string> notes;
 };
 
-const std::map<std::string, PictureEngine> figureEngines{{"auto", PictureEngine::automatic},
-                                                         {"gl", PictureEngine::gl},
-                                                         {"cpu", PictureEngine::cpu},
-                                                         {"reference", PictureEngine::reference}};
+const EngineWords figureEngines = engineWords({Engine::rayCaster, Engine::cpu, Engine::reference});
 
 void say(Plan& plan, const std::string& sentence) {
   if (!sentence.empty() && std::ranges::find(plan.notes, sentence) == plan.notes.end())

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/Settings.h"
-#include "app/WindowProgram.h"
 #include "app/commands/Arguments.h"
+#include "app/commands/CommandLine.h"
 #include "app/commands/Commands.h"
 #include "app/commands/FontsWithoutDisplay.h"
-#include "app/help/GuidePage.h"
-#include "app/help/GuideWindow.h"
+#include "app/document/Settings.h"
+#include "app/guide/GuidePage.h"
 #include "io/AtomicFile.h"
 #include "scene/basics/Error.h"
 
@@ -36,7 +35,7 @@ void printText(const QString& words) {
   std::cout << text.toStdString();
 }
 
-void runGuide(const GuideArguments& arguments) {
+void runGuide(const GuideArguments& arguments, const std::function<void(const std::string& words)>& show) {
   QStringList words;
   for (const std::string& word : arguments.words)
     words << QString::fromStdString(word);
@@ -45,12 +44,12 @@ void runGuide(const GuideArguments& arguments) {
   else if (arguments.asText || !hasDisplay())
     printText(words.join(QLatin1Char(' ')));
   else
-    runGuideWindow(words.join(QLatin1Char(' ')));
+    show(words.join(QLatin1Char(' ')).toStdString());
 }
 
 } // namespace
 
-void addGuideCommand(CommandSyntax& root) {
+void addGuideCommand(CommandSyntax& root, const std::function<void(const std::string& words)>& show) {
   auto arguments = std::make_shared<GuideArguments>();
   CommandSyntax command = root.command("guide", "the guide: a window to search, a page or text");
   command.option("WORDS", arguments->words, "what to look for in it");
@@ -59,7 +58,7 @@ void addGuideCommand(CommandSyntax& root) {
   command.flag("--text", arguments->asText,
                "print it, or what it says of WORDS; without a display that is done anyway");
   command.footer("Example: limn guide crop box");
-  command.runs([arguments] { runGuide(*arguments); });
+  command.runs([arguments, show] { runGuide(*arguments, show); });
 }
 
 } // namespace limn

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/Settings.h"
 #include "app/commands/Arguments.h"
-#include "app/engines/ProcessCost.h"
+#include "app/core/drawing/ProcessCost.h"
+#include "app/document/Settings.h"
 #include "cpu/CpuRenderer.h"
-#include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
 #include "io/reports/ReportJson.h"
@@ -123,7 +122,7 @@ void printSystemInfo() {
     engines.problem = "There is no OpenGL.";
   }
   const EngineChoice choice = chosenEngine(engines);
-  std::printf("draws       %s: %s\n", choice.isProcessor ? "processor" : "OpenGL",
+  std::printf("draws       %s: %s\n", drawsWithOpenGl(choice.engine) ? "OpenGL" : "processor",
               choice.reason.english().c_str());
 }
 
@@ -138,8 +137,8 @@ void runInfo(const InfoArguments& arguments) {
   const Progress progress = terminalProgress(arguments.source.quiet);
   const LoadedScene loaded = loadScene(arguments.source, progress);
   facts.volume = loaded.scene.volume;
-  if (std::filesystem::exists(loaded.volumePath))
-    facts.series = listSeries(loaded.volumePath);
+  if (loaded.dicom)
+    facts.series = loaded.dicom->summaries();
   const FoundModuli gradients = findModuli(*facts.volume, 99.5, effortOf(progress, "Measuring gradients"));
   facts.gradientMax = gradients.largest;
   facts.gradientPercentile = gradients.percentile;

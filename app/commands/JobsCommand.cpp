@@ -2,9 +2,9 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
-#include "app/jobs/Jobs.h"
+#include "app/core/making/Jobs.h"
+#include "app/core/making/Turntable.h"
 #include "app/presets/PresetStore.h"
-#include "app/turntable/Turntable.h"
 
 #include <cstdlib>
 #include <iostream>

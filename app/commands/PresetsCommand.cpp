@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/SceneSource.h"
 #include "app/commands/Arguments.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
+#include "app/core/sources/SceneSource.h"
 #include "app/presets/PresetStore.h"
 #include "io/AtomicFile.h"
-#include "io/looks/text/LookChanges.h"
+#include "io/looks/text/LookText.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/presets/PresetFit.h"
 

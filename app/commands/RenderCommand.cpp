@@ -3,8 +3,8 @@
 #include "app/commands/RenderWork.h"
 
 #include "accuracy/SamplePicture.h"
-#include "app/PrivateNames.h"
-#include "app/Settings.h"
+#include "app/document/PrivateNames.h"
+#include "app/document/Settings.h"
 #include "io/AtomicFile.h"
 #include "io/ImageFile.h"
 #include "io/scenefile/SceneFile.h"
@@ -18,10 +18,7 @@
 namespace limn {
 namespace {
 
-const std::map<std::string, PictureEngine> engines{
-    {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl},
-    {"slices", PictureEngine::slices},  {"slices-back-to-front", PictureEngine::slicesBackToFront},
-    {"cpu", PictureEngine::cpu},        {"reference", PictureEngine::reference}};
+const EngineWords engines = engineWords({allEngines.begin(), allEngines.end()});
 
 Scene withModel(Scene scene, ShadingModel model) {
   scene.shading.model = model;
@@ -41,7 +38,7 @@ MadePicture pictureOf(const Scene& scene, const RenderArguments& arguments, cons
   return std::move(pair.front());
 }
 
-void printFigures(const Scene& scene, PictureEngine engine, int threads) {
+void printFigures(const Scene& scene, Engine engine, int threads) {
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const PictureFigures figures = measureFigures(scene, size, engine, threads);
   std::printf("contrast %.4f; highlights overflow in %.2f %% of the pixels, by %.3f on average; %.1f %% of "
@@ -54,9 +51,9 @@ void printFigures(const Scene& scene, PictureEngine engine, int threads) {
 void writeSamples(const MadePicture& picture, const RenderArguments& arguments) {
   const Scene& scene = picture.scene;
   const glm::ivec2 size(scene.image.width, scene.image.height);
-  const bool isOpen = arguments.engine == "auto" && picture.drawnBy == PictureEngine::cpu;
+  const bool isOpen = arguments.engine == "auto" && picture.drawnBy == Engine::cpu;
   const std::vector<int> samples =
-      countSamples(scene, size, isOpen ? PictureEngine::reference : picture.drawnBy, arguments.threads);
+      countSamples(scene, size, isOpen ? Engine::reference : picture.drawnBy, arguments.threads);
   writeImage(arguments.samplesSpent, pictureOfSamples(samples, size), glm::dvec3(0.0), {});
   const SampleFigures figures = figuresOf(samples);
   char line[128];
@@ -163,7 +160,7 @@ void addRenderCommand(CommandSyntax& root) {
   addRenderOptions(command, *arguments);
   command.footer("Example: limn render head.nii.gz --model compare --size 1200x600 -o compare.png");
   command.runs([arguments] {
-    const PictureEngine engine = chosen(engines, arguments->engine, "--engine");
+    const std::optional<Engine> engine = chosen(engines, arguments->engine, "--engine");
     runRender(*arguments, [&](const std::vector<Scene>& scenes, const glm::ivec2& size) {
       return makePictures(scenes, size, engine, arguments->threads, arguments->textureMb,
                           Settings().engineMemory());

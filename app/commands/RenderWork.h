@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/commands/SceneArguments.h"
-#include "app/engines/PictureMaker.h"
+#include "app/core/drawing/PictureMaker.h"
 
 namespace limn {
 

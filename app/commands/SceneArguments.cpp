@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/SceneArguments.h"
 
-#include "app/KeptRegion.h"
 #include "app/commands/NamedLook.h"
+#include "app/core/making/Turntable.h"
+#include "app/core/sources/KeptRegion.h"
 #include "app/presets/PresetStore.h"
-#include "app/turntable/Turntable.h"
 #include "scene/framing/Framing.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 
 #include <numbers>
 

@@ -3,6 +3,7 @@
 
 #include "app/commands/Arguments.h"
 #include "app/commands/describe/Slips.h"
+#include "engine/Engine.h"
 #include "scene/basics/Error.h"
 
 #include <map>
@@ -69,6 +70,16 @@ Value chosen(const std::map<std::string, Value>& choices, const std::string& wor
     return found->second;
   throw Error(Error::Kind::usage,
               option + " cannot be \"" + word + "\"; " + choiceAmong(wordsOf(choices), word) + ".");
+}
+
+/// Engines by the words of --engine; an absent one by "auto".
+using EngineWords = std::map<std::string, std::optional<Engine>>;
+
+inline EngineWords engineWords(const std::vector<Engine>& engines) {
+  EngineWords words{{nameOf(std::optional<Engine>()), std::nullopt}};
+  for (const Engine engine : engines)
+    words.emplace(nameOf(engine), engine);
+  return words;
 }
 
 } // namespace limn

@@ -2,10 +2,10 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/Arguments.h"
-#include "app/engines/ProcessCost.h"
-#include "app/measure/stability/StabilityText.h"
+#include "app/core/drawing/ProcessCost.h"
+#include "app/lab/stability/StabilityText.h"
 #include "cpu/CpuRenderer.h"
-#include "gl/DriverFacts.h"
+#include "gl/DriverHealth.h"
 #include "gl/HeadlessContext.h"
 #include "io/AtomicFile.h"
 #include "io/reports/ReportJson.h"

@@ -2,7 +2,7 @@
 #include "app/commands/Commands.h"
 
 #include "app/commands/SceneArguments.h"
-#include "app/engines/ProcessCost.h"
+#include "app/core/drawing/ProcessCost.h"
 #include "io/AtomicFile.h"
 #include "io/surfaces/SurfaceExport.h"
 #include "io/surfaces/SurfaceFile.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Commands.h"
 
-#include "app/PrivateNames.h"
-#include "app/Settings.h"
 #include "app/commands/SceneArguments.h"
-#include "app/turntable/Turntable.h"
+#include "app/core/making/Turntable.h"
+#include "app/document/PrivateNames.h"
+#include "app/document/Settings.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 
@@ -23,8 +23,7 @@ struct TurntableArguments {
   double framesPerSecond = 25.0;
 };
 
-const std::map<std::string, PictureEngine> turntableEngines{
-    {"auto", PictureEngine::automatic}, {"gl", PictureEngine::gl}, {"cpu", PictureEngine::cpu}};
+const EngineWords turntableEngines = engineWords({Engine::rayCaster, Engine::cpu});
 
 // What would be refused after the work is refused before it.
 void requirePlace(const std::string& out, int frames) {
@@ -65,12 +64,12 @@ void runTurntable(const TurntableArguments& arguments) {
     return sceneToJson(written, shareable(loaded.volumePath));
   };
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<std::string> notes = writeTurntable(arguments.out, turntable, order, describe);
+  const std::vector<Message> notes = writeTurntable(arguments.out, turntable, order, describe);
   if (isQuiet)
     return;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  for (const std::string& sentence : notes)
-    note(sentence);
+  for (const Message& sentence : notes)
+    note(sentence.english());
   char line[120];
   std::snprintf(line, sizeof line, ": %d frames of %d x %d pixels in %.1f s (set-up included)",
                 turntable.frames, turntable.size.x, turntable.size.y, seconds.count());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/DocumentText.h"
 
-#include "app/PrivateNames.h"
 #include "app/document/OpenDocument.h"
+#include "app/document/PrivateNames.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 

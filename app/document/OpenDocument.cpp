@@ -18,6 +18,7 @@ Preset presetShownBy(const LoadedScene& loaded) {
 void OpenDocument::open(const LoadedScene& loaded, const Request& request, const Histogram& histogram) {
   m_request = request;
   m_request.options.read = loaded.read;
+  m_request.options.dicom = loaded.dicom;
   m_sessionFile.clear();
   if (loaded.session)
     m_sessionFile =
@@ -33,6 +34,7 @@ void OpenDocument::open(const LoadedScene& loaded, const Request& request, const
 
 void OpenDocument::close() {
   m_sessionFile.clear();
+  m_request.options.dicom.reset();
   m_session.open({});
 }
 

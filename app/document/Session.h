@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/SceneSource.h"
+#include "app/core/sources/SceneSource.h"
 #include "scene/Scene.h"
 #include "scene/presets/Preset.h"
 #include "scene/view/PlaneSettings.h"

@@ -15,7 +15,7 @@ struct Language {
   QString name; ///< in the language itself
 };
 
-/// English, which the sources are written in, and those that `translations` holds.
+/// English, which the sources are written in, and those that `app/translations` holds.
 const QList<Language>& languagesSpoken();
 
 /// How the window speaks: the words of one language, and how it writes numbers and dates.

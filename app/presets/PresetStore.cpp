@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/presets/PresetStore.h"
 
-#include "app/MeantWord.h"
-#include "app/UserFolders.h"
+#include "app/core/naming/MeantWord.h"
+#include "app/core/naming/UserFolders.h"
 #include "io/AtomicFile.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/presets/Preset.h"
+#include "app/core/sources/BuiltInPresets.h"
 
 #include <filesystem>
 #include <optional>
@@ -9,9 +9,6 @@
 #include <vector>
 
 namespace limn {
-
-/// The presets made for this program, in the order in which they are listed.
-std::vector<Preset> builtInPresets();
 
 /// The user's own presets: one JSON file each in a folder.
 class PresetStore {

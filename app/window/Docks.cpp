@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/Docks.h"
 
-#include "app/window/FirstSize.h"
-#include "app/window/KeyboardEntry.h"
-#include "app/window/SharedPlace.h"
-#include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/curve/CurvePanel.h"
-#include "widgets/effects/EffectsPanel.h"
-#include "widgets/presets/PresetBrowser.h"
-#include "widgets/properties/PropertiesPanel.h"
-#include "widgets/ray/RayPanel.h"
+#include "app/window/ActionList.h"
 
 #include <QChildEvent>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QScreen>
-#include <QStyledItemDelegate>
 #include <QTabBar>
-#include <QUndoView>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
@@ -27,6 +18,7 @@ namespace limn {
 namespace {
 
 constexpr int widthOfFourTabs = 330;
+constexpr int titleBar = 40; // the platform puts it around the window, and only once it is shown
 
 // Takes no room. A plain widget has no size to go by, which docks warn of.
 class NoTitle : public QWidget {
@@ -36,16 +28,27 @@ public:
   QSize minimumSizeHint() const override { return {0, 0}; }
 };
 
-// Edits are named as undo says them, "move point"; a list of them begins each with a capital.
-class CapitalDelegate : public QStyledItemDelegate {
+// A panel in a place that it shares with others, which take turns behind tabs. Each asks for as much width as
+// the widest of them needs, so that the picture beside them stays as it is when the tab changes.
+class SharedPlace : public QWidget {
 public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  QString displayText(const QVariant& value, const QLocale& locale) const override {
-    QString text = QStyledItemDelegate::displayText(value, locale);
-    if (!text.isEmpty())
-      text[0] = text[0].toUpper();
-    return text;
+  SharedPlace(QWidget& panel, const std::shared_ptr<QList<const QWidget*>>& sharers) : m_sharers(sharers) {
+    m_sharers->append(&panel);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(&panel);
   }
+
+  // Not a minimum that is set once: panels are measured before they have their font and style.
+  QSize minimumSizeHint() const override {
+    QSize size = QWidget::minimumSizeHint();
+    for (const QWidget* panel : *m_sharers)
+      size.setWidth(std::max({size.width(), panel->minimumSizeHint().width(), panel->minimumWidth()}));
+    return size;
+  }
+
+private:
+  std::shared_ptr<QList<const QWidget*>> m_sharers; // outlive Docks
 };
 
 void showTitle(QDockWidget& dock, bool isShown) {
@@ -58,67 +61,107 @@ void showTitle(QDockWidget& dock, bool isShown) {
 
 } // namespace
 
-Docks::Docks(QMainWindow& window, Panels& panels) : m_window(window) {
-  panels.curves = new CurvePanel(&window);
-  panels.properties = new PropertiesPanel(&window);
-  panels.presets = new PresetBrowser(&window);
+QSize firstWindowSize(const QSize& available) {
+  constexpr QSize usual(1440, 900);
+  return (available * 0.8).expandedTo(usual).boundedTo(available - QSize(0, titleBar));
+}
+
+FirstDockSizes firstDockSizes(const QSize& window) {
+  constexpr int lowWindow = 800;
+  return {std::min(window.width() / 8, 340), std::clamp(window.width() / 5, 300, 380),
+          std::clamp(296 - (lowWindow - window.height()), 220, 296)};
+}
+
+QRect withinScreen(QRect window, const QRect& available) {
+  if (window.width() > available.width())
+    window.setWidth(available.width());
+  if (window.height() > available.height())
+    window.setHeight(available.height() - titleBar);
+  window.moveRight(std::min(window.right(), available.right()));
+  window.moveBottom(std::min(window.bottom(), available.bottom()));
+  window.moveLeft(std::max(window.left(), available.left()));
+  window.moveTop(std::max(window.top(), available.top()));
+  return window;
+}
+
+bool takesKeys(const QWidget& widget) {
+  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;
+}
+
+QWidget* keyboardEntryOf(QWidget& area) {
+  QWidget* proxy = area.focusProxy();
+  while (proxy && proxy->focusProxy())
+    proxy = proxy->focusProxy();
+  if (proxy && takesKeys(*proxy))
+    return proxy;
+  QWidget* next = &area;
+  do {
+    if ((next == &area || area.isAncestorOf(next)) && takesKeys(*next))
+      return next;
+    next = next->nextInFocusChain();
+  } while (next != &area);
+  return nullptr;
+}
+
+Docks::Docks(QMainWindow& window) : QObject(&window), m_window(window) {
   window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  m_presets = add(tr("P&resets"), "presetDock", panels.presets, Qt::LeftDockWidgetArea);
-  const auto sharers = std::make_shared<QList<const QWidget*>>();
-  const auto addRight = [&](const QString& title, const char* name, QWidget* panel) {
-    return add(title, name, new SharedPlace(*panel, sharers), Qt::RightDockWidgetArea);
-  };
-  m_right[0] = addRight(tr("Prop&erties"), "shadingDock", panels.properties);
-  panels.history = new QUndoView(&window);
-  panels.history->setEmptyLabel(tr("As opened"));
-  panels.history->setAccessibleName(tr("History"));
-  panels.history->setSpacing(2);
-  panels.history->setItemDelegate(new CapitalDelegate(panels.history));
-  // Where it lies on top the presets must not become narrower than they can be.
-  panels.history->setMinimumWidth(panels.presets->minimumSizeHint().width());
-  m_history = add(tr("&History"), "historyDock", panels.history, Qt::LeftDockWidgetArea);
-  window.setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
-  window.tabifyDockWidget(m_presets, m_history);
-  m_presets->raise();
-  panels.effects = new EffectsPanel(&window);
-  m_right[1] = addRight(tr("Effec&ts"), "effectsDock", panels.effects);
-  window.tabifyDockWidget(m_right[0], m_right[1]);
-  panels.accuracy = new AccuracyPanel(&window);
-  m_right[2] = addRight(tr("&Accuracy"), "accuracyDock", panels.accuracy);
-  window.tabifyDockWidget(m_right[1], m_right[2]);
-  panels.ray = new RayPanel(&window);
-  m_ray = addRight(tr("Ra&y"), "rayDock", panels.ray);
-  window.tabifyDockWidget(m_right[2], m_ray);
-  m_ray->hide();
-  connect(m_ray->toggleViewAction(), &QAction::triggered, m_ray, [this](bool isShown) {
-    if (!isShown)
-      return;
-    if (!m_ray->isFloating()) // four tabs need more room than three
-      m_window.resizeDocks({m_ray}, {std::max(m_ray->width(), widthOfFourTabs)}, Qt::Horizontal);
-    m_ray->raise();
-  });
-  m_right[0]->raise();
-  m_curve = add(tr("Transfer f&unction"), "curveDock", panels.curves, Qt::BottomDockWidgetArea);
-  makeFloatingMenu();
-  for (QDockWidget* dock : m_right)
+  for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+    window.setTabPosition(area, QTabWidget::North);
+}
+
+QDockWidget* Docks::add(const DockLook& look) {
+  auto* dock = new QDockWidget(QString(look.title).remove(QLatin1Char('&')), &m_window);
+  dock->setObjectName(QLatin1String(look.name));
+  dock->setWidget(look.area == Qt::RightDockWidgetArea ? new SharedPlace(*look.content, m_sharers)
+                                                       : look.content);
+  dock->toggleViewAction()->setText(look.title); // with its letter, which a tab has no use for
+  const QList<QDockWidget*> beside = at(look.area);
+  m_window.addDockWidget(look.area, dock);
+  if (!beside.isEmpty())
+    m_window.tabifyDockWidget(beside.back(), dock);
+  m_docks.push_back({dock, look.content, look.area, look.panel});
+  connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles);
+  // Of a dock behind another one that is hidden, its visibility tells nothing.
+  connect(dock->toggleViewAction(), &QAction::toggled, this, &Docks::showTitles, Qt::QueuedConnection);
+  if (look.area != Qt::BottomDockWidgetArea) {
+    // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
+    // Hidden it must keep its place in the layout: an empty dock cannot grow, nor can those before it.
+    QSizePolicy policy = dock->widget()->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    dock->widget()->setSizePolicy(policy);
+    connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
+  }
+  if (look.panel != SessionDocument::Panel::none)
     connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool visible) {
       if (visible)
         m_seenLast = dock;
       emit panelChanged();
     });
-  // Behind another's tab Qt moves a panel aside, where Tab would still walk through it unseen.
-  // Hidden it must keep its place in the layout: an empty dock cannot grow, nor can those before it.
+  if (look.isHiddenAtFirst) {
+    dock->hide();
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [this, dock](bool isShown) {
+      if (!isShown)
+        return;
+      if (!dock->isFloating()) // its tab is one more than there is room for
+        m_window.resizeDocks({dock}, {std::max(dock->width(), widthOfFourTabs)}, Qt::Horizontal);
+      dock->raise();
+    });
+  }
+  return dock;
+}
+
+void Docks::arrange(ActionList& actions) {
+  for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
+    at(area).front()->raise();
+  int row = 0;
   for (QDockWidget* dock : all())
-    if (dock != m_curve) {
-      QSizePolicy policy = dock->widget()->sizePolicy();
-      policy.setRetainSizeWhenHidden(true);
-      dock->widget()->setSizePolicy(policy);
-      connect(dock, &QDockWidget::visibilityChanged, dock->widget(), &QWidget::setVisible);
-    }
+    actions.add(dock->toggleViewAction(), QStringLiteral("show-") + dock->objectName(),
+                {.text = {}, .place = {Menu::view, 3, ++row}, .isCheckable = true});
+  makeFloatingMenu(*actions.addMenu(tr("Se&parate windows"), {Menu::view, 3, ++row}));
   showTitles();
-  window.installEventFilter(this);
+  m_window.installEventFilter(this);
+  takeFirstSizes();
 }
 
 // The window makes its bars of tabs whenever it lays out its docks.
@@ -143,7 +186,7 @@ void Docks::enterTab(int tab) {
 
 void Docks::showTitles() {
   const auto isDocked = [](const QDockWidget* dock) { return !dock->isHidden() && !dock->isFloating(); };
-  const QList<QDockWidget*> right = atRight();
+  const QList<QDockWidget*> right = at(Qt::RightDockWidgetArea);
   const auto tabs = std::ranges::count_if(right, isDocked);
   for (QDockWidget* dock : all()) {
     const bool isLone = tabs < 2 && right.contains(dock);
@@ -151,38 +194,30 @@ void Docks::showTitles() {
   }
 }
 
-QDockWidget* Docks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(QString(title).remove(QLatin1Char('&')), &m_window);
-  dock->setObjectName(QLatin1String(name));
-  dock->setWidget(content);
-  dock->toggleViewAction()->setText(title); // with its letter, which a tab has no use for
-  m_window.addDockWidget(area, dock);
-  connect(dock, &QDockWidget::topLevelChanged, this, &Docks::showTitles);
-  // Of a dock behind another one that is hidden, its visibility tells nothing.
-  connect(dock->toggleViewAction(), &QAction::toggled, this, &Docks::showTitles, Qt::QueuedConnection);
-  return dock;
+QList<QDockWidget*> Docks::at(Qt::DockWidgetArea area) const {
+  QList<QDockWidget*> found;
+  for (const Registered& one : m_docks)
+    if (one.area == area)
+      found << one.dock;
+  return found;
+}
+
+QList<QWidget*> Docks::contentsAt(Qt::DockWidgetArea area) const {
+  QList<QWidget*> found;
+  for (const Registered& one : m_docks)
+    if (one.area == area)
+      found << one.content;
+  return found;
 }
 
 QList<QDockWidget*> Docks::all() const {
-  return QList<QDockWidget*>{m_presets, m_history} + atRight() + QList<QDockWidget*>{m_curve};
-}
-
-QList<QDockWidget*> Docks::atRight() const {
-  return {m_right[0], m_right[1], m_right[2], m_ray};
-}
-
-QList<QAction*> Docks::toggleActions() const {
-  QList<QAction*> actions;
-  for (const QDockWidget* dock : all())
-    actions << dock->toggleViewAction();
-  return actions << m_floating->menuAction();
+  return at(Qt::LeftDockWidgetArea) + at(Qt::RightDockWidgetArea) + at(Qt::BottomDockWidgetArea);
 }
 
 // Docks without a title cannot be torn off by it.
-void Docks::makeFloatingMenu() {
-  m_floating = new QMenu(tr("Se&parate windows"), &m_window);
+void Docks::makeFloatingMenu(QMenu& menu) {
   for (QDockWidget* dock : all()) {
-    QAction* action = m_floating->addAction(dock->windowTitle());
+    QAction* action = menu.addAction(dock->windowTitle());
     action->setObjectName(QStringLiteral("float-") + dock->objectName());
     action->setCheckable(true);
     connect(dock, &QDockWidget::topLevelChanged, action, &QAction::setChecked);
@@ -195,26 +230,25 @@ void Docks::makeFloatingMenu() {
 }
 
 SessionDocument::Panel Docks::panel() const {
-  if (!m_seenLast || m_seenLast->isHidden())
-    return SessionDocument::Panel::none;
-  const auto place = std::find(m_right.begin(), m_right.end(), m_seenLast) - m_right.begin();
-  return static_cast<SessionDocument::Panel>(place + 1);
+  const auto seen = std::ranges::find(m_docks, m_seenLast, &Registered::dock);
+  return seen == m_docks.end() || m_seenLast->isHidden() ? SessionDocument::Panel::none : seen->panel;
 }
 
 void Docks::show(SessionDocument::Panel panel) {
-  if (panel == SessionDocument::Panel::none)
+  const auto its = std::ranges::find(m_docks, panel, &Registered::panel);
+  if (panel == SessionDocument::Panel::none || its == m_docks.end())
     return;
-  QDockWidget* dock = m_right[static_cast<std::size_t>(panel) - 1];
-  dock->show();
-  dock->raise();
+  its->dock->show();
+  its->dock->raise();
 }
 
 void Docks::takeFirstSizes() {
   const QSize size = firstWindowSize(m_window.screen()->availableSize());
   const FirstDockSizes sizes = firstDockSizes(size);
   m_window.resize(size); // first: in a small window the panels would share what there is
-  m_window.resizeDocks({m_presets, m_right[0]}, {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
-  m_window.resizeDocks({m_curve}, {sizes.curveHeight}, Qt::Vertical);
+  m_window.resizeDocks({at(Qt::LeftDockWidgetArea).front(), at(Qt::RightDockWidgetArea).front()},
+                       {sizes.presetsWidth, sizes.propertiesWidth}, Qt::Horizontal);
+  m_window.resizeDocks({at(Qt::BottomDockWidgetArea).front()}, {sizes.curveHeight}, Qt::Vertical);
 }
 
 void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
@@ -224,14 +258,9 @@ void Docks::restore(const QByteArray& geometry, const QByteArray& state) {
   m_window.restoreState(state);
 }
 
-void Docks::showPresets() {
-  m_presets->show();
-  m_presets->raise();
-}
-
-void Docks::hideAllButCurve() {
-  for (QDockWidget* dock : all())
-    if (dock != m_curve && !dock->isHidden())
+void Docks::hideBeside() {
+  for (QDockWidget* dock : at(Qt::LeftDockWidgetArea) + at(Qt::RightDockWidgetArea))
+    if (!dock->isHidden())
       m_hidden << dock;
   for (QDockWidget* dock : m_hidden)
     if (!dock->widget()->visibleRegion().isEmpty())

@@ -5,61 +5,56 @@
 
 #include <QList>
 #include <QObject>
+#include <QRect>
 
-#include <array>
+#include <memory>
+#include <vector>
 
-class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
-class QUndoView;
 
 namespace limn {
 
-class AccuracyPanel;
-class CurvePanel;
-class EffectsPanel;
-class PresetBrowser;
-class PropertiesPanel;
-class RayPanel;
+class ActionList;
 
-/// The panels of the window.
-struct Panels {
-  CurvePanel* curves = nullptr;
-  PropertiesPanel* properties = nullptr;
-  PresetBrowser* presets = nullptr;
-  EffectsPanel* effects = nullptr;
-  AccuracyPanel* accuracy = nullptr;
-  RayPanel* ray = nullptr;
-  QUndoView* history = nullptr; ///< what can be undone and redone, by name
+/// A dock and where it stands: left, right (behind tabs with those that are there) or below.
+struct DockLook {
+  QString title;    ///< with the letter that chooses it in the menu
+  const char* name; ///< object name
+  QWidget* content;
+  Qt::DockWidgetArea area;
+  SessionDocument::Panel panel = SessionDocument::Panel::none; ///< what sessions call it, where they do
+  bool isHiddenAtFirst = false;
 };
 
-/// The docks around the picture, one for each panel: presets and history left, properties, effects and
-/// accuracy in one place at the right, where the ray joins them once it is asked for, curves below.
+/// The docks around the picture. A feature registers its own; `arrange` gives all of them their places.
 class Docks : public QObject {
   Q_OBJECT
 
 public:
-  /// Makes the panels, too.
-  Docks(QMainWindow& window, Panels& panels);
+  explicit Docks(QMainWindow& window);
 
-  /// Gives the window and its docks the sizes of a first start.
-  void takeFirstSizes();
+  /// Those of one place stand in the order in which they are added.
+  QDockWidget* add(const DockLook& look);
+
+  /// Gives the window and its docks the sizes of a first start, and each dock its entries in the menu: shown,
+  /// and in a window of its own. Once, after all are added.
+  void arrange(ActionList& actions);
 
   /// Those that it was left with, as Qt saves them, whole on the screen of now; where there are none, no
   /// change.
   void restore(const QByteArray& geometry, const QByteArray& state);
 
-  /// Show and hide each dock, and put it into a window of its own.
-  QList<QAction*> toggleActions() const;
-
-  /// The panel at the right that was seen last; none where it is closed.
+  /// The panel of sessions that was seen last; none where it is closed.
   SessionDocument::Panel panel() const;
   void show(SessionDocument::Panel panel);
-  void showPresets();
 
-  /// Hides all but the curve.
-  void hideAllButCurve();
+  /// What the docks of a place hold, in their order.
+  QList<QWidget*> contentsAt(Qt::DockWidgetArea area) const;
+
+  /// Hides what stands beside the picture, not what stands below it.
+  void hideBeside();
   /// Shows again what that hid; what lay on top of others does so again.
   void showAgain();
 
@@ -70,25 +65,56 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  struct Registered {
+    QDockWidget* dock;
+    QWidget* content;
+    Qt::DockWidgetArea area;
+    SessionDocument::Panel panel;
+  };
   void enterTab(int tab);
   /// Tabs and contents name docks; a title below or above them would say it again. A dock of the right side
   /// without tabs has one, and so has a dock in a window of its own.
   void showTitles();
+  void takeFirstSizes();
   QList<QDockWidget*> all() const;
-  QList<QDockWidget*> atRight() const;
-  void makeFloatingMenu();
-  QDockWidget* add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area);
+  QList<QDockWidget*> at(Qt::DockWidgetArea area) const;
+  void makeFloatingMenu(QMenu& menu);
 
   QMainWindow& m_window;
-  QMenu* m_floating = nullptr;
-  QDockWidget* m_presets = nullptr;
-  QDockWidget* m_history = nullptr;
-  std::array<QDockWidget*, 3> m_right{}; ///< in the order of SessionDocument::Panel, without none
-  QDockWidget* m_ray = nullptr;          ///< at the right, too, but no part of sessions
-  QDockWidget* m_curve = nullptr;
-  QDockWidget* m_seenLast = nullptr; ///< of those at the right
-  QList<QDockWidget*> m_hidden;      ///< by hideAllButCurve
+  std::shared_ptr<QList<const QWidget*>> m_sharers =
+      std::make_shared<QList<const QWidget*>>(); ///< of the right
+  std::vector<Registered> m_docks;
+  QDockWidget* m_seenLast = nullptr; ///< of those that sessions know
+  QList<QDockWidget*> m_hidden;      ///< by hideBeside
   QList<QDockWidget*> m_onTop;       ///< of those, what was seen
 };
+
+/// How large the window is at its first start, in points: four fifths of a large screen, 1440 × 900 where it
+/// has room for that, and on a small one all of it but for a title bar. `available` is what the screen leaves
+/// beside its own bars.
+QSize firstWindowSize(const QSize& available);
+
+/// How much of such a window its docks take at the first start, in points.
+struct FirstDockSizes {
+  int presetsWidth;
+  int propertiesWidth;
+  int curveHeight;
+};
+
+/// The curve alone gives way where a window is lower than 800, so that the picture stays the larger part. The
+/// panels beside the picture are as narrow as they can be (presets, which ask for more than they are given
+/// here) until a wide window has room for lines that are read with ease.
+FirstDockSizes firstDockSizes(const QSize& window);
+
+/// A window as it was left on another screen, whole on this one: cut to what the screen has free, with room
+/// for a title bar, and moved inside.
+QRect withinScreen(QRect window, const QRect& available);
+
+/// Whether a widget takes the keyboard from Tab at the moment.
+bool takesKeys(const QWidget& widget);
+
+/// Where the keyboard enters an area that it was never in: its focus proxy, or the first in it that takes the
+/// keyboard from Tab; null where nothing does.
+QWidget* keyboardEntryOf(QWidget& area);
 
 } // namespace limn

@@ -2,7 +2,89 @@
 #include "cpu/CpuEngine.h"
 
 #include "cpu/CpuCosts.h"
-#include "cpu/StandIns.h"
+#include "scene/regions/Reduction.h"
+#include "scene/volume/Pyramid.h"
+
+#include <optional>
+#include <vector>
+
+namespace limn::cpu {
+namespace {
+
+// Scenes of fewer voxels, in memory, that stand in for those of a volume which does not lie there.
+class StandIns {
+public:
+  /// Voxels of at most so many bytes for each level; one voxel in any case.
+  explicit StandIns(std::uint64_t mostBytes) : m_mostBytes(mostBytes) {}
+
+  /// Makes those of a volume, and forgets the last one's; none where it lies in memory. False where they are
+  /// there. Throws Cancelled, and is then without any.
+  bool makeReady(const std::shared_ptr<const Volume>& volume, const Effort& effort);
+
+  /// Of a scene that is to be drawn in `size` pixels: of the levels whose voxels are no larger than a pixel
+  /// in the middle of the volume the coarsest, or the finest. Absent where the volume is not the one made
+  /// ready.
+  std::optional<StandIn> of(const Scene& scene, const glm::ivec2& size);
+
+  const std::vector<CoarseVolume>& levels() const { return m_levels; }
+
+private:
+  const Region& kept(const Region& keep, int reduction, std::size_t level);
+
+  struct Kept {
+    Region whole, coarse;
+  };
+
+  std::uint64_t m_mostBytes;
+  std::shared_ptr<const Volume> m_whole;
+  std::vector<CoarseVolume> m_levels;
+  std::vector<Kept> m_kept; // what was kept last, of each level
+};
+
+double pixelMm(const Scene& scene, const glm::ivec2& size) {
+  const Camera& camera = scene.camera;
+  const double away = camera.projection == Camera::Projection::orthographic
+                          ? 1.0
+                          : glm::length(camera.position - boxCentreMm(scene.volume->grid()));
+  return 2.0 * halfHeight(camera) * away / size.y;
+}
+
+bool StandIns::makeReady(const std::shared_ptr<const Volume>& volume, const Effort& effort) {
+  if (volume == m_whole)
+    return false;
+  m_whole.reset();
+  m_levels.clear();
+  m_kept.clear();
+  if (volume->room())
+    m_levels = pyramidOf(*volume, m_mostBytes, effort);
+  m_kept.resize(m_levels.size());
+  m_whole = volume;
+  return true;
+}
+
+std::optional<StandIn> StandIns::of(const Scene& scene, const glm::ivec2& size) {
+  if (m_levels.empty() || scene.volume != m_whole)
+    return std::nullopt;
+  const double pixel = pixelMm(scene, size);
+  std::size_t level = 0;
+  while (level + 1 < m_levels.size() && smallestSpacingMm(m_levels[level + 1].volume->grid()) <= pixel)
+    ++level;
+  const CoarseVolume& coarse = m_levels[level];
+  StandIn standIn{scene, {coarse.reduction, coarse.largestError}};
+  standIn.scene.volume = coarse.volume;
+  standIn.scene.keep = kept(scene.keep, coarse.reduction, level);
+  return standIn;
+}
+
+const Region& StandIns::kept(const Region& keep, int reduction, std::size_t level) {
+  Kept& last = m_kept[level];
+  if (last.whole != keep)
+    last = {keep, reduced(keep, glm::ivec3(reduction))};
+  return last.coarse;
+}
+
+} // namespace
+} // namespace limn::cpu
 
 namespace limn {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/CpuRenderer.h"
 
-#include "cpu/Strips.h"
+#include "cpu/Threads.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
-#include "engine/CoveredPixels.h"
-#include "engine/StepLimit.h"
+#include "engine/PixelRect.h"
+#include "engine/VolumeTooLarge.h"
 
 #include <thread>
 

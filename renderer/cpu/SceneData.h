@@ -1,14 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cpu/RegionStore.h"
 #include "cpu/VoxelStore.h"
 #include "cpu/rays/PictureTerms.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/light/GradientScales.h"
+#include "scene/regions/BlockWeights.h"
 #include "scene/steps/EmptySpace.h"
 
 namespace limn::cpu {
+
+/// The weights of a kept region as rays read them. Keeps the region; where its labels are bytes that stand
+/// for their weights, as those of a body do, they are not copied.
+class RegionStore {
+public:
+  /// The weights of the blocks of `box` are found. What it makes lies in the volume's room. Throws Cancelled;
+  /// what Room does.
+  void update(const Region& region, const BlockBox& box, const std::shared_ptr<Room>& room,
+              const Effort& effort);
+
+  const VoxelSource& source() const { return m_source; }
+
+  /// Of the blocks in which rays step over what is empty; none where all is kept.
+  const BlockWeights& blocks() const { return m_blocks; }
+
+  /// What it takes beside the region, bytes.
+  std::size_t ownBytes() const { return m_shares.size() * sizeof(std::uint16_t) + m_blocks.size(); }
+
+private:
+  Region m_region;
+  BlockBox m_box;
+  RoomVector<std::uint16_t> m_shares;
+  VoxelSource m_source;
+  BlockWeights m_blocks;
+};
 
 /// What the rays of a scene read. Keeps what it made of one scene for the next; makes anew what differs and
 /// nothing else.

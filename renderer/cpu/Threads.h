@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "engine/PixelRect.h"
+
+#include <algorithm>
 #include <functional>
 
 namespace limn::cpu {
@@ -10,5 +13,31 @@ namespace limn::cpu {
 /// it is true no piece is begun, and Cancelled is thrown. So is what `work` throws.
 void forEach(int count, int threads, const std::function<void(int)>& work,
              const std::function<bool()>& isCancelled = {});
+
+/// Some neighbouring pixels of a row of a picture.
+struct Strip {
+  int y = 0;
+  int fromX = 0, toX = 0;
+  std::size_t inTile = 0; ///< the place of the first in a tile that is stored row by row
+};
+
+/// Shares the pixels of `covered`, a part of `tile`, out among threads in strips. Throws as forEach does.
+template <class Work>
+void forEachStrip(const PixelRect& tile, const PixelRect& covered, int threads, const Work& work,
+                  const std::function<bool()>& isCancelled) {
+  constexpr int width = 64;
+  const glm::ivec2 inTile = covered.topLeft - tile.topLeft;
+  const int strips = (covered.size.x + width - 1) / width;
+  forEach(
+      strips * covered.size.y, threads,
+      [&](int piece) {
+        const int y = piece / strips;
+        const int from = piece % strips * width;
+        const int to = std::min(from + width, covered.size.x);
+        work(Strip{covered.topLeft.y + y, covered.topLeft.x + from, covered.topLeft.x + to,
+                   static_cast<std::size_t>(inTile.y + y) * tile.size.x + (inTile.x + from)});
+      },
+      isCancelled);
+}
 
 } // namespace limn::cpu

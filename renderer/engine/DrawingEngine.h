@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/PixelRect.h"
-#include "engine/StandIn.h"
+#include "scene/Scene.h"
 #include "scene/basics/Effort.h"
 #include "scene/basics/Image.h"
 #include "scene/effects/EffectRows.h"
@@ -15,6 +15,19 @@
 #include <vector>
 
 namespace limn {
+
+/// How a volume in fewer voxels stands for the whole one.
+struct Coarseness {
+  int reduction = 1;         ///< so many voxels of the whole one along each axis make one
+  double largestError = 0.0; ///< values differ nowhere by more than this share of the whole one's range
+  bool operator==(const Coarseness&) const = default;
+};
+
+/// A scene that is drawn in place of another while something moves.
+struct StandIn {
+  Scene scene; ///< the same but for the volume, what is kept of it, and that steps are in its own voxels
+  Coarseness coarseness;
+};
 
 /// What an engine can tell of a scene before it draws it.
 struct DrawingFacts {
@@ -100,6 +113,14 @@ public:
   /// A sentence each where less than the whole volume, or fewer samples than asked for, are drawn of the
   /// scene asked about last; empty otherwise.
   virtual Message limitation() const = 0;
+};
+
+using MakeEngine = std::function<std::unique_ptr<DrawingEngine>()>;
+
+/// What a view draws with, chosen by the program.
+struct DrawingEngines {
+  MakeEngine driver;    ///< draws in strips while the graphics driver works; called with its context current
+  MakeEngine processor; ///< draws in memory when the driver has failed; may be empty: then a sentence says so
 };
 
 } // namespace limn

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "scene/basics/Error.h"
+#include "scene/basics/Message.h"
+#include "scene/steps/RayFrame.h"
 #include "scene/volume/Volume.h"
 
 namespace limn {
@@ -15,5 +17,15 @@ public:
 
 /// Throws VolumeTooLarge where the volume does not lie in memory: a graphics driver would copy all of it.
 void requireInMemory(const Volume& volume);
+
+/// A sentence where the longest ray of a scene would need more than `most` samples, empty where not.
+inline Message stepLimitation(const Scene& scene, int most) {
+  if (longestRaySamples(scene) <= most)
+    return {};
+  return Message::tr(
+             "The step is so small that long rays would need more than %1 samples; they are drawn with that "
+             "number.")
+      .arg(most);
+}
 
 } // namespace limn

@@ -3,7 +3,24 @@
 
 #include "scene/basics/Error.h"
 
+#include <string>
+
 namespace limn {
+
+/// What a bug report needs to know of the current context's driver.
+struct DriverFacts {
+  std::string renderer;
+  std::string version;
+  std::string shadingLanguage;
+  int largest3dTexture = 0; ///< texels along an edge
+  bool tellsOfResets = false;
+};
+
+/// Asks the current context.
+DriverFacts driverFacts();
+
+/// Throws Error (openGl) naming the version where the current context is older than OpenGL 3.0.
+void requireOpenGl3();
 
 /// The driver failed: the sentence is for people, the details are what the driver itself wrote (a compiler's
 /// log), for a report; they may be empty.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <string>
@@ -194,6 +195,20 @@ void writeFileAtomically(const fs::path& target, std::string_view bytes, FilePla
         writeAll(temporary, {target, place}, bytes);
       },
       place);
+}
+
+ScratchFolder::ScratchFolder(const std::filesystem::path& parent) {
+  const char* given = std::getenv("TMPDIR");
+  const std::filesystem::path system = given && *given ? given : "/tmp";
+  std::string pattern = (parent.empty() ? system / "limn-XXXXXX" : parent / ".limn-XXXXXX").string();
+  if (!mkdtemp(pattern.data()))
+    throw Error(Error::Kind::other, std::generic_category().message(errno));
+  m_path = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code left;
+  std::filesystem::remove_all(m_path, left);
 }
 
 } // namespace limn

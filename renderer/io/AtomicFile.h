@@ -31,4 +31,20 @@ bool isTemporary(const std::filesystem::path& file);
 void writeFileAtomically(const std::filesystem::path& target, std::string_view bytes,
                          FilePlace place = FilePlace::chosen);
 
+/// A folder for files of the moment, which goes with all that is in it.
+class ScratchFolder {
+public:
+  /// Below the system's folder for temporary files, or in `parent` as a hidden one. Throws Error whose
+  /// sentence is the system's reason alone.
+  explicit ScratchFolder(const std::filesystem::path& parent = {});
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return m_path; }
+
+private:
+  std::filesystem::path m_path;
+};
+
 } // namespace limn

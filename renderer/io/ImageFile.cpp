@@ -118,6 +118,22 @@ std::string readImageDescription(const fs::path& path) {
   return picture->description;
 }
 
+BytePicture readBytes(const fs::path& path) {
+  const std::optional<StoredPicture> stored = pictureLibrary().open(path.string());
+  if (stored && stored->sample == StoredPicture::Sample::uint8 && stored->channels >= 3) {
+    BytePicture picture;
+    picture.size = {stored->width, stored->height};
+    const auto channels = static_cast<std::size_t>(stored->channels);
+    std::vector<std::uint8_t> samples(channels * picture.size.x * picture.size.y);
+    if (stored->readRows(samples.data(), 0, picture.size.y)) {
+      for (std::size_t i = 0; i < samples.size(); i += channels)
+        picture.bytes.insert(picture.bytes.end(), &samples[i], &samples[i] + 3);
+      return picture;
+    }
+  }
+  failReading(path, Message::tr("it is no picture, or a damaged one"), Message::tr("draw it anew"));
+}
+
 Image readExr(const fs::path& path) {
   const std::optional<StoredPicture> picture = pictureLibrary().open(path.string());
   if (picture && picture->sample == StoredPicture::Sample::float32 && picture->channels == 4) {

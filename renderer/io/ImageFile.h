@@ -39,6 +39,10 @@ void writeBytes(const std::filesystem::path& path, const BytePicture& picture,
 /// where there is none. Throws Error where it cannot be read.
 std::string readImageDescription(const std::filesystem::path& path);
 
+/// The pixels of a picture of 8 bits in three or four channels, as RGB; alpha is left out. Throws Error
+/// (input) where it is none, or damaged.
+BytePicture readBytes(const std::filesystem::path& path);
+
 /// The floats of an EXR picture that writeImage wrote. Throws Error (input) where it is none, or damaged.
 Image readExr(const std::filesystem::path& path);
 

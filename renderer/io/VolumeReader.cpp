@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/VolumeReader.h"
 
-#include "io/dicom/DicomReader.h"
+#include "io/dicom/DicomFolder.h"
 #include "io/formats/invesalius/InVesaliusProject.h"
 #include "io/formats/metaimage/MetaImageFile.h"
 #include "io/formats/nifti/NiftiFile.h"
@@ -141,14 +141,14 @@ std::shared_ptr<const Volume> finished(const fs::path& path, VolumeParts parts, 
   });
 }
 
-std::shared_ptr<const Volume> readExisting(const fs::path& path, const ReadOptions& options,
-                                           const Progress& progress) {
+std::shared_ptr<const Volume> readExisting(const fs::path& path, const DicomFolder* dicom,
+                                           const ReadOptions& options, const Progress& progress) {
+  if (dicom)
+    return dicom->read(options, progress);
   const bool isFolder = fs::is_directory(path);
   if (!isFolder && !fs::is_regular_file(path))
     failReading(path, Message::tr("it is no file but a device, pipe or socket"),
                 Message::tr("choose a file or folder"));
-  if (isDicom(path))
-    return readDicom(path, options, progress);
   const Progress reading = part(progress, 0.0, 0.95);
   const MemoryBudget budget = options.memory.value_or(MemoryBudget());
   return finished(path, isFolder ? readFolder(path, budget, reading) : readFile(path, budget, reading),
@@ -180,9 +180,9 @@ void requireExisting(const fs::path& path) {
 
 } // namespace
 
-std::vector<SeriesSummary> listSeries(const fs::path& path) {
+std::shared_ptr<const DicomFolder> dicomAt(const fs::path& path, const Progress& progress) {
   requireExisting(path);
-  return reported(path, [&] { return isDicom(path) ? listDicomSeries(path) : std::vector<SeriesSummary>(); });
+  return reported(path, [&] { return openDicom(path, progress); });
 }
 
 void requireWhole(const fs::path& path, const Volume& volume) {
@@ -193,8 +193,14 @@ void requireWhole(const fs::path& path, const Volume& volume) {
 std::shared_ptr<const Volume> readVolume(const fs::path& path, const ReadOptions& options,
                                          const Progress& progress) {
   requireUsable(options);
-  requireExisting(path);
-  auto volume = reported(path, [&] { return readExisting(path, options, progress); });
+  return readVolume(path, dicomAt(path, progress), options, progress);
+}
+
+std::shared_ptr<const Volume> readVolume(const fs::path& path,
+                                         const std::shared_ptr<const DicomFolder>& dicom,
+                                         const ReadOptions& options, const Progress& progress) {
+  requireUsable(options);
+  auto volume = reported(path, [&] { return readExisting(path, dicom.get(), options, progress); });
   requireWhole(path, *volume);
   return volume;
 }

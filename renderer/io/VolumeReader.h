@@ -3,17 +3,17 @@
 
 #include "io/reading/Progress.h"
 #include "io/reading/ReadOptions.h"
-#include "io/reading/SeriesSummary.h"
 #include "scene/volume/Volume.h"
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 namespace limn {
 
-/// The series in a DICOM folder (or file), largest first; empty where `path` is not DICOM.
-std::vector<SeriesSummary> listSeries(const std::filesystem::path& path);
+class DicomFolder;
+
+/// What openDicom gives, with sentences as those of readVolume: null where `path` is not DICOM.
+std::shared_ptr<const DicomFolder> dicomAt(const std::filesystem::path& path, const Progress& progress);
 
 /// Reads any supported volume: DICOM folder or file, NIfTI, NRRD, MetaImage, VTI, legacy VTK, a stack of
 /// TIFF/PNG/JPEG (folder or multi-page file), InVesalius project. Safe on a worker thread.
@@ -21,6 +21,11 @@ std::vector<SeriesSummary> listSeries(const std::filesystem::path& path);
 /// stop.
 std::shared_ptr<const Volume> readVolume(const std::filesystem::path& path, const ReadOptions& options = {},
                                          const Progress& progress = {});
+
+/// The same for a path of which dicomAt has told whether it is DICOM: no header is read again.
+std::shared_ptr<const Volume> readVolume(const std::filesystem::path& path,
+                                         const std::shared_ptr<const DicomFolder>& dicom,
+                                         const ReadOptions& options, const Progress& progress);
 
 /// Throws Error (input), naming `path`, where voxels of the volume that was read from there were lost since:
 /// its file became shorter, or its disk failed. To be asked before what was made of them is shown or written.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/Scene.h"
 #include "scene/view/PlaneSettings.h"
 #include "scene/volume/Grid.h"
+
+#include <vector>
 
 namespace limn {
 
@@ -54,5 +57,9 @@ glm::dvec3 middleVoxelMm(const Grid& volume);
 
 /// Whether a place lies in the volume's box.
 bool isInside(const Grid& volume, const glm::dvec3& worldMm);
+
+/// Where a plane cuts the crop box: the corners of that polygon in their order around it, world millimetres.
+/// None where the crop cuts nothing of the volume or the plane misses the box.
+std::vector<glm::dvec3> cropOutline(const Grid& volume, const CropBox& crop, const PlaneGrid& plane);
 
 } // namespace limn

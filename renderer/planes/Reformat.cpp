@@ -1,14 +1,176 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planes/Reformat.h"
 
-#include "planes/VoxelRows.h"
+#include "scene/view/PlaneSettings.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace limn {
 namespace {
+
+// The pixels of a row that lie inside the volume: first ≤ x < last.
+struct PixelSpan {
+  int first = 0;
+  int last = 0;
+};
+
+// Where the pixels of a plane lie in a volume, in voxel indices.
+struct IndexPlane {
+  glm::dvec3 origin{0.0}, perColumn{0.0}, perRow{0.0};
+  std::vector<glm::dvec3> offsets; ///< of the samples of a slab from the plane
+};
+
+// One index axis as samples are taken from it.
+struct VoxelAxis {
+  VoxelAxis(int voxels, std::ptrdiff_t pitch)
+      : last(voxels - 1), lowest(std::max(0, voxels - 2)), stride(pitch), next(voxels > 1 ? pitch : 0) {}
+  double last;           ///< the last voxel's centre
+  int lowest;            ///< the last voxel that has a next one
+  std::ptrdiff_t stride; ///< from a voxel to the next in the stored array
+  std::ptrdiff_t next;   ///< 0 where there is none
+};
+
+// Between which voxels of an axis an index lies.
+struct BetweenVoxels {
+  int low = 0;
+  double share = 0.0; ///< of the next voxel
+};
+
+// Beyond the ends of the axis its first or last voxel.
+BetweenVoxels betweenOn(const VoxelAxis& axis, double index) {
+  const double clamped = std::min(std::max(index, 0.0), axis.last);
+  const int low = std::min(static_cast<int>(clamped), axis.lowest);
+  return {low, clamped - low};
+}
+
+// Reads the stored array along any row; `Fetch` makes a scalar of a position in it.
+template <class Fetch>
+class VoxelRows {
+public:
+  VoxelRows(const glm::ivec3& dims, const Fetch& fetch)
+      : m_x(dims.x, 1), m_y(dims.y, dims.x), m_z(dims.z, static_cast<std::ptrdiff_t>(dims.x) * dims.y),
+        m_fetch(fetch) {}
+
+  /// Calls `take(x, value)` for each pixel of the span.
+  template <class Take>
+  void read(PlaneInterpolation interpolation, const glm::dvec3& start, const glm::dvec3& step,
+            const PixelSpan& span, Take&& take) const {
+    if (interpolation == PlaneInterpolation::nearest)
+      for (int x = span.first; x < span.last; ++x)
+        take(x, nearest(start + static_cast<double>(x) * step));
+    else
+      for (int x = span.first; x < span.last; ++x)
+        take(x, linear(start + static_cast<double>(x) * step));
+  }
+
+private:
+  // Indices are at least -0.5 here, so that adding a half and cutting off rounds.
+  static std::ptrdiff_t roundedOn(const VoxelAxis& axis, double index) {
+    return static_cast<std::ptrdiff_t>(std::min(index + 0.5, axis.last)) * axis.stride;
+  }
+
+  double nearest(const glm::dvec3& index) const {
+    return m_fetch(roundedOn(m_x, index.x) + roundedOn(m_y, index.y) + roundedOn(m_z, index.z));
+  }
+
+  double linear(const glm::dvec3& index) const {
+    const BetweenVoxels x = betweenOn(m_x, index.x);
+    const BetweenVoxels y = betweenOn(m_y, index.y);
+    const BetweenVoxels z = betweenOn(m_z, index.z);
+    const std::ptrdiff_t at = x.low * m_x.stride + y.low * m_y.stride + z.low * m_z.stride;
+    const auto alongX = [&](std::ptrdiff_t offset) {
+      const double low = m_fetch(offset);
+      return low + x.share * (m_fetch(offset + m_x.next) - low);
+    };
+    const auto alongY = [&](std::ptrdiff_t offset) {
+      const double low = alongX(offset);
+      return low + y.share * (alongX(offset + m_y.next) - low);
+    };
+    const double low = alongY(at);
+    return low + z.share * (alongY(at + m_z.next) - low);
+  }
+
+  VoxelAxis m_x, m_y, m_z;
+  Fetch m_fetch;
+};
+
+// The index axes along which the columns and rows of a plane run, and the one across it.
+struct AlignedAxes {
+  int column = 0;
+  int row = 1;
+  int across = 2;
+};
+
+// The axes where each way runs along one of its own, as in every volume that is not oblique.
+std::optional<AlignedAxes> alignedAxes(const IndexPlane& plane) {
+  const auto loneAxis = [](const glm::dvec3& way) {
+    const glm::bvec3 moves = glm::notEqual(way, glm::dvec3(0.0));
+    return moves.x + moves.y + moves.z == 1 ? (moves.x ? 0 : moves.y ? 1 : 2) : -1;
+  };
+  const int column = loneAxis(plane.perColumn);
+  const int row = loneAxis(plane.perRow);
+  if (column < 0 || row < 0 || column == row)
+    return std::nullopt;
+  return AlignedAxes{column, row, 3 - column - row};
+}
+
+// The same as linear VoxelRows where axes are aligned, several times as fast: of a row, first the voxels of
+// the line that it lies on are interpolated between their four neighbours, then the pixels between those.
+template <class Fetch>
+class AlignedRows {
+public:
+  AlignedRows(const glm::ivec3& dims, const Fetch& fetch, const IndexPlane& plane, const AlignedAxes& axes,
+              int width)
+      : m_axes(axes), m_fetch(fetch) {
+    const std::ptrdiff_t pitches[] = {1, dims.x, static_cast<std::ptrdiff_t>(dims.x) * dims.y};
+    for (const int axis : {axes.column, axes.row, axes.across})
+      m_voxels.emplace_back(dims[axis], pitches[axis]);
+    for (int x = 0; x < width; ++x)
+      m_columns.push_back(
+          betweenOn(m_voxels[0], plane.origin[axes.column] + x * plane.perColumn[axes.column]));
+  }
+
+  /// `line` is room to work in, as long as the volume is along the columns.
+  template <class Take>
+  void read(const glm::dvec3& start, const PixelSpan& span, std::vector<double>& line, Take&& take) const {
+    if (span.first >= span.last)
+      return;
+    const auto [begin, end] = std::minmax(m_columns[static_cast<std::size_t>(span.first)].low,
+                                          m_columns[static_cast<std::size_t>(span.last) - 1].low);
+    const BetweenVoxels row = betweenOn(m_voxels[1], start[m_axes.row]);
+    const BetweenVoxels across = betweenOn(m_voxels[2], start[m_axes.across]);
+    const std::ptrdiff_t base = row.low * m_voxels[1].stride + across.low * m_voxels[2].stride;
+    const std::ptrdiff_t stride = m_voxels[0].stride;
+    const std::ptrdiff_t nextRow = m_voxels[1].next;
+    const std::ptrdiff_t nextAcross = m_voxels[2].next;
+    const int last = std::min(end + 1, static_cast<int>(m_voxels[0].last));
+    for (int i = begin; i <= last; ++i) {
+      const std::ptrdiff_t at = base + i * stride;
+      const double near = m_fetch(at) + row.share * (m_fetch(at + nextRow) - m_fetch(at));
+      const double far = m_fetch(at + nextAcross) +
+                         row.share * (m_fetch(at + nextAcross + nextRow) - m_fetch(at + nextAcross));
+      line[static_cast<std::size_t>(i)] = near + across.share * (far - near);
+    }
+    const std::size_t next = m_voxels[0].next != 0 ? 1 : 0;
+    for (int x = span.first; x < span.last; ++x) {
+      const BetweenVoxels& column = m_columns[static_cast<std::size_t>(x)];
+      const double* const low = line.data() + column.low;
+      take(x, low[0] + column.share * (low[next] - low[0]));
+    }
+  }
+
+private:
+  AlignedAxes m_axes;
+  std::vector<VoxelAxis> m_voxels; ///< in the order of AlignedAxes
+  std::vector<BetweenVoxels> m_columns;
+  Fetch m_fetch;
+};
 
 constexpr double outside = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,16 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gl/GlObjects.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/decisions/Decisions.h"
+#include "glsl/textures/TextureVoxels.h"
 #include "glsl/textures/VolumeTexture.h"
-#include "raycaster/StoredFields.h"
 #include "scene/Scene.h"
+#include "scene/basics/Message.h"
 #include "scene/effects/EffectSet.h"
+#include "scene/function/TransferFunction.h"
 
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace limn {
+
+/// A 3D texture of four channels, read with linear interpolation, beside the texture of a volume and of the
+/// same size.
+class VoxelTexture {
+public:
+  enum class Format { halves, bytes };
+
+  /// Writes the texels of slice k, x fastest.
+  using FillSlice = std::function<void(int k, std::vector<glm::vec4>& texels)>;
+
+  /// Uploads slice by slice, which needs no second copy of the whole. `what` names it in the Error (openGl)
+  /// that is thrown where the driver has no room for it.
+  VoxelTexture(const glm::ivec3& size, Format format, const Message& what, const FillSlice& fill);
+
+  unsigned name() const { return m_texture.name(); }
+  std::size_t bytes() const { return m_bytes; }
+
+private:
+  GlTexture m_texture;
+  std::size_t m_bytes = 0;
+};
+
+/// Gradients of texels made before drawing, and what one of the stored numbers means.
+struct StoredGradients {
+  VoxelTexture texture;
+  double unitPerStored = 1.0; ///< of a component (halves) or of the modulus (directions)
+};
+
+/// `scale` leads from a difference over two texels to the unit of gradients in the shaders, whose components
+/// then are at most 1. Halves are off by at most 2⁻¹¹ of a component (eleven binary digits) down to
+/// components of 2⁻²⁹; what is interpolated are vectors, as DEFINITION section 2 asks. Directions are off by
+/// at most 1/255 in each component, moduli by 1/510 of the largest; interpolated apart, a weak gradient turns
+/// a strong neighbour's direction as much as that turns its own.
+StoredGradients storedGradients(const TextureVoxels& voxels, const glm::dvec3& scale, GradientFormat format);
+
+/// What the transfer function makes of each texel: colour times opacity, and opacity over the unit distance.
+/// To be made anew with every change of the function.
+VoxelTexture classifiedVolume(const TextureVoxels& voxels, const ValueRange& range,
+                              const TransferFunction& function, ClassificationOrder order);
 
 /// What decisions other than the program's own need on the graphics card beside the textures of the scene:
 /// a table of the transfer function, gradients made before, voxels classified before. Nothing for the

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "raycaster/RayCaster.h"
 
-#include "engine/CoveredPixels.h"
-#include "engine/StepLimit.h"
-#include "gl/DriverFacts.h"
+#include "engine/PixelRect.h"
+#include "engine/VolumeTooLarge.h"
 #include "gl/DriverHealth.h"
-#include "gl/FloatTarget.h"
+#include "gl/PictureTarget.h"
 #include "gl/SavedState.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"

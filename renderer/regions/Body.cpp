@@ -2,16 +2,49 @@
 #include "regions/Body.h"
 
 #include "regions/Components.h"
-#include "regions/Contact.h"
 #include "regions/Flood.h"
 #include "regions/Morphology.h"
-#include "regions/Tissue.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/volume/Histogram.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace limn {
 namespace {
+
+constexpr double tissueHu = -300.0;
+
+template <class T>
+BitGrid::Word wordOf(const T* stored, int voxels, const Rescale& rescale, double threshold) {
+  BitGrid::Word word = 0;
+  for (int n = 0; n < voxels; ++n) {
+    const double scalar = rescale.slope * static_cast<double>(stored[n]) + rescale.intercept;
+    word |= static_cast<BitGrid::Word>(scalar >= threshold) << n;
+  }
+  return word;
+}
+
+using Word = BitGrid::Word;
+
+std::size_t facesAlongRow(const Word* a, const Word* b, int words) {
+  constexpr int topBit = BitGrid::wordBits - 1;
+  std::size_t faces = 0;
+  for (int w = 0; w < words; ++w) {
+    const Word below = b[w] << 1 | (w > 0 ? b[w - 1] >> topBit : 0);
+    const Word above = b[w] >> 1 | (w + 1 < words ? b[w + 1] << topBit : 0);
+    faces += std::popcount(a[w] & below) + std::popcount(a[w] & above);
+  }
+  return faces;
+}
+
+std::size_t facesBetweenRows(const Word* a, const Word* b, int words) {
+  std::size_t faces = 0;
+  for (int w = 0; w < words; ++w)
+    faces += std::popcount(a[w] & b[w]);
+  return faces;
+}
 
 constexpr double ballMm = 2.0;
 constexpr double marginVoxels = 2.0;
@@ -81,6 +114,44 @@ Message doubtAbout(double beside, double contact, bool isAlone) {
 }
 
 } // namespace
+
+double tissueThreshold(const Volume& volume, const Effort& effort) {
+  return looksLikeHounsfield(volume) ? tissueHu : objectThreshold(histogramOf(volume, 1024, effort));
+}
+
+BitGrid tissueOf(const Volume& volume, double threshold, const Effort& effort) {
+  const glm::ivec3& dims = volume.grid().dims;
+  const VoxelMask& invalid = volume.invalidMask();
+  BitGrid tissue(dims, volume.room());
+  visitVoxels(volume, [&](const auto& stored) {
+    forEachPiece(dims.z, effort, [&](int z) {
+      for (int y = 0; y < dims.y; ++y)
+        for (int w = 0; w < tissue.rowWords(); ++w) {
+          const int x = w * BitGrid::wordBits;
+          const std::size_t first = voxelOffset(dims, x, y, z);
+          BitGrid::Word& word = tissue.row(y, z)[w];
+          word = wordOf(&stored[first], std::min(BitGrid::wordBits, dims.x - x), volume.rescale(), threshold);
+          if (!invalid.empty())
+            word &= ~invalid.from(first);
+        }
+    });
+  });
+  return tissue;
+}
+
+std::size_t sharedFaces(const BitGrid& a, const BitGrid& b) {
+  const glm::ivec3& dims = a.dims();
+  const int words = a.rowWords();
+  std::size_t faces = 0;
+  for (int z = 0; z < dims.z; ++z)
+    for (int y = 0; y < dims.y; ++y) {
+      faces += facesAlongRow(a.row(y, z), b.row(y, z), words);
+      for (const glm::ivec2& near : {glm::ivec2(y - 1, z), {y + 1, z}, {y, z - 1}, {y, z + 1}})
+        if (near.x >= 0 && near.x < dims.y && near.y >= 0 && near.y < dims.z)
+          faces += facesBetweenRows(a.row(y, z), b.row(near.x, near.y), words);
+    }
+  return faces;
+}
 
 BodyFinding findBody(const Volume& volume, const Effort& effort) {
   const double threshold = tissueThreshold(volume, partOf(effort, 0.0, 0.1));

@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "regions/BitGrid.h"
 #include "scene/basics/Effort.h"
 #include "scene/regions/Region.h"
 #include "scene/volume/Volume.h"
 
+#include <cstddef>
 #include <string>
 
 namespace limn {
+
+/// The scalar from which on a voxel counts as tissue (DEFINITION section 10): -300 HU where the values are
+/// Hounsfield units, elsewhere the threshold that separates object from background best (objectThreshold).
+double tissueThreshold(const Volume& volume, const Effort& effort);
+
+/// The valid voxels whose scalar is at least `threshold`.
+BitGrid tissueOf(const Volume& volume, double threshold, const Effort& effort);
+
+/// How many faces voxels of `a` share with voxels of `b`, of two sets on one grid without a voxel in common.
+std::size_t sharedFaces(const BitGrid& a, const BitGrid& b);
 
 /// The body in a volume, without the table, the holder and what else lies beside it.
 struct BodyFinding {

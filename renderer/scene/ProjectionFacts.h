@@ -3,6 +3,8 @@
 
 #include "scene/Scene.h"
 
+#include <array>
+
 namespace limn {
 
 /// Whether samples along a ray are classified one by one and add up to its pixel.
@@ -24,6 +26,22 @@ constexpr bool showsSurface(Projection projection) {
 /// Whether every sample is looked at, and one value of the ray is classified.
 constexpr bool classifiesOnce(Projection projection) {
   return !integrates(projection) && !showsSurface(projection);
+}
+
+/// Every projection, in the order in which they are offered.
+inline constexpr std::array projections{Projection::composite,
+                                        Projection::mip,
+                                        Projection::minip,
+                                        Projection::average,
+                                        Projection::xray,
+                                        Projection::isosurface,
+                                        Projection::compositeIsosurface};
+
+/// The word for a projection in scene files and in messages.
+inline const char* nameOf(Projection projection) {
+  constexpr std::array names{"composite",           "mip", "minip", "average", "xray", "isosurface",
+                             "composite_isosurface"};
+  return names[static_cast<std::size_t>(projection)];
 }
 
 } // namespace limn

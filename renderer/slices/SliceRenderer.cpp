@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slices/SliceRenderer.h"
 
-#include "gl/DriverFacts.h"
 #include "gl/DriverHealth.h"
-#include "gl/FloatTarget.h"
+#include "gl/PictureTarget.h"
 #include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"
+#include "scene/ProjectionFacts.h"
+#include "scene/basics/Error.h"
 #include "scene/steps/RayFrame.h"
 #include "slices/ProxySlabs.h"
-#include "slices/SlicePlan.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 namespace limn {
 namespace {
+
+struct Dropped {
+  Effect effect;
+  Message reason;
+};
+
+// What slices leave out, and why.
+std::vector<Dropped> droppedBySlices() {
+  return {{Effect::earlyTermination,
+           Message::tr("slices are blended one after the other and none knows which pixels are done")},
+          {Effect::emptySpaceSkipping, Message::tr("a slice is one sample: there is nothing to step over")},
+          {Effect::longRays, Message::tr("slices do not march along rays, so no ray is too long")}};
+}
 
 // Slabs go to the driver in pieces that no watchdog takes for a hang.
 constexpr std::size_t fragmentsPerDraw = std::size_t(1) << 25;
@@ -72,6 +86,26 @@ void drawInPieces(const Triangles& triangles, const glm::ivec2& size) {
 }
 
 } // namespace
+
+void requireSliceable(const Scene& scene) {
+  requireDrawable(scene);
+  if (scene.projection != Projection::composite && scene.projection != Projection::xray)
+    throw Error(Error::Kind::usage, Message::tr("Slices cannot draw the projection \"%1\", only composite "
+                                                "and xray; use --engine gl or reference for it.")
+                                        .arg(nameOf(scene.projection)));
+}
+
+EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts) {
+  EffectPlan plan = requiredEffects(scene, facts);
+  for (const Dropped& dropped : droppedBySlices()) {
+    plan.effects = plan.effects.without(dropped.effect);
+    for (EffectReason& reason : plan.reasons)
+      if (reason.effect == dropped.effect)
+        reason = {dropped.effect, false, dropped.reason};
+  }
+  plan.effects = canonical(plan.effects);
+  return plan;
+}
 
 struct SliceRenderer::Parts {
   BlendOrder order;

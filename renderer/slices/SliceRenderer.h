@@ -3,11 +3,20 @@
 
 #include "scene/Scene.h"
 #include "scene/basics/Image.h"
+#include "scene/effects/EffectPlan.h"
 
 #include <memory>
 #include <string>
 
 namespace limn {
+
+/// Throws Error (usage) naming what slices cannot draw: every projection but composite and X-ray, which is
+/// white blended alike. Blending knows one operation, and no slice knows those before it.
+void requireSliceable(const Scene& scene);
+
+/// The effects of a scene that a slice draws: what the scene calls for, less what belongs to the march along
+/// a ray, with the reason.
+EffectPlan sliceEffects(const Scene& scene, const SceneFacts& facts);
 
 /// In which order slabs are blended; both are the same picture but for rounding, which is smaller front to
 /// back (the lecture's formula): there the blender subtracts the whole opacity so far from 1 and not a faint

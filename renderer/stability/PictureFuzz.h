@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "stability/HardCase.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,5 +51,17 @@ FuzzReport runFuzz(int seeds, std::uint64_t firstSeed, const std::function<bool(
 
 /// One line that says what failed and how to repeat it: `limn stability --fuzz 1 --seed S`.
 std::string lineOf(const FuzzFailure& failure);
+
+/// What `limn stability` found, and on what: enough for somebody else to judge it, and nothing personal.
+struct StabilityReport {
+  std::string version;
+  std::string renderer; ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;   ///< its versions and limits
+  std::string machine;  ///< processor and system
+  std::string date;     ///< of measuring, ISO 8601
+  std::string command;  ///< that measures the same again
+  std::vector<MeasuredCase> cases;
+  std::optional<FuzzReport> fuzz;
+};
 
 } // namespace limn

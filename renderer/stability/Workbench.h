@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cpu/CpuRenderer.h"
+#include "engine/Engine.h"
 #include "raycaster/RayCaster.h"
 #include "slices/SliceRenderer.h"
 #include "stability/HardCase.h"
@@ -10,12 +11,6 @@
 #include <optional>
 
 namespace limn {
-
-/// The renderers of the program: double precision, the ray caster in GLSL, slices in GLSL, the CPU engine.
-enum class Engine { reference, gl, slices, cpu };
-
-/// As reports call it: "reference", "gl", "slices", "cpu".
-std::string nameOf(Engine engine);
 
 /// A picture as any engine draws it: premultiplied RGBA without background, rows from the top.
 struct DrawnPicture {

@@ -39,8 +39,8 @@ struct Renderers {
   SweepRenderers forRay(const test::ConvergingRay& ray) {
     return {[this, &ray](const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
               const Scene drawn = atPoint(scene, point);
-              picture = point.renderer == PointRenderer::rays ? caster.render(drawn, size)
-                                                              : toImage(renderReference(drawn, size, 1));
+              picture = point.engine == Engine::rayCaster ? caster.render(drawn, size)
+                                                          : toImage(renderReference(drawn, size, 1));
               picture.pixels[0] = glm::vec4(known(ray, glm::dvec4(picture.pixels[0])));
             },
             [this] { return picture; },
@@ -97,13 +97,13 @@ std::vector<test::ConvergingRay> rays() {
   return all;
 }
 
-std::vector<OperatingPoint> pointsOf(const test::ConvergingRay& ray, PointRenderer renderer) {
+std::vector<OperatingPoint> pointsOf(const test::ConvergingRay& ray, Engine renderer) {
   std::vector<OperatingPoint> points;
   // Whole numbers of samples: steps that halve exactly.
   const double first = test::withSamples(ray, ray.samples.front()).quality.stepVoxels;
   for (std::size_t i = 0; i < ray.samples.size(); ++i) {
     OperatingPoint point;
-    point.renderer = renderer;
+    point.engine = renderer;
     point.stepVoxels = std::ldexp(first, -static_cast<int>(i));
     point.earlyTermination = 1.0;
     points.push_back(point);
@@ -118,11 +118,11 @@ TEST_F(AnalyticError, reportedIsTheTrueOneAndOfOrderTwo) {
     EXPECT_TRUE(converged.facts.converged) << ray.what;
     converged.pixels[0] = known(ray, converged.pixels[0]);
     const glm::dvec4 truth = known(ray, {ray.color.value_or(glm::dvec3(0.0)), ray.alpha.value_or(0.0)});
-    for (const PointRenderer renderer : {PointRenderer::reference, PointRenderer::rays}) {
+    for (const Engine renderer : {Engine::reference, Engine::rayCaster}) {
       AccuracyReport report;
       report.size = onePixel;
       measurePoints(report, ray.scene, pointsOf(ray, renderer), converged.pixels, renderers.forRay(ray));
-      std::cout << ray.what << (renderer == PointRenderer::rays ? ", GLSL" : ", double");
+      std::cout << ray.what << (renderer == Engine::rayCaster ? ", GLSL" : ", double");
       for (const MeasuredPoint& point : report.points) {
         // The true error, from the picture drawn again.
         renderers.forRay(ray).draw(ray.scene, point.point, onePixel);

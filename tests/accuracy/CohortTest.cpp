@@ -81,7 +81,7 @@ TEST(Cohort, countsNoErrorWithoutAnExactPicture) {
 TEST(AccuracyFile, isReadAsItWasWritten) {
   MeasuredPoint tolerant = pointAt(0.5, 0.25, 5.0);
   tolerant.point.toleranceLevels = 1.0;
-  tolerant.point.renderer = PointRenderer::slices;
+  tolerant.point.engine = Engine::slices;
   tolerant.point.gradients = GradientSource::precomputed;
   tolerant.order = 1.5;
   const AccuracyReport report = reportOf("a", {pointAt(1.0, 2.0, 10.0), tolerant}).report;

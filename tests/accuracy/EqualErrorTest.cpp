@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/times/EqualError.h"
+#include "accuracy/times/Timing.h"
 
 #include <gtest/gtest.h>
 

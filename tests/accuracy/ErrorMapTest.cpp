@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "accuracy/ErrorMap.h"
+#include "accuracy/ImageError.h"
 
 #include <gtest/gtest.h>
 

@@ -61,7 +61,7 @@ TEST(OperatingPoint, namesItsFamilyAndStep) {
 
 TEST(OperatingPoint, namesItsFamilyByEveryDecision) {
   OperatingPoint point;
-  point.renderer = PointRenderer::slices;
+  point.engine = Engine::slices;
   point.preintegrated = true;
   point.earlyTermination = 1.0;
   point.gradients = GradientSource::precomputed;

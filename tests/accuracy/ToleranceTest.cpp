@@ -140,7 +140,8 @@ const DataSet dataSets[] = {
 
 std::vector<Preset> presets() {
   std::vector<Preset> all;
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets/builtin"))
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::sourceFolder() / "app/core/sources/presets"))
     if (entry.path().extension() == ".json")
       all.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
   std::sort(all.begin(), all.end(), [](const Preset& a, const Preset& b) { return a.name < b.name; });

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "app/MainWindow.h"
-#include "app/window/MessageBar.h"
 #include "engine/DrawingEngine.h"
 #include "support/TemporaryFolder.h"
 #include "support/Waiting.h"
+#include "widgets/controls/MessageBar.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
@@ -35,7 +35,7 @@ namespace limn::test {
 class WindowHarness : public testing::Test {
 protected:
   /// `engine` draws: with OpenGL unless a test is about the choice, which depends on the machine.
-  explicit WindowHarness(EngineSetting engine = EngineSetting::openGl) {
+  explicit WindowHarness(std::optional<Engine> engine = Engine::rayCaster) {
     QCoreApplication::setOrganizationName(QStringLiteral("limn"));
     QCoreApplication::setApplicationName(QStringLiteral("limn"));
     const UserFolders folders = UserFolders::below(folder.path());
@@ -64,8 +64,8 @@ protected:
   QUndoStack& undo() { return session().undoStack(); }
   CompareView& view() { return window->view(); }
   CurvePanel& curves() const { return *window->findChild<CurvePanel*>(); }
-  SavingDesk& saving() const { return *window->findChild<SavingDesk*>(); }
-  void setLayout(CompareLayout layout) { window->findChild<ComparisonDesk*>()->setLayout(layout); }
+  SavingController& saving() const { return *window->findChild<SavingController*>(); }
+  void setLayout(CompareLayout layout) { window->findChild<ComparisonController*>()->setLayout(layout); }
   /// The widget with the OpenGL context, while the driver draws.
   QOpenGLWidget& canvas() { return *view().findChild<QOpenGLWidget*>(); }
   PictureLoop& loop() { return *view().findChild<PictureLoop*>(); }

@@ -6,7 +6,7 @@
 //   limn_decision_costs VOLUME PRESET [classic]
 #include "accuracy/sweep/ConvergedPicture.h"
 #include "accuracy/sweep/FigureText.h"
-#include "app/measure/accuracy/MeasureDecisions.h"
+#include "app/lab/accuracy/MeasureDecisions.h"
 #include "app/presets/PresetStore.h"
 #include "gl/HeadlessContext.h"
 #include "io/VolumeReader.h"

@@ -12,7 +12,7 @@
 #include "raycaster/RayCaster.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Histogram.h"
 

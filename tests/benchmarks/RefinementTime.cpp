@@ -13,11 +13,10 @@
 #include "io/scenefile/SceneFile.h"
 #include "raycaster/RayCasterEngine.h"
 #include "scene/basics/Error.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "scene/presets/PresetFit.h"
 #include "support/Places.h"
-#include "widgets/view/pictures/GlScreen.h"
-#include "widgets/view/pictures/MemoryScreen.h"
+#include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/Pictures.h"
 
 #include <QThread>
@@ -37,7 +36,8 @@ double nowS() {
 
 std::vector<Preset> builtInPresets() {
   std::vector<Preset> all;
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets/builtin"))
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::sourceFolder() / "app/core/sources/presets"))
     if (entry.path().extension() == ".json")
       all.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
   return all;

@@ -10,7 +10,7 @@
 #include "io/VolumeReader.h"
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/steps/LocalSteps.h"
 #include "support/Places.h"
@@ -30,7 +30,8 @@ double now() {
 
 std::vector<Preset> builtInPresets() {
   std::vector<Preset> all;
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceFolder() / "app/presets/builtin"))
+  for (const auto& entry :
+       std::filesystem::directory_iterator(test::sourceFolder() / "app/core/sources/presets"))
     if (entry.path().extension() == ".json")
       all.push_back(parsePreset(readTextFile(entry.path()), entry.path().filename().string()));
   return all;

@@ -2,10 +2,10 @@
 // A picture drawn in bricks is the picture drawn whole.
 #include "accuracy/ImageError.h"
 #include "cpu/CpuRenderer.h"
-#include "cpu/bricks/FoldedPicture.h"
-#include "scene/light/ModelName.h"
+#include "cpu/bricks/BrickRenderer.h"
+#include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/RendererRules.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Floats, whole and in bricks, lead to the converged picture: how far from it, and as soon.
 #include "accuracy/sweep/ConvergedPicture.h"
 #include "cpu/CpuRenderer.h"
-#include "cpu/bricks/FoldedPicture.h"
+#include "cpu/bricks/BrickRenderer.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/ProjectionFacts.h"
 #include "support/Heads.h"

@@ -2,10 +2,10 @@
 // The CPU engine against the reference under the same discretisation. Both divide rays in double, so every
 // ray has the same samples, and the bound is the product's: half an 8-bit level at most, 0.01 in the mean.
 #include "cpu/CpuRenderer.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SceneVariations.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/Heads.h"
 #include "support/ImageCompare.h"
 #include "support/TestData.h"

@@ -5,7 +5,7 @@
 #include "scene/basics/Error.h"
 #include "scene/light/LightingTerms.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/Heads.h"
 #include "support/RendererRules.h"
 

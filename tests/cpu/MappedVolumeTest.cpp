@@ -5,7 +5,7 @@
 #include "cpu/CpuRenderer.h"
 #include "scene/basics/Error.h"
 #include "scene/basics/Room.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/Heads.h"
 #include "support/Sanitizers.h"
 #include "support/TemporaryFolder.h"

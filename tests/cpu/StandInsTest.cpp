@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in for a volume on disk while something moves.
 #include "cpu/CpuEngine.h"
-#include "engine/StandIn.h"
+#include "engine/DrawingEngine.h"
 #include "scene/basics/Error.h"
 #include "scene/regions/Reduction.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/Heads.h"
 #include "support/MappedVolume.h"
 #include "support/TemporaryFolder.h"

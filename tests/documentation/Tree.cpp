@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const folders[] = {"app", "renderer", "shaders", "tests", "translations", "widgets"};
+const char* const folders[] = {"app", "renderer", "shaders", "tests", "widgets"};
 
 // Every file below the folders of the project, and those that lie in its root.
 const std::vector<fs::path>& paths() {

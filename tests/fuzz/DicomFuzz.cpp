@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FuzzInput.h"
 
+#include "io/dicom/DicomVoxels.h"
 #include "io/dicom/header/DicomHeader.h"
 #include "io/dicom/header/DicomTags.h"
 #include "io/dicom/pixels/DicomPixelReader.h"
@@ -10,7 +11,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace limn;
   const auto file = test::fileOf(test::textOf(data, size));
-  startsAsDicom(file);
   test::harmless([&] {
     const DicomHeader header = headerOf(file, parseDicom(file));
     requireSupported(header);

@@ -3,7 +3,6 @@
 
 #include "FuzzInput.h"
 
-#include "io/formats/voxels/VolumeParts.h"
 #include "io/formats/voxels/Voxels.h"
 
 namespace limn::test {

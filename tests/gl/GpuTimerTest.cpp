@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/GpuTimer.h"
-#include "gl/FloatTarget.h"
+#include "gl/PictureTarget.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"

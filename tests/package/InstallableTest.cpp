@@ -16,7 +16,7 @@ namespace {
 std::set<std::string> installedFromTheBuild() {
   std::set<std::string> files;
   static const std::regex command(R"(file\(INSTALL [^)]*\))"), quoted("\"([^\"]*)\"");
-  for (const char* folder : {"app", "packaging", "renderer"})
+  for (const char* folder : {"app", "renderer"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(test::buildFolder() / folder)) {
       if (entry.path().filename() != "cmake_install.cmake")
         continue;

@@ -20,7 +20,7 @@ TEST(LinkedPackages, areListedWithVersionAndLicence) {
     GTEST_SKIP() << "this build was not made by ninja, which knows the headers that were read";
   const test::TemporaryFolder folder;
   const test::Said said =
-      test::said(folder.path(), "'" + (test::sourceFolder() / "packaging/sbom.sh").string() + "' '" +
+      test::said(folder.path(), "'" + (test::sourceFolder() / "app/packaging/sbom.sh").string() + "' '" +
                                     test::buildFolder().string() + "' 1.2.3");
   ASSERT_EQ(said.status, 0) << said.text;
 

@@ -40,8 +40,8 @@ TEST_F(SystemEntries, theMetadataIsValidWithAndWithoutAnAddress) {
                                        "set(LIMN_HOMEPAGE https://example.org/limn)\n"
                                        "set(CMAKE_SOURCE_DIR "
                                     << test::sourceFolder() << ")\nset(CMAKE_CURRENT_SOURCE_DIR "
-                                    << test::sourceFolder() / "packaging"
-                                    << ")\ninclude(" << test::sourceFolder() / "packaging/Metainfo.cmake"
+                                    << test::sourceFolder() / "app/packaging"
+                                    << ")\ninclude(" << test::sourceFolder() / "app/packaging/Metainfo.cmake"
                                     << ")\n"
                                     << "limn_metainfo(" << file("org.limn.Limn.metainfo.xml") << ")\n";
   const Said made =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PlaneVolumes.h"
 
-#include "planes/CropOutline.h"
+#include "planes/PlaneGrid.h"
 
 #include <gtest/gtest.h>
 

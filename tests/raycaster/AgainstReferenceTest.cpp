@@ -3,7 +3,7 @@
 // the product's: half an 8-bit level at most and 0.01 in the mean where both take the same number of samples,
 // and at most one ray in a thousand where rounding gives one sample more or less.
 #include "raycaster/RayCaster.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"

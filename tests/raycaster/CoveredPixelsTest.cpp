@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "engine/CoveredPixels.h"
+#include "engine/PixelRect.h"
 #include "scene/view/Camera.h"
 
 #include <gtest/gtest.h>

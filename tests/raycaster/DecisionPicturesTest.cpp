@@ -2,7 +2,7 @@
 // Decisions about accuracy in whole pictures: the defaults are the program's own, every other is valid
 // everywhere, and stored gradients are as good as the fetched ones where they are claimed to be.
 #include "accuracy/ImageError.h"
-#include "glsl/decisions/DecisionList.h"
+#include "glsl/decisions/Decisions.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each decision about accuracy, taken otherwise, against a closed form: what it costs is what theory says.
-#include "glsl/decisions/DecisionList.h"
+#include "glsl/decisions/Decisions.h"
 #include "raycaster/RayCaster.h"
 #include "support/AnalyticCases.h"
 #include "support/AnalyticScenes.h"

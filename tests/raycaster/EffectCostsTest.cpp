@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/FloatTarget.h"
+#include "gl/PictureTarget.h"
 #include "raycaster/CasterCosts.h"
 #include "scene/volume/Phantom.h"
 #include "support/GlTest.h"

@@ -5,7 +5,7 @@
 #include "scene/effects/EffectPlan.h"
 #include "scene/steps/RayFrame.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/ImageCompare.h"

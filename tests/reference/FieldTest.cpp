@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fast sampler of the reference against the slow functions that define field and gradient, and the order
 // of the discretisation.
-#include "reference/FieldSampler.h"
+#include "reference/RaySamples.h"
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/LocalMarch.h"
+#include "reference/RayMarcher.h"
 
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"

@@ -4,7 +4,6 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleRegions.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/JudgedTime.h"
 

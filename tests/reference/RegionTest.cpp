@@ -2,7 +2,6 @@
 // Kept regions in the reference against closed forms (DEFINITION section 10).
 #include "reference/ReferenceIntegrator.h"
 #include "scene/basics/StableMath.h"
-#include "stability/scenes/SimpleRegions.h"
 #include "stability/scenes/SimpleScenes.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 
 #include "io/VolumeReader.h"
 #include "regions/Body.h"
-#include "regions/Tissue.h"
 #include "scene/basics/Error.h"
 #include "scene/volume/Phantom.h"
 #include "support/JudgedTime.h"

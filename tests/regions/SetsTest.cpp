@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Sets.h"
 
+#include "regions/Body.h"
 #include "regions/Components.h"
-#include "regions/Contact.h"
 #include "regions/Flood.h"
 #include "regions/Morphology.h"
 #include "scene/basics/Error.h"

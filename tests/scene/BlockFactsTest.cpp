@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/steps/BlockFacts.h"
+#include "scene/steps/BlockSteps.h"
 
 #include <gtest/gtest.h>
 

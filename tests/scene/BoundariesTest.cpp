@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/presets/Boundaries.h"
 #include "scene/basics/Error.h"
-#include "scene/presets/LowHighHistogram.h"
 #include "scene/presets/Suggestion.h"
 #include "scene/volume/Histogram.h"
 #include "scene/volume/Phantom.h"
-#include "scene/volume/PhantomParts.h"
 #include "support/Heads.h"
 #include "support/TestData.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/presets/ImageLook.h"
 #include "scene/presets/PresetFit.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Phantom.h"
 #include "scene/light/Gradient.h"
-#include "scene/volume/PhantomParts.h"
 
 #include <gtest/gtest.h>
 

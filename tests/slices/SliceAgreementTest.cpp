@@ -9,7 +9,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
 #include "slices/SliceRenderer.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
 #include "support/Heads.h"
 #include "support/TestData.h"

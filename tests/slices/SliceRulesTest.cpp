@@ -4,7 +4,6 @@
 #include "raycaster/RayCaster.h"
 #include "scene/steps/RayFrame.h"
 #include "slices/ProxySlabs.h"
-#include "slices/SlicePlan.h"
 #include "slices/SliceRenderer.h"
 #include "support/AnalyticScenes.h"
 #include "support/GlTest.h"

@@ -3,7 +3,6 @@
 #include "io/scenefile/SceneFile.h"
 #include "scene/basics/Error.h"
 #include "scene/steps/RayFrame.h"
-#include "stability/scenes/Dice.h"
 
 #include "CameraFuzz.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/view/CompareView.h"
-#include "widgets/view/overlay/CropBoxGeometry.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <gtest/gtest.h>
 

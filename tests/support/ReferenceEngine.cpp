@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReferenceEngine.h"
 
-#include "engine/StepLimit.h"
+#include "engine/VolumeTooLarge.h"
 #include "reference/ReferenceIntegrator.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/SurfaceFormat.h"
+#include "widgets/view/drawing/DriverRecovery.h"
 
 #include <QApplication>
 

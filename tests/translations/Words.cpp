@@ -61,7 +61,7 @@ std::vector<Word> wordsIn(const std::filesystem::path& list) {
 }
 
 const std::vector<Word>& germanWords() {
-  static const std::vector<Word> words = wordsIn(sourceFolder() / "translations/limn_de.ts");
+  static const std::vector<Word> words = wordsIn(sourceFolder() / "app/translations/limn_de.ts");
   return words;
 }
 

@@ -14,7 +14,7 @@
 #include <functional>
 
 // Whether the window has every word in German, and whether each German text holds what its English one does.
-// What fails here is mended by `./dev translate` and translations/README.md.
+// What fails here is mended by `./dev translate` and app/translations/README.md.
 namespace limn::test {
 namespace {
 
@@ -62,7 +62,7 @@ TEST(Words, thoseOfPresetsAreThoseOfTheirFiles) {
   for (const Word& word : stringsOfTheSources().found)
     if (word.context == QLatin1String("limn::Preset"))
       listed.insert(word.source);
-  for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "app/presets/builtin")) {
+  for (const auto& entry : std::filesystem::directory_iterator(sourceFolder() / "app/core/sources/presets")) {
     if (entry.path().extension() != ".json")
       continue;
     const nlohmann::json preset = nlohmann::json::parse(bytesOfFile(entry.path()));
@@ -71,7 +71,8 @@ TEST(Words, thoseOfPresetsAreThoseOfTheirFiles) {
   }
   EXPECT_GT(inFiles.size(), 50);
   for (const QString& text : inFiles)
-    EXPECT_TRUE(listed.contains(text)) << "missing in translations/PresetWords.cpp: " << text.toStdString();
+    EXPECT_TRUE(listed.contains(text))
+        << "missing in app/translations/PresetWords.cpp: " << text.toStdString();
   for (const QString& text : listed)
     EXPECT_TRUE(inFiles.contains(text)) << "in no preset any more: " << text.toStdString();
 }
@@ -113,7 +114,7 @@ TEST(Words, mnemonicsEllipsesAndSpacesAtTheEndsAgree) {
   });
 }
 
-// Rules of translations/README.md that a program can look at.
+// Rules of app/translations/README.md that a program can look at.
 TEST(Words, germanTextIsSetAsGermanIs) {
   forEachTranslated([](const Word& word) {
     EXPECT_FALSE(word.translation.contains(QLatin1Char('"'))) << "quotes are „…“: " << described(word);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What assistive technology finds in the controls that paint themselves, asked as a screen reader asks.
 #include "widgets/controls/FoldingSection.h"
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/SpringSlider.h"
-#include "widgets/controls/sliders/TrackSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/controls/TrackSlider.h"
 
 #include <QAbstractButton>
 #include <QAccessible>

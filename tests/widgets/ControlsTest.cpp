@@ -2,15 +2,13 @@
 #include "widgets/FindWidget.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/FoldingSection.h"
+#include "widgets/controls/LabelledRow.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/color/ColorButton.h"
-#include "widgets/controls/color/ColorPicker.h"
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/SpringSlider.h"
-#include "widgets/controls/sliders/TrackSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
+#include "widgets/controls/SpringSlider.h"
+#include "widgets/controls/TrackSlider.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/effects/EffectsPanel.h"
-#include "widgets/effects/EffectRowWidget.h"
+#include "widgets/properties/EffectsPanel.h"
 
 #include <QLabel>
 #include <QPushButton>

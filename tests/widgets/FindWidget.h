@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/controls/ResetLabel.h"
+#include "widgets/controls/LabelledRow.h"
 
 #include <QWidget>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/labels/LabelSection.h"
+#include "widgets/properties/LabelSection.h"
 
 #include "scene/volume/Phantom.h"
 #include "widgets/FindWidget.h"
-#include "widgets/controls/FoldingHeader.h"
-#include "widgets/labels/LabelTable.h"
+#include "widgets/controls/FoldingSection.h"
 
 #include <QLabel>
 #include <QPushButton>

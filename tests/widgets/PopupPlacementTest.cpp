@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/controls/PopupPlacement.h"
+#include "widgets/controls/Popups.h"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,12 @@
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/FindWidget.h"
 #include "widgets/controls/ChoiceRow.h"
+#include "widgets/controls/LabelledRow.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/TrackSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
+#include "widgets/controls/TrackSlider.h"
 #include "widgets/properties/QualitySection.h"
-#include "widgets/shading/LightAngles.h"
+#include "widgets/shading/LightSection.h"
 #include "widgets/shading/ShadingSection.h"
 
 #include <QAbstractButton>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/AxisNames.h"
 #include "widgets/properties/CropFaces.h"
-#include "widgets/properties/FogFit.h"
+#include "widgets/properties/FogSection.h"
 
 #include <gtest/gtest.h>
 

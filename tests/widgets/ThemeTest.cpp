@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/Theme.h"
+#include "widgets/theme/Theme.h"
 #include "widgets/ContrastRatio.h"
-#include "widgets/Icons.h"
-#include "widgets/LookStyle.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/curve/plot/CanvasPicture.h"
+#include "widgets/curve/picture/CanvasPicture.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/LookStyle.h"
 
 #include <QApplication>
 #include <QImage>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grabs the editing widgets in both looks: limn_widget_pictures FOLDER
 #include "scene/volume/Phantom.h"
-#include "widgets/Icons.h"
-#include "widgets/Theme.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/controls/sliders/SpringSlider.h"
+#include "widgets/controls/SpringSlider.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
+#include "widgets/curve/PointFields.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
-#include "widgets/curve/points/PointPopup.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/properties/FogFit.h"
+#include "widgets/properties/FogSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/GradientSection.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/LookStyle.h"
 
 #include <QApplication>
 #include <QDockWidget>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/WidgetSamples.h"
 
-#include "widgets/Theme.h"
+#include "widgets/theme/Theme.h"
 
 #include <QDir>
 #include <QRegularExpression>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/accuracy/AccuracyPanel.h"
 
-#include "widgets/accuracy/points/PointText.h"
-#include "widgets/accuracy/sections/DialSection.h"
-#include "widgets/accuracy/sections/MapSection.h"
-#include "widgets/accuracy/sections/MeasuredSection.h"
-#include "widgets/accuracy/sections/WishSection.h"
-#include "widgets/accuracy/sections/WorkRow.h"
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
 
 #include <QCoreApplication>
 #include <QEvent>

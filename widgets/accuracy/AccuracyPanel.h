@@ -2,9 +2,8 @@
 #pragma once
 
 #include "widgets/Gesture.h"
-#include "widgets/accuracy/map/ComparedPicture.h"
-#include "widgets/accuracy/points/PointUse.h"
-#include "widgets/controls/SectionPanel.h"
+#include "widgets/accuracy/PointUse.h"
+#include "widgets/controls/FoldingSection.h"
 
 namespace limn {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/controls/ChoiceRow.h"
 
-#include "widgets/controls/ResetLabel.h"
-#include "widgets/controls/sliders/NumberSpec.h"
+#include "widgets/controls/LabelledRow.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

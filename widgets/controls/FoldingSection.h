@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QAbstractButton>
+#include <QScrollArea>
 #include <QWidget>
 
+#include <vector>
+
+class QLabel;
 class QVBoxLayout;
 
 namespace limn {
 
-class FoldingHeader;
+/// The header of a FoldingSection: a button, checked while the section is open, with an arrow, the section's
+/// name and a few words at the right. Enter presses it too. Assistive technology finds a button that is
+/// expanded or collapsed rather than a check box, which would seem to switch on what the section is about.
+class FoldingHeader : public QAbstractButton {
+  Q_OBJECT
+
+public:
+  explicit FoldingHeader(const QString& title, QWidget* parent = nullptr);
+
+  /// A few words at the right; empty for none.
+  void setSummary(const QString& summary);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void showArrow();
+
+  QLabel* m_arrow;
+  QLabel* m_summary;
+};
 
 /// A titled part of a panel that folds away; click, Enter or Space on the header folds it. The header can say
 /// in a few words what is inside ("off").
@@ -37,6 +64,22 @@ private:
   FoldingHeader* m_header;
   QWidget* m_body;
   QVBoxLayout* m_contents;
+};
+
+/// Parts of the window's business one below another; it scrolls down alone, and is never narrower than what
+/// it holds needs beside the scroll bar.
+class SectionPanel : public QScrollArea {
+public:
+  explicit SectionPanel(QWidget* parent = nullptr);
+
+  /// Fills it with sections.
+  void stack(const std::vector<QWidget*>& sections);
+
+  /// Asked for anew whenever the panel is laid out: fonts and styles come later than panels.
+  QSize minimumSizeHint() const override;
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
 } // namespace limn

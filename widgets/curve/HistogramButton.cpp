@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/curve/HistogramButton.h"
 
-#include "widgets/Icons.h"
+#include "widgets/theme/Icons.h"
 
 #include <QEvent>
 #include <QGuiApplication>

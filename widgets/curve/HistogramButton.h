@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/curve/plot/HistogramView.h"
+#include "scene/view/HistogramView.h"
 
 #include <QToolButton>
 

@@ -2,10 +2,9 @@
 #include "widgets/figure/FigureText.h"
 
 #include "widgets/ValueText.h"
-#include "widgets/planes/PlaneText.h"
+#include "widgets/planes/PlaneContent.h"
 #include "widgets/properties/ProjectionSection.h"
-#include "widgets/view/overlay/HiddenNotes.h"
-#include "widgets/view/overlay/SideText.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <QObject>
 #include <QStringList>

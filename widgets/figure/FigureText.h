@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/figure/Figure.h"
+#include "widgets/figure/FigureLayout.h"
 #include "widgets/planes/PlaneContent.h"
-#include "widgets/planes/PlaneFrame.h"
-#include "widgets/view/overlay/CameraMarks.h"
+#include "widgets/planes/PlaneDrag.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 
 #include <QSize>
 

@@ -3,11 +3,11 @@
 
 #include "planes/GreyWindows.h"
 #include "scene/presets/PresetFit.h"
-#include "widgets/Icons.h"
-#include "widgets/Theme.h"
 #include "widgets/ValueText.h"
-#include "widgets/controls/MenuHover.h"
 #include "widgets/controls/NumberField.h"
+#include "widgets/controls/Popups.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/Theme.h"
 
 #include <QComboBox>
 #include <QEvent>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/planes/PlaneDeck.h"
 
-#include "widgets/Theme.h"
 #include "widgets/planes/PlaneBar.h"
 #include "widgets/planes/PlaneView.h"
+#include "widgets/theme/Theme.h"
 
 #include <QPainter>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/planes/PlaneOverlay.h"
 
-#include "planes/CropOutline.h"
-#include "widgets/planes/PlaneText.h"
-#include "widgets/view/overlay/OverlayRows.h"
+#include "planes/PlaneGrid.h"
+#include "widgets/planes/PlaneContent.h"
+#include "widgets/view/overlay/OverlayParts.h"
 
 #include <QObject>
 #include <QPainter>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/planes/PlaneContent.h"
-#include "widgets/planes/PlaneFrame.h"
+#include "widgets/planes/PlaneDrag.h"
 #include "widgets/view/overlay/OrientationMarks.h"
 #include "widgets/view/overlay/OverlayParts.h"
 

@@ -2,12 +2,20 @@
 #pragma once
 
 #include "planes/PlanePixels.h"
+#include "planes/Reformat.h"
 #include "widgets/planes/PlaneContent.h"
-#include "widgets/planes/PlaneReader.h"
 
 #include <QImage>
 
 namespace limn {
+
+/// What of a volume is read for the picture of a slice.
+struct PlaneReading {
+  std::shared_ptr<const Volume> volume;
+  PlaneGrid plane;
+  PlaneSampling sampling;
+  bool operator==(const PlaneReading&) const = default;
+};
 
 /// What is read for the picture of a slice on a plane; there is a volume.
 PlaneReading readingOf(const PlaneContent& content, const PlaneGrid& plane);

@@ -3,18 +3,16 @@
 
 #include "planes/GreyWindows.h"
 #include "scene/presets/PresetFit.h"
-#include "widgets/planes/AccessiblePlane.h"
+#include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneOverlay.h"
-#include "widgets/planes/PlaneText.h"
 #include "widgets/view/panels/FocusRing.h"
 
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QLineEdit>
+#include <QAccessibleWidget>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -33,6 +31,57 @@ constexpr int restMs = 150;
 // Shorter ones are clicks, logical pixels.
 constexpr double shortestDistance = 3.0;
 
+// For assistive technology a slice is a slider: its value is the place of the slice along the patient, mm,
+// and setting it goes there.
+class AccessiblePlane : public QAccessibleWidget, public QAccessibleValueInterface {
+public:
+  explicit AccessiblePlane(PlaneView& view) : QAccessibleWidget(&view, QAccessible::Slider), m_view(view) {}
+
+  QString text(QAccessible::Text text) const override {
+    return text == QAccessible::Value ? m_view.accessibleDescription() : QAccessibleWidget::text(text);
+  }
+
+  void* interface_cast(QAccessible::InterfaceType type) override {
+    return type == QAccessible::ValueInterface ? static_cast<QAccessibleValueInterface*>(this)
+                                               : QAccessibleWidget::interface_cast(type);
+  }
+
+  QVariant currentValue() const override { return hasVolume() ? along(crosshairOf(m_view.content())) : 0.0; }
+  QVariant minimumValue() const override { return hasVolume() ? reach().first : 0.0; }
+  QVariant maximumValue() const override { return hasVolume() ? reach().last : 0.0; }
+  QVariant minimumStepSize() const override { return hasVolume() ? step() : 0.0; }
+
+  void setCurrentValue(const QVariant& value) override {
+    const double wanted = value.toDouble();
+    if (hasVolume() && std::isfinite(wanted))
+      m_view.goOn(static_cast<int>(std::lround((wanted - along(crosshairOf(m_view.content()))) / step())));
+  }
+
+private:
+  bool hasVolume() const { return m_view.content().volume != nullptr; }
+  const Grid& grid() const { return m_view.content().volume->grid(); }
+  double along(const glm::dvec3& place) const { return glm::dot(place, axesOf(m_view.plane()).forward); }
+  ReachMm reach() const { return reachAlong(grid(), axesOf(m_view.plane()).forward); }
+  double step() const { return sliceStepMm(grid(), m_view.plane()); }
+
+  PlaneView& m_view;
+};
+
+QAccessibleInterface* planeInterface(const QString&, QObject* object) {
+  auto* view = qobject_cast<PlaneView*>(object);
+  return view ? new AccessiblePlane(*view) : nullptr;
+}
+
+// Another slice is shown.
+void tellPlaneMoved(PlaneView& view) {
+  if (!QAccessible::isActive())
+    return;
+  if (QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&view)) {
+    QAccessibleValueChangeEvent event(interface, interface->valueInterface()->currentValue());
+    QAccessible::updateAccessibility(&event);
+  }
+}
+
 } // namespace
 
 PlaneView::PlaneView(PatientPlane plane, QWidget* parent) : QWidget(parent), m_plane(plane) {
@@ -40,25 +89,33 @@ PlaneView::PlaneView(PatientPlane plane, QWidget* parent) : QWidget(parent), m_p
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  makePlanesAccessible();
+  QAccessible::installFactory(planeInterface); // once, however often it is asked for
   new FocusRing(this);
   m_rest.setSingleShot(true);
   m_rest.setInterval(restMs);
   connect(&m_rest, &QTimer::timeout, this, &PlaneView::readAllPixels);
-  connect(&m_reader, &PlaneReader::done, this, &PlaneView::takeAllPixels);
 }
 
+// Of what is shown no longer they are of no use, and what there is no memory for stays as coarse as it is.
 void PlaneView::readAllPixels() {
-  if (m_content.volume)
-    m_reader.read(readingOf(m_content, frame().grid));
-}
-
-// Of what is shown no longer they are of no use.
-void PlaneView::takeAllPixels(const PlaneReading& of, const PlaneImage& values, double ms) {
-  if (!m_content.volume || of != readingOf(m_content, frame().grid))
+  if (!m_content.volume)
     return;
-  m_pictures.take(of, values, ms);
-  update();
+  const PlaneReading wanted = readingOf(m_content, frame().grid);
+  if (m_reading.isRunning() && wanted == m_beingRead)
+    return;
+  m_beingRead = wanted;
+  m_reading.start([this, wanted](const Effort& effort) -> BackgroundWork::Deliver {
+    const auto begin = std::chrono::steady_clock::now();
+    PlaneImage values =
+        reformatted(*wanted.volume, wanted.plane, wanted.sampling, {0, effort.isCancelled, {}});
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+    return [this, wanted, values = std::move(values), ms = taken.count()] {
+      if (!m_content.volume || wanted != readingOf(m_content, frame().grid))
+        return;
+      m_pictures.take(wanted, values, ms);
+      update();
+    };
+  });
 }
 
 void PlaneView::setContent(const PlaneContent& content) {
@@ -75,7 +132,7 @@ void PlaneView::setContent(const PlaneContent& content) {
 
 // At something else, or from elsewhere.
 void PlaneView::look() {
-  m_reader.cancel();
+  m_reading.cancel();
   update();
 }
 
@@ -188,14 +245,9 @@ void PlaneView::keyPressEvent(QKeyEvent* event) {
     QWidget::keyPressEvent(event);
 }
 
-// Keys go to what the pointer is over, but not out of a field in which someone types.
 void PlaneView::enterEvent(QEnterEvent* event) {
   QWidget::enterEvent(event);
-  const QWidget* focused = QApplication::focusWidget();
-  const bool isTyping =
-      qobject_cast<const QLineEdit*>(focused) || qobject_cast<const QAbstractSpinBox*>(focused);
-  if (isActiveWindow() && !isTyping)
-    setFocus(Qt::MouseFocusReason);
+  takeFocusUnderPointer(*this);
 }
 
 bool PlaneView::obey(int key, bool isFast) {

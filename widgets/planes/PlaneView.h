@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/controls/BackgroundWork.h"
 #include "widgets/planes/PlaneDrag.h"
 #include "widgets/planes/PlanePictures.h"
 
@@ -67,7 +68,6 @@ private:
   void showCursor(const QPointF& point);
   void look();
   void readAllPixels();
-  void takeAllPixels(const PlaneReading& of, const PlaneImage& values, double ms);
   void describe();
 
   PatientPlane m_plane;
@@ -77,8 +77,9 @@ private:
   std::optional<PlaneDrag> m_drag;
   int m_turned = 0; ///< of the wheel, less than a notch
   PlanePictures m_pictures;
-  QTimer m_rest; ///< runs while what is shown is coarse
-  PlaneReader m_reader{this};
+  QTimer m_rest;            ///< runs while what is shown is coarse
+  PlaneReading m_beingRead; ///< by `m_reading`
+  BackgroundWork m_reading;
 };
 
 } // namespace limn

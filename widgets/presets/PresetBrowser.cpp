@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetBrowser.h"
 
-#include "widgets/Icons.h"
-#include "widgets/Theme.h"
-#include "widgets/presets/FlatPresets.h"
-#include "widgets/presets/PresetDelegate.h"
+#include "widgets/presets/PresetDelegates.h"
 #include "widgets/presets/PresetFilter.h"
 #include "widgets/presets/PresetMenu.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/presets/PresetPointer.h"
-#include "widgets/presets/PresetTile.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/Theme.h"
 
 #include <QContextMenuEvent>
 #include <QEvent>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/presets/PresetModel.h"
 
-#include "widgets/Theme.h"
-#include "widgets/curve/plot/CanvasPicture.h"
-#include "widgets/presets/PresetWords.h"
+#include "widgets/curve/picture/CanvasPicture.h"
 
 #include <QObject>
 #include <QPainter>
@@ -89,8 +87,7 @@ QImage curveThumbnail(const TransferFunction& function, const QSize& size, doubl
   const double last = function.points.back().value;
   const double margin = std::max(1e-9, 0.08 * (last - first));
   picture.function = function;
-  picture.transform = {
-      QRectF(0.0, 4.0, size.width(), size.height() - 11.0), {first - margin, last + margin}, false};
+  picture.transform = {QRectF(0.0, 4.0, size.width(), size.height() - 11.0), {first - margin, last + margin}};
   const QRectF& plot = picture.transform.plot;
   QPolygonF area = curvePolygon(picture.transform, function);
   area << plot.bottomRight() << plot.bottomLeft();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/Theme.h"
 #include "widgets/presets/PresetOrder.h"
+#include "widgets/theme/Theme.h"
 
+#include <QCoreApplication>
 #include <QImage>
 #include <QString>
 
@@ -13,6 +14,12 @@ class QSize;
 class QStandardItemModel;
 
 namespace limn {
+
+/// A built-in preset's name or note in the window's language (app/translations/PresetWords.cpp); what users
+/// have written stays. Presets are known by their English names everywhere but on the screen.
+inline QString presetWords(const QString& english) {
+  return QCoreApplication::translate("limn::Preset", english.toUtf8().constData());
+}
 
 /// How a preset of the list is used at present.
 enum class PresetUse { none, shown, modified };

@@ -4,7 +4,7 @@
 #include "scene/framing/VisibleBox.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
-#include "widgets/controls/sliders/RangeSlider.h"
+#include "widgets/controls/NumberSliders.h"
 #include "widgets/properties/AxisNames.h"
 #include "widgets/properties/CropFaces.h"
 

@@ -3,7 +3,7 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/properties/PropertiesPanel.h"
 
-#include "widgets/labels/LabelSection.h"
 #include "widgets/properties/CropSection.h"
 #include "widgets/properties/FogSection.h"
+#include "widgets/properties/LabelSection.h"
 #include "widgets/properties/ProjectionSection.h"
 #include "widgets/properties/QualitySection.h"
 #include "widgets/shading/GradientSection.h"

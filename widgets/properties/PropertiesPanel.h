@@ -3,7 +3,7 @@
 
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
-#include "widgets/controls/SectionPanel.h"
+#include "widgets/controls/FoldingSection.h"
 
 namespace limn {
 

@@ -2,7 +2,7 @@
 #include "widgets/properties/QualitySection.h"
 
 #include "widgets/controls/ChoiceRow.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
 
 #include <QCheckBox>
 #include <QVBoxLayout>

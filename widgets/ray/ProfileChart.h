@@ -2,12 +2,20 @@
 #pragma once
 
 #include "scene/steps/RayProfile.h"
-#include "widgets/curve/plot/PlotTransform.h"
+#include "widgets/plot/PlotTransform.h"
 #include "widgets/ray/ProfileText.h"
+#include "widgets/theme/Theme.h"
 
 #include <QWidget>
 
+#include <array>
+
+class QPainter;
+
 namespace limn {
+
+/// The lanes of a plot from top to bottom: value, opacity, contribution. Each has a line of text above it.
+std::array<QRectF, 3> lanesOf(const QRectF& plot);
 
 /// The chart of one ray: value, opacity and contribution over the depth. Pointer and keys read depths and
 /// choose one: ← → (Shift: ten times as far), Home and End, H (half of the light), Enter or a click chooses;

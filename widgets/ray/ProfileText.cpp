@@ -42,11 +42,12 @@ QString emptySummary(const RayProfile& profile, const ProfileNames& names) {
       .arg(valueOf(names, values.lowest), valueOf(names, values.highest));
 }
 
-} // namespace
-
+// A depth: "34.2 mm".
 QString depthText(const ProfileNames& names, double depthMm) {
   return valueText(depthMm, names.depthUnit, 1);
 }
+
+} // namespace
 
 ValueRange valuesOf(const RayProfile& profile) {
   const auto [low, high] = std::ranges::minmax_element(profile.samples, {}, &RayProfile::Sample::value);

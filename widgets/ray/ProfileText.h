@@ -31,9 +31,6 @@ struct LaneText {
 };
 std::array<LaneText, 3> laneTexts(const RayProfile& profile, const ProfileNames& names);
 
-/// A depth: "34.2 mm".
-QString depthText(const ProfileNames& names, double depthMm);
-
 /// The share of the pixel per millimetre of a piece, 0..1 and above; of a surface, which has no length, all
 /// of it.
 double contributionPerMm(const RayProfile::Sample& sample);

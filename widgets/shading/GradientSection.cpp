@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/GradientSection.h"
 
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
 
 #include <QCheckBox>
 #include <QLabel>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/shading/ModelSection.h"
 
-#include "scene/light/ModelName.h"
-#include "widgets/controls/sliders/RangeSlider.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "scene/light/Shading.h"
+#include "widgets/controls/NumberSliders.h"
 
 #include <QLabel>
 #include <QObject>

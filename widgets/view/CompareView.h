@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/DrawingEngines.h"
+#include "engine/DrawingEngine.h"
 #include "scene/basics/Image.h"
-#include "scene/effects/EffectRows.h"
 #include "widgets/Gesture.h"
-#include "widgets/view/Comparison.h"
-#include "widgets/view/ViewGeometry.h"
 #include "widgets/view/gestures/Probe.h"
-#include "widgets/view/pictures/PictureState.h"
+#include "widgets/view/overlay/ViewGeometry.h"
+#include "widgets/view/overlay/ViewOrder.h"
 
 #include <QImage>
 #include <QWidget>
 
-#include <functional>
+#include <algorithm>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace limn {
@@ -27,39 +24,34 @@ class LabelFade;
 class PanelStack;
 class ViewInput;
 enum class ViewTool;
-struct EffectTimes;
-struct OverlaySource;
-struct ViewOrders;
-
-/// The error that was measured of the picture of a scene, levels (99.9th percentile); absent where none was.
-using MeasuredErrors = std::function<std::optional<double>(const Scene& scene)>;
-
 /// Shows a volume in one picture or compares two ways of lighting or showing it: one camera, one engine, one
 /// copy of the volume. Draws coarsely while something moves and strip by strip to full quality at
 /// rest (pictures/); at rest the picture is bit for bit what the command line writes for the same scene and
 /// size. It changes no scene: it asks, through its signals, and is given the answer through setScene().
 /// The graphics driver draws, or the processor (drawing/). When the driver fails, everything in it is made
-/// anew; when that fails too, the processor draws (failure/).
+/// anew; when that fails too, the processor draws.
 class CompareView : public QWidget {
   Q_OBJECT
 
 public:
   /// `engine` draws at first. One that `engines` lacks is never asked; without OpenGL (openGlOffer) there
   /// must be no `engines.driver`.
-  explicit CompareView(DrawingEngines engines, ViewEngine engine = ViewEngine::driver,
-                       QWidget* parent = nullptr);
+  explicit CompareView(DrawingEngines engines, Engine engine = Engine::rayCaster, QWidget* parent = nullptr);
   ~CompareView() override;
+
+  /// What is to be seen, as it was pushed last to those who draw.
+  const ViewOrder& order() const { return m_order; }
 
   /// Shows a scene; an equal one changes nothing. Without a volume the view invites to open one.
   void setScene(const Scene& scene);
-  const Scene& scene() const { return m_shown.scene; }
+  const Scene& scene() const { return m_order.comparison.scene; }
 
   /// Lets an engine draw, for a reason that is told with the pictures; nothing happens where there is none.
-  void setEngine(ViewEngine engine, const QString& reason);
-  ViewEngine engine() const;
+  void setEngine(Engine engine, const QString& reason);
+  Engine engine() const;
 
   void setCompareLayout(CompareLayout layout);
-  CompareLayout compareLayout() const { return m_shown.layout; }
+  CompareLayout compareLayout() const { return m_order.comparison.layout; }
 
   /// The models of the two sides of a comparison, or the look that is compared instead; the single layout
   /// shows the scene as it is.
@@ -68,14 +60,14 @@ public:
 
   /// Whether resting pictures go on to smaller steps until they lie within half a level of the exact ones;
   /// they do by default.
-  void setRefinesAtRest(bool refines);
+  void setRefinesAtRest(bool refines) { set(m_order.refines, refines); }
 
   /// Where the border of the wipe lies, as a fraction of the view's width, 0..1.
-  void setWipePosition(double fraction);
-  double wipePosition() const { return m_shown.wipe; }
+  void setWipePosition(double fraction) { set(m_order.comparison.wipe, std::clamp(fraction, 0.0, 1.0)); }
+  double wipePosition() const { return m_order.comparison.wipe; }
 
   /// The drawing time of a frame aimed at while something moves, ms, > 0.
-  void setMovingMs(double ms);
+  void setMovingMs(double ms) { set(m_order.movingMs, ms); }
 
   /// Where the picture at `position` (0 left, 1 right) lies, logical pixels.
   QRectF logicalRect(int position) const { return pictureRect(geometry(), position); }
@@ -84,32 +76,23 @@ public:
   double pictureAspect() const { return limn::pictureAspect(geometry()); }
 
   /// Whether labels, letters, scale and notes stand above the pictures; they do by default.
-  void setOverlayVisible(bool visible);
+  void setOverlayVisible(bool visible) { set(m_order.hasOverlay, visible); }
 
   /// Whether the crop box stands over the pictures with a handle on each face; it does not by default.
   void setCropBoxVisible(bool visible);
-  bool cropBoxIsVisible() const { return m_cropBoxVisible; }
+  bool cropBoxIsVisible() const { return m_order.hasCropBox; }
 
   /// Marks a place of the world in the pictures, or none; there is none at first.
-  void setMark(const std::optional<glm::dvec3>& worldMm) {
-    if (worldMm != std::exchange(m_shown.markMm, worldMm))
-      repaintOverlay();
-  }
+  void setMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.markMm, worldMm); }
 
   /// Marks where half of the light of a ray is gathered, or nothing; nothing at first.
-  void setHalfMark(const std::optional<glm::dvec3>& worldMm) {
-    if (worldMm != std::exchange(m_shown.halfMm, worldMm))
-      repaintOverlay();
-  }
+  void setHalfMark(const std::optional<glm::dvec3>& worldMm) { set(m_order.comparison.halfMm, worldMm); }
 
   /// What reads pointer and keys.
   const ViewInput& input() const { return *m_input; }
 
   /// The preset that the scene is shown as a preview of, which the pictures then say; empty: it is none.
-  void setPreview(const std::string& preset) {
-    if (preset != std::exchange(m_shown.preview, preset))
-      repaintOverlay();
-  }
+  void setPreview(const std::string& preset) { set(m_order.comparison.preview, preset); }
 
   /// What the left button does; at first it rotates. Esc in the view returns to that.
   void setTool(ViewTool tool);
@@ -132,13 +115,13 @@ public:
   /// The same as premultiplied floats without background; absent before it is complete.
   std::optional<Image> restingImage(int side);
   /// What the pictures show, from left to right.
-  std::vector<Scene> scenesOfSides() const { return limn::scenesOfSides(m_shown); }
+  std::vector<Scene> scenesOfSides() const { return limn::scenesOfSides(m_order.comparison); }
 
   /// The side that shows the scene as it is edited: of compared looks the right one.
-  int ownSide() const { return limn::ownSide(m_shown); }
+  int ownSide() const { return limn::ownSide(m_order.comparison); }
 
   /// The scene as one side shows it.
-  Scene sceneOfSide(int side) const { return limn::sceneOfSide(m_shown, side); }
+  Scene sceneOfSide(int side) const { return limn::sceneOfSide(m_order.comparison, side); }
 
   /// The same with the step of `restingImage`, which may have been refined.
   Scene sceneOfRestingImage(int side) const;
@@ -174,19 +157,16 @@ signals:
   /// The note was clicked that tells what a region hides.
   void everythingRequested();
   void maximiseRequested();
-  void pictureStateChanged(const limn::PictureState& state);
-  /// What the picture, called `picture`, calls for; of two pictures the right one.
-  void effectsChanged(const std::vector<limn::EffectRow>& rows, const QString& picture);
-  void effectTimesChanged(const limn::EffectTimes& times);
+  /// Whenever anything in it changes.
+  void told(const limn::ViewNews& news);
   /// Drawing failed; the view already shows the sentence.
   void errorOccurred(const QString& sentence);
-  /// The processor took over from a driver that failed or has no room for the volume, or gave back to it.
-  void engineChanged(limn::ViewEngine engine);
   /// Drawing had failed, and works again.
   void graphicsRestored(const QString& sentence);
   void loadingCancelled();
 
 protected:
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
@@ -202,28 +182,26 @@ protected:
   void focusOutEvent(QFocusEvent* event) override;
 
 private:
-  ViewOrders orders();
+  template <class T>
+  void set(T& part, const T& value) {
+    part = value;
+    push();
+  }
+  void push();
+  void take(const ViewNews& news);
   void connectEngines();
   void connectInput();
-  void connectFit();
   void arrangeParts();
   ViewGeometry geometry() const;
-  PictureState withMeasured(PictureState state) const;
-  OverlaySource overlaySource() const;
-  void redraw();
-  void showOtherParts();
-  void moveWipe(double fraction);
   void setSwapped(bool swapped);
   void updatePanels();
   void showPreparing(double fraction);
-  void repaintOverlay();
   void offerModels(int position);
 
-  Comparison m_shown;
-  MeasuredErrors m_measuredErrors;
-  bool m_overlayVisible = true;
-  bool m_cropBoxVisible = false;
+  ViewOrder m_order;
+  bool m_isShown = false;
   bool m_isPreparing = false; ///< it is said that a volume is got ready
+  QString m_problem;          ///< why nothing is drawn, as the panels say it
   EngineSwitch* m_engines;
   CameraFit* m_fit;
   ViewInput* m_input;

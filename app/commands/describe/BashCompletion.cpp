@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/describe/Descriptions.h"
-#include "app/commands/describe/ShellText.h"
 
 #include <sstream>
 

@@ -3,7 +3,29 @@
 
 #include "app/commands/describe/CommandWords.h"
 
+#include <string>
+#include <vector>
+
 namespace limn {
+
+/// A word between single quotes, as bash and zsh read it.
+inline std::string shellQuoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      quoted += "'\\'";
+    quoted += c;
+  }
+  return quoted + "'";
+}
+
+/// Words, each quoted, with spaces between.
+inline std::string shellQuoted(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words)
+    line += (line.empty() ? "" : " ") + shellQuoted(word);
+  return line;
+}
 
 /// A manual page (man(7), section 1) of the program with all its commands. `date` is YYYY-MM-DD.
 std::string manPage(const CommandWords& program, const std::string& version, const std::string& date);

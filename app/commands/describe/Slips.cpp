@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/describe/Slips.h"
 
-#include "app/MeantWord.h"
+#include "app/core/naming/MeantWord.h"
 
 #include <algorithm>
 #include <filesystem>

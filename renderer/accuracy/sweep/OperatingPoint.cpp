@@ -13,6 +13,20 @@ std::string number(double value) {
   return text;
 }
 
+const char* methodOf(Engine engine) {
+  switch (engine) {
+  case Engine::rayCaster:
+  case Engine::cpu:
+    return "rays";
+  case Engine::slices:
+  case Engine::slicesBackToFront:
+    return "slices";
+  case Engine::reference:
+    break;
+  }
+  return "double precision";
+}
+
 // Whether `other` makes a point needless.
 bool beats(const MeasuredPoint& other, const MeasuredPoint& point) {
   const bool isNoWorse = other.error.p99_9 <= point.error.p99_9 && other.ms.median <= point.ms.median;
@@ -33,8 +47,7 @@ Scene atPoint(Scene scene, const OperatingPoint& point) {
 }
 
 std::string familyOf(const OperatingPoint& point) {
-  const char* renderers[] = {"rays", "slices", "double precision"};
-  std::string family = renderers[static_cast<int>(point.renderer)];
+  std::string family = methodOf(point.engine);
   if (point.toleranceLevels)
     family += ", error-controlled";
   if (point.preintegrated)

@@ -3,6 +3,7 @@
 
 #include "accuracy/ImageError.h"
 #include "accuracy/times/Timing.h"
+#include "engine/Engine.h"
 #include "scene/Scene.h"
 
 #include <optional>
@@ -11,16 +12,14 @@
 
 namespace limn {
 
-/// Which renderer draws.
-enum class PointRenderer { rays, slices, reference };
-
 /// Where the gradient of a sample comes from: six fetches of the volume, or one of a texture made before.
 enum class GradientSource { onTheFly, precomputed };
 
 /// Everything by which a picture of one scene can be had faster or closer to the exact one.
 struct OperatingPoint {
-  PointRenderer renderer = PointRenderer::rays;
-  double stepVoxels = 0.5;               ///< in units of the smallest spacing; unused under a tolerance
+  Engine engine =
+      Engine::rayCaster;   ///< `rayCaster` stands for the CPU engine, too, where that casts the rays
+  double stepVoxels = 0.5; ///< in units of the smallest spacing; unused under a tolerance
   std::optional<double> toleranceLevels; ///< error-controlled steps instead of equal ones, > 0
   bool preintegrated = false;
   double earlyTermination = 0.998;

@@ -1,19 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/bricks/BrickRenderer.h"
 
-#include "cpu/Strips.h"
+#include "cpu/Threads.h"
 #include "cpu/simd/DrawRow.h"
 #include "cpu/simd/InstructionSet.h"
-#include "engine/CoveredPixels.h"
-#include "engine/StepLimit.h"
+#include "engine/VolumeTooLarge.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <deque>
 #include <limits>
 #include <thread>
 
 namespace limn {
 namespace {
+
+// Of pictures whose bricks each find scalars.
+Image foldedScalars(std::deque<BrickRenderer>& renderers, const PixelRect& tile) {
+  std::vector<ScalarShare> folded = renderers.front().scalars(tile);
+  const bool isSum = renderers.front().folding() == Folding::sum;
+  for (std::size_t i = 1; i < renderers.size(); ++i) {
+    const std::vector<ScalarShare> share = renderers[i].scalars(tile);
+    std::ranges::transform(folded, share, folded.begin(),
+                           [isSum](const auto& a, const auto& b) { return isSum ? a + b : glm::max(a, b); });
+  }
+  return renderers.front().classified(tile, folded);
+}
+
+std::vector<SurfaceHits> hitsOf(std::deque<BrickRenderer>& renderers, const PixelRect& tile) {
+  std::vector<SurfaceHits> hits(renderers.size());
+  if (!renderers.front().hasSurface())
+    return hits;
+  std::vector<float> nearest;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    hits[i].own = renderers[i].hits(tile);
+    if (nearest.empty())
+      nearest = hits[i].own;
+    std::ranges::transform(nearest, hits[i].own, nearest.begin(),
+                           [](float a, float b) { return std::min(a, b); });
+  }
+  for (SurfaceHits& ofBrick : hits)
+    ofBrick.nearest = nearest;
+  return hits;
+}
+
+// Beyond every volume, and far enough from infinity to be divided by a direction.
+constexpr double farAway = 1e30;
+
+// Of axes of equal length the last: what lies together in a file stays together.
+int longestAxis(const glm::dvec3& size) {
+  int longest = 2;
+  for (int axis = 1; axis >= 0; --axis)
+    if (size[axis] > size[longest])
+      longest = axis;
+  return longest;
+}
 
 std::size_t pixelsOf(const PixelRect& tile) {
   return static_cast<std::size_t>(tile.size.x) * static_cast<std::size_t>(tile.size.y);
@@ -24,6 +66,65 @@ int allOr(int threads) {
 }
 
 } // namespace
+
+Image drawInBricks(const Scene& scene, const glm::ivec2& size, int count, int threads) {
+  requireDrawable(scene);
+  const Bricks bricks(scene.volume->grid(), scene.crop, count);
+  const std::vector<int> order = bricks.frontToBack(rayFrame(scene.camera, scene.volume->grid(), size));
+  std::deque<BrickRenderer> renderers;
+  for (const int brick : order)
+    renderers.emplace_back(threads).begin(scene, size, bricks.box(brick));
+  const PixelRect whole{{0, 0}, size};
+  if (renderers.front().folding() != Folding::over)
+    return foldedScalars(renderers, whole);
+  const std::vector<SurfaceHits> hits = hitsOf(renderers, whole);
+  Image folded(size);
+  for (std::size_t place = renderers.size(); place-- > 0;) {
+    const Image share = renderers[place].share(whole, hits[place]);
+    foldOver(share.pixels.data(), folded.pixels.data(), folded.pixels.size());
+  }
+  return folded;
+}
+
+Bricks::Bricks(const Grid& grid, const CropBox& crop, int count) : m_boxes(static_cast<std::size_t>(count)) {
+  divide(croppedBox(grid, crop), {glm::dvec3(-farAway), glm::dvec3(farAway)}, 0, count);
+}
+
+void Bricks::divide(const IndexBox& inner, const IndexBox& outer, int first, int count) {
+  if (count == 1) {
+    m_boxes[static_cast<std::size_t>(first)] = outer;
+    return;
+  }
+  const int below = count / 2;
+  const glm::dvec3 size = inner.upper - inner.lower;
+  const int axis = longestAxis(size);
+  const double plane = inner.lower[axis] + size[axis] * below / count;
+  m_splits.push_back({first, below, count, axis, plane});
+  IndexBox innerBelow = inner, innerAbove = inner, outerBelow = outer, outerAbove = outer;
+  innerBelow.upper[axis] = innerAbove.lower[axis] = plane;
+  outerBelow.upper[axis] = outerAbove.lower[axis] = plane;
+  divide(innerBelow, outerBelow, first, below);
+  divide(innerAbove, outerAbove, first + below, count - below);
+}
+
+std::vector<int> Bricks::frontToBack(const RayFrame& frame) const {
+  // The middle ray's: where rays are parallel the direction of all, otherwise through the eye of all.
+  const glm::dvec3 eye = frame.anchor - frame.anchorDistanceMm * frame.direction;
+  const bool isParallel = frame.tangentPerPixel == 0.0;
+  std::vector<int> order(m_boxes.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = static_cast<int>(i);
+  // The parts of a split lie side by side in the order whatever splits within them did, so that turning
+  // them is swapping two runs; inner splits first.
+  for (auto split = m_splits.rbegin(); split != m_splits.rend(); ++split) {
+    const bool lowerIsNear =
+        isParallel ? frame.direction[split->axis] > 0.0 : eye[split->axis] < split->plane;
+    const auto begin = order.begin() + split->first;
+    if (!lowerIsNear)
+      std::rotate(begin, begin + split->below, begin + split->count);
+  }
+  return order;
+}
 
 BrickRenderer::BrickRenderer(int threads) : m_threads(allOr(threads)), m_data(m_threads, true) {
   cpu::requireInstructionSet();

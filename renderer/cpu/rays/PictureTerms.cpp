@@ -1,7 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpu/rays/PictureTerms.h"
 
+#include <algorithm>
+
 namespace limn::cpu {
+
+Ray inLengths(const PictureTerms& terms, const Ray& ray) {
+  const FramedRay framed = framedRay(terms.frame, ray.pixel.x, ray.pixel.y, terms.size);
+  const glm::dvec3 first = framed.anchor + ray.span.begin * framed.direction;
+  const double beforeAnchor = -framed.eye - terms.frame.anchorDistanceMm;
+  Ray result = ray;
+  result.offset = 0.0f;
+  result.first = glm::vec3(first + terms.centre);
+  result.stride = glm::vec3(terms.lengthMm * framed.direction);
+  result.firstIndex = glm::vec3(first);
+  result.firstDepth = static_cast<float>((ray.span.begin + beforeAnchor) / terms.lengthMm);
+  result.strideDepth = 1.0f;
+  result.units = terms.perUnitDistance;
+  return result;
+}
+
+RaySpan partInBrick(const PictureTerms& terms, const FramedRay& ray, const RaySpan& span) {
+  if (!terms.brick)
+    return span;
+  const RaySpan inBrick = spanInBox(ray, *terms.brick);
+  return {std::max(span.begin, inBrick.begin), std::min(span.end, inBrick.end)};
+}
 
 FewSegments fewSegments(const PiecewiseTable& table) {
   FewSegments few;

@@ -7,7 +7,7 @@
 #define LIMN_CPU_EMPTY_SPACE_INL_H
 #endif
 
-#include "cpu/rays/Ray.h"
+#include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
 #include "cpu/simd/Rays-inl.h"
 #include "scene/steps/EmptySpace.h"

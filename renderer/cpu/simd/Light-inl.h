@@ -8,7 +8,6 @@
 #endif
 
 #include "cpu/rays/PictureTerms.h"
-#include "cpu/rays/Ray.h"
 #include "cpu/simd/Function-inl.h"
 #include "cpu/simd/Math-inl.h"
 

@@ -8,7 +8,7 @@
 #define LIMN_CPU_RAYS_INL_H
 #endif
 
-#include "cpu/rays/Ray.h"
+#include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Math-inl.h"
 #include "scene/basics/StableMath.h"
 

@@ -8,7 +8,7 @@
 #define LIMN_CPU_SAMPLES_INL_H
 #endif
 
-#include "cpu/rays/Ray.h"
+#include "cpu/rays/PictureTerms.h"
 #include "cpu/simd/Field-inl.h"
 #include "cpu/simd/Function-inl.h"
 #include "cpu/simd/Light-inl.h"

@@ -1,19 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "glsl/textures/BlockStepTexture.h"
-#include "glsl/textures/RegionTexture.h"
+#include "gl/GlObjects.h"
 #include "glsl/textures/VolumeTexture.h"
+#include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/GradientScales.h"
+#include "scene/regions/BlockWeights.h"
+#include "scene/steps/BlockSteps.h"
 #include "scene/steps/EmptySpace.h"
 #include "scene/steps/RayFrame.h"
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace limn {
+
+/// The weights of a kept region on the graphics card, beside the texels of its volume.
+class RegionTexture {
+public:
+  /// Uploads a region that differs from the one before, beside the same volume's texture; one that restricts
+  /// nothing is let go. Changes texture bindings. Throws Error (openGl) where the driver has no room for it.
+  void update(const Region& region, const VolumeTexture& volume);
+
+  /// What texture coordinates of the volume read weights from; 0 where all is kept.
+  unsigned name() const { return m_texture ? m_texture->name() : 0; }
+
+  /// Of the blocks of the volume's texture; none where all is kept.
+  const BlockWeights& blocks() const { return m_blocks; }
+
+private:
+  Region m_region;
+  std::optional<GlTexture> m_texture;
+  BlockWeights m_blocks;
+};
+
+/// The map of error-controlled steps on the graphics card: for each block the distance, in blocks, to the
+/// nearest of which something shows (red), its plain rung + 128 (green) and its resolving rung (blue).
+class BlockStepTexture {
+public:
+  /// Gathers the facts of a new volume and the rungs under a new transfer function or kept region, and
+  /// uploads them; changes texture bindings.
+  void update(const Scene& scene);
+
+  unsigned name() const { return m_texture.name(); }
+  const glm::ivec3& blocks() const { return m_steps.blocks; }
+
+  /// False where the finest step misses bands of the transfer function.
+  bool resolvesFunction() const { return m_steps.resolvesFunction; }
+
+private:
+  GlTexture m_texture;
+  std::shared_ptr<const Volume> m_volume;
+  BlockFacts m_facts;
+  std::optional<TransferFunction> m_function;
+  Region m_keep;
+  BlockSteps m_steps;
+};
 
 /// A piecewise function on the graphics card.
 class FunctionTexture {

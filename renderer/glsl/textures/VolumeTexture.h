@@ -4,12 +4,21 @@
 #include "gl/GlObjects.h"
 #include "glsl/decisions/Decisions.h"
 #include "glsl/textures/GraphicsMemory.h"
+#include "scene/steps/BlockRanges.h"
 #include "scene/steps/EmptySpace.h"
 
 #include <string>
 #include <vector>
 
 namespace limn {
+
+/// The inner planes of texels of whose blocks the layer z = `layer` consists, with one more before the first
+/// and one behind the last: first and end, counted with the apron of a volume of `size` texels.
+glm::ivec2 planesOfLayer(const glm::ivec3& size, int layer);
+
+/// Gathers the layers z = `first` … `end`-1 of blocks of a volume of `size` texels with its apron. `texels`
+/// are its planes from the first that belongs to them. BlockRanges::finish is left to the caller.
+void gatherLayers(const float* texels, const glm::ivec3& size, int first, int end, BlockRanges& ranges);
 
 /// A volume on the graphics card, down-sampled by whole factors where the driver cannot hold it or it would
 /// take more than it may, and where that is allowed.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/dicom/DicomVoxels.h"
 
-#include "io/dicom/series/DicomScan.h"
 #include "io/reading/Bounds.h"
 
 #include <algorithm>

@@ -224,8 +224,8 @@ DicomSegments SegmentationFile::read(const Progress& progress) {
 
 bool isDicomSegmentation(const fs::path& file) {
   std::error_code unknown;
-  return fs::is_regular_file(file, unknown) && startsAsDicom(file) &&
-         textOf(parseDicom(file).dataset, tag::sopClass) == segmentationClass;
+  const auto parsed = fs::is_regular_file(file, unknown) ? parseIfDicom(file) : std::nullopt;
+  return parsed && textOf(parsed->dataset, tag::sopClass) == segmentationClass;
 }
 
 DicomSegments readDicomSegmentation(const fs::path& file, const Progress& progress) {

@@ -3,7 +3,6 @@
 
 #include "io/dicom/pixels/DicomPixelReader.h"
 #include "io/dicom/pixels/DicomUnpack.h"
-#include "io/dicom/series/DicomScan.h"
 #include "io/reading/Bounds.h"
 #include "scene/basics/Error.h"
 

@@ -23,7 +23,7 @@ struct LookTarget {
   struct Series {
     std::shared_ptr<const Volume> volume;
     std::filesystem::path path; ///< as readVolume took it
-    int number = 1;             ///< as listSeries numbers it there
+    int number = 1;             ///< as DicomFolder numbers it
   };
   std::optional<Series> series = {};
 };

@@ -46,7 +46,7 @@ ImageError errorIn(JsonFields& fields) {
 
 OperatingPoint pointIn(JsonFields& fields) {
   OperatingPoint point;
-  fields.choice("engine", point.renderer, pointRendererNames);
+  fields.choice("engine", point.engine, pointEngines);
   readNumber(fields, "step_voxels", point.stepVoxels, positive);
   point.toleranceLevels = numberOrNone(fields, "tolerance_levels", positive);
   fields.boolean("preintegrated", point.preintegrated);

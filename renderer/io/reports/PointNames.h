@@ -6,9 +6,9 @@
 
 namespace limn {
 
-// What reports call renderers and sources of gradients.
+// The engines of points, in the order in which reports list them, and what they call sources of gradients.
 
-inline constexpr Words<PointRenderer, 3> pointRendererNames{{"gl", "slices", "reference"}};
+inline constexpr std::array pointEngines{Engine::rayCaster, Engine::slices, Engine::reference};
 inline constexpr Words<GradientSource, 2> gradientSourceNames{{"on_the_fly", "precomputed"}};
 
 } // namespace limn

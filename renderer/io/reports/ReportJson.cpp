@@ -3,14 +3,13 @@
 
 #include "accuracy/sweep/AccuracySweep.h"
 #include "accuracy/sweep/Cohort.h"
-#include "accuracy/times/BenchRow.h"
 #include "accuracy/times/CostModel.h"
-#include "accuracy/times/EqualError.h"
+#include "accuracy/times/Timing.h"
 #include "io/json/JsonFields.h"
 #include "io/reports/PointNames.h"
 #include "scene/effects/EffectRows.h"
 #include "scene/volume/Volume.h"
-#include "stability/StabilityReport.h"
+#include "stability/PictureFuzz.h"
 
 #include <nlohmann/json.hpp>
 
@@ -72,7 +71,7 @@ void addErrors(Json& json, const ImageError& error, bool isKnown) {
 
 Json pointOf(const MeasuredPoint& measured, const AccuracyReport& report) {
   const OperatingPoint& point = measured.point;
-  Json json{{"engine", pointRendererNames.of(point.renderer)},
+  Json json{{"engine", nameOf(point.engine)},
             {"step_voxels", point.toleranceLevels ? Json() : Json(point.stepVoxels)},
             {"step_mm", point.toleranceLevels ? Json() : Json(point.stepVoxels * report.smallestSpacingMm)},
             {"tolerance_levels", point.toleranceLevels ? Json(*point.toleranceLevels) : Json()},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/reading/SeriesSummary.h"
+#include "io/reading/ReadOptions.h"
 
 #include <memory>
 #include <string>

@@ -3,8 +3,8 @@
 
 #include "io/json/JsonFields.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/ProjectionName.h"
-#include "scene/light/ModelName.h"
+#include "scene/ProjectionFacts.h"
+#include "scene/light/Shading.h"
 #include "scene/steps/LocalSteps.h"
 #include "scene/volume/Orientation.h"
 

@@ -4,7 +4,7 @@
 #include "io/json/JsonFields.h"
 #include "io/scenefile/PlanesJson.h"
 #include "io/scenefile/SceneJson.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 
 #include <nlohmann/json.hpp>
 

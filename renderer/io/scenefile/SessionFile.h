@@ -14,7 +14,7 @@ struct SessionDocument {
   enum class Panel { none, properties, effects, accuracy };
 
   SceneDocument scene;                 ///< `scene.scene.volume` is empty
-  std::optional<int> series;           ///< of the volume's folder, as listSeries numbers them
+  std::optional<int> series;           ///< of the volume's folder, as DicomFolder numbers them
   std::optional<glm::dvec3> spacingMm; ///< given by the user, > 0
 
   CompareLayout layout = CompareLayout::sideBySide;

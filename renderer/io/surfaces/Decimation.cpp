@@ -1,17 +1,174 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/surfaces/Decimation.h"
 
-#include "io/surfaces/LinkedTriangles.h"
-#include "io/surfaces/Quadric.h"
 #include "scene/volume/Grid.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
 #include <queue>
+#include <vector>
 
 namespace limn {
 namespace {
+
+// The squared distances of a point to planes, each weighted by an area (M. Garland, P. Heckbert, "Surface
+// Simplification Using Quadric Error Metrics", SIGGRAPH 1997): xᵀAx - 2bᵀx + c.
+struct Quadric {
+  glm::dmat3 a{0.0};
+  glm::dvec3 b{0.0};
+  double c = 0.0;
+
+  static Quadric ofPlane(const glm::dvec3& normal, const glm::dvec3& point, double area) {
+    const double offset = glm::dot(normal, point);
+    return {area * glm::outerProduct(normal, normal), area * offset * normal, area * offset * offset};
+  }
+  Quadric operator+(const Quadric& other) const { return {a + other.a, b + other.b, c + other.c}; }
+
+  double at(const glm::dvec3& x) const {
+    return std::max(0.0, glm::dot(x, a * x) - 2.0 * glm::dot(b, x) + c);
+  }
+  /// Of all planes; their normals have unit length.
+  double area() const { return a[0][0] + a[1][1] + a[2][2]; }
+
+  /// Where the sum is least; nothing where the planes do not fix a point well.
+  std::optional<glm::dvec3> least() const {
+    const double third = area() / 3.0, determinant = glm::determinant(a);
+    constexpr double leastShare = 1e-5; // of the determinant of planes in all directions
+    if (!(determinant > leastShare * third * third * third))
+      return std::nullopt;
+    return glm::inverse(a) * b;
+  }
+};
+
+// Triangles that know their neighbours while edges are drawn together. Every point keeps a list of the
+// corners that lie on it.
+class LinkedTriangles {
+public:
+  LinkedTriangles(const std::vector<glm::uvec3>& triangles, std::size_t points);
+
+  std::size_t count() const { return m_triangles.size(); }
+  const std::vector<glm::uvec3>& triangles() const { return m_triangles; }
+  const std::vector<std::uint8_t>& flags() const { return m_isThere; } ///< 0 of those that are gone
+  const glm::uvec3& corners(std::uint32_t triangle) const { return m_triangles[triangle]; }
+  bool has(std::uint32_t triangle, std::uint32_t point) const {
+    const glm::uvec3& t = m_triangles[triangle];
+    return t.x == point || t.y == point || t.z == point;
+  }
+
+  /// Whether the point lies on an edge that not exactly two triangles use.
+  bool isOnRim(std::uint32_t point) const { return m_isOnRim[point]; }
+
+  /// Whether `holds(triangle)` does for all triangles around a point.
+  template <class Predicate>
+  bool allAround(std::uint32_t point, Predicate&& holds) const {
+    for (std::uint32_t corner = m_first[point]; corner != none; corner = m_next[corner])
+      if (m_isThere[corner / 3] && !holds(corner / 3))
+        return false;
+    return true;
+  }
+
+  /// The points that share an edge with one, each once, in ascending order.
+  void findNeighbours(std::uint32_t point, std::vector<std::uint32_t>& found) const;
+
+  /// Whether drawing the edge together leaves every edge with two triangles (the link condition: the ends
+  /// share no neighbours but those across the edge) and no two triangles on top of each other.
+  bool mayBeDrawnTogether(std::uint32_t a, std::uint32_t b);
+
+  /// Makes one point of both, which is `a`; the triangles at the edge go.
+  void drawTogether(std::uint32_t a, std::uint32_t b);
+
+private:
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+  void findRims();
+
+  std::vector<glm::uvec3> m_triangles;
+  std::vector<std::uint8_t> m_isThere;
+  std::vector<std::uint32_t> m_first; ///< of each point the first corner on it
+  std::vector<std::uint32_t> m_next;  ///< of each corner (3 · triangle + which) the next on the same point
+  std::vector<std::uint8_t> m_isOnRim;
+  std::vector<std::uint32_t> m_ofA, m_ofB, m_shared, m_across; ///< room that millions of questions share
+};
+
+LinkedTriangles::LinkedTriangles(const std::vector<glm::uvec3>& triangles, std::size_t points)
+    : m_triangles(triangles), m_isThere(triangles.size(), 1), m_first(points, none),
+      m_next(3 * triangles.size(), none), m_isOnRim(points, 0) {
+  for (std::uint32_t triangle = 0; triangle < m_triangles.size(); ++triangle)
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      std::uint32_t& first = m_first[m_triangles[triangle][side]];
+      m_next[3 * triangle + side] = first;
+      first = 3 * triangle + side;
+    }
+  findRims();
+}
+
+// Around a point inside the surface each neighbour is met once as the next corner and once as the one before.
+void LinkedTriangles::findRims() {
+  std::vector<std::uint32_t> next, before;
+  for (std::uint32_t point = 0; point < m_first.size(); ++point) {
+    next.clear();
+    before.clear();
+    for (std::uint32_t corner = m_first[point]; corner != none; corner = m_next[corner]) {
+      next.push_back(m_triangles[corner / 3][(corner + 1) % 3]);
+      before.push_back(m_triangles[corner / 3][(corner + 2) % 3]);
+    }
+    std::sort(next.begin(), next.end());
+    std::sort(before.begin(), before.end());
+    m_isOnRim[point] = next != before || std::adjacent_find(next.begin(), next.end()) != next.end();
+  }
+}
+
+void LinkedTriangles::findNeighbours(std::uint32_t point, std::vector<std::uint32_t>& found) const {
+  found.clear();
+  allAround(point, [&](std::uint32_t triangle) {
+    for (int side = 0; side < 3; ++side)
+      if (m_triangles[triangle][side] != point)
+        found.push_back(m_triangles[triangle][side]);
+    return true;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+}
+
+bool LinkedTriangles::mayBeDrawnTogether(std::uint32_t a, std::uint32_t b) {
+  findNeighbours(a, m_ofA);
+  findNeighbours(b, m_ofB);
+  m_shared.clear();
+  std::set_intersection(m_ofA.begin(), m_ofA.end(), m_ofB.begin(), m_ofB.end(), std::back_inserter(m_shared));
+  // The new point is left with three triangles at least, and so are those across the edge.
+  if (m_shared.size() != 2 || m_ofA.size() + m_ofB.size() < 7)
+    return false;
+  return std::all_of(m_shared.begin(), m_shared.end(), [this](std::uint32_t point) {
+    findNeighbours(point, m_across);
+    return m_across.size() > 3;
+  });
+}
+
+void LinkedTriangles::drawTogether(std::uint32_t a, std::uint32_t b) {
+  for (std::uint32_t corner = m_first[b]; corner != none; corner = m_next[corner])
+    if (has(corner / 3, a))
+      m_isThere[corner / 3] = 0;
+    else
+      m_triangles[corner / 3][corner % 3] = a;
+  // Both lists become one, of the corners that are left.
+  std::uint32_t joined = none;
+  for (const std::uint32_t point : {a, b})
+    for (std::uint32_t corner = m_first[point], next = none; corner != none; corner = next) {
+      next = m_next[corner];
+      if (!m_isThere[corner / 3])
+        continue;
+      m_next[corner] = joined;
+      joined = corner;
+    }
+  m_first[a] = joined;
+  m_first[b] = none;
+}
 
 // Points between those that are tried may lie a little farther away.
 constexpr double shareOfTolerance = 0.8;

@@ -4,7 +4,7 @@
 #include "io/AtomicFile.h"
 #include "io/surfaces/SurfaceFile.h"
 #include "scene/basics/Error.h"
-#include "scene/volume/WholeVolume.h"
+#include "scene/volume/Volume.h"
 
 #include <algorithm>
 #include <cerrno>

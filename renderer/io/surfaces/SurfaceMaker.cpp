@@ -3,13 +3,87 @@
 
 #include "io/surfaces/Decimation.h"
 #include "io/surfaces/Extraction.h"
-#include "io/surfaces/SurfaceNormals.h"
+#include "io/surfaces/Solid.h"
 #include "scene/basics/Error.h"
+#include "scene/light/Gradient.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace limn {
 namespace {
+
+/// Points that triangles join (union by the lower number, paths halved).
+class JoinedPoints {
+public:
+  explicit JoinedPoints(std::size_t count) : m_above(count) { std::iota(m_above.begin(), m_above.end(), 0u); }
+  std::uint32_t rootOf(std::uint32_t point) {
+    while (m_above[point] != point)
+      point = m_above[point] = m_above[m_above[point]];
+    return point;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = rootOf(a);
+    b = rootOf(b);
+    m_above[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<std::uint32_t> m_above;
+};
+
+// The mesh with a normal for each point: -g/|g| of the field's gradient (DEFINITION section 2) where the
+// point lies on the isosurface; on faces that close a cut, and where there is no gradient, that of the
+// triangles around it.
+SurfaceMesh withNormals(SurfaceMesh mesh, const Solid& solid, const Effort& effort = {});
+
+// A point farther from the isosurface, in voxels, or from the planes where the crop ends, is not on them.
+constexpr double nearIsosurface = 0.5;
+constexpr double onPlane = 1e-3;
+// The gradient's direction and that of the triangles agree at least so far (cosine), or noise decides it.
+constexpr double leastAgreement = 0.25;
+
+glm::dvec3 unit(const glm::dvec3& vector) {
+  const double length = glm::length(vector);
+  return length > 0.0 ? vector / length : glm::dvec3(0.0, 0.0, 1.0);
+}
+
+bool isOnPlane(const Solid& solid, const glm::dvec3& index) {
+  return glm::any(glm::lessThan(index, solid.lower() + onPlane)) ||
+         glm::any(glm::greaterThan(index, solid.upper() - onPlane));
+}
+
+glm::dvec3 normalAt(const Solid& solid, const glm::dvec3& pointMm, const glm::dvec3& ofTriangles) {
+  const glm::dvec3 index = solid.toIndex(pointMm);
+  if (isOnPlane(solid, index))
+    return ofTriangles;
+  const glm::dvec3 gradient = gradientAt(solid.volume(), index);
+  const double modulus = glm::length(gradient);
+  const double nearMm = nearIsosurface * smallestSpacingMm(solid.volume().grid());
+  if (!(modulus > 0.0) || std::abs(solid.excess(index)) > nearMm * modulus)
+    return ofTriangles;
+  const glm::dvec3 normal = -gradient / modulus;
+  return glm::dot(normal, ofTriangles) >= leastAgreement ? normal : ofTriangles;
+}
+
+SurfaceMesh withNormals(SurfaceMesh mesh, const Solid& solid, const Effort& effort) {
+  std::vector<glm::dvec3> around(mesh.points.size(), glm::dvec3(0.0));
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    const glm::dvec3 area = areaVector(mesh, triangle);
+    for (int corner = 0; corner < 3; ++corner)
+      around[triangle[corner]] += area;
+  }
+  mesh.normals.resize(mesh.points.size());
+  constexpr std::size_t perPiece = 1 << 13;
+  forEachPiece(static_cast<int>((mesh.points.size() + perPiece - 1) / perPiece), effort, [&](int piece) {
+    const std::size_t begin = static_cast<std::size_t>(piece) * perPiece;
+    for (std::size_t i = begin; i < std::min(begin + perPiece, mesh.points.size()); ++i)
+      mesh.normals[i] = normalAt(solid, glm::dvec3(mesh.points[i]), unit(around[i]));
+  });
+  return mesh;
+}
 
 // Of a triangle, with its half of a point: 124 and 182 were measured at the peak of the work.
 constexpr double bytesEach = 150.0;
@@ -81,6 +155,49 @@ SurfaceMesh chosenTriangles(const ExtractedSurface& closed, MadeSurface& made) {
 }
 
 } // namespace
+
+SurfaceParts partsOf(const SurfaceMesh& mesh) {
+  JoinedPoints joined(mesh.points.size());
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    joined.join(triangle.x, triangle.y);
+    joined.join(triangle.y, triangle.z);
+  }
+  constexpr auto unknown = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> partOfRoot(mesh.points.size(), unknown);
+  SurfaceParts parts;
+  parts.ofTriangle.reserve(mesh.triangles.size());
+  std::vector<glm::dvec3> origins;
+  for (const glm::uvec3& t : mesh.triangles) {
+    std::uint32_t& part = partOfRoot[joined.rootOf(t.x)];
+    if (part == unknown) {
+      part = static_cast<std::uint32_t>(origins.size());
+      origins.emplace_back(mesh.points[t.x]);
+      parts.enclosedMm3.push_back(0.0);
+    }
+    parts.ofTriangle.push_back(part);
+    const glm::dvec3& origin = origins[part];
+    const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
+    parts.enclosedMm3[part] += glm::dot(a - origin, glm::cross(b - origin, c - origin)) / 6.0;
+  }
+  return parts;
+}
+
+std::vector<std::uint8_t> largeParts(const SurfaceParts& parts, double leastMm3, DroppedParts& dropped) {
+  dropped = {};
+  std::vector<std::uint8_t> isLarge;
+  for (const double enclosed : parts.enclosedMm3) {
+    isLarge.push_back(std::abs(enclosed) >= leastMm3);
+    if (isLarge.back())
+      continue;
+    ++(enclosed < 0.0 ? dropped.hollows : dropped.parts);
+    dropped.enclosedMm3 += std::max(0.0, enclosed);
+  }
+  std::vector<std::uint8_t> flags;
+  flags.reserve(parts.ofTriangle.size());
+  for (const std::uint32_t part : parts.ofTriangle)
+    flags.push_back(isLarge[part]);
+  return flags;
+}
 
 SurfaceEstimate estimatedSurface(const Scene& scene, const SurfaceOrder& order, const Progress& progress) {
   requireInRange(*scene.volume, order.isovalue);

@@ -18,7 +18,7 @@ public:
   Message(std::string text) : m_text(std::move(text)) {}
   Message(const char* text) : m_text(text) {}
 
-  /// A pattern that `translations` holds in other languages: lupdate finds what stands here as a literal.
+  /// A pattern that `app/translations` holds in other languages: lupdate finds what stands here as a literal.
   static Message tr(const char* pattern);
 
   /// A number with `decimals` behind the point, which is a comma where the user's language has one.

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/volume/Grid.h"
 #include "scene/volume/Histogram.h"
-#include "scene/volume/VoxelBox.h"
 
 #include <cstdint>
 #include <vector>

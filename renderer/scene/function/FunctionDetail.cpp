@@ -18,13 +18,13 @@ double changeBetween(const Classified& a, const Classified& b) {
 }
 
 // Opacities, or their negatives for valleys, over values.
-struct Profile {
+struct DetailProfile {
   std::vector<double> values;
   std::vector<double> heights;
 };
 
 // What lies on one side of a point that rises above it: how far it falls before it rises higher again.
-double fallBeside(const Profile& profile, std::size_t peak, int side) {
+double fallBeside(const DetailProfile& profile, std::size_t peak, int side) {
   double lowest = profile.heights[peak];
   for (auto i = static_cast<std::ptrdiff_t>(peak) + side;
        i >= 0 && i < static_cast<std::ptrdiff_t>(profile.heights.size()); i += side) {
@@ -37,7 +37,7 @@ double fallBeside(const Profile& profile, std::size_t peak, int side) {
 }
 
 // How far from a point the profile first falls to a level.
-double distanceTo(const Profile& profile, std::size_t peak, double level, int side) {
+double distanceTo(const DetailProfile& profile, std::size_t peak, double level, int side) {
   for (auto i = static_cast<std::ptrdiff_t>(peak) + side;
        i >= 0 && i < static_cast<std::ptrdiff_t>(profile.heights.size()); i += side) {
     const auto here = static_cast<std::size_t>(i);
@@ -56,8 +56,8 @@ double heightOf(const ControlPoint& point, int channel) {
   return channel < 3 ? point.color[channel] * point.opacity : point.opacity;
 }
 
-Profile profileOf(const TransferFunction& function, int channel, double sign) {
-  Profile profile;
+DetailProfile profileOf(const TransferFunction& function, int channel, double sign) {
+  DetailProfile profile;
   for (const ControlPoint& point : function.points) {
     profile.values.push_back(point.value);
     profile.heights.push_back(sign * heightOf(point, channel));
@@ -65,7 +65,7 @@ Profile profileOf(const TransferFunction& function, int channel, double sign) {
   return profile;
 }
 
-void addPeaks(const Profile& profile, double height, std::vector<FunctionBand>& bands) {
+void addPeaks(const DetailProfile& profile, double height, std::vector<FunctionBand>& bands) {
   for (std::size_t i = 0; i < profile.values.size(); ++i) {
     const double fall = std::min(fallBeside(profile, i, -1), fallBeside(profile, i, 1));
     if (fall < height)
@@ -78,7 +78,7 @@ void addPeaks(const Profile& profile, double height, std::vector<FunctionBand>& 
   }
 }
 
-double narrowestPeak(const Profile& profile, double height, const ValueRange& range) {
+double narrowestPeak(const DetailProfile& profile, double height, const ValueRange& range) {
   double narrowest = infinite;
   for (std::size_t i = 0; i < profile.values.size(); ++i) {
     if (profile.values[i] < range.lowest || profile.values[i] > range.highest)
@@ -93,15 +93,15 @@ double narrowestPeak(const Profile& profile, double height, const ValueRange& ra
 }
 
 // The narrowest peak or valley.
-double narrowestOf(Profile profile, double height, const ValueRange& range) {
+double narrowestOf(DetailProfile profile, double height, const ValueRange& range) {
   const double peak = narrowestPeak(profile, height, range);
   for (double& h : profile.heights)
     h = -h;
   return std::min(peak, narrowestPeak(profile, height, range));
 }
 
-Profile profileOf(const TransferFunction& function, double (*heightOf)(const ControlPoint& point)) {
-  Profile profile;
+DetailProfile profileOf(const TransferFunction& function, double (*heightOf)(const ControlPoint& point)) {
+  DetailProfile profile;
   for (const ControlPoint& point : function.points) {
     profile.values.push_back(point.value);
     profile.heights.push_back(heightOf(point));
@@ -153,7 +153,7 @@ double narrowestVisibleBand(const TransferFunction& function, double height, con
   const auto green = [](const ControlPoint& point) { return point.opacity * point.color.g; };
   const auto blue = [](const ControlPoint& point) { return point.opacity * point.color.b; };
   double narrowest = narrowestBand(function, height, range);
-  for (const Profile& profile :
+  for (const DetailProfile& profile :
        {profileOf(function, red), profileOf(function, green), profileOf(function, blue)})
     narrowest = std::min(narrowest, narrowestOf(profile, height, range));
   return narrowest;

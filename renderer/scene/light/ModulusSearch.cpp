@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/ModulusSearch.h"
 
-#include "scene/light/EligibleVoxels.h"
 #include "scene/light/Stencil.h"
 #include "scene/volume/RowPieces.h"
 

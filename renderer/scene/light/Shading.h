@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -94,5 +95,15 @@ struct GradientOpacity {
   std::vector<GradientOpacityPoint> points;
   bool operator==(const GradientOpacity&) const = default;
 };
+
+/// Every shading model, in the order in which they are offered.
+inline constexpr std::array shadingModels{ShadingModel::none, ShadingModel::classic, ShadingModel::enhanced,
+                                          ShadingModel::robust};
+
+/// The word for a model in scene files and on the command line.
+inline const char* nameOf(ShadingModel model) {
+  constexpr std::array names{"none", "classic", "enhanced", "robust"};
+  return names[static_cast<std::size_t>(model)];
+}
 
 } // namespace limn

@@ -9,6 +9,11 @@
 
 namespace limn {
 
+/// How a single image is shown: from black to white, opaque and unlit, because an image has no surface that
+/// light could show. In Hounsfield units over the window of soft tissue (-160..240 HU) where the image
+/// reaches into it, else between its 0.5 % and 99.5 % quantiles.
+Preset imageLook(const Volume& volume, const Histogram& histogram);
+
 /// Whether a volume's scalars are Hounsfield units: said by the file, or evident from a range that starts at
 /// air (-3100..-900) and reaches beyond soft tissue (> 150).
 bool looksLikeHounsfield(const Volume& volume);

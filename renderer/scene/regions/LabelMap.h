@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/volume/Grid.h"
 #include "scene/volume/StoredVoxels.h"
-#include "scene/volume/VoxelBox.h"
 
 #include <cstddef>
 #include <cstdint>

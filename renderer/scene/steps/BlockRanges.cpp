@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/BlockRanges.h"
 
-#include "scene/basics/Uninitialised.h"
 #include "scene/volume/RowPieces.h"
 #include "scene/volume/Volume.h"
 

@@ -43,4 +43,16 @@ double smallestSpacingMm(const Grid& grid);
 /// The index axis along which there is one sample, where the other two have more: the grid of an image.
 std::optional<int> imageNormalAxis(const Grid& grid);
 
+/// Voxels from `lower` on, up to those before `upper`; empty where an axis has none.
+struct VoxelBox {
+  glm::ivec3 lower{0};
+  glm::ivec3 upper{0};
+};
+
+/// The box with a voxel more on each side, as far as the grid has any.
+VoxelBox widened(const VoxelBox& box, const Grid& grid);
+
+/// The grid of a box of voxels alone, which is not empty: the same places in the world.
+Grid partOf(const Grid& grid, const VoxelBox& box);
+
 } // namespace limn

@@ -3,11 +3,25 @@
 
 #include "scene/volume/Volume.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace limn {
+
+/// An ellipsoid of one tissue with axes along the world axes. Later parts cover earlier ones.
+struct PhantomPart {
+  glm::dvec3 centreMm;
+  glm::dvec3 radiiMm;
+  double hu;
+  double edgeMm; ///< width over which the part fades in, measured along its shortest radius
+};
+
+/// The anatomy of the phantom, in painting order. LPS: +x left, +y posterior, +z superior.
+std::vector<PhantomPart> phantomParts();
 
 /// A head made of formulas, in patient space LPS, centred on the origin: skin, fat, muscle, a skull of two
 /// tables with diploë between them, brain with ventricles, orbits, sinuses, teeth and one metal filling.

@@ -2,21 +2,67 @@
 #pragma once
 
 #include "scene/basics/Effort.h"
+#include "scene/basics/Error.h"
 #include "scene/basics/Message.h"
 #include "scene/basics/Room.h"
 #include "scene/volume/Grid.h"
-#include "scene/volume/ScanHints.h"
 #include "scene/volume/StoredVoxels.h"
-#include "scene/volume/VoxelMask.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn {
+
+/// One flag per voxel, in the order of the voxels; without any where no voxel has it.
+class VoxelMask {
+public:
+  VoxelMask() = default;
+  /// Without any flag yet; they lie in `room`, or in memory where there is none.
+  explicit VoxelMask(std::size_t voxels, const std::shared_ptr<Room>& room = {})
+      : m_words((voxels + 63) / 64, std::uint64_t{0}, room) {}
+
+  bool empty() const { return m_words.empty(); }
+  bool operator[](std::size_t voxel) const { return (m_words[voxel / 64] >> (voxel % 64) & 1) != 0; }
+
+  /// The flags of 64 voxels from `voxel` on, the first in the lowest bit; 0 beyond the last.
+  std::uint64_t from(std::size_t voxel) const {
+    const std::size_t word = voxel / 64;
+    const std::size_t shift = voxel % 64;
+    const std::uint64_t low = word < m_words.size() ? m_words[word] >> shift : 0;
+    return shift == 0 || word + 1 >= m_words.size() ? low : low | m_words[word + 1] << (64 - shift);
+  }
+
+  /// The flags of the voxels 64·n … 64·n+63.
+  std::uint64_t& word(std::size_t n) { return m_words[n]; }
+
+private:
+  RoomVector<std::uint64_t> m_words;
+};
+
+/// What a file says, or its name lets expect, of how a volume was taken: enough to choose a first look, and
+/// nothing that could name anybody.
+struct ScanHints {
+  enum class BodyPart { unknown, head, chest, abdomen, other };
+  enum class Weighting { unknown, t1, t2, pd };
+  std::string modality; ///< DICOM code; empty where nothing tells
+  BodyPart bodyPart = BodyPart::unknown;
+  Weighting weighting = Weighting::unknown; ///< of MR
+  bool isAngiography = false;               ///< vessels filled with contrast, or by flow
+  bool operator==(const ScanHints&) const = default;
+};
+
+/// From words in a description or a file's name ("cta_brain", "T1 MPRAGE sag"); words that say nothing leave
+/// the hints as they are.
+ScanHints withHintsOf(ScanHints hints, std::string_view text);
+
+/// The weighting of a spin echo by its times (ms), both > 0: short repetition T1; long repetition PD where
+/// the echo is short, T2 where it is long.
+ScanHints::Weighting weightingBy(double repetitionMs, double echoMs);
 
 /// Scalar = slope · stored + intercept (HU for CT).
 struct Rescale {
@@ -140,5 +186,13 @@ decltype(auto) visitVoxels(const Volume& volume, Function&& function) {
 /// The scalar at a continuous voxel index: trilinear between voxel centres, clamped to the edge beyond the
 /// outermost centres. Slow; for probes and tests.
 double valueAt(const Volume& volume, const glm::dvec3& index);
+
+/// Throws Error (input) where voxels were lost since the volume was read: its file became shorter, or a disk
+/// failed. To be asked before what was made of it is shown or written, where its file is not known by name.
+inline void requireWhole(const Volume& volume) {
+  if (!volume.isWhole())
+    throw Error(Error::Kind::input, Message::tr("The volume's file became shorter while it was read, or its "
+                                                "disk failed; copy the file again and open it anew."));
+}
 
 } // namespace limn

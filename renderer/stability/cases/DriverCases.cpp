@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/FloatTarget.h"
 #include "gl/GpuTimer.h"
+#include "gl/PictureTarget.h"
 #include "scene/steps/RayFrame.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/StableMath.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -126,7 +126,7 @@ std::vector<Finding> powers(Workbench& bench) {
 std::vector<Finding> hugeExponents(Workbench& bench) {
   std::vector<Finding> findings = powersOf(bench, {1e4f});
   findings += inEngines(
-      bench, {Engine::gl, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
+      bench, {Engine::rayCaster, Engine::slices, Engine::cpu}, "the largest exponent of a scene, 1024",
       {0, 5e-4, 5e-4},
       "largest difference from the reference where both take the same samples: 1024 · 1.2e-7 of a highlight, "
       "and four times as much for the normal's own rounding",

@@ -13,8 +13,9 @@
 namespace limn {
 namespace {
 
-const std::array<glm::dvec3, 3> axes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
-const char* const axisNames[] = {"x", "y", "z"};
+const std::array<glm::dvec3, 3> gradientAxes = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0),
+                                                glm::dvec3(0, 0, 1)};
+const char* const gradientAxisNames[] = {"x", "y", "z"};
 
 std::vector<glm::dvec3> directions(int count) {
   std::mt19937 generator(28);
@@ -47,7 +48,7 @@ glm::dvec3 drawnNormal(const Draw& draw, Scene scene) {
   scene.shading.twoSided = true;
   glm::dvec3 normal;
   for (int axis = 0; axis < 3; ++axis) {
-    scene.shading.lightDirection = axes[axis];
+    scene.shading.lightDirection = gradientAxes[axis];
     const glm::dvec4 pixel = draw(scene, {1, 1}).at(0, 0);
     normal[axis] = pixel.r / pixel.a;
   }
@@ -74,11 +75,11 @@ std::vector<Finding> longVoxels(Workbench& bench) {
   std::vector<Finding> findings;
   for (int axis = 0; axis < 3; ++axis)
     findings += inEachEngine(
-        bench, std::string("through voxels of 0.3 x 0.3 x 5 mm along ") + axisNames[axis],
+        bench, std::string("through voxels of 0.3 x 0.3 x 5 mm along ") + gradientAxisNames[axis],
         {1e-12, 1e-5, 1e-5 + 1067.0 * 0x1p-22},
         "alpha against 1 - exp(-0.02 · length in mm); of up to 1067 slices each rounds by up to 2^-22",
         [&, axis](const Draw& draw) {
-          Scene scene = rayThrough(volume, axes[axis]);
+          Scene scene = rayThrough(volume, gradientAxes[axis]);
           scene.transferFunction = constantFunction(-std::expm1(-0.02), white);
           return largestAlphaError(draw(scene, {1, 1}), -std::expm1(-0.02 * boxSizeMm(volume->grid())[axis]));
         });
@@ -115,8 +116,8 @@ std::vector<Finding> borders(Workbench& bench) {
   std::vector<Finding> findings = {
       atMost("cpp", "gradients of ramps up to the faces", worst, 1e-12,
              "largest error of a gradient of length 1; clamped edges would halve it")};
-  for (const auto& [what, direction] : {std::pair{"a ramp along the view", axes[1]},
-                                        {"a ramp across the view", axes[0]},
+  for (const auto& [what, direction] : {std::pair{"a ramp along the view", gradientAxes[1]},
+                                        {"a ramp across the view", gradientAxes[0]},
                                         {"an oblique ramp", glm::dvec3(0.6, 0.48, -0.64)}})
     findings +=
         inEachEngine(bench, what, {1e-12, 1e-5, 1e-5},

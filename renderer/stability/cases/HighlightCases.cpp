@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/PictureFigures.h"
 #include "scene/basics/StableMath.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "stability/GlslEvaluator.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gl/FloatTarget.h"
+#include "gl/PictureTarget.h"
 #include "scene/volume/Phantom.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
@@ -68,7 +68,7 @@ Finding standIn(Workbench& bench) {
   const Scene scene = phantomScene();
   const Image image = allEffects.render(scene, pictureSize);
   return atMost("gl", "a program with every effect compiled in",
-                largestDifference(bench.draw(Engine::gl, scene, pictureSize),
+                largestDifference(bench.draw(Engine::rayCaster, scene, pictureSize),
                                   {pictureSize, {image.pixels.begin(), image.pixels.end()}}),
                 4e-7,
                 "largest difference from the scene's own program: none here, but drivers may fuse a product "
@@ -82,7 +82,7 @@ std::vector<Finding> staleCaches(Workbench& bench) {
   };
   return {notApplicable("reference", "parameters changed in turn",
                         "The reference keeps nothing from one picture to the next."),
-          stale(Engine::gl), stale(Engine::slices), staleParameters(bench, Engine::cpu),
+          stale(Engine::rayCaster), stale(Engine::slices), staleParameters(bench, Engine::cpu),
           withOpenGl(bench, "gl", "a program with every effect compiled in", [&] { return standIn(bench); })};
 }
 
@@ -145,7 +145,7 @@ std::vector<Finding> emptySpace(Workbench& bench) {
       return atMost(nameOf(engine), one.what, largestDifference(skipped, whole), 0.0, reason);
     };
     findings.push_back(withOpenGl(bench, "gl", one.what, [&] {
-      return compared(Engine::gl, sampling->render(one.scene, pictureSize));
+      return compared(Engine::rayCaster, sampling->render(one.scene, pictureSize));
     }));
     findings.push_back(compared(Engine::cpu, samplingProcessor.render(one.scene, pictureSize)));
   }

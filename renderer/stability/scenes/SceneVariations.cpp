@@ -2,7 +2,7 @@
 #include "stability/scenes/SceneVariations.h"
 
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SimpleRegions.h"
+#include "stability/scenes/SimpleScenes.h"
 
 #include <algorithm>
 

@@ -7,6 +7,7 @@
 #include <memory>
 
 /// Scenes so simple that their pictures have closed forms.
+
 namespace limn {
 
 /// Linear colours.
@@ -60,5 +61,8 @@ TransferFunction skinMuscleBone();
 
 /// A volume seen by the default camera under skinMuscleBone, step 0.25, without early termination.
 Scene headScene(std::shared_ptr<const Volume> volume, ShadingModel model);
+
+/// Cubes of `edge` voxels whose labels take turns, one weight (0..1) for each label: neighbours differ.
+Region cubesRegion(const glm::ivec3& dims, int edge, const std::vector<double>& weights);
 
 } // namespace limn

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/SceneSource.h"
-#include "app/figure/FigureMaker.h"
-#include "app/figure/FigureScenes.h"
+#include "app/core/sources/SceneSource.h"
+#include "app/figures/FigureMaker.h"
+#include "app/figures/FigureScenes.h"
 #include "io/ImageFile.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"
-#include "widgets/figure/PictureMarks.h"
+#include "widgets/figure/FigurePainting.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>

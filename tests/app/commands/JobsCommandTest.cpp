@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/jobs/Jobs.h"
+#include "app/core/making/Jobs.h"
 #include "scene/basics/Error.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"

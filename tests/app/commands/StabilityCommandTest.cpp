@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `limn stability`: its report and its exit status, from the built program and from reports made by hand.
-#include "app/measure/stability/StabilityText.h"
+#include "app/lab/stability/StabilityText.h"
 #include "io/reports/ReportJson.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/turntable/Turntable.h"
+#include "app/core/making/Turntable.h"
 #include "support/FileBytes.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"

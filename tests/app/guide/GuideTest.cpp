@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/help/GuidePage.h"
+#include "app/guide/GuidePage.h"
 #include "documentation/Matches.h"
 #include "documentation/Tree.h"
 #include "support/ProgramRun.h"

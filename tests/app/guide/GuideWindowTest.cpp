@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/help/GuideWindow.h"
+#include "app/guide/GuideWindow.h"
 #include "app/WindowHarness.h"
-#include "app/actions/HelpRows.h"
-#include "app/help/GuidePlaces.h"
-#include "app/help/GuideView.h"
+#include "app/frame/dialogs/HelpBoxes.h"
+#include "app/guide/GuideView.h"
 #include "documentation/Matches.h"
 #include "documentation/Tree.h"
-#include "widgets/controls/FoldingHeader.h"
+#include "widgets/controls/FoldingSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 
 #include <QDockWidget>
@@ -212,11 +211,9 @@ TEST_F(GuideWindowTest, everyMenuPathThatDocumentsNameExists) {
 
 // Keys of menus, and those that the list of gestures has.
 TEST_F(GuideWindowTest, everyKeyThatDocumentsNameExists) {
-  QUndoStack history;
-  QMainWindow other;
-  const Actions actions(other, history);
+  const ActionList& actions = *window->findChild<ActionList*>();
   QString known;
-  for (const QAction* action : other.findChildren<QAction*>())
+  for (const QAction* action : actions.all())
     for (const QKeySequence& key : action->shortcuts())
       known += key.toString(QKeySequence::PortableText) + QLatin1Char('\n');
   const HelpRows rows = helpRows(actions);
@@ -237,10 +234,7 @@ TEST_F(GuideWindowTest, everyKeyThatDocumentsNameExists) {
 
 // The chapter is read on the forge, too, so it is written out; this says what is missing from it.
 TEST_F(GuideWindowTest, theChapterOnGesturesHasTheRowsOfTheProgramsOwnList) {
-  QUndoStack history;
-  QMainWindow other;
-  const Actions actions(other, history);
-  const HelpRows rows = helpRows(actions);
+  const HelpRows rows = helpRows(*window->findChild<ActionList*>());
   QString expected;
   for (const QList<HelpRow>& group : {rows.picture, rows.slices, rows.curve, rows.menus})
     for (const HelpRow& row : group)

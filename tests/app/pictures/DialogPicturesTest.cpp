@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/dicom/DicomDialog.h"
-#include "app/figure/FigureDialog.h"
-#include "app/figure/FigurePreview.h"
-#include "app/opening/SeriesDialog.h"
+#include "app/files/figure/FigureDialog.h"
+#include "app/files/figure/FigurePreview.h"
+#include "app/files/opening/SeriesDialog.h"
+#include "app/panels/presets/LookReport.h"
 #include "app/pictures/PicturedWindow.h"
-#include "app/presets/LookReport.h"
-#include "io/looks/dicom/Losses.h"
-#include "widgets/Translated.h"
+#include "app/privacy/Marks.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -83,13 +81,10 @@ TEST_F(DialogPictures, ofAReportOnLooks) {
 }
 
 TEST_F(DialogPictures, ofSavingToDicom) {
-  DicomDialog dialog(window.get());
-  QStringList losses;
-  for (const Message& loss : lossesOf(session().scene()))
-    losses << translated(loss);
-  dialog.setLosses(losses);
-  dialog.open();
-  take(QStringLiteral("dialog-dicom"), dialog);
+  test::writeMarkedSeries(folder.path() / "series");
+  ASSERT_TRUE(open(pathTo("series")));
+  ASSERT_TRUE(rest());
+  takeDialogOf("saveDicom", QStringLiteral("dialog-dicom"));
 }
 
 TEST_F(DialogPictures, ofEveryMenu) {

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/Actions.h"
+#include "app/frame/TourController.h"
+#include "app/panels/presets/ThumbnailController.h"
+#include "app/picture/RegionController.h"
 #include "app/pictures/PicturedWindow.h"
 #include "app/pictures/SmallVolumes.h"
-#include "app/presets/ThumbnailDesk.h"
-#include "app/tour/TourDesk.h"
-#include "app/window/volume/RegionDesk.h"
 #include "widgets/FindWidget.h"
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/accuracy/sections/MapSection.h"
-#include "widgets/controls/FoldingHeader.h"
+#include "widgets/accuracy/MapSection.h"
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/curve/GradientOpacityEditor.h"
-#include "widgets/curve/points/PointPopup.h"
-#include "widgets/effects/EffectRowWidget.h"
-#include "widgets/effects/EffectsPanel.h"
+#include "widgets/curve/PointFields.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/properties/EffectsPanel.h"
 #include "widgets/properties/PropertiesPanel.h"
 
 #include <QCheckBox>
@@ -64,7 +61,7 @@ TEST_F(PanelPictures, ofThePageWithoutAVolume) {
 }
 
 TEST_F(PanelPictures, ofTheTour) {
-  window->findChild<TourDesk*>()->offer();
+  window->findChild<TourController*>()->offer();
   take(QStringLiteral("tour-offered"));
   action("tour").trigger();
   take(QStringLiteral("tour-without-a-volume"));
@@ -109,7 +106,7 @@ TEST_F(PanelPictures, ofWhatAPointGoverns) {
 TEST_F(PanelPictures, ofTheGallery) {
   ASSERT_TRUE(openVolume());
   window->findChild<PresetBrowser*>()->setGallery(true);
-  auto& thumbnails = *window->findChild<ThumbnailDesk*>();
+  auto& thumbnails = *window->findChild<ThumbnailController*>();
   thumbnails.drawNow();
   ASSERT_TRUE(test::waitUntil([&] { return thumbnails.isComplete(); }));
   take(QStringLiteral("gallery"));
@@ -188,7 +185,7 @@ TEST_F(PanelPictures, ofLooksThatAreCompared) {
   action("takeSnapshot").trigger();
   emit presets.presetChosen(QStringLiteral("CT bone"));
   action("compareSnapshot").trigger();
-  auto& thumbnails = *window->findChild<ThumbnailDesk*>();
+  auto& thumbnails = *window->findChild<ThumbnailController*>();
   ASSERT_TRUE(rest());
   thumbnails.drawNow();
   ASSERT_TRUE(test::waitUntil([&] { return thumbnails.isComplete(); }));
@@ -250,7 +247,7 @@ TEST_F(PanelPictures, ofTheCurves) {
 TEST_F(PanelPictures, ofTheLabels) {
   ASSERT_TRUE(openVolume());
   test::writeBall(folder.path() / "parts.seg.nrrd", scene().volume->grid(), test::BallKind::labels);
-  auto& regions = *window->findChild<RegionDesk*>();
+  auto& regions = *window->findChild<RegionController*>();
   regions.openLabels(pathTo("parts.seg.nrrd"));
   ASSERT_TRUE(test::waitUntil([&] { return !regions.isBusy(); }));
   raised("shadingDock");

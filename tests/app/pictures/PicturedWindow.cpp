@@ -2,7 +2,7 @@
 #include "app/pictures/PicturedWindow.h"
 
 #include "app/language/Language.h"
-#include "widgets/Theme.h"
+#include "widgets/theme/LookStyle.h"
 
 #include <QDialog>
 #include <QScreen>

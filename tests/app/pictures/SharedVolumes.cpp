@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pictures/SharedVolumes.h"
 
-#include "app/window/volume/RegionDesk.h"
+#include "app/picture/RegionController.h"
 
 #include <algorithm>
 #include <set>

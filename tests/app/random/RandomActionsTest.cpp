@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/engines/ProcessCost.h"
+#include "app/core/drawing/ProcessCost.h"
 #include "app/random/LastActions.h"
 #include "app/random/RandomHand.h"
 #include "raycaster/ProgramCache.h"
@@ -73,7 +73,7 @@ protected:
     if (!bringBack() || !rest())
       ADD_FAILURE() << "the window does not come to rest";
     forgetPeak(); // what nobody holds is none of the program's
-    const bool hasPrograms = view().engine() == ViewEngine::driver;
+    const bool hasPrograms = view().engine() == Engine::rayCaster;
     return {residentMb(),
             hasPrograms ? std::min(compiledPrograms(), static_cast<int>(ProgramCache::most)) : 0};
   }

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/engines/RealRenderers.h"
+#include "app/core/drawing/RealRenderers.h"
 #include "support/Heart.h"
 #include "support/JudgedTime.h"
 #include "support/TestData.h"
 #include "widgets/FindWidget.h"
 #include "widgets/ValueText.h"
+#include "widgets/accuracy/AccuracyChart.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/AccuracySamples.h"
-#include "widgets/accuracy/chart/AccuracyChart.h"
-#include "widgets/accuracy/chart/AccuracyChartView.h"
-#include "widgets/accuracy/map/ErrorMapOverlay.h"
-#include "widgets/accuracy/sections/DialSection.h"
-#include "widgets/accuracy/sections/MapSection.h"
-#include "widgets/accuracy/sections/MeasuredSection.h"
-#include "widgets/accuracy/sections/StopSlider.h"
-#include "widgets/accuracy/sections/WishSection.h"
-#include "widgets/accuracy/sections/WorkRow.h"
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/StopSlider.h"
+#include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/view/gestures/CameraGesture.h"
-#include "widgets/view/status/PictureStatus.h"
+#include "widgets/view/gestures/ViewDrag.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -67,11 +66,7 @@ protected:
   QString textOf(const char* label) {
     return panel().findChild<Section*>()->template findChild<QLabel*>(QString::fromLatin1(label))->text();
   }
-  std::size_t shownCurves() {
-    return dynamic_cast<const AccuracyChart&>(*panel().findChild<AccuracyChartView*>()->chart())
-        .curves()
-        .size();
-  }
+  std::size_t shownCurves() { return panel().findChild<AccuracyChart*>()->curves().size(); }
   ErrorMapOverlay& map() { return *window->findChild<ErrorMapOverlay*>(); }
 
   void click(QWidget* control) {
@@ -81,12 +76,12 @@ protected:
   }
 
   void click(const OperatingPoint& point) {
-    AccuracyChartView& chart = *panel().findChild<AccuracyChartView*>();
+    AccuracyChart& chart = *panel().findChild<AccuracyChart*>();
     const std::optional<std::size_t> index = indexOf(point, panel().measured()->report.points);
     ASSERT_TRUE(index);
     panel().ensureWidgetVisible(&chart);
     QCoreApplication::processEvents();
-    QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, chart.positionOf(*index)->toPoint());
+    QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(*index)->toPoint());
   }
 
   [[nodiscard]] bool workEnds() {
@@ -105,13 +100,13 @@ TEST_F(AccuracyWindowTest, measuringTheCtHeadTakesSeconds) {
   LIMN_NEEDS_SHARED(head);
   window->resize(1400, 900);
   ASSERT_TRUE(open(QString::fromStdString((test::sharedFolder() / head).string())));
-  for (const ViewEngine engine : {ViewEngine::driver, ViewEngine::processor}) {
+  for (const Engine engine : {Engine::rayCaster, Engine::cpu}) {
     view().setEngine(engine, {});
     ASSERT_TRUE(rest());
     QElapsedTimer clock;
     clock.start();
     ASSERT_TRUE(measure());
-    const char* const by = engine == ViewEngine::driver ? "OpenGL" : "the processor";
+    const char* const by = engine == Engine::rayCaster ? "OpenGL" : "the processor";
     test::judgeMs(std::string("measuring the CT head by ") + by, static_cast<double>(clock.elapsed()),
                   15000.0);
     EXPECT_TRUE(panel().measured()->report.reference.converged);
@@ -201,9 +196,8 @@ TEST_F(AccuracyWindowTest, theChartIsOnScreenIn1280By800) {
   window->resize(1280, 800);
   QCoreApplication::processEvents();
   panel().setMeasured({sampleReport(pointsToMeasure(scene(), 0.0)), scene(), 0.0, {}});
-  const AccuracyChartView& chart = *panel().findChild<AccuracyChartView*>();
-  ASSERT_TRUE(
-      test::waitUntil([&] { return chart.viewport()->visibleRegion().boundingRect() == chart.rect(); }));
+  const AccuracyChart& chart = *panel().findChild<AccuracyChart*>();
+  ASSERT_TRUE(test::waitUntil([&] { return chart.visibleRegion().boundingRect() == chart.rect(); }));
   const QRect place(chart.mapToGlobal(QPoint(0, 0)), chart.size());
   EXPECT_TRUE(chart.screen()->availableGeometry().contains(place));
   EXPECT_EQ(chart.window(), window.get()) << "in its panel: no window comes up by itself";
@@ -277,14 +271,14 @@ TEST_F(AccuracyWindowTest, theMapOfErrorsLiesOverThePictureUntilTheSceneChanges)
 
 TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
   ASSERT_TRUE(measure());
-  window->findChild<AccuracyDesk*>()->write(pathTo("chart.png"));
+  window->findChild<AccuracyController*>()->write(pathTo("chart.png"));
   EXPECT_EQ(QImage(pathTo("chart.png")).size(), QSize(1200, 750));
-  window->findChild<AccuracyDesk*>()->write(pathTo("table.csv"));
+  window->findChild<AccuracyController*>()->write(pathTo("table.csv"));
   QFile table(pathTo("table.csv"));
   ASSERT_TRUE(table.open(QIODevice::ReadOnly));
   const auto lines = QString::fromUtf8(table.readAll()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
   EXPECT_EQ(lines.size(), 1 + static_cast<int>(panel().measured()->report.points.size()));
-  window->findChild<AccuracyDesk*>()->write(pathTo("page.html"));
+  window->findChild<AccuracyController*>()->write(pathTo("page.html"));
   QFile page(pathTo("page.html"));
   ASSERT_TRUE(page.open(QIODevice::ReadOnly));
   const QByteArray text = page.readAll();
@@ -295,12 +289,12 @@ TEST_F(AccuracyWindowTest, whatWasMeasuredIsWrittenAsChartTableAndPage) {
 }
 
 TEST_F(AccuracyWindowTest, theTimeWhileMovingIsKeptForTheNextRun) {
-  EXPECT_EQ(loop().movingMs(), 40.0);
+  EXPECT_EQ(loop().order().movingMs, 40.0);
   QComboBox* box = widgetNamed<QComboBox>(panel(), "While moving");
   panel().ensureWidgetVisible(box);
   box->setFocus();
   QTest::keyClick(box, Qt::Key_End);
-  EXPECT_EQ(loop().movingMs(), 100.0);
+  EXPECT_EQ(loop().order().movingMs, 100.0);
   EXPECT_EQ(Settings(UserFolders::below(folder.path()).settings).movingMs(), 100.0);
 }
 

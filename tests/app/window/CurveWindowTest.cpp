@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "widgets/FindWidget.h"
-#include "widgets/controls/color/ColorPicker.h"
-#include "widgets/curve/points/PointFields.h"
-#include "widgets/curve/points/PointPopup.h"
+#include "widgets/controls/ColorPicker.h"
+#include "widgets/curve/PointFields.h"
 
 #include <QToolButton>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "widgets/controls/FoldingSection.h"
-#include "widgets/controls/SectionPanel.h"
-#include "widgets/controls/sliders/ValueSlider.h"
+#include "widgets/controls/NumberSliders.h"
 #include "widgets/presets/PresetModel.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/shading/LightSection.h"

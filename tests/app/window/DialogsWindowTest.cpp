@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/dialogs/SettingsDialog.h"
-#include "app/window/dialogs/StabilityDialog.h"
+#include "app/frame/dialogs/SettingsDialog.h"
+#include "app/frame/dialogs/StabilityDialog.h"
 #include "support/Places.h"
 #include "widgets/FindWidget.h"
 
@@ -32,7 +32,7 @@ TEST_F(DialogsWindow, theSettingsShowAndChangeWhatStays) {
   EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL")) << "what the harness chose";
   engine->setFocus();
   QTest::keyClick(engine, Qt::Key_Down);
-  EXPECT_EQ(settings().engine(), EngineSetting::processor);
+  EXPECT_EQ(settings().engine(), Engine::cpu);
   EXPECT_TRUE(named("engine-cpu")->isChecked());
   named("engine-gl")->trigger(); // by whatever else
   EXPECT_EQ(engine->currentText(), QStringLiteral("OpenGL"));

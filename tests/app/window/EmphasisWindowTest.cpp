@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "scene/function/PointShare.h"
-#include "widgets/curve/points/PointLight.h"
+#include "widgets/curve/PointLight.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
 

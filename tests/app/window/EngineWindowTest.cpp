@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/engines/PictureMaker.h"
+#include "app/core/drawing/PictureMaker.h"
 #include "widgets/accuracy/AccuracyPanel.h"
-#include "widgets/effects/EffectTimes.h"
+#include "widgets/properties/EffectTimes.h"
 
 #include <QMenu>
 
@@ -16,10 +16,10 @@ namespace {
 
 class EngineWindow : public test::WindowHarness {
 protected:
-  EngineWindow() : WindowHarness(EngineSetting::processor) {}
+  EngineWindow() : WindowHarness(Engine::cpu) {}
 
   // A window that is opened with these settings.
-  void openAnew(EngineSetting setting, const std::optional<EngineTimes>& times,
+  void openAnew(std::optional<Engine> setting, const std::optional<EngineTimes>& times,
                 const std::optional<MemoryBudget>& memory = {}) {
     window.reset();
     std::filesystem::remove(settingsFile());
@@ -44,38 +44,37 @@ TEST_F(EngineWindow, theOneChosenInTheMenuDrawsAndIsRemembered) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   setLayout(CompareLayout::single);
   ASSERT_TRUE(rest());
-  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_EQ(view().engine(), Engine::cpu);
   EXPECT_TRUE(entry("cpu")->isChecked());
   EXPECT_TRUE(labelSays(QStringLiteral("processor")));
   const auto shown = view().restingImage(0);
-  EXPECT_TRUE(makePictures({view().sceneOfSide(0)}, shown->size, PictureEngine::cpu, 1).front().image ==
-              *shown);
+  EXPECT_TRUE(makePictures({view().sceneOfSide(0)}, shown->size, Engine::cpu, 1).front().image == *shown);
 
   entry("gl")->trigger();
   ASSERT_TRUE(rest());
-  EXPECT_EQ(view().engine(), ViewEngine::driver);
+  EXPECT_EQ(view().engine(), Engine::rayCaster);
   EXPECT_TRUE(entry("gl")->isChecked());
   EXPECT_FALSE(entry("cpu")->isChecked());
   EXPECT_TRUE(labelSays(QStringLiteral("OpenGL")));
-  EXPECT_EQ(Settings(settingsFile()).engine(), EngineSetting::openGl);
+  EXPECT_EQ(Settings(settingsFile()).engine(), Engine::rayCaster);
 }
 
 TEST_F(EngineWindow, whatATrialHasShownIsTakenWithoutAnother) {
-  openAnew(EngineSetting::automatic, EngineTimes{100.0, 1.0});
-  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  openAnew(std::nullopt, EngineTimes{100.0, 1.0});
+  EXPECT_EQ(view().engine(), Engine::cpu);
   EXPECT_EQ(entry("auto")->text(), QStringLiteral("&Automatic: processor"));
   EXPECT_TRUE(entry("auto")->toolTip().contains(QStringLiteral("1.0 ms with the processor")))
       << entry("auto")->toolTip().toStdString();
-  openAnew(EngineSetting::automatic, EngineTimes{1.0, 100.0});
-  EXPECT_EQ(view().engine(), ViewEngine::driver);
+  openAnew(std::nullopt, EngineTimes{1.0, 100.0});
+  EXPECT_EQ(view().engine(), Engine::rayCaster);
   ASSERT_TRUE(open(QStringLiteral("phantom:16")));
   ASSERT_TRUE(rest());
   EXPECT_EQ(Settings(settingsFile()).engineMemory().recall(machine()), (EngineTimes{1.0, 100.0}));
-  EXPECT_EQ(view().engine(), ViewEngine::driver);
+  EXPECT_EQ(view().engine(), Engine::rayCaster);
 }
 
 TEST_F(EngineWindow, bothAreTriedOnceTheFirstPictureRestsAndTheFasterDraws) {
-  openAnew(EngineSetting::automatic, std::nullopt);
+  openAnew(std::nullopt, std::nullopt);
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(rest());
   std::optional<EngineTimes> times;
@@ -83,7 +82,7 @@ TEST_F(EngineWindow, bothAreTriedOnceTheFirstPictureRestsAndTheFasterDraws) {
     times = Settings(settingsFile()).engineMemory().recall(machine());
     return times.has_value();
   }));
-  const ViewEngine faster = times->processorMs < times->openGlMs ? ViewEngine::processor : ViewEngine::driver;
+  const Engine faster = times->processorMs < times->openGlMs ? Engine::cpu : Engine::rayCaster;
   ASSERT_TRUE(test::waitUntil([&] { return view().engine() == faster && view().pictureState().resting; }));
   EXPECT_TRUE(view().pictureState().engineReason.contains(QStringLiteral("trial")));
 }
@@ -93,7 +92,7 @@ TEST_F(EngineWindow, whatItCostsIsMeasuredWithTheEngineThatDraws) {
   ASSERT_TRUE(open(QStringLiteral("phantom:20")));
   ASSERT_TRUE(rest());
   EffectTimes times;
-  QObject::connect(&view(), &CompareView::effectTimesChanged, [&](const EffectTimes& told) { times = told; });
+  QObject::connect(&view(), &CompareView::told, [&](const ViewNews& news) { times = news.times; });
   view().measureEffects();
   ASSERT_TRUE(test::waitUntil([&] { return !times.costs.empty(); }));
   EXPECT_EQ(times.method, QStringLiteral("timed by the clock"));
@@ -123,11 +122,11 @@ void writeVolumeOfHoles(const std::filesystem::path& header) {
 // Of 64 MB a third is too little for the voxels, and an eighth for every second of them along each axis,
 // which are 10.4 MB: what moves is drawn from every fourth, however near it is.
 TEST_F(EngineWindow, whatMovesKeepsToTheMemoryThatTheWindowWasGiven) {
-  openAnew(EngineSetting::processor, std::nullopt, MemoryBudget(MemoryBudget::least));
+  openAnew(Engine::cpu, std::nullopt, MemoryBudget(MemoryBudget::least));
   writeVolumeOfHoles(folder.path() / "holes.mhd");
   std::vector<int> reductions;
-  QObject::connect(&view(), &CompareView::pictureStateChanged, [&](const PictureState& state) {
-    for (const SideState& side : state.sides)
+  QObject::connect(&view(), &CompareView::told, [&](const ViewNews& news) {
+    for (const SideState& side : news.state.sides)
       if (side.coarseness)
         reductions.push_back(side.coarseness->reduction);
   });
@@ -146,11 +145,11 @@ TEST_F(EngineWindow, whatMovesKeepsToTheMemoryThatTheWindowWasGiven) {
 }
 
 TEST_F(EngineWindow, aTrialIsNoReasonToWaitWhenTheWindowCloses) {
-  openAnew(EngineSetting::automatic, std::nullopt);
+  openAnew(std::nullopt, std::nullopt);
   ASSERT_TRUE(open(QStringLiteral("phantom:4")));
   ASSERT_TRUE(rest());
   window.reset();
-  EXPECT_EQ(Settings(settingsFile()).engine(), EngineSetting::automatic);
+  EXPECT_EQ(Settings(settingsFile()).engine(), std::nullopt);
 }
 
 // CTest runs this on Qt's offscreen platform, which makes no OpenGL context: the state of a machine without a
@@ -167,7 +166,7 @@ protected:
 TEST_F(WindowWithoutOpenGl, everythingWorksAndTheMenuSaysWhyTheProcessorDraws) {
   ASSERT_TRUE(open(QStringLiteral("phantom:8")));
   ASSERT_TRUE(rest());
-  EXPECT_EQ(view().engine(), ViewEngine::processor);
+  EXPECT_EQ(view().engine(), Engine::cpu);
   EXPECT_EQ(view().findChild<QOpenGLWidget*>(), nullptr);
   const QAction* openGl = window->findChild<QAction*>(QStringLiteral("engine-gl"));
   EXPECT_FALSE(openGl->isEnabled());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "widgets/Theme.h"
+#include "widgets/theme/LookStyle.h"
 #include "widgets/view/panels/FocusRing.h"
 
 #include <QApplication>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/volume/RegionDesk.h"
+#include "app/picture/RegionController.h"
 #include "scene/framing/VisibleBox.h"
 #include "support/TestData.h"
-#include "widgets/view/ViewProjection.h"
+#include "widgets/view/overlay/ViewGeometry.h"
 
 #include <array>
 
@@ -97,8 +97,8 @@ TEST_P(Framing, whatIsVisibleFillsThePictures) {
   expectFramed("without the crop again");
 
   press("bodyOnly");
-  RegionDesk& desk = *window->findChild<RegionDesk*>();
-  ASSERT_TRUE(test::waitUntil([&] { return !desk.isBusy(); }));
+  RegionController& controller = *window->findChild<RegionController*>();
+  ASSERT_TRUE(test::waitUntil([&] { return !controller.isBusy(); }));
   expectFramed("with the other region");
 
   press("pictureAndCurveOnly");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/engines/PictureMaker.h"
+#include "app/core/drawing/PictureMaker.h"
 #include "support/Heart.h"
 #include "widgets/presets/PresetBrowser.h"
 
@@ -99,7 +99,7 @@ TEST_F(MainWindowTest, theRestingPictureIsThatOfTheSavedScene) {
   LoadedScene saved = loadScene((folder.path() / "scene.json").string(), {}, {});
   saved.scene.shading.model = view().sceneOfSide(0).shading.model;
   canvas().doneCurrent(); // makes room for the command line's context
-  const auto made = makePictures({saved.scene}, shown->size, PictureEngine::gl, 1);
+  const auto made = makePictures({saved.scene}, shown->size, Engine::rayCaster, 1);
   EXPECT_TRUE(made.front().image == *shown);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/volume/OrientationDialog.h"
-#include "app/window/volume/RegionDesk.h"
+#include "app/picture/OrientationDialog.h"
+#include "app/picture/RegionController.h"
 #include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"
 #include "widgets/FindWidget.h"
@@ -142,7 +142,7 @@ TEST_F(OrientationWindow, labelsStayOnTheirTissueHoweverTheVolumeIsTurned) {
   test::writeBytes(folder.path() / "labels.nrrd",
                    "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n\n"
                    "0 0 0 0 0 0 0 7\n"); // on the brightest voxel
-  RegionDesk& regions = *window->findChild<RegionDesk*>();
+  RegionController& regions = *window->findChild<RegionController*>();
   const auto brightestIsHidden = [this] {
     Region hidden = scene().keep;
     hidden.weights.back() = 0.0;

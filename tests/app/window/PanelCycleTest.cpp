@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/FadingNote.h"
+#include "app/frame/FocusMode.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/presets/PresetBrowser.h"
 #include "widgets/properties/PropertiesPanel.h"
-#include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/gestures/ViewDrag.h"
 
 #include <QStatusBar>
 #include <QTreeView>
@@ -47,7 +47,7 @@ TEST_F(PanelCycleTest, f6GoesRoundThePanelsThatAreSeenAndShiftF6Back) {
 }
 
 TEST_F(PanelCycleTest, thePictureIsReachedWhoeverDrawsIt) {
-  view().setEngine(ViewEngine::processor, {});
+  view().setEngine(Engine::cpu, {});
   ASSERT_TRUE(rest());
   EXPECT_EQ(press(Qt::Key_F6, Qt::ShiftModifier), presetList());
   EXPECT_EQ(press(Qt::Key_F6), &view());

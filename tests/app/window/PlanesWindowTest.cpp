@@ -5,7 +5,7 @@
 #include "support/TestData.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
-#include "widgets/view/ViewProjection.h"
+#include "widgets/view/overlay/ViewGeometry.h"
 
 #include <QWheelEvent>
 

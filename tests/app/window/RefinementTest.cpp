@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "scene/light/ModelName.h"
+#include "scene/light/Shading.h"
 #include "support/Heart.h"
 #include "support/Places.h"
 #include "support/TestData.h"
-#include "widgets/view/status/PictureStatus.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -158,9 +158,9 @@ TEST_F(RefinementTest, itsSwitchIsRemembered) {
   ASSERT_NE(refine, nullptr);
   refine->trigger();
   EXPECT_FALSE(Settings(UserFolders::below(folder.path()).settings).refinesAtRest());
-  EXPECT_FALSE(loop().refines());
+  EXPECT_FALSE(loop().order().refines);
   refine->trigger();
-  EXPECT_TRUE(loop().refines());
+  EXPECT_TRUE(loop().order().refines);
 }
 
 TEST_F(RefinementTest, theStatusKeepsItsPlacesAndGivesWayWhereItIsNarrow) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/window/volume/RegionDesk.h"
-#include "widgets/view/overlay/HiddenNotes.h"
+#include "app/picture/RegionController.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -45,20 +45,14 @@ protected:
   }
 
   QAction& bodyOnly() { return *window->findChild<QAction*>(QStringLiteral("bodyOnly")); }
-  RegionDesk& desk() { return *window->findChild<RegionDesk*>(); }
+  RegionController& controller() { return *window->findChild<RegionController*>(); }
   [[nodiscard]] bool ready() {
-    return test::waitUntil([this] { return !desk().isBusy(); });
+    return test::waitUntil([this] { return !controller().isBusy(); });
   }
 
   // The middle of the note in the picture that tells what hides, in the window's pixels.
   QPoint note(HiddenBy by) {
-    Comparison shown;
-    shown.scene = scene();
-    shown.layout = view().compareLayout();
-    const PictureState state = view().pictureState();
-    const OverlaySource source{
-        shown, {shown.layout, 0.5, view().size(), 1.0}, state, view().font(), 1.0, {}, false, {}, {}};
-    for (const HiddenNote& hidden : hiddenNotesOf(source))
+    for (const HiddenNote& hidden : hiddenNotesOf({view().order(), view().pictureState()}))
       if (hidden.by == by)
         return view().mapTo(window.get(), hidden.note.plate.center().toPoint());
     ADD_FAILURE() << "no such note";
@@ -119,7 +113,7 @@ TEST_F(RegionWindow, theActionHidesAndShowsTheTableInOneUndoStepEach) {
   bodyOnly().trigger();
   EXPECT_EQ(scene().keep, Region{});
   bodyOnly().trigger();
-  EXPECT_FALSE(desk().isBusy()) << "it is known already";
+  EXPECT_FALSE(controller().isBusy()) << "it is known already";
   EXPECT_EQ(scene().keep, body);
   EXPECT_EQ(undo().count(), 2);
 }
@@ -191,7 +185,7 @@ TEST_F(RegionWindow, labelsAndBodyOnlySayThatTheyReplaceEachOtherAndComeBackByAC
 TEST_F(RegionWindow, whatIsNoLabelMapIsRefusedInASentence) {
   ASSERT_TRUE(open(pathTo("head.nrrd")));
   const Region before = scene().keep;
-  desk().openLabels(pathTo("gone.nrrd"));
+  controller().openLabels(pathTo("gone.nrrd"));
   ASSERT_TRUE(ready());
   EXPECT_TRUE(messages().isVisible());
   EXPECT_TRUE(messages().sentence().contains(QStringLiteral("gone.nrrd")))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/figure/FigureDialog.h"
-#include "app/figure/FigurePreview.h"
+#include "app/files/figure/FigureDialog.h"
+#include "app/files/figure/FigurePreview.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Phantom.h"
 #include "support/DicomBuilder.h"
@@ -171,7 +171,7 @@ TEST_P(SixTasks, twoModelsAreComparedAndSavedWithALegendByFour) {
   clickInDialog(save);
   ASSERT_TRUE(test::waitUntil([&] { return !dialog.isWorking(); }));
   EXPECT_LE(counted(), 4);
-  const Figure figure = dialog.figure();
+  const Figure figure = dialog.askedFigure();
   EXPECT_EQ(figure.panels.size(), 2u);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "compared.png"));
 }

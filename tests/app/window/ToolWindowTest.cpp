@@ -3,7 +3,7 @@
 #include "scene/view/PlaneSettings.h"
 #include "widgets/planes/PlaneBar.h"
 #include "widgets/presets/PresetBrowser.h"
-#include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/gestures/ViewDrag.h"
 
 #include <QDialog>
 #include <QLabel>

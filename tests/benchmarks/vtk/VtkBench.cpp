@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws Limn's scenes with VTK for `limn bench --rivals`, in a process of its own: the questions and answers
-// on stdin and stdout are those of app/measure/bench/Contender.h.
+// on stdin and stdout are those of app/lab/bench/Contender.h.
 #include "VtkStage.h"
 #include "app/commands/Arguments.h"
 #include "app/commands/Syntax.h"

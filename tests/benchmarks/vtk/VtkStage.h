@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/engines/ProcessCost.h"
+#include "app/core/drawing/ProcessCost.h"
 #include "scene/Scene.h"
 #include "scene/basics/Image.h"
 

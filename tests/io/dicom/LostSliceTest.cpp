@@ -164,9 +164,9 @@ TEST(DicomLostSlice, missingSlicesAreCountedAndPlaced) {
 }
 
 TEST(DicomLostSlice, foldersOfTheKernelAreNoSeries) {
-  EXPECT_FALSE(isDicom("/proc"));
-  EXPECT_FALSE(isDicom("/sys"));
-  EXPECT_FALSE(isDicom("/proc/self/stat"));
+  EXPECT_EQ(openDicom("/proc", {}), nullptr);
+  EXPECT_EQ(openDicom("/sys", {}), nullptr);
+  EXPECT_EQ(openDicom("/proc/self/stat", {}), nullptr);
 }
 
 } // namespace

@@ -85,13 +85,12 @@ TEST(DicomRefusal, compressedPixelsThatDisagreeWithTheHeader) {
 TEST(DicomRefusal, aFolderWithoutImagesSaysWhatItHolds) {
   TemporaryFolder folder;
   writeBytesTo(folder.path() / "note.txt", "no image");
-  EXPECT_NE(dicomRefusal(folder.path()).find("no DICOM files"), std::string::npos);
-  EXPECT_FALSE(isDicom(folder.path()));
-  EXPECT_FALSE(isDicom(folder.path() / "note.txt"));
-  EXPECT_FALSE(isDicom(folder.path() / "missing"));
-  EXPECT_TRUE(listDicomSeries(folder.path()).empty());
+  EXPECT_EQ(openDicom(folder.path(), {}), nullptr);
+  EXPECT_EQ(openDicom(folder.path() / "note.txt", {}), nullptr);
+  EXPECT_EQ(openDicom(folder.path() / "missing", {}), nullptr);
   report().write(folder.path() / "report");
-  EXPECT_TRUE(isDicom(folder.path()));
+  ASSERT_NE(openDicom(folder.path(), {}), nullptr);
+  EXPECT_TRUE(openDicom(folder.path(), {})->summaries().empty());
   EXPECT_NE(dicomRefusal(folder.path()).find("without images"), std::string::npos);
 }
 

@@ -192,7 +192,7 @@ TEST(DicomSeries, theLargestOfTwoSeriesIsShownAndTheOtherNamedAndChosenByItsNumb
         .write(folder.path() / name(k));
   for (int k = 0; k < 3; ++k)
     slice(k + 5, k).text(0x0008103E, "LO", "Thin").write(folder.path() / "below" / name(k));
-  const auto list = listDicomSeries(folder.path());
+  const auto list = openDicom(folder.path(), {})->summaries();
   ASSERT_EQ(list.size(), 2u);
   EXPECT_EQ(list[0].description, "Thin");
   EXPECT_EQ(list[0].dims, glm::ivec3(sliceColumns, sliceRows, 3));
@@ -213,7 +213,7 @@ TEST(DicomSeries, picturesOfAnotherSizeOrOrientationAreSeriesOfTheirOwn) {
     slice(k + 1, k).write(folder.path() / name(k));
   slice(8, 9.0).us(0x00280010, {3}).us(0x00280011, {2}).write(folder.path() / "other size");
   slice(9, 9.0).text(0x00200037, "DS", "0\\1\\0\\0\\0\\-1").write(folder.path() / "other orientation");
-  EXPECT_EQ(listDicomSeries(folder.path()).size(), 3u);
+  EXPECT_EQ(openDicom(folder.path(), {})->summaries().size(), 3u);
   expectSliceOrder(*readDicom(folder.path(), {}, {}), {1, 2, 3});
 }
 
@@ -224,7 +224,7 @@ TEST(DicomSeries, partsInTwoFoldersAreJoinedUnlessTheyRepeatEachOther) {
   expectSliceOrder(*readDicom(folder.path(), {}, {}), {1, 2, 3, 4});
   for (int k = 0; k < 4; ++k)
     slice(k + 1, k).write(folder.path() / "third" / name(k));
-  EXPECT_GT(listDicomSeries(folder.path()).size(), 1u);
+  EXPECT_GT(openDicom(folder.path(), {})->summaries().size(), 1u);
 }
 
 TEST(DicomSeries, withoutPositionsTheOrderIsThatOfTheNumbersAndTheOrientationUnknown) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/VolumeBytes.h"
-#include "io/dicom/DicomReader.h"
+#include "io/dicom/DicomFolder.h"
 #include "scene/basics/Error.h"
 #include "support/DicomBuilder.h"
 #include "support/TemporaryFolder.h"
@@ -12,6 +12,15 @@
 #include <algorithm>
 
 namespace limn::test {
+
+/// What openDicom finds, read; of what is no DICOM the error of a file that should be.
+inline std::shared_ptr<const Volume> readDicom(const std::filesystem::path& path, const ReadOptions& options,
+                                               const Progress& progress) {
+  if (const auto dicom = openDicom(path, progress))
+    return dicom->read(options, progress);
+  parseDicom(path);
+  return nullptr;
+}
 
 /// Columns and rows of a synthetic slice.
 constexpr int sliceColumns = 3;

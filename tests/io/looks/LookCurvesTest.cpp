@@ -3,7 +3,6 @@
 
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/curves/OverlappingCurves.h"
-#include "io/looks/curves/Simplified.h"
 
 #include <random>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
-#include "io/looks/curves/ColorSpaces.h"
+#include "io/looks/curves/CurvedSegments.h"
 
 #include <nlohmann/json.hpp>
 

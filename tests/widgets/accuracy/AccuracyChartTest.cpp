@@ -1,80 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/accuracy/chart/AccuracyChart.h"
 #include "widgets/accuracy/AccuracySamples.h"
-#include "widgets/accuracy/chart/AccuracyChartPicture.h"
+#include "widgets/accuracy/ChartPicture.h"
 
-#include <QGraphicsScene>
-#include <QLegendMarker>
 #include <QPainter>
-#include <QScatterSeries>
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <set>
 
 namespace limn {
 namespace {
 
-// A chart laid out in a scene, as a view or a picture shows it.
+// A chart as a picture shows it.
 struct ShownChart {
   explicit ShownChart(const AccuracyReport& report) {
-    scene.addItem(chart);
-    chart->setLegendAtRight(true);
-    chart->setReport(report);
-    chart->resize(600.0, 400.0);
+    picture.report = report;
+    picture.curves = chartCurves(report, ErrorMeasure::p99_9);
+    picture.size = drawn.size();
+    picture.legendAtRight = true;
+    drawn.fill(chartColors(picture.style).background);
     QPainter painter(&drawn);
-    scene.render(&painter, drawn.rect(), drawn.rect());
+    paintChart(painter, picture);
   }
 
-  QStringList legend() const {
-    QStringList names;
-    for (const QLegendMarker* marker : chart->legend()->markers())
-      if (marker->isVisible())
-        names << marker->label();
-    return names;
-  }
-
-  QGraphicsScene scene;
-  AccuracyChart* chart = new AccuracyChart;
+  ChartPicture picture;
   QImage drawn{600, 400, QImage::Format_RGB32};
 };
 
-TEST(AccuracyChart, showsOneSeriesAndOneNamePerFamily) {
+TEST(AccuracyChart, showsOneCurveAndOneNamePerFamily) {
   const AccuracyReport report = sampleReport(usualPoints());
   std::set<QString> families;
   for (const MeasuredPoint& point : report.points)
     families.insert(QString::fromStdString(familyOf(point.point)));
   const ShownChart shown(report);
-  EXPECT_EQ(shown.chart->curves().size(), families.size());
-  QStringList legend = shown.legend();
+  EXPECT_EQ(shown.picture.curves.size(), families.size());
+  QStringList legend;
+  for (const LegendEntry& entry : legendEntries(shown.picture))
+    legend << entry.name;
   EXPECT_EQ(legend.removeAll(QStringLiteral("best trade-offs")), 1);
   EXPECT_EQ(std::set<QString>(legend.begin(), legend.end()), families);
   EXPECT_EQ(legend.size(), static_cast<int>(families.size())) << "no family is named twice";
 }
 
-TEST(AccuracyChart, placesItsNotesWhereQtPlacesTheMarks) {
+// Both axes are logarithmic: between two points pixels are as the logarithms of time and error.
+TEST(AccuracyChart, placesAndPaintsItsMarksByTheLogarithmsOfTimeAndError) {
   const AccuracyReport report = sampleReport(fewPoints());
   const ShownChart shown(report);
-  QAbstractSeries* series = shown.chart->series().front();
-  for (std::size_t i = 0; i < report.points.size(); ++i) {
-    const MeasuredPoint& point = report.points[i];
-    const QPointF qt =
-        shown.chart->mapToPosition({std::log10(point.ms.median), std::log10(point.error.p99_9)}, series);
-    const std::optional<QPointF> ours = shown.chart->positionOf(i);
-    ASSERT_TRUE(ours);
-    EXPECT_NEAR(ours->x(), qt.x(), 0.5) << "half a pixel";
-    EXPECT_NEAR(ours->y(), qt.y(), 0.5);
-    EXPECT_TRUE(shown.chart->plotArea().contains(*ours));
-  }
+  const auto logarithms = [&](std::size_t i) {
+    return QPointF(std::log(report.points[i].ms.median), std::log(report.points[i].error.p99_9));
+  };
+  const PlotTransform plot = chartPlot(shown.picture);
+  const QPointF first = *positionOf(shown.picture, 0);
+  const QPointF second = *positionOf(shown.picture, 1);
+  const double perTime = (second.x() - first.x()) / (logarithms(1).x() - logarithms(0).x());
+  const double perError = (second.y() - first.y()) / (logarithms(1).y() - logarithms(0).y());
+  EXPECT_GT(perTime, 0.0) << "slow is right";
+  EXPECT_LT(perError, 0.0) << "a large error is on top";
+  for (const ChartCurve& curve : shown.picture.curves)
+    for (const ChartMark& mark : curve.marks) {
+      const QPointF place = *positionOf(shown.picture, mark.index);
+      const QPointF away = logarithms(mark.index) - logarithms(0);
+      EXPECT_NEAR(place.x(), first.x() + perTime * away.x(), 1e-6);
+      EXPECT_NEAR(place.y(), first.y() + perError * away.y(), 1e-6);
+      EXPECT_TRUE(plot.plot.contains(place));
+    }
+  // Of the curve on top the middle of every mark has its colour.
+  const CurveLook look = curveLook(shown.picture.style, static_cast<int>(shown.picture.curves.size()) - 1);
+  for (const ChartMark& mark : shown.picture.curves.back().marks)
+    EXPECT_EQ(shown.drawn.pixel(positionOf(shown.picture, mark.index)->toPoint()), look.color.rgb());
 }
 
 TEST(AccuracyChart, findsThePointUnderThePointer) {
   const ShownChart shown(sampleReport(fewPoints()));
-  const QPointF place = *shown.chart->positionOf(2);
-  EXPECT_EQ(shown.chart->pointNear(place + QPointF(3.0, -4.0), 10.0), 2u);
-  EXPECT_EQ(shown.chart->pointNear(place + QPointF(30.0, -40.0), 10.0), std::nullopt);
+  const QPointF place = *positionOf(shown.picture, 2);
+  EXPECT_EQ(pointNear(shown.picture, place + QPointF(3.0, -4.0), 10.0), 2u);
+  EXPECT_EQ(pointNear(shown.picture, place + QPointF(30.0, -40.0), 10.0), std::nullopt);
 }
 
 TEST(AccuracyChart, showsErrorsThatCannotBeToldFromNoneAtTheFloor) {
@@ -94,8 +95,8 @@ TEST(AccuracyChart, writesABoundToTheLeftOfItsArrowWhereThePlotEnds) {
   const ShownChart shown(report);
   const ChartMark last = chartCurves(report, ErrorMeasure::p99_9)[0].marks.back();
   ASSERT_TRUE(last.isBelowFloor);
-  const QPoint mark = shown.chart->positionOf(last.index)->toPoint();
-  ASSERT_GT(mark.x() + 40, shown.chart->plotArea().right()) << "the bound fits to the right";
+  const QPoint mark = positionOf(shown.picture, last.index)->toPoint();
+  ASSERT_GT(mark.x() + 40, chartPlot(shown.picture).plot.right()) << "the bound fits to the right";
   // Beside the arrow, under the curve.
   std::set<QRgb> left;
   for (int x = mark.x() - 40; x < mark.x() - 6; ++x)
@@ -108,8 +109,9 @@ TEST(AccuracyChart, showsNoErrorsWhereTheExactPictureHasNotConverged) {
   AccuracyReport report = sampleReport(usualPoints());
   report.reference.converged = false;
   const ShownChart shown(report);
-  EXPECT_TRUE(shown.chart->series().isEmpty());
-  EXPECT_EQ(shown.chart->positionOf(0), std::nullopt);
+  EXPECT_TRUE(shown.picture.curves.empty());
+  EXPECT_TRUE(legendEntries(shown.picture).empty());
+  EXPECT_EQ(positionOf(shown.picture, 0), std::nullopt);
 }
 
 TEST(AccuracyChart, curvesRunFromCoarseToFine) {
@@ -119,22 +121,6 @@ TEST(AccuracyChart, curvesRunFromCoarseToFine) {
   for (std::size_t i = 1; i < curves[0].marks.size(); ++i)
     EXPECT_LT(report.points[curves[0].marks[i].index].point.stepVoxels,
               report.points[curves[0].marks[i - 1].index].point.stepVoxels);
-}
-
-TEST(LogAxis, hasRoundTicksWithinItsRangeAndNotTooMany) {
-  const LogAxis fine = logAxisAround(3.0, 70.0, 10);
-  // 6 % of 1.37 decades of room at each end: 2.5 .. 85.
-  ASSERT_EQ(fine.ticks.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_DOUBLE_EQ(fine.ticks[i], (std::array{5.0, 10.0, 20.0, 50.0})[i]);
-  EXPECT_LT(fine.lowest, 3.0);
-  EXPECT_GT(fine.highest, 70.0);
-  const LogAxis wide = logAxisAround(1e-3, 1e4, 5);
-  EXPECT_LE(wide.ticks.size(), 5u);
-  EXPECT_GE(wide.ticks.size(), 2u);
-  const LogAxis point = logAxisAround(10.0, 10.0, 8);
-  EXPECT_LT(point.lowest, 10.0) << "a single place has room at both sides";
-  EXPECT_GT(point.highest, 10.0);
 }
 
 TEST(CurveLook, tellsEightCurvesApartByColourAndFurtherOnesByMarkAndDashes) {

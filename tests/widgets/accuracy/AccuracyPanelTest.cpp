@@ -3,14 +3,14 @@
 #include "scene/volume/Phantom.h"
 #include "support/Waiting.h"
 #include "widgets/FindWidget.h"
+#include "widgets/accuracy/AccuracyChart.h"
 #include "widgets/accuracy/AccuracySamples.h"
-#include "widgets/accuracy/chart/AccuracyChartView.h"
-#include "widgets/accuracy/sections/DialSection.h"
-#include "widgets/accuracy/sections/MapSection.h"
-#include "widgets/accuracy/sections/MeasuredSection.h"
-#include "widgets/accuracy/sections/StopSlider.h"
-#include "widgets/accuracy/sections/WishSection.h"
-#include "widgets/accuracy/sections/WorkRow.h"
+#include "widgets/accuracy/DialSection.h"
+#include "widgets/accuracy/MapSection.h"
+#include "widgets/accuracy/MeasuredSection.h"
+#include "widgets/accuracy/StopSlider.h"
+#include "widgets/accuracy/WishSection.h"
+#include "widgets/accuracy/WorkRow.h"
 #include "widgets/controls/NumberField.h"
 
 #include <QAccessible>
@@ -69,12 +69,12 @@ protected:
   QCheckBox* mapCheck() { return panel.findChild<MapSection*>()->findChild<QCheckBox*>(); }
   WorkRow& work() { return *panel.findChild<MeasuredSection*>()->work(); }
   QString sentence() { return textOf<DialSection>("sentence"); }
-  AccuracyChartView& chart() { return *panel.findChild<AccuracyChartView*>(); }
+  AccuracyChart& chart() { return *panel.findChild<AccuracyChart*>(); }
 
   void clickPoint(const OperatingPoint& point) {
     const std::optional<std::size_t> index = indexOf(point, panel.measured()->report.points);
     ASSERT_TRUE(index);
-    QTest::mouseClick(chart().viewport(), Qt::LeftButton, {}, chart().positionOf(*index)->toPoint());
+    QTest::mouseClick(&chart(), Qt::LeftButton, {}, chart().placeOf(*index)->toPoint());
   }
 
   Scene scene;
@@ -129,9 +129,8 @@ TEST_F(AccuracyPanelTest, theChartIsAsHighAsThePanelHasRoomForAndGoesIntoAWindow
   EXPECT_EQ(chart().height(), 340) << "1300 pixels are enough";
   panel.resize(320, 380);
   measure();
-  ASSERT_TRUE(test::waitUntil([&] {
-    return chart().viewport()->visibleRegion().boundingRect() == chart().rect();
-  })) << "all of it";
+  ASSERT_TRUE(test::waitUntil([&] { return chart().visibleRegion().boundingRect() == chart().rect(); }))
+      << "all of it";
   EXPECT_LT(chart().height(), 340);
   EXPECT_EQ(chart().window(), &panel) << "no window comes up by itself";
   panel.ensureWidgetVisible(apart);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Phantom.h"
-#include "widgets/Theme.h"
 #include "widgets/accuracy/AccuracyPanel.h"
 #include "widgets/accuracy/AccuracySamples.h"
-#include "widgets/accuracy/chart/AccuracyChartPicture.h"
-#include "widgets/accuracy/map/ErrorMapOverlay.h"
+#include "widgets/accuracy/ChartPicture.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/theme/LookStyle.h"
 
 #include <QApplication>
 #include <QDir>

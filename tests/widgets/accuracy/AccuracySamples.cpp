@@ -12,9 +12,9 @@ struct Factors {
 };
 
 Factors factorsOf(const OperatingPoint& point) {
-  if (point.renderer == PointRenderer::reference)
+  if (point.engine == Engine::reference)
     return {1.0, 60.0, 0.0};
-  if (point.renderer == PointRenderer::slices)
+  if (point.engine == Engine::slices)
     return {2.2, 2.4, 0.05};
   if (point.preintegrated)
     return {0.45, 1.5, 0.0};

@@ -3,10 +3,8 @@
 #include "widgets/ContrastRatio.h"
 #include "widgets/ValueText.h"
 #include "widgets/accuracy/AccuracySamples.h"
-#include "widgets/accuracy/map/ErrorMapOverlay.h"
-#include "widgets/accuracy/map/ErrorScale.h"
-#include "widgets/accuracy/points/PointText.h"
-#include "widgets/accuracy/points/PointUse.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/accuracy/PointUse.h"
 
 #include <QLocale>
 

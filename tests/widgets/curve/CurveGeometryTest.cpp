@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/curve/plot/CurveGeometry.h"
+#include "widgets/curve/picture/CurveGeometry.h"
 #include "widgets/ValueText.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/curve/plot/HistogramPicture.h"
-#include "widgets/curve/plot/Tissue.h"
+#include "widgets/curve/picture/HistogramPicture.h"
+#include "widgets/curve/picture/Tissue.h"
 
 #include <gtest/gtest.h>
 
@@ -12,42 +12,7 @@
 namespace limn {
 namespace {
 
-const PlotTransform plot{QRectF(50.0, 20.0, 800.0, 200.0), {-1000.0, 3000.0}, false};
-
-TEST(PlotTransform, pixelsAndValuesAreInverse) {
-  for (const bool fine : {false, true}) {
-    PlotTransform transform = plot;
-    transform.fineLowOpacities = fine;
-    for (const double value : {-1000.0, -310.5, 0.0, 2999.9})
-      EXPECT_NEAR(valueAtX(transform, xOfValue(transform, value)), value, 1e-9);
-    for (const double opacity : {0.0, 1e-4, 0.01, 0.5, 1.0})
-      EXPECT_NEAR(opacityAtY(transform, yOfOpacity(transform, opacity)), opacity, 1e-12);
-  }
-}
-
-TEST(PlotTransform, theFineScaleGivesAThousandthATenthOfTheHeight) {
-  PlotTransform fine = plot;
-  fine.fineLowOpacities = true;
-  EXPECT_NEAR(yOfOpacity(fine, 0.001), 220.0 - 20.0, 1e-9);
-}
-
-TEST(PlotTransform, zoomAndPanStayWithinTheFullRange) {
-  const ValueRange full{-1000.0, 3000.0};
-  EXPECT_EQ(zoomedAtX(plot, 300.0, 0.5, full), full);
-  PlotTransform zoomed = plot;
-  zoomed.visible = zoomedAtX(plot, 450.0, 4.0, full);
-  EXPECT_NEAR(zoomed.visible.highest - zoomed.visible.lowest, 1000.0, 1e-9);
-  EXPECT_DOUBLE_EQ(pannedBy(zoomed, 1e6, full).highest, 3000.0);
-  EXPECT_DOUBLE_EQ(pannedBy(zoomed, -1e6, full).lowest, -1000.0);
-}
-
-TEST(AxisTicks, areRoundAndNoMoreThanAsked) {
-  const AxisTicks ticks = niceTicks({-1024.0, 3071.0}, 9);
-  EXPECT_DOUBLE_EQ(ticks.step, 500.0); // 4095 / 9 = 455, the next of 1, 2, 5 times a power of ten
-  EXPECT_EQ(ticks.values, (std::vector<double>{-1000, -500, 0, 500, 1000, 1500, 2000, 2500, 3000}));
-  EXPECT_DOUBLE_EQ(niceTicks({0.0, 1.0}, 10).step, 0.1);
-  EXPECT_DOUBLE_EQ(niceTicks({0.0, 0.003}, 5).step, 0.001);
-}
+const PlotTransform plot{QRectF(50.0, 20.0, 800.0, 200.0), {-1000.0, 3000.0}};
 
 TEST(ValueText, keepsTheDigitsThatMatter) {
   EXPECT_EQ(valueText(-310.0, QStringLiteral("HU"), 0), QString::fromUtf8("\u2212310\u00a0HU"));

@@ -3,13 +3,12 @@
 #include "scene/light/GradientHistogram.h"
 #include "widgets/FindWidget.h"
 #include "widgets/WidgetSamples.h"
+#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/color/ColorButton.h"
-#include "widgets/controls/color/ColorPicker.h"
 #include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/PointFields.h"
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
-#include "widgets/curve/points/PointPopup.h"
 
 #include <QApplication>
 #include <QCheckBox>

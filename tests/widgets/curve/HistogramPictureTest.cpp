@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/curve/plot/HistogramPicture.h"
+#include "widgets/curve/picture/HistogramPicture.h"
 #include "widgets/curve/HistogramButton.h"
 
 #include <QAction>

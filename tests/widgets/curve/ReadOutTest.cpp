@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/curve/plot/ReadOut.h"
 #include "widgets/curve/CanvasFixture.h"
+#include "widgets/curve/picture/CanvasPicture.h"
 
 // What the plot tells of a value or a point, and where.
 

@@ -2,12 +2,11 @@
 #include "widgets/curve/TransferFunctionEditor.h"
 #include "widgets/FindWidget.h"
 #include "widgets/WidgetSamples.h"
+#include "widgets/controls/ColorPicker.h"
 #include "widgets/controls/NumberField.h"
-#include "widgets/controls/color/ColorPicker.h"
-#include "widgets/controls/sliders/TrackSlider.h"
+#include "widgets/controls/TrackSlider.h"
+#include "widgets/curve/PointFields.h"
 #include "widgets/curve/canvas/TransferFunctionCanvas.h"
-#include "widgets/curve/points/PointFields.h"
-#include "widgets/curve/points/PointPopup.h"
 
 #include <QApplication>
 #include <QMouseEvent>

@@ -5,7 +5,6 @@
 #include "scene/volume/Phantom.h"
 #include "widgets/figure/FigurePainting.h"
 #include "widgets/figure/FigureText.h"
-#include "widgets/figure/PictureMarks.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 #include "PlaneHost.h"
 
 #include "support/CoveringPlane.h"
+#include "widgets/planes/PlaneContent.h"
 #include "widgets/planes/PlaneDeck.h"
-#include "widgets/planes/PlaneFrame.h"
+#include "widgets/planes/PlaneDrag.h"
 #include "widgets/planes/PlaneOverlay.h"
 #include "widgets/planes/PlanePictures.h"
-#include "widgets/planes/PlaneText.h"
 
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ constexpr double mostMsToFullQuality = 200.0; // on the processor
 class Dragging : public testing::Test {
 protected:
   // Drags in a circle, a move for each new picture, and waits for the full one.
-  void dragWith(ViewEngine engine, ShadingModel model) {
+  void dragWith(Engine engine, ShadingModel model) {
     LIMN_NEEDS_SHARED(test::ctHeadFile);
     test::ViewHost host(
         {900, 640}, [] { return makeCpuEngine(); }, engine);
@@ -37,7 +37,7 @@ protected:
     host.scene.shading.model = model;
     host.view.setScene(host.scene);
     int pictures = 0;
-    QObject::connect(&host.view, &CompareView::pictureStateChanged, [&] { ++pictures; });
+    QObject::connect(&host.view, &CompareView::told, [&] { ++pictures; });
     ASSERT_TRUE(host.show());
     ASSERT_TRUE(host.rest());
     test::Heart heart;
@@ -54,7 +54,7 @@ protected:
     ASSERT_TRUE(host.rest());
     restMs = 1e-6 * static_cast<double>(clock.nsecsElapsed());
     host.release({450 + 3 * moves, 320});
-    const bool isDriver = engine == ViewEngine::driver;
+    const bool isDriver = engine == Engine::rayCaster;
     test::expectShortTurns(heart, isDriver ? "dragging with OpenGL" : "dragging on the processor",
                            isDriver ? mostMsWithDriver : mostMsOnProcessor);
     EXPECT_EQ(host.cameraEdits, moves);
@@ -68,17 +68,17 @@ protected:
 };
 
 TEST_F(Dragging, onTheProcessorHoldsNoTurnAndEndsInTheFullPicture) {
-  dragWith(ViewEngine::processor, ShadingModel::classic);
+  dragWith(Engine::cpu, ShadingModel::classic);
   test::judgeMs("full quality after the last move, classic", restMs, mostMsToFullQuality);
 }
 
 TEST_F(Dragging, onTheProcessorHoldsNoTurnWithTheEnhancedModel) {
-  dragWith(ViewEngine::processor, ShadingModel::enhanced);
+  dragWith(Engine::cpu, ShadingModel::enhanced);
   test::judgeMs("full quality after the last move, enhanced", restMs, mostMsToFullQuality);
 }
 
 TEST_F(Dragging, withOpenGlHoldsNoTurnForLong) {
-  dragWith(ViewEngine::driver, ShadingModel::classic);
+  dragWith(Engine::rayCaster, ShadingModel::classic);
 }
 
 } // namespace

@@ -3,8 +3,8 @@
 #include "reference/ReferenceIntegrator.h"
 #include "support/BrokenDriver.h"
 #include "support/ReferenceEngine.h"
-#include "widgets/view/panels/FailureBar.h"
-#include "widgets/view/pictures/FinishedPicture.h"
+#include "widgets/view/panels/PanelStack.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -84,7 +84,7 @@ TEST(DriverFailure, whereEveryShaderIsRefusedTheProcessorDrawsAndSaysWhy) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.restOnProcessor());
   ASSERT_EQ(host.errors.size(), 1u);
-  EXPECT_EQ(host.view.pictureState().engine, ViewEngine::processor);
+  EXPECT_EQ(host.view.pictureState().engine, Engine::cpu);
   EXPECT_EQ(host.view.pictureState().engineReason, host.errors[0]);
   EXPECT_TRUE(host.bar().isVisible());
   EXPECT_TRUE(

@@ -3,7 +3,7 @@
 #include "cpu/CpuEngine.h"
 #include "scene/basics/Error.h"
 #include "support/BrokenDriver.h"
-#include "widgets/view/SurfaceFormat.h"
+#include "widgets/view/drawing/DriverRecovery.h"
 #include "widgets/view/panels/ViewPanels.h"
 
 #include <QApplication>
@@ -139,7 +139,7 @@ private:
 TEST(Panels, gettingAVolumeReadyIsSaidCanBeCancelledAndTriedAgain) {
   std::atomic<bool> isReady = false;
   ViewHost host(
-      {400, 240}, [&] { return std::make_unique<UnreadyEngine>(isReady); }, ViewEngine::processor);
+      {400, 240}, [&] { return std::make_unique<UnreadyEngine>(isReady); }, Engine::cpu);
   QSignalSpy loading(&host.view, &CompareView::loadingCancelled);
   host.showPhantom();
   ASSERT_TRUE(host.show());

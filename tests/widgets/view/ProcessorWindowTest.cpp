@@ -5,7 +5,7 @@
 #include "scene/basics/Error.h"
 #include "support/MappedVolume.h"
 #include "support/TemporaryFolder.h"
-#include "widgets/view/pictures/FinishedPicture.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include <QSignalSpy>
 
@@ -19,7 +19,7 @@ std::unique_ptr<DrawingEngine> onOneThread() {
 }
 
 struct ProcessorHost : test::ViewHost {
-  ProcessorHost() : ViewHost({301, 203}, onOneThread, ViewEngine::processor) {
+  ProcessorHost() : ViewHost({301, 203}, onOneThread, Engine::cpu) {
     view.setOverlayVisible(false);
     showPhantom();
   }
@@ -44,7 +44,7 @@ TEST(OnProcessor, thePictureAtRestIsBitForBitTheEnginesAndSoIsWhatIsSeen) {
   EXPECT_EQ(host.view.findChild<QOpenGLWidget*>(), nullptr);
   EXPECT_EQ(host.view.currentPicture(0), host.drawn(0));
   EXPECT_TRUE(host.isShowing(host.drawn(0)));
-  EXPECT_EQ(host.view.pictureState().engine, ViewEngine::processor);
+  EXPECT_EQ(host.view.pictureState().engine, Engine::cpu);
   EXPECT_FALSE(host.view.pictureState().driverHasFailed);
 }
 
@@ -67,8 +67,7 @@ TEST(OnProcessor, ofAnotherVolumeNothingIsToldUntilItIsSeen) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
   PictureState told = host.view.pictureState();
-  QObject::connect(&host.view, &CompareView::pictureStateChanged,
-                   [&](const PictureState& state) { told = state; });
+  QObject::connect(&host.view, &CompareView::told, [&](const ViewNews& news) { told = news.state; });
   host.showPhantom(8.0);
   EXPECT_TRUE(told.sides.empty() && !told.resting) << "what was true of the volume before";
   ASSERT_TRUE(host.rest());
@@ -84,7 +83,8 @@ TEST(OnProcessor, aVolumeOnDiskMovesInFewerVoxelsAndRestsInAll) {
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
   int coarse = 0;
-  QObject::connect(&host.view, &CompareView::pictureStateChanged, &host.view, [&](const PictureState& state) {
+  QObject::connect(&host.view, &CompareView::told, &host.view, [&](const ViewNews& news) {
+    const PictureState& state = news.state;
     coarse += !state.sides.empty() && state.sides[0].coarseness ? 1 : 0;
   });
   host.drag({100, 100}, {140, 110});
@@ -134,13 +134,15 @@ TEST(OnProcessor, refinesAtRestToThePictureOfTheQualityThatItStates) {
 
 TEST(OnProcessor, itsStateTellsTheErrorOfThePictureAndItsEffects) {
   ProcessorHost host;
-  QSignalSpy effects(&host.view, &CompareView::effectsChanged);
+  std::size_t effects = 0;
+  QObject::connect(&host.view, &CompareView::told,
+                   [&](const ViewNews& news) { effects = news.effects.size(); });
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] {
     const PictureState state = host.view.pictureState();
     return state.resting && state.sides[0].estimate && state.sides[0].overflow;
   }));
-  EXPECT_GE(effects.count(), 1);
+  EXPECT_GE(effects, 1u);
   EXPECT_TRUE(host.view.pictureState().renderer.startsWith(QStringLiteral("CPU engine")));
 }
 
@@ -175,7 +177,7 @@ TEST(OnProcessor, anErrorIsSaidAndTheNextSceneIsDrawn) {
           throw Error(Error::Kind::input, "The volume is broken.");
         return onOneThread();
       },
-      ViewEngine::processor);
+      Engine::cpu);
   host.showPhantom();
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(test::waitUntil([&] { return !host.errors.empty(); }));
@@ -189,13 +191,13 @@ TEST(Engines, oneReplacesTheOtherAndEachDrawsItsPicture) {
   ProcessorHost host;
   ASSERT_TRUE(host.show());
   ASSERT_TRUE(host.rest());
-  host.view.setEngine(ViewEngine::driver, QStringLiteral("Chosen."));
+  host.view.setEngine(Engine::rayCaster, QStringLiteral("Chosen."));
   EXPECT_FALSE(host.view.pictureState().resting);
   ASSERT_TRUE(host.rest());
-  EXPECT_EQ(host.view.pictureState().engine, ViewEngine::driver);
+  EXPECT_EQ(host.view.pictureState().engine, Engine::rayCaster);
   EXPECT_EQ(host.view.pictureState().engineReason, QStringLiteral("Chosen."));
   EXPECT_FALSE(host.grabFramebuffer().isNull());
-  host.view.setEngine(ViewEngine::processor, {});
+  host.view.setEngine(Engine::cpu, {});
   ASSERT_TRUE(host.rest());
   EXPECT_EQ(host.view.findChild<QOpenGLWidget*>(), nullptr);
   EXPECT_TRUE(host.isShowing(host.drawn(0)));
@@ -214,20 +216,20 @@ TEST(Engines, aVolumeThatIsTooLargeForTheDriverGoesToTheProcessorAloneAndSaysSo)
     scene.transferFunction.points = {{-300, {0.9, 0.6, 0.5}, 0.0}, {300, {1.0, 0.95, 0.85}, 0.5}};
     view.setScene(scene);
   };
-  const auto rests = [&](ViewEngine engine) {
+  const auto rests = [&](Engine engine) {
     return test::waitUntil([&] { return view.engine() == engine && view.pictureState().resting; });
   };
   view.show();
   ASSERT_TRUE(test::waitUntilExposed(view));
   open(2.0);
-  ASSERT_TRUE(rests(ViewEngine::processor));
+  ASSERT_TRUE(rests(Engine::cpu));
   const PictureState state = view.pictureState();
   EXPECT_TRUE(state.limitation.contains(QStringLiteral("too large"))) << state.limitation.toStdString();
   EXPECT_TRUE(state.limitation.endsWith(QStringLiteral("The processor draws it.")));
   EXPECT_FALSE(state.driverHasFailed);
   EXPECT_EQ(*view.restingImage(0), CpuRenderer(1).render(scene, {200, 120})) << "in all its voxels";
   open(16.0);
-  ASSERT_TRUE(rests(ViewEngine::driver));
+  ASSERT_TRUE(rests(Engine::rayCaster));
   EXPECT_TRUE(view.pictureState().limitation.isEmpty());
 }
 

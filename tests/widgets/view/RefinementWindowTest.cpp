@@ -150,7 +150,8 @@ TEST(Refinement, isSaidToBeUnderWayFromTheFirstMomentOfRest) {
   RefiningHost host;
   int rests = 0;
   int doubts = 0; // at rest, not at its end, and nothing said to come
-  QObject::connect(&host.view, &CompareView::pictureStateChanged, &host.view, [&](const PictureState& state) {
+  QObject::connect(&host.view, &CompareView::told, &host.view, [&](const ViewNews& news) {
+    const PictureState& state = news.state;
     rests += state.resting;
     doubts += state.resting && !state.refinementEnd && !state.refines;
   });

@@ -14,14 +14,12 @@ using test::ViewHost;
 // Keeps what the view told last.
 struct Told {
   explicit Told(CompareView& view) {
-    QObject::connect(&view, &CompareView::effectsChanged,
-                     [this](const std::vector<EffectRow>& told, const QString& name) {
-                       ++changes;
-                       rows = told;
-                       picture = name;
-                     });
-    QObject::connect(&view, &CompareView::effectTimesChanged,
-                     [this](const EffectTimes& told) { times = told; });
+    QObject::connect(&view, &CompareView::told, [this](const ViewNews& news) {
+      changes += news.effects != rows || news.effectsOf != picture ? 1 : 0;
+      rows = news.effects;
+      picture = news.effectsOf;
+      times = news.times;
+    });
   }
   bool isOn(const std::string& name) const {
     return std::any_of(rows.begin(), rows.end(),

@@ -24,7 +24,7 @@ class ViewHost {
 public:
   /// Pictures rest at the scene's own step unless a test is about what comes after.
   explicit ViewHost(const QSize& size = {400, 240}, MakeEngine processor = {},
-                    ViewEngine engine = ViewEngine::driver)
+                    Engine engine = Engine::rayCaster)
       : view({makeRayCasterEngine, std::move(processor)}, engine) {
     view.resize(size);
     view.setRefinesAtRest(false);

@@ -3,8 +3,8 @@
 
 #include "widgets/ValueText.h"
 #include "widgets/curve/canvas/AccessibleCanvas.h"
-#include "widgets/curve/canvas/CurveMenu.h"
-#include "widgets/curve/plot/CanvasPicture.h"
+#include "widgets/curve/canvas/CurveInput.h"
+#include "widgets/curve/picture/CanvasPicture.h"
 
 #include <QContextMenuEvent>
 #include <QMouseEvent>
@@ -50,7 +50,8 @@ void TransferFunctionCanvas::setHistogram(const Histogram& histogram) {
 }
 
 PlotTransform TransferFunctionCanvas::transform() const {
-  return {plotWithin(size(), m_plot.subject), m_visible, m_fineLowOpacities};
+  return {plotWithin(size(), m_plot.subject), m_visible,
+          m_fineLowOpacities ? AxisScale::cubeRoot : AxisScale::linear};
 }
 
 int TransferFunctionCanvas::shownDecimals() const {

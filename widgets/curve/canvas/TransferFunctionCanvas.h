@@ -2,11 +2,10 @@
 #pragma once
 
 #include "widgets/Gesture.h"
-#include "widgets/curve/canvas/CurveDrag.h"
 #include "widgets/curve/canvas/CurveInput.h"
-#include "widgets/curve/edits/CurvePlot.h"
-#include "widgets/curve/plot/CanvasPicture.h"
-#include "widgets/curve/plot/HistogramPicture.h"
+#include "widgets/curve/picture/CanvasPicture.h"
+#include "widgets/curve/picture/CurveEdits.h"
+#include "widgets/curve/picture/HistogramPicture.h"
 
 #include <QWidget>
 

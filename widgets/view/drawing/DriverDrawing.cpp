@@ -2,9 +2,9 @@
 #include "widgets/view/drawing/DriverDrawing.h"
 
 #include "engine/DrawingEngine.h"
-#include "widgets/view/SurfaceFormat.h"
-#include "widgets/view/failure/DriverRecovery.h"
-#include "widgets/view/pictures/GlScreen.h"
+#include "widgets/view/drawing/DriverRecovery.h"
+#include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -26,9 +26,8 @@ protected:
     // The context may be replaced when the view moves to another window.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, &m_drawing, &DriverDrawing::release,
             Qt::UniqueConnection);
-    m_drawing.forgetSpeed();
+    m_drawing.m_loop.forgetSpeed();
   }
-  void resizeGL(int, int) override { m_drawing.restart(); }
   void paintGL() override { m_drawing.paint(); }
   void showEvent(QShowEvent* event) override {
     QOpenGLWidget::showEvent(event);
@@ -45,9 +44,8 @@ private:
 
 namespace {
 
-PictureContext contextOf(QOpenGLWidget* canvas, const ViewOrders& orders, DriverRecovery& recovery) {
+PictureContext contextOf(QOpenGLWidget* canvas, DriverRecovery& recovery) {
   PictureContext context;
-  context.canDraw = orders.canDraw;
   context.makeCurrent = [canvas] { canvas->makeCurrent(); };
   context.doneCurrent = [canvas] { canvas->doneCurrent(); };
   context.guard = [&recovery](const PictureContext::Work& work) { recovery.guard(work); };
@@ -62,22 +60,16 @@ void clearTo(QOpenGLFunctions& gl, const glm::dvec3& background) {
 
 } // namespace
 
-DriverDrawing::DriverDrawing(MakeEngine makeEngine, ViewOrders orders, DriverRecovery& recovery,
-                             QWidget& view)
-    : ViewDrawing(&view), m_orders(std::move(orders)), m_recovery(recovery),
-      m_canvas(new GlCanvas(*this, view)),
+DriverDrawing::DriverDrawing(MakeEngine makeEngine, DriverRecovery& recovery, QWidget& view)
+    : ViewDrawing(&view), m_recovery(recovery), m_canvas(new GlCanvas(*this, view)),
       m_loop(*new PictureLoop(
           [makeEngine = std::move(makeEngine)] {
             return std::make_unique<Pictures>(makeEngine(), makeGlScreen());
           },
-          contextOf(m_canvas, m_orders, recovery), {}, this)) {
-  connect(&m_loop, &PictureLoop::stateChanged, this, &ViewDrawing::stateChanged);
-  connect(&m_loop, &PictureLoop::effectsChanged, this, &ViewDrawing::effectsChanged);
-  connect(&m_loop, &PictureLoop::timesChanged, this, &ViewDrawing::timesChanged);
+          contextOf(m_canvas, recovery), {}, this)) {
+  // Receivers set widgets, which must not happen in the middle of painting.
+  connect(&m_loop, &PictureLoop::told, this, &DriverDrawing::tell, Qt::QueuedConnection);
   connect(&m_loop, &PictureLoop::showNeeded, m_canvas, qOverload<>(&QWidget::update));
-  connect(&m_loop, &PictureLoop::completed, this, &ViewDrawing::completed);
-  connect(&m_loop, &PictureLoop::preparing, this, &ViewDrawing::preparing, Qt::QueuedConnection);
-  connect(&m_loop, &PictureLoop::restFailed, this, &ViewDrawing::restFailed);
 }
 
 DriverDrawing::~DriverDrawing() {
@@ -90,11 +82,6 @@ DriverDrawing::~DriverDrawing() {
 
 QWidget& DriverDrawing::canvas() {
   return *m_canvas;
-}
-
-void DriverDrawing::restart() {
-  m_loop.restart();
-  m_canvas->update();
 }
 
 std::optional<RestingPicture> DriverDrawing::resting(int side) const {
@@ -123,16 +110,16 @@ void DriverDrawing::rebuild(bool isLost) {
 }
 
 void DriverDrawing::paint() {
-  if (m_orders.canDraw())
-    m_recovery.guard([this] { m_loop.drawIfStale(m_orders.request()); });
+  if (order().isSeen)
+    m_recovery.guard([this] { m_loop.drawIfStale(); });
   QOpenGLFunctions& gl = *m_canvas->context()->functions();
   gl.glBindFramebuffer(GL_FRAMEBUFFER, m_canvas->defaultFramebufferObject());
-  if (m_loop.pictures() && m_orders.canDraw() && !m_loop.isPreparing()) {
-    m_loop.pictures()->show(m_orders.arrangement(), m_orders.background());
-    if (const std::optional<Overlay> overlay = m_orders.overlay())
-      paintOverlayInContext(*overlay, m_orders.geometry());
+  if (m_loop.pictures() && order().isSeen && !m_loop.isPreparing()) {
+    m_loop.pictures()->show(m_loop.order());
+    if (order().hasOverlay)
+      paintOverlayInContext(overlayOf(overlaySource()), order().geometry);
   } else {
-    clearTo(gl, m_orders.background());
+    clearTo(gl, order().comparison.scene.image.background);
   }
   m_loop.noteShown();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/DrawingEngines.h"
+#include "engine/DrawingEngine.h"
 #include "widgets/view/drawing/ViewDrawing.h"
 
 namespace limn {
@@ -15,22 +15,11 @@ class DriverDrawing : public ViewDrawing {
   Q_OBJECT
 
 public:
-  DriverDrawing(MakeEngine makeEngine, ViewOrders orders, DriverRecovery& recovery, QWidget& view);
+  DriverDrawing(MakeEngine makeEngine, DriverRecovery& recovery, QWidget& view);
   ~DriverDrawing() override;
 
   QWidget& canvas() override;
-  void restart() override;
-  void arrangeAnew() override { canvas().update(); }
-  void resume() override { m_loop.resume(); }
-  void stop() override { m_loop.stop(); }
-  void forget() override { m_loop.forget(); }
-  void forgetSpeed() override { m_loop.forgetSpeed(); }
-  void forgetEffects() override { m_loop.forgetEffects(); }
   void measureEffects() override { m_loop.measureEffects(); }
-  void setRefines(bool refines) override { m_loop.setRefines(refines); }
-  void setMovingMs(double ms) override { m_loop.setMovingMs(ms); }
-  void endPreparing() override { m_loop.stop(); }
-  const PictureState& state() const override { return m_loop.state(); }
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override { return m_loop.gradientScaleOf(side); }
 
@@ -40,12 +29,15 @@ public:
 signals:
   void contextRefused(); ///< the canvas was shown and has no OpenGL context
 
+protected:
+  const ViewNews& drawn() const override { return m_loop.news(); }
+  void drawOrder(const PictureOrder& order) override { m_loop.show(order); }
+
 private:
   friend class GlCanvas;
   void paint();
   void release();
 
-  ViewOrders m_orders;
   DriverRecovery& m_recovery;
   GlCanvas* m_canvas;
   PictureLoop& m_loop;

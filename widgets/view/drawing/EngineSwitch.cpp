@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/drawing/EngineSwitch.h"
 
-#include "widgets/view/SurfaceFormat.h"
 #include "widgets/view/drawing/DriverDrawing.h"
+#include "widgets/view/drawing/DriverRecovery.h"
 #include "widgets/view/drawing/ProcessorDrawing.h"
 
 namespace limn {
 
-EngineSwitch::EngineSwitch(DrawingEngines engines, ViewEngine engine, ViewOrders orders, QWidget& view)
-    : QObject(&view), m_engines(std::move(engines)), m_orders(std::move(orders)), m_view(view),
-      m_engine(engine) {
-  m_orders.canDraw = [this, isSeen = m_orders.canDraw] { return isSeen() && !m_recovery.hasFailed(); };
+EngineSwitch::EngineSwitch(DrawingEngines engines, Engine engine, QWidget& view)
+    : QObject(&view), m_engines(std::move(engines)), m_view(view), m_engine(engine) {
+  connect(&m_recovery, &DriverRecovery::stopped, this, &EngineSwitch::push);
   connect(&m_recovery, &DriverRecovery::givenUp, this, &EngineSwitch::giveUpDriver);
   connect(&m_recovery, &DriverRecovery::tooLarge, this, &EngineSwitch::standIn);
   connect(&m_recovery, &DriverRecovery::restored, this, &EngineSwitch::restored);
-  connect(&m_recovery, &DriverRecovery::failed, this, &EngineSwitch::failed);
-  draw(m_engines.driver ? m_engine : ViewEngine::processor);
+  connect(&m_recovery, &DriverRecovery::failed, this, [this](const QString& sentence) {
+    tell();
+    emit errorOccurred(sentence);
+  });
+  draw(m_engines.driver ? m_engine : Engine::cpu);
 }
 
 EngineSwitch::~EngineSwitch() {
@@ -23,11 +25,10 @@ EngineSwitch::~EngineSwitch() {
 }
 
 ViewDrawing* EngineSwitch::makeDriverDrawing() {
-  auto* drawing = new DriverDrawing(m_engines.driver, m_orders, m_recovery, m_view);
+  auto* drawing = new DriverDrawing(m_engines.driver, m_recovery, m_view);
   connect(&m_recovery, &DriverRecovery::rebuildNeeded, drawing, [this, drawing](bool isLost) {
     drawing->rebuild(isLost);
-    m_recovery.retry();
-    emit redrawNeeded();
+    retry();
   });
   const auto giveUp = [this] {
     const QString problem = openGlOffer().problem;
@@ -41,33 +42,73 @@ ViewDrawing* EngineSwitch::makeDriverDrawing() {
   return drawing;
 }
 
-ViewDrawing* EngineSwitch::makeProcessorDrawing() {
-  auto* drawing = new ProcessorDrawing(m_engines.processor, m_orders, m_view);
-  connect(drawing, &ProcessorDrawing::failed, &m_recovery, &DriverRecovery::fail);
-  return drawing;
-}
-
-void EngineSwitch::draw(ViewEngine engine) {
-  delete m_drawing;
+void EngineSwitch::draw(Engine engine) {
+  delete std::exchange(m_drawing, nullptr);
   m_engine = engine;
-  m_drawing = engine == ViewEngine::driver ? makeDriverDrawing() : makeProcessorDrawing();
-  m_drawing->setRefines(m_refines);
-  if (m_movingMs)
-    m_drawing->setMovingMs(*m_movingMs);
-  connect(m_drawing, &ViewDrawing::stateChanged, this, [this] { emit stateChanged(state()); });
-  connect(m_drawing, &ViewDrawing::effectsChanged, this, &EngineSwitch::effectsChanged);
-  connect(m_drawing, &ViewDrawing::timesChanged, this, &EngineSwitch::timesChanged);
-  connect(m_drawing, &ViewDrawing::completed, &m_recovery, &DriverRecovery::noteSuccess);
-  connect(m_drawing, &ViewDrawing::preparing, this, &EngineSwitch::preparing);
-  connect(m_drawing, &ViewDrawing::restFailed, this, &EngineSwitch::errorOccurred);
-  connect(&m_recovery, &DriverRecovery::stopped, m_drawing, &ViewDrawing::stop);
+  m_drawing =
+      drawsWithOpenGl(engine) ? makeDriverDrawing() : new ProcessorDrawing(m_engines.processor, m_view);
+  connect(m_drawing, &ViewDrawing::told, this, &EngineSwitch::take);
   m_drawing->canvas().lower();
   m_drawing->canvas().show();
+  push();
   emit replaced();
 }
 
-void EngineSwitch::choose(ViewEngine engine, const QString& reason) {
-  if (!(engine == ViewEngine::driver ? m_engines.driver : m_engines.processor))
+void EngineSwitch::show(const ViewOrder& order) {
+  const Scene before = m_order.comparison.scene;
+  const bool rested = m_drawing->state().resting;
+  const bool isMeasuredAnew = order.measured != m_order.measured;
+  m_order = order;
+  Scene asBefore = order.comparison.scene;
+  asBefore.camera = before.camera;
+  const bool isOtherVolume = asBefore.volume != before.volume;
+  if (isOtherVolume) { // nothing that failed of the last one counts
+    m_recovery.forget();
+    retryDriver();
+  } else if (asBefore != before && m_recovery.hasFailed()) { // it may work now
+    m_recovery.retry();
+    ++m_attempt;
+  }
+  push();
+  if (isOtherVolume || isMeasuredAnew || rested != m_drawing->state().resting)
+    tell();
+}
+
+void EngineSwitch::push() {
+  if (!m_drawing)
+    return;
+  ViewOrder order = m_order;
+  order.isSeen = order.isSeen && !m_recovery.hasFailed();
+  order.attempt = m_attempt;
+  const bool hasFailed = !m_driverFailure.isEmpty();
+  order.inUse = {m_engine,
+                 !m_tooLarge.isEmpty() ? m_tooLarge
+                 : hasFailed           ? m_driverFailure
+                                       : m_reason,
+                 hasFailed, m_tooLarge};
+  m_drawing->show(order);
+}
+
+void EngineSwitch::tell() {
+  m_news = m_drawing->news();
+  m_news.failure = problem();
+  emit told(m_news);
+}
+
+void EngineSwitch::take(const ViewNews& news) {
+  const bool rested = m_news.state.resting;
+  const QString failureAtRest = m_news.failureAtRest;
+  if (!news.failure.isEmpty() && !m_recovery.hasFailed())
+    m_recovery.fail(news.failure);
+  tell();
+  if (news.state.resting && !rested && !m_recovery.hasFailed())
+    m_recovery.noteSuccess();
+  if (!news.failureAtRest.isEmpty() && news.failureAtRest != failureAtRest)
+    emit errorOccurred(news.failureAtRest);
+}
+
+void EngineSwitch::choose(Engine engine, const QString& reason) {
+  if (!(drawsWithOpenGl(engine) ? m_engines.driver : m_engines.processor))
     return;
   m_reason = reason;
   const bool standsIn = !m_driverFailure.isEmpty() || !m_tooLarge.isEmpty();
@@ -76,51 +117,31 @@ void EngineSwitch::choose(ViewEngine engine, const QString& reason) {
   m_recovery.forget();
   if (engine != m_engine || standsIn)
     draw(engine);
-  emit stateChanged(state());
+  else
+    push();
+  tell();
 }
 
 void EngineSwitch::retryDriver() {
-  if (m_driverFailure.isEmpty() && m_tooLarge.isEmpty())
-    return;
-  choose(ViewEngine::driver, m_reason);
-  emit engineChanged(m_engine);
+  if (!m_driverFailure.isEmpty() || !m_tooLarge.isEmpty())
+    choose(Engine::rayCaster, m_reason);
 }
 
-void EngineSwitch::forget() {
-  m_recovery.forget();
-  m_drawing->forget();
-  retryDriver();
-  emit stateChanged(state());
+void EngineSwitch::retry() {
+  m_recovery.retry();
+  ++m_attempt;
+  push();
+  tell();
 }
 
 void EngineSwitch::cancelPreparing() {
-  m_drawing->endPreparing();
+  ++m_attempt;
   m_recovery.fail(tr("Getting the volume ready for drawing was cancelled."));
-}
-
-void EngineSwitch::setRefines(bool refines) {
-  m_refines = refines;
-  m_drawing->setRefines(refines);
-}
-
-void EngineSwitch::setMovingMs(double ms) {
-  m_movingMs = ms;
-  m_drawing->setMovingMs(ms);
-}
-
-PictureState EngineSwitch::state() const {
-  PictureState state = m_drawing->state();
-  state.engine = m_engine;
-  state.driverHasFailed = !m_driverFailure.isEmpty();
-  state.engineReason = state.driverHasFailed ? m_driverFailure : m_reason;
-  if (!m_tooLarge.isEmpty())
-    state.engineReason = state.limitation = m_tooLarge;
-  return state;
 }
 
 // False where another engine was chosen meanwhile, or there is none: then the sentence is all there is.
 bool EngineSwitch::letProcessorDraw(QString& reason, const QString& sentence) {
-  if (m_engine != ViewEngine::driver)
+  if (!drawsWithOpenGl(m_engine))
     return false;
   if (!m_engines.processor) {
     m_recovery.fail(m_recovery.sentence());
@@ -128,8 +149,8 @@ bool EngineSwitch::letProcessorDraw(QString& reason, const QString& sentence) {
   }
   reason = sentence;
   m_recovery.forget();
-  draw(ViewEngine::processor);
-  emit engineChanged(m_engine);
+  draw(Engine::cpu);
+  tell();
   return true;
 }
 

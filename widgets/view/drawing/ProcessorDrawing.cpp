@@ -1,9 +1,126 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/drawing/ProcessorDrawing.h"
 
+#include "engine/DrawingEngine.h"
+#include "scene/basics/Error.h"
+#include "widgets/Translated.h"
+#include "widgets/view/overlay/Overlay.h"
+#include "widgets/view/pictures/PictureScreen.h"
+
 #include <QPainter>
 
+#include <utility>
+
 namespace limn {
+namespace {
+
+// Nobody shares the thread. A strip is dropped where something else is asked for, so there is nothing to wait
+// for before the first one; short turns show how far the picture is.
+constexpr PicturePace workerPace{0, 12.0, 12.0};
+
+} // namespace
+
+PictureWorker::PictureWorker(MakeEngine makeEngine)
+    : m_loop(
+          [this, makeEngine = std::move(makeEngine)] {
+            return std::make_unique<Pictures>(
+                makeEngine(), makeMemoryScreen([this] { return m_isInterrupted && !m_isCoarse; }));
+          },
+          {[] {}, [] {}, [this](const auto& work) { guard(work); },
+           [this] { return m_endsPreparing.load(); }},
+          workerPace, this) {
+  connect(&m_loop, &PictureLoop::showNeeded, this, &PictureWorker::show);
+  // Together with the picture that it is of; but to get a volume ready takes all of a turn.
+  connect(&m_loop, &PictureLoop::told, this, &PictureWorker::deliver, Qt::QueuedConnection);
+  connect(&m_loop, &PictureLoop::told, this, [this] {
+    if (m_loop.isPreparing())
+      deliver();
+  });
+}
+
+PictureWorker::~PictureWorker() = default;
+
+// Only the last order counts, however late the thread wakes.
+void PictureWorker::ask(PictureOrder order, int number) {
+  const std::lock_guard lock(m_mutex);
+  if (volumeOf(order) != volumeOf(m_last) || order.attempt != m_last.attempt)
+    m_endsPreparing = true;
+  m_last = std::move(order);
+  m_lastNumber = number;
+  m_isInterrupted = true;
+  if (!std::exchange(m_isWoken, true))
+    QMetaObject::invokeMethod(this, &PictureWorker::begin, Qt::QueuedConnection);
+}
+
+std::optional<PictureDelivery> PictureWorker::take() {
+  const std::lock_guard lock(m_mutex);
+  return std::exchange(m_delivery, std::nullopt);
+}
+
+void PictureWorker::begin() {
+  PictureOrder order;
+  {
+    const std::lock_guard lock(m_mutex);
+    order = m_last;
+    m_number = m_lastNumber;
+    m_isWoken = m_isInterrupted = m_endsPreparing = false;
+  }
+  m_failure.clear();
+  if (volumeOf(order) != volumeOf(m_loop.order()))
+    m_frame = {};
+  m_loop.show(order);
+  show();
+}
+
+void PictureWorker::guard(const PictureContext::Work& work) {
+  try {
+    work();
+  } catch (const Cancelled&) {
+    // Something else is to be shown, or nothing.
+  } catch (const std::exception& error) {
+    PictureOrder nothing = m_loop.order();
+    nothing.isSeen = false;
+    m_loop.show(nothing);
+    m_failure = translated(error);
+    deliver();
+  }
+}
+
+void PictureWorker::show() {
+  if (!m_loop.order().isSeen)
+    return;
+  guard([this] {
+    m_isCoarse = true;
+    m_loop.drawIfStale();
+    m_isCoarse = false;
+    if (!m_loop.pictures())
+      return;
+    m_loop.pictures()->show(m_loop.order());
+    m_frame = m_loop.pictures()->frame();
+    m_loop.noteShown();
+  });
+  m_isCoarse = false;
+  if (m_loop.order().isSeen)
+    deliver();
+}
+
+void PictureWorker::deliver() {
+  PictureDelivery delivery{m_number, m_frame, m_loop.news(), {}, {}};
+  delivery.news.failure = m_failure;
+  for (int side = 0; side < static_cast<int>(delivery.news.state.sides.size()); ++side) {
+    delivery.scales.push_back(m_loop.gradientScaleOf(side));
+    if (const SidePicture* resting = m_loop.resting(side))
+      delivery.resting.push_back(restingPicture(*resting));
+  }
+  bool isTaken = false;
+  {
+    const std::lock_guard lock(m_mutex);
+    isTaken = !m_delivery;
+    m_delivery = std::move(delivery);
+  }
+  if (isTaken)
+    emit delivered();
+}
 
 class ProcessorDrawing::Canvas : public QWidget {
 public:
@@ -22,32 +139,12 @@ private:
   ProcessorDrawing& m_drawing;
 };
 
-namespace {
-
-// The same state while something else is asked for: nothing of it is complete any more.
-PictureState stale(PictureState state) {
-  state.resting = false;
-  state.refines = false;
-  state.refinementEnd.reset();
-  for (SideState& side : state.sides)
-    side.fraction = 0.0;
-  return state;
-}
-
-} // namespace
-
-ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, ViewOrders orders, QWidget& view)
-    : ViewDrawing(&view), m_orders(std::move(orders)), m_canvas(new Canvas(*this, view)),
+ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, QWidget& view)
+    : ViewDrawing(&view), m_canvas(new Canvas(*this, view)),
       m_worker(new PictureWorker(std::move(makeEngine))) {
   m_askTimer.setSingleShot(true);
-  connect(&m_askTimer, &QTimer::timeout, this, &ProcessorDrawing::ask);
+  connect(&m_askTimer, &QTimer::timeout, this, [this] { m_worker->ask(m_pictures, m_number); });
   connect(m_worker, &PictureWorker::delivered, this, &ProcessorDrawing::receive);
-  connect(m_worker, &PictureWorker::effectsChanged, this, &ViewDrawing::effectsChanged);
-  connect(m_worker, &PictureWorker::timesChanged, this, &ViewDrawing::timesChanged);
-  connect(m_worker, &PictureWorker::completed, this, &ViewDrawing::completed);
-  connect(m_worker, &PictureWorker::preparing, this, &ViewDrawing::preparing);
-  connect(m_worker, &PictureWorker::restFailed, this, &ViewDrawing::restFailed);
-  connect(m_worker, &PictureWorker::failed, this, &ProcessorDrawing::failed);
   connect(&m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
   m_worker->moveToThread(&m_thread);
   m_thread.start();
@@ -55,7 +152,6 @@ ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, ViewOrders orders, QWi
 
 ProcessorDrawing::~ProcessorDrawing() {
   m_worker->interrupt();
-  m_worker->endPreparing();
   m_thread.quit();
   m_thread.wait();
   delete m_canvas;
@@ -65,69 +161,32 @@ QWidget& ProcessorDrawing::canvas() {
   return *m_canvas;
 }
 
-void ProcessorDrawing::restart() {
-  ++m_number;
-  if (m_state.resting) {
-    m_state = stale(m_state);
-    emit stateChanged(m_state);
+void ProcessorDrawing::drawOrder(const PictureOrder& order) {
+  if (order == m_pictures)
+    return;
+  const PictureOrder before = std::exchange(m_pictures, order);
+  if (volumeOf(order) != volumeOf(before)) {
+    m_forgotten = m_number;
+    ViewNews kept; // what the last picture calls for, until there is another
+    if (volumeOf(order)) {
+      kept.effects = m_delivery.news.effects;
+      kept.effectsOf = m_delivery.news.effectsOf;
+    }
+    m_delivery = {};
+    m_delivery.news = std::move(kept);
   }
-  askSoon();
-  m_canvas->update();
-}
-
-void ProcessorDrawing::arrangeAnew() {
-  askSoon();
-  m_canvas->update();
-}
-
-void ProcessorDrawing::askSoon() {
+  ViewNews& news = m_delivery.news;
+  if (asksForOthers(order, before, news.state.resting)) {
+    ++m_number;
+    news.state = staleState(std::move(news.state));
+    news.failure.clear();
+  }
   if (!m_askTimer.isActive())
     m_askTimer.start(0);
 }
 
-void ProcessorDrawing::ask() {
-  if (m_orders.canDraw())
-    m_worker->ask({m_number, m_orders.request(), m_orders.arrangement(), m_orders.background()});
-}
-
-void ProcessorDrawing::stop() {
-  m_worker->rest();
-}
-
-void ProcessorDrawing::resume() {
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::goOn);
-}
-
-void ProcessorDrawing::endPreparing() {
-  m_worker->endPreparing();
-}
-
-void ProcessorDrawing::forget() {
-  m_worker->endPreparing();
-  m_forgotten = m_number;
-  m_delivery = {};
-  m_state = {};
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::forget);
-}
-
-void ProcessorDrawing::forgetSpeed() {
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::forgetSpeed);
-}
-
-void ProcessorDrawing::forgetEffects() {
-  QMetaObject::invokeMethod(m_worker, &PictureWorker::forgetEffects);
-}
-
 void ProcessorDrawing::measureEffects() {
   QMetaObject::invokeMethod(m_worker, &PictureWorker::measureEffects);
-}
-
-void ProcessorDrawing::setRefines(bool refines) {
-  QMetaObject::invokeMethod(m_worker, [worker = m_worker, refines] { worker->setRefines(refines); });
-}
-
-void ProcessorDrawing::setMovingMs(double ms) {
-  QMetaObject::invokeMethod(m_worker, [worker = m_worker, ms] { worker->setMovingMs(ms); });
 }
 
 // Pictures of an earlier order are shown, too: while something moves there are no others.
@@ -135,21 +194,21 @@ void ProcessorDrawing::receive() {
   std::optional<PictureDelivery> delivery = m_worker->take();
   if (!delivery || delivery->number <= m_forgotten)
     return;
-  const bool isLast = delivery->number == m_number;
-  const PictureState state = isLast ? delivery->state : stale(delivery->state);
+  if (delivery->number != m_number) {
+    delivery->news.state = staleState(std::move(delivery->news.state));
+    delivery->news.failure.clear();
+    delivery->resting.clear();
+  }
+  const bool isNews = delivery->news != m_delivery.news;
   m_delivery = std::move(*delivery);
-  if (!isLast)
-    m_delivery.resting.clear();
   m_canvas->update();
-  if (state == m_state)
-    return;
-  m_state = state;
-  emit stateChanged(m_state);
+  if (isNews)
+    tell();
 }
 
 std::optional<RestingPicture> ProcessorDrawing::resting(int side) const {
   const auto index = static_cast<std::size_t>(side);
-  const bool isComplete = m_state.resting && index < m_delivery.resting.size();
+  const bool isComplete = m_delivery.news.state.resting && index < m_delivery.resting.size();
   return isComplete ? std::optional(m_delivery.resting[index]) : std::nullopt;
 }
 
@@ -160,16 +219,16 @@ GradientScale ProcessorDrawing::gradientScaleOf(int side) const {
 
 void ProcessorDrawing::paint(QPainter& painter) {
   const QRect all = m_canvas->rect();
-  const glm::dvec3 background = m_orders.background();
   const QImage& frame = m_delivery.frame;
-  if (frame.isNull() || !m_orders.canDraw()) {
+  if (frame.isNull() || !order().isSeen) {
+    const glm::dvec3 background = order().comparison.scene.image.background;
     painter.fillRect(all, QColor::fromRgbF(static_cast<float>(background.r), static_cast<float>(background.g),
                                            static_cast<float>(background.b)));
     return;
   }
   painter.drawImage(all, frame);
-  if (const std::optional<Overlay> overlay = m_orders.overlay())
-    paintOverlay(painter, *overlay);
+  if (order().hasOverlay)
+    paintOverlay(painter, overlayOf(overlaySource()));
 }
 
 } // namespace limn

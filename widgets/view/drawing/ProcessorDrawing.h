@@ -1,11 +1,68 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view/drawing/PictureWorker.h"
+#include "engine/DrawingEngine.h"
+#include "widgets/view/drawing/ViewDrawing.h"
 
 #include <QThread>
 
+#include <atomic>
+#include <mutex>
+
 namespace limn {
+
+/// What there is of an order so far.
+struct PictureDelivery {
+  int number = 0; ///< of the order
+  QImage frame;   ///< what is to be seen, in device pixels
+  ViewNews news;
+  std::vector<GradientScale> scales;   ///< one for each side
+  std::vector<RestingPicture> resting; ///< one for each side once all are complete; empty before
+};
+
+/// Draws pictures with an engine that computes in memory, in the event loop of a thread of its own, where it
+/// must be moved to before the first order. What is not said to be for any thread is called there.
+class PictureWorker : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PictureWorker(MakeEngine makeEngine);
+  ~PictureWorker() override;
+
+  /// From any thread: asks for pictures instead of whatever was asked for before. What is being drawn at rest
+  /// is dropped; a coarse picture is drawn to its end, so that there is something to see. Getting a volume
+  /// ready ends where another one, or another attempt, is asked for. Deliveries carry the number.
+  void ask(PictureOrder order, int number);
+  /// From any thread: what there is of the order, if that is more than was taken before.
+  std::optional<PictureDelivery> take();
+  /// From any thread: ends what is being drawn or got ready, before the thread ends.
+  void interrupt() { m_isInterrupted = m_endsPreparing = true; }
+
+  void measureEffects() { m_loop.measureEffects(); }
+
+signals:
+  void delivered(); ///< there is something to take
+
+private:
+  void begin();
+  void guard(const PictureContext::Work& work);
+  void show();
+  void deliver();
+
+  PictureLoop m_loop;
+  int m_number = 0; ///< of the order that is being drawn
+  QImage m_frame;
+  QString m_failure;       ///< why nothing is drawn; empty while drawing works
+  bool m_isCoarse = false; ///< a coarse picture is being drawn
+
+  std::atomic<bool> m_isInterrupted = false;
+  std::atomic<bool> m_endsPreparing = false;
+  std::mutex m_mutex;
+  PictureOrder m_last;                       ///< guarded; asked for last
+  int m_lastNumber = 0;                      ///< guarded
+  bool m_isWoken = false;                    ///< guarded; `begin` is to come
+  std::optional<PictureDelivery> m_delivery; ///< guarded
+};
 
 /// Pictures that the processor draws on a thread of its own; Qt paints them, so that no OpenGL is needed and
 /// the event loop is never held. What is seen is the last picture drawn, also while another is asked for.
@@ -14,44 +71,31 @@ class ProcessorDrawing : public ViewDrawing {
 
 public:
   /// `makeEngine` makes one that draws in memory.
-  ProcessorDrawing(MakeEngine makeEngine, ViewOrders orders, QWidget& view);
+  ProcessorDrawing(MakeEngine makeEngine, QWidget& view);
   ~ProcessorDrawing() override;
 
   QWidget& canvas() override;
-  void restart() override;
-  void arrangeAnew() override;
-  void resume() override;
-  void stop() override;
-  void forget() override;
-  void forgetSpeed() override;
-  void forgetEffects() override;
   void measureEffects() override;
-  void setRefines(bool refines) override;
-  void setMovingMs(double ms) override;
-  void endPreparing() override;
-  const PictureState& state() const override { return m_state; }
   std::optional<RestingPicture> resting(int side) const override;
   GradientScale gradientScaleOf(int side) const override;
 
-signals:
-  void failed(const QString& sentence); ///< nothing is drawn until something else is to be shown
+protected:
+  const ViewNews& drawn() const override { return m_delivery.news; }
+  void drawOrder(const PictureOrder& order) override;
 
 private:
   class Canvas;
-  void askSoon();
-  void ask();
   void receive();
   void paint(QPainter& painter);
 
-  ViewOrders m_orders;
   Canvas* m_canvas;
   QThread m_thread;
   PictureWorker* m_worker; ///< on the thread
-  int m_number = 0;        ///< of the last order
+  PictureOrder m_pictures; ///< the last order
+  int m_number = 0;        ///< of its pictures: the same asks only to put them together otherwise
   int m_forgotten = -1;    ///< the last order for the volume before
   QTimer m_askTimer;       ///< several changes of one turn are one order
   PictureDelivery m_delivery;
-  PictureState m_state;
 };
 
 } // namespace limn

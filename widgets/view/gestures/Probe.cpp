@@ -3,6 +3,7 @@
 
 #include "scene/basics/StableMath.h"
 #include "scene/light/LightingTerms.h"
+#include "scene/steps/RayFrame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,37 +15,6 @@ namespace {
 
 // A probe answers at the speed of the pointer; further samples could not be told apart on the screen.
 constexpr double mostReadings = 8192.0;
-
-struct Interval {
-  double first = 0.0;
-  double last = -1.0; ///< less than `first`: empty
-};
-
-/// A ray in index space: `origin + t · direction`, t in mm.
-struct IndexRay {
-  glm::dvec3 origin, direction;
-  glm::dvec3 at(double t) const { return origin + t * direction; }
-};
-
-// Clip the ray against the cropped box, slab by slab, from the eye onwards.
-Interval insideCrop(const IndexRay& ray, const glm::ivec3& dims, const CropBox& crop) {
-  Interval inside{0.0, std::numeric_limits<double>::infinity()};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double lower = crop.lower[axis] * dims[axis] - 0.5;
-    const double upper = crop.upper[axis] * dims[axis] - 0.5;
-    const double slope = ray.direction[axis];
-    if (slope == 0.0) {
-      if (ray.origin[axis] < lower || ray.origin[axis] >= upper)
-        return {};
-      continue;
-    }
-    const double a = (lower - ray.origin[axis]) / slope;
-    const double b = (upper - ray.origin[axis]) / slope;
-    inside.first = std::max(inside.first, std::min(a, b));
-    inside.last = std::min(inside.last, std::max(a, b));
-  }
-  return inside;
-}
 
 // The opacity of samples as the side's model and the kept region show them (DEFINITION sections 3, 5 and 10).
 class SampleOpacity {
@@ -147,12 +117,14 @@ std::optional<Probe> probeAlong(const Scene& scene, const GradientScale& scale, 
   if (!scene.volume)
     return std::nullopt;
   const Grid& grid = scene.volume->grid();
-  const IndexRay indexRay{worldToIndex(grid, ray.origin), worldVectorToIndex(grid, ray.direction)};
-  const Interval inside = insideCrop(indexRay, grid.dims, scene.crop);
-  if (!(inside.last > inside.first))
+  const glm::dvec3 centre = centreIndex(grid);
+  const FramedRay framed{worldToIndex(grid, ray.origin) - centre, worldVectorToIndex(grid, ray.direction),
+                         0.0};
+  const RaySpan inside = spanInBox(framed, croppedBox(grid, scene.crop));
+  if (inside.isEmpty())
     return std::nullopt;
 
-  const double length = inside.last - inside.first;
+  const double length = inside.end - inside.begin;
   const double wantedStep = std::min(0.5, scene.quality.stepVoxels) * smallestSpacingMm(grid);
   const int samples = static_cast<int>(std::clamp(std::ceil(length / wantedStep), 1.0, mostReadings));
   const double stepMm = length / samples;
@@ -161,8 +133,8 @@ std::optional<Probe> probeAlong(const Scene& scene, const GradientScale& scale, 
   double largest = contribution.isExtreme() ? -std::numeric_limits<double>::infinity() : 0.0;
   std::optional<Probe> found;
   for (int i = 0; i < samples && !contribution.isDecided(largest); ++i) {
-    const double t = inside.first + (i + 0.5) * stepMm;
-    const glm::dvec3 index = indexRay.at(t);
+    const double t = inside.begin + (i + 0.5) * stepMm;
+    const glm::dvec3 index = framed.anchor + t * framed.direction + centre;
     const double value = valueAt(*scene.volume, index);
     const double seen = contribution.of(index, value, stepMm);
     if (seen > largest) {

@@ -3,7 +3,7 @@
 
 #include "scene/Scene.h"
 #include "scene/light/Gradient.h"
-#include "widgets/view/ViewGeometry.h"
+#include "widgets/view/overlay/ViewGeometry.h"
 
 #include <optional>
 

@@ -2,16 +2,65 @@
 #pragma once
 
 #include "scene/Scene.h"
+#include "scene/function/TransferFunction.h"
+#include "scene/view/Camera.h"
+#include "scene/volume/Volume.h"
 #include "widgets/Gesture.h"
-#include "widgets/view/Comparison.h"
-#include "widgets/view/ViewGeometry.h"
-#include "widgets/view/gestures/CameraGesture.h"
-#include "widgets/view/overlay/CropBoxGeometry.h"
+#include "widgets/view/overlay/CropBoxOverlay.h"
+#include "widgets/view/overlay/ViewGeometry.h"
+#include "widgets/view/overlay/ViewOrder.h"
+
+#include <QPointF>
+#include <QRectF>
+#include <Qt>
 
 #include <optional>
 #include <variant>
 
 namespace limn {
+
+/// What the left button does without modifiers.
+enum class ViewTool { rotate, pan, zoom, windowLevel };
+
+/// What a drag in the 3D view does; the last two follow from where it begins.
+enum class DragKind { none, rotate, pan, zoom, roll, windowLevel, opacity, wipe, cropFace };
+
+/// The meaning of a pressed button with its modifiers: left rotates (or does what `tool` says), middle and
+/// Shift+left pan, right zooms, Ctrl+left rolls, Alt+left is window/level, Ctrl+Alt+left opacity. With the
+/// window/level tool Ctrl+Alt still means opacity.
+DragKind dragKind(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, ViewTool tool);
+
+/// The camera after the pointer went from `from` to `to` over a picture that fills `side` (logical pixels, y
+/// down). Rotation is a half turn per picture height about the picture's own axes; panning keeps the target
+/// plane under the pointer; zooming is e² per picture height, up is nearer; rolling follows the pointer
+/// around the picture's centre. Kinds that are no camera movement leave it as it is.
+Camera dragged(const Camera& camera, DragKind kind, const QPointF& from, const QPointF& to,
+               const QRectF& side);
+
+/// The camera after the wheel turned by `angleDelta` (eighths of a degree, as Qt counts; a notch is 120):
+/// a fifth nearer per notch away from the user.
+Camera wheelZoomed(const Camera& camera, int angleDelta);
+
+/// The standard view that looks most nearly where the camera looks.
+StandardView nearestStandardView(const Camera& camera);
+
+/// The window of a transfer function: the values between its outermost points.
+struct FunctionWindow {
+  double level = 0.0; ///< the middle, scalar units
+  double width = 0.0; ///< ≥ 0
+};
+
+/// The window of a function; that of `range` where the function has no two different values.
+FunctionWindow windowOf(const TransferFunction& function, const ValueRange& range);
+
+/// The function after a window/level drag of `moved` logical pixels (y down) from where the drag began:
+/// 256 pixels to the right widen it e-fold about its middle, 256 pixels up raise it by its whole width (the
+/// width before the drag). Always computed from the function at the start, so that dragging back undoes.
+TransferFunction windowLevelDragged(const TransferFunction& start, const ValueRange& range,
+                                    const QPointF& moved);
+
+/// The function after an opacity drag: 100 pixels up double every opacity. Zero stays zero.
+TransferFunction opacityDragged(const TransferFunction& start, const QPointF& moved);
 
 /// Where the border of the wipe should lie, as a fraction of the width.
 struct WipeTo {

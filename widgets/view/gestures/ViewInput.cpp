@@ -2,19 +2,57 @@
 #include "widgets/view/gestures/ViewInput.h"
 
 #include "widgets/properties/AxisNames.h"
-#include "widgets/view/gestures/DragCursor.h"
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/Theme.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
-#include "widgets/view/overlay/HiddenNotes.h"
 #include "widgets/view/overlay/Titles.h"
 
-#include <QAbstractSpinBox>
-#include <QApplication>
-#include <QLineEdit>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QPixmap>
 #include <QWheelEvent>
 #include <QWidget>
 
 namespace limn {
+namespace {
+
+constexpr int cursorSize = 24; // logical pixels
+
+QPixmap iconIn(const QString& icon, bool isLight) {
+  return themedIcon(icon, themePalette(isLight ? Look::dark : Look::light)).pixmap(cursorSize, cursorSize);
+}
+
+// A dark sign with a light edge.
+QCursor cursorWith(const QString& icon) {
+  QPixmap picture(cursorSize, cursorSize);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  const QPixmap edge = iconIn(icon, true);
+  for (const QPoint offset : {QPoint(-1, 0), QPoint(1, 0), QPoint(0, -1), QPoint(0, 1)})
+    painter.drawPixmap(offset, edge);
+  painter.drawPixmap(0, 0, iconIn(icon, false));
+  painter.end();
+  return QCursor(picture);
+}
+
+} // namespace
+
+QCursor cursorOf(DragKind kind) {
+  switch (kind) {
+  case DragKind::pan:
+    return Qt::SizeAllCursor;
+  case DragKind::zoom: {
+    static const QCursor zoom = cursorWith(QStringLiteral("tool-zoom"));
+    return zoom;
+  }
+  case DragKind::windowLevel: {
+    static const QCursor windowLevel = cursorWith(QStringLiteral("tool-window-level"));
+    return windowLevel;
+  }
+  default:
+    return Qt::ArrowCursor;
+  }
+}
 
 ViewInput::ViewInput(QWidget* view, Facts facts) : QObject(view), m_view(view), m_facts(std::move(facts)) {}
 
@@ -83,10 +121,8 @@ void ViewInput::press(const QMouseEvent& event) {
     handle = cropHandleAt(source, press.point);
   }
   m_drag = dragFrom(press, source.comparison, source.geometry, m_tool, handle);
-  if (handle) {
+  if (handle)
     m_hovered.face = handle->face;
-    emit overlayChanged();
-  }
 }
 
 void ViewInput::move(const QMouseEvent& event) {
@@ -117,7 +153,6 @@ void ViewInput::cancelDrag(const Scene& shown) {
   const ViewDrag drag = *m_drag;
   m_drag.reset();
   ask(undone(drag, shown), drag.gesture);
-  emit overlayChanged();
 }
 
 void ViewInput::doubleClick(const QMouseEvent& event) {
@@ -165,7 +200,6 @@ void ViewInput::hover(const QMouseEvent& event) {
   if (now != m_hovered) {
     m_hovered = now;
     showCursor(handle);
-    emit overlayChanged();
   }
   m_view->setToolTip(toolTipAt(source, point));
   const bool isProbing = event.modifiers() == Qt::ShiftModifier && event.buttons() == Qt::NoButton;
@@ -193,28 +227,16 @@ void ViewInput::showProbe(const std::optional<Probe>& probe, const QPointF& poin
     return;
   m_read = probe ? std::optional(ReadValue{probe->value, point}) : std::nullopt;
   emit probed(probe);
-  emit overlayChanged();
 }
 
 void ViewInput::stopReading() {
   showProbe(std::nullopt, {});
 }
 
-// Keys go to what the pointer is over, but not out of a field in which someone types.
-void ViewInput::enter() {
-  const QWidget* focused = QApplication::focusWidget();
-  const bool isTyping = qobject_cast<const QLineEdit*>(focused) != nullptr ||
-                        qobject_cast<const QAbstractSpinBox*>(focused) != nullptr;
-  const bool hasPicture = m_facts.shown().comparison.scene.volume != nullptr;
-  if (hasPicture && m_view->isActiveWindow() && !isTyping)
-    m_view->setFocus(Qt::MouseFocusReason);
-}
-
 void ViewInput::leave() {
   stopReading();
   m_hovered = {};
   showCursor(std::nullopt);
-  emit overlayChanged();
 }
 
 bool ViewInput::obey(const ViewCommand& command) {

@@ -5,8 +5,9 @@
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewDrag.h"
 #include "widgets/view/gestures/ViewKeys.h"
-#include "widgets/view/overlay/OverlaySource.h"
+#include "widgets/view/overlay/ViewOrder.h"
 
+#include <QCursor>
 #include <QObject>
 
 #include <functional>
@@ -17,6 +18,10 @@ class QWheelEvent;
 class QWidget;
 
 namespace limn {
+
+/// The pointer that tells what a drag of this kind does; the plain arrow for rotating. Seen on light and dark
+/// pictures. Needs a QGuiApplication.
+QCursor cursorOf(DragKind kind);
 
 /// What pointer and keys ask of a view. Keeps what the pointer is over, holds and reads, and gives the view
 /// its cursor and tool tip; everything else is said by signals.
@@ -38,7 +43,6 @@ public:
   void release(const QMouseEvent& event);
   void doubleClick(const QMouseEvent& event);
   void turnWheel(QWheelEvent& event);
-  void enter();
   void leave();
   /// False where the command asks nothing of this view.
   bool obey(const ViewCommand& command);
@@ -74,7 +78,6 @@ signals:
   void windowPresetRequested(int number);
   void shortcutListRequested();
   void swapRequested();
-  void overlayChanged(); ///< what lies over the pictures is to be painted anew
   void toolChanged(limn::ViewTool tool);
 
 private:

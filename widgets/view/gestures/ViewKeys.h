@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/framing/Framing.h"
-#include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/gestures/ViewDrag.h"
 
 #include <QPoint>
 

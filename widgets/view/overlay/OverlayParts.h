@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/view/overlay/CameraMarks.h"
+#include "widgets/view/overlay/OrientationMarks.h"
 
 #include <QFont>
 #include <QRectF>
 #include <QString>
 #include <QStringList>
+
+#include <vector>
 
 class QPainter;
 
@@ -84,5 +86,17 @@ void paintDifferenceBar(QPainter& painter, const DifferenceBar& bar);
 /// The dark ground of texts; and text that stands without one.
 void paintPlate(QPainter& painter, const QRectF& plate);
 void paintOutlined(QPainter& painter, const QRectF& place, const QString& text);
+
+/// Where texts of `size` that stand at one height on all sides of a view keep clear of the plates of the
+/// overlay. `columns` are the horizontal centres of the texts; all in logical pixels, y down. Sides that are
+/// compared must look alike, so where one text has to yield all do.
+
+/// The upper edge of the texts: at `top`, or as little below it as the plates allow.
+double clearRowBelow(double top, const QSizeF& size, const std::vector<double>& columns,
+                     const std::vector<QRectF>& plates);
+
+/// The lower edge of the texts: at `bottom`, or as little above it as the plates allow.
+double clearRowAbove(double bottom, const QSizeF& size, const std::vector<double>& columns,
+                     const std::vector<QRectF>& plates);
 
 } // namespace limn

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/overlay/Titles.h"
 
+#include "widgets/ValueText.h"
 #include "widgets/properties/ProjectionSection.h"
-#include "widgets/view/overlay/OverlayRows.h"
-#include "widgets/view/overlay/SideText.h"
+#include "widgets/shading/ModelSection.h"
+#include "widgets/view/panels/PictureStatus.h"
 
 #include <QObject>
 
 #include <algorithm>
+#include <utility>
 
 namespace limn {
 namespace {
+
+QString number(double value) {
+  return digitsNumber(value, 4);
+}
+
+QString rangeText(const CoefficientRange& range) {
+  return QStringLiteral("%1–%2").arg(number(range.atFlat), number(range.atBoundary));
+}
+
+QString lightingText(const Shading& shading) {
+  switch (shading.model) {
+  case ShadingModel::none:
+    return {};
+  case ShadingModel::classic:
+    return QObject::tr("SP %1").arg(number(shading.exponent));
+  case ShadingModel::enhanced:
+  case ShadingModel::robust:
+    return QObject::tr("SP %1 · O %2").arg(rangeText(shading.exponentRange), rangeText(shading.opacityRange));
+  }
+  return {};
+}
 
 // Without the numbers of the last picture at rest, which is not the one that is seen.
 SideState whileMoving(SideState state) {
@@ -54,7 +77,57 @@ QRectF plateOf(const OverlaySource& source, int position, const SideLabel& label
   return labelPlate(source.font, label, side, isShared && position == 1 ? Qt::AlignRight : Qt::AlignLeft);
 }
 
+// What it tells, and what a click on it does.
+struct HiddenWords {
+  HiddenBy by;
+  QString atRest;
+  QString underPointer;
+};
+
+std::vector<HiddenWords> hiddenWords(const Scene& scene) {
+  std::vector<HiddenWords> words;
+  if (const QString region = regionText(scene.keep); !region.isEmpty())
+    words.push_back({HiddenBy::region, region, QObject::tr("Show everything")});
+  if (scene.crop != CropBox{})
+    words.push_back({HiddenBy::crop, QObject::tr("Cropped"), QObject::tr("Reset crop")});
+  return words;
+}
+
+constexpr int stayMs = 4000; // after the pointer rests
+constexpr int fadeMs = 400;
+
 } // namespace
+
+QString sideTitle(const Scene& scene) {
+  return usesLight(scene.projection) ? modelName(scene.shading.model) : projectionName(scene.projection);
+}
+
+QString sideTitle(const Comparison& comparison, int side) {
+  QString title = sideTitle(sceneOfSide(comparison, side));
+  if (!comparison.look || comparison.layout == CompareLayout::single)
+    return title;
+  const std::string& name = comparison.look->names[static_cast<std::size_t>(side)];
+  return QStringLiteral("%1 · %2").arg(QString::fromStdString(name), title);
+}
+
+QStringList sideDetails(const Scene& scene, const SideState& state) {
+  QStringList parts;
+  if (state.measuredLevels)
+    parts << QObject::tr("within %1 levels").arg(promisedLevels(*state.measuredLevels));
+  else if (state.estimate && !state.isRough && state.isResolved)
+    parts << QObject::tr("within %1 levels").arg(levelsText(state.estimate->p99_9));
+  if (state.completeMs)
+    parts << timeText(*state.completeMs);
+  if (state.contrast)
+    parts << QObject::tr("contrast %1").arg(fixedNumber(*state.contrast, 3));
+  if (state.overflow)
+    parts << QObject::tr("overflow %1 %").arg(fixedNumber(100.0 * state.overflow->share, 1));
+  const QString lighting = usesLight(scene.projection) ? lightingText(scene.shading)
+                                                       : QObject::tr("unlit, the same with every model");
+  if (!lighting.isEmpty())
+    parts << lighting;
+  return parts;
+}
 
 std::vector<PlacedLabel> labelsOf(const OverlaySource& source) {
   std::vector<PlacedLabel> labels;
@@ -114,6 +187,79 @@ QString toolTipAt(const OverlaySource& source, const QPointF& point) {
          "right side is, by the part of the colour that differs most. Differences are shown %1 times as "
          "large as they are.</p>")
           .arg(differenceGain);
+}
+
+QString regionText(const Region& region) {
+  if (!isRestricting(region))
+    return {};
+  if (region.kind == Region::Kind::body)
+    return QObject::tr("Body only: table hidden");
+  const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
+                                     [](double weight) { return weight != 1.0; });
+  return weighed == 1 ? QObject::tr("1 label hidden or faded")
+                      : QObject::tr("%1 labels hidden or faded").arg(weighed);
+}
+
+std::vector<HiddenNote> hiddenNotesOf(const OverlaySource& source, int position) {
+  if (source.geometry.size.height() < leastHeightForNotes)
+    return {};
+  QRectF above = labelsOf(source)[static_cast<std::size_t>(position)].steadyPlate;
+  const double room = pictureRect(source.geometry, position).width() - 2 * overlayMargin;
+  const auto noteWith = [&](const QString& words) {
+    return noteAt(source.font, words, {above.left(), 0.0}, Qt::AlignLeft, room);
+  };
+  std::vector<HiddenNote> notes;
+  for (const HiddenWords& words : hiddenWords(source.comparison.scene)) {
+    const Note atRest = noteWith(words.atRest);
+    const Note underPointer = noteWith(words.underPointer);
+    Note note = source.hovered.hidden == HiddenPlace{position, words.by} ? underPointer : atRest;
+    note.plate.setWidth(std::max(atRest.plate.width(), underPointer.plate.width()));
+    note.plate.moveTop(above.bottom() + overlayMargin / 2);
+    above = note.plate;
+    notes.push_back({words.by, note});
+  }
+  return notes;
+}
+
+std::optional<HiddenPlace> hiddenNoteAt(const OverlaySource& source, const QPointF& point) {
+  for (int position = 0; position < standingCount(source.geometry); ++position)
+    for (const HiddenNote& hidden : hiddenNotesOf(source, position))
+      if (hidden.note.plate.contains(point))
+        return HiddenPlace{position, hidden.by};
+  return std::nullopt;
+}
+
+LabelFade::LabelFade(QObject* parent) : QObject(parent) {
+  m_fade.setDuration(fadeMs);
+  m_fade.setStartValue(1.0);
+  m_fade.setEndValue(0.0);
+  connect(&m_fade, &QVariantAnimation::valueChanged, this, &LabelFade::changed);
+  m_stay.setSingleShot(true);
+  m_stay.setInterval(stayMs);
+  connect(&m_stay, &QTimer::timeout, this, [this] { m_fade.start(); });
+}
+
+void LabelFade::wake() {
+  m_awaitsPicture = true;
+  show();
+}
+
+void LabelFade::noteState(const PictureState& state) {
+  const bool isComplete = !state.sides.empty() && std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.completeMs.has_value();
+  });
+  if (isComplete && std::exchange(m_awaitsPicture, false))
+    show();
+}
+
+void LabelFade::show() {
+  const bool wasFading =
+      m_fade.state() == QAbstractAnimation::Running || m_fade.currentTime() == m_fade.totalDuration();
+  m_fade.stop();
+  m_fade.setCurrentTime(0);
+  m_stay.start();
+  if (wasFading)
+    emit changed();
 }
 
 } // namespace limn

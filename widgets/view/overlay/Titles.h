@@ -2,12 +2,29 @@
 #pragma once
 
 #include "widgets/view/overlay/OverlayParts.h"
-#include "widgets/view/overlay/OverlaySource.h"
+#include "widgets/view/overlay/ViewOrder.h"
+#include "widgets/view/pictures/PictureState.h"
+
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <QVariantAnimation>
 
 #include <optional>
 #include <vector>
 
 namespace limn {
+
+/// What a side is called: its model, or the projection where that is not lit.
+QString sideTitle(const Scene& scene);
+
+/// What a side of a comparison is called: where looks are compared, which one, and its model.
+QString sideTitle(const Comparison& comparison, int side);
+
+/// The few numbers that matter for a side, the most important first: error, drawing time, contrast and
+/// overflow of the highlights where they are known, then how it is lit: "SP 32" or "SP 1–64 · O 0–3". Of
+/// projections that are not lit it says so.
+QStringList sideDetails(const Scene& scene, const SideState& state);
 
 /// A label and where it stands.
 struct PlacedLabel {
@@ -33,5 +50,44 @@ int labelAt(const OverlaySource& source, const QPointF& point);
 
 /// What a tool tip says at a point; empty for nothing.
 QString toolTipAt(const OverlaySource& source, const QPointF& point);
+
+/// What a region hides: "Body only: table hidden", "2 labels hidden or faded"; empty where it hides nothing.
+QString regionText(const Region& region);
+
+/// Tells that a part of the volume is hidden, and by what.
+struct HiddenNote {
+  HiddenBy by;
+  Note note;
+};
+
+/// Those under the label of the picture that stands at `position`, one below the other; a click on one takes
+/// back what it tells. They are as wide under the pointer as without it.
+std::vector<HiddenNote> hiddenNotesOf(const OverlaySource& source, int position = 0);
+
+/// The one on which a point of the view, logical pixels, lies.
+std::optional<HiddenPlace> hiddenNoteAt(const OverlaySource& source, const QPointF& point);
+
+/// How strongly the numbers of the labels show: fully for a few seconds, then they fade. Where the picture
+/// they tell of takes longer than that, the seconds count from when it is complete.
+class LabelFade : public QObject {
+  Q_OBJECT
+
+public:
+  explicit LabelFade(QObject* parent = nullptr);
+
+  void wake();
+  void noteState(const PictureState& state);
+  double opacity() const { return m_fade.currentValue().toDouble(); } ///< 0..1
+
+signals:
+  void changed();
+
+private:
+  void show();
+
+  bool m_awaitsPicture = false;
+  QVariantAnimation m_fade;
+  QTimer m_stay;
+};
 
 } // namespace limn

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/panels/FocusRing.h"
 
-#include "widgets/Theme.h"
+#include "widgets/theme/Theme.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QFocusEvent>
+#include <QLineEdit>
 #include <QPainter>
 
 namespace limn {
@@ -47,6 +50,14 @@ void FocusRing::paintEvent(QPaintEvent*) {
   painter.setPen(
       QPen(themeColors(Look::dark).accent, ringWidth, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
   painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void takeFocusUnderPointer(QWidget& view) {
+  const QWidget* focused = QApplication::focusWidget();
+  const bool isTyping =
+      qobject_cast<const QLineEdit*>(focused) || qobject_cast<const QAbstractSpinBox*>(focused);
+  if (view.isActiveWindow() && !isTyping)
+    view.setFocus(Qt::MouseFocusReason);
 }
 
 } // namespace limn

@@ -18,4 +18,7 @@ protected:
   void paintEvent(QPaintEvent* event) override;
 };
 
+/// Keys go to what the pointer is over, but not out of a field in which someone types.
+void takeFocusUnderPointer(QWidget& view);
+
 } // namespace limn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <epoxy/gl.h> // before any OpenGL header of Qt
 
-#include "widgets/view/pictures/GlScreen.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include "engine/DrawingEngine.h"
 #include "gl/PictureTarget.h"

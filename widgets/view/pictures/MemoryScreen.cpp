@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/pictures/MemoryScreen.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include "engine/DrawingEngine.h"
 #include "scene/PictureFigures.h"

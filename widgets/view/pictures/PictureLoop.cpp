@@ -2,7 +2,7 @@
 #include "widgets/view/pictures/PictureLoop.h"
 
 #include "scene/basics/Error.h"
-#include "scene/volume/WholeVolume.h"
+#include "scene/volume/Volume.h"
 #include "widgets/Translated.h"
 
 #include <exception>
@@ -30,20 +30,54 @@ PictureLoop::PictureLoop(MakePictures makePictures, PictureContext context, Pict
   connect(&m_probeTimer, &QTimer::timeout, this, &PictureLoop::probeError);
 }
 
+template <class T>
+void PictureLoop::tell(T& news, T value) {
+  if (news == value)
+    return;
+  news = std::move(value);
+  emit told(m_news);
+}
+
+void PictureLoop::show(const PictureOrder& order) {
+  if (order == m_order)
+    return;
+  const PictureOrder before = std::exchange(m_order, order);
+  m_quality.setTargetMs(order.movingMs);
+  if (volumeOf(order) != volumeOf(before)) { // nothing that was told holds any more
+    m_quality.forget();
+    tell(m_news.state, {});
+    if (!volumeOf(order))
+      tellEffects({});
+  } else if (volumeOf(order) && order.scenes.front().projection != before.scenes.front().projection) {
+    m_quality.forget();
+  }
+  const bool isOther = asksForOthers(order, before, state().resting);
+  if (isOther)
+    restart();
+  if (!order.isSeen)
+    return stop();
+  if (isOther || !m_pictures || !state().resting)
+    return;
+  if (before.refines && !order.refines)
+    m_pictures->leaveRefinementPass();
+  updateState();
+  tellEffects(std::vector(m_news.effects));
+  if (order.refines != before.refines)
+    emit showNeeded();
+  m_restTimer.start(0);
+}
+
 void PictureLoop::restart() {
   m_isStale = true;
-  if (m_state.resting) {
-    m_state.resting = false;
-    m_state.refines = false;
-    m_state.refinementEnd.reset();
-    for (SideState& side : m_state.sides)
-      side.fraction = 0.0;
-    emit stateChanged(m_state);
-  }
   m_refineTimer.stop();
   m_idleTimer.stop();
   m_restTimer.stop();
-  showTimes({});
+  PictureState stale = state();
+  if (stale.resting)
+    stale = staleState(std::move(stale));
+  tell(m_news.state, std::move(stale));
+  tell(m_news.times, {});
+  tell(m_news.failureAtRest, {});
 }
 
 void PictureLoop::stop() {
@@ -61,21 +95,21 @@ void PictureLoop::release(bool isLost) {
     static_cast<void>(m_pictures.release());
   else
     m_pictures.reset();
-  m_state = {};
+  tell(m_news.state, {});
 }
 
-void PictureLoop::drawIfStale(const PictureRequest& request) {
+void PictureLoop::drawIfStale() {
   if (!m_pictures) {
     m_pictures = m_makePictures();
     m_isStale = true;
   }
   if (!m_isStale)
     return;
-  if (request.size.x > 0 && request.size.y > 0) {
-    if (!makeReady(request.scenes.front()))
+  if (m_order.size.x > 0 && m_order.size.y > 0) {
+    if (!makeReady(m_order.scenes.front()))
       return;
     m_isStale = false;
-    drawCoarsely(request);
+    drawCoarsely();
   } else {
     m_isStale = false;
   }
@@ -108,7 +142,7 @@ void PictureLoop::tellPreparing(double fraction) {
   if (!isDue)
     return;
   m_sinceTold.start();
-  emit preparing(fraction);
+  tell(m_news.prepared, fraction);
 }
 
 void PictureLoop::endPreparing() {
@@ -116,19 +150,19 @@ void PictureLoop::endPreparing() {
   if (!m_sinceTold.isValid())
     return;
   m_sinceTold.invalidate();
-  emit preparing(1.0);
+  tell(m_news.prepared, 1.0);
 }
 
 // Draw at the quality that was fast enough last time; where it proves to have been too careful, once more.
-void PictureLoop::drawCoarsely(const PictureRequest& request) {
-  m_pictures->want(request.scenes, request.size);
-  m_volume = request.scenes.front().volume;
-  const double all = static_cast<double>(request.scenes.size()) * request.size.x * request.size.y;
-  const double seen = request.seenShare * all;
+void PictureLoop::drawCoarsely() {
+  m_pictures->want(m_order.scenes, m_order.size);
+  m_volume = volumeOf(m_order);
+  const double all = static_cast<double>(m_order.scenes.size()) * m_order.size.x * m_order.size.y;
+  const double seen = m_order.seenShare * all;
   int level = m_quality.levelFor(seen);
   if (level == 0 && m_quality.levelFor(all) > 0)
     level = 1; // full quality draws the hidden parts too
-  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, request.seen));
+  m_quality.measured(level, level == 0 ? all : seen, m_pictures->drawCoarsely(level, m_order.seen));
   requireVolume();
   if (m_quality.levelFor(all) < level) {
     m_isStale = true;
@@ -138,9 +172,7 @@ void PictureLoop::drawCoarsely(const PictureRequest& request) {
   if (!m_probeTimer.isActive())
     m_probeTimer.start(0);
   updateState();
-  const std::vector<EffectRow> rows = m_pictures->effectRowsOf(m_pictures->count() - 1);
-  if (rows != m_effects || request.lastName != m_effectsPicture)
-    tellEffects(rows, request.lastName);
+  tellEffects(m_pictures->effectRowsOf(m_pictures->count() - 1));
 }
 
 // What is drawn of voxels that were lost meanwhile is an error.
@@ -150,11 +182,11 @@ void PictureLoop::requireVolume() const {
 }
 
 void PictureLoop::refine() {
-  if (!m_pictures || !m_context.canDraw())
+  if (!m_pictures || !m_order.isSeen)
     return;
   bool isComplete = false;
   m_context.makeCurrent();
-  std::vector<EffectRow> rows = m_effects;
+  std::vector<EffectRow> rows = m_news.effects;
   m_context.guard([&] {
     isComplete = m_pictures->refine(m_pace.budgetMs);
     requireVolume();
@@ -163,58 +195,38 @@ void PictureLoop::refine() {
   });
   m_context.doneCurrent();
   updateState();
-  if (rows != m_effects)
-    tellEffects(rows, QString(m_effectsPicture));
+  tellEffects(std::move(rows));
   if (isComplete || m_sinceShown.elapsed() >= showEveryMs)
     emit showNeeded();
-  if (!m_context.canDraw())
+  if (!m_order.isSeen)
     return;
-  if (isComplete)
-    emit completed();
   (isComplete ? m_restTimer : m_refineTimer).start(0);
 }
 
 void PictureLoop::measureEffects() {
-  if (!m_pictures || m_effects.empty())
+  if (!m_pictures || m_news.effects.empty())
     return;
   m_pictures->rest().measureCosts(m_pictures->count() - 1);
-  showTimes(m_pictures->rest().times());
-  m_restTimer.start(0);
-}
-
-void PictureLoop::setRefines(bool refines) {
-  if (refines == m_refines)
-    return;
-  m_refines = refines;
-  if (!m_pictures || !m_state.resting)
-    return;
-  if (!refines)
-    m_pictures->leaveRefinementPass();
-  updateState();
-  emit showNeeded();
+  tell(m_news.times, m_pictures->rest().times());
   m_restTimer.start(0);
 }
 
 void PictureLoop::updateState() {
   PictureState state = m_pictures->state();
   // What else is done at rest comes first: refinement is under way as soon as nothing stands between.
-  state.refines = state.refines || (state.resting && m_refines && !state.refinementEnd);
-  if (state == m_state)
-    return;
-  m_state = state;
-  // Receivers may set widgets, which must not happen in the middle of painting.
-  QTimer::singleShot(0, this, [this, state] { emit stateChanged(state); });
+  state.refines = state.refines || (state.resting && m_order.refines && !state.refinementEnd);
+  tell(m_news.state, std::move(state));
 }
 
 // Asked before work that nobody waits for, which ends quietly where it fails.
 bool PictureLoop::isDriverLost() {
   m_context.guard([] {});
-  return !m_context.canDraw();
+  return !m_order.isSeen;
 }
 
 // Small pictures take a part of the time that the ones they stand for are given.
 void PictureLoop::probeError() {
-  if (!m_pictures || isPreparing() || !m_context.canDraw())
+  if (!m_pictures || isPreparing() || !m_order.isSeen)
     return;
   QElapsedTimer clock;
   clock.start();
@@ -228,7 +240,7 @@ void PictureLoop::probeError() {
     // Something else is to be shown.
   } catch (const std::exception& error) {
     // The picture stays; only the estimate of its error is missing.
-    emit restFailed(translated(error));
+    tell(m_news.failureAtRest, translated(error));
   }
   m_context.doneCurrent();
   updateState();
@@ -237,17 +249,17 @@ void PictureLoop::probeError() {
 }
 
 void PictureLoop::workAtRest() {
-  if (!m_pictures || !m_state.resting || !m_context.canDraw())
+  if (!m_pictures || !state().resting || !m_order.isSeen)
     return;
   const RestTurn turn = restTurn();
-  const std::vector<SideState> before = m_state.sides;
+  const std::vector<SideState> before = state().sides;
   updateState();
-  const bool isDue = m_state.refinementFraction > 0.0 && m_sinceShown.elapsed() >= showEveryMs;
-  if (turn == RestTurn::finished || isDue || before != m_state.sides)
+  const bool isDue = state().refinementFraction > 0.0 && m_sinceShown.elapsed() >= showEveryMs;
+  if (turn == RestTurn::finished || isDue || before != state().sides)
     emit showNeeded();
   if (turn == RestTurn::nothing)
     return;
-  showTimes(m_pictures->rest().times());
+  tell(m_news.times, m_pictures->rest().times());
   m_restTimer.start(turn == RestTurn::waiting ? waitMs : 0);
 }
 
@@ -259,48 +271,33 @@ RestTurn PictureLoop::restTurn() {
     return turn;
   }
   try {
-    turn = m_pictures->workAtRest(m_refines, m_pace.restBudgetMs);
+    turn = m_pictures->workAtRest(m_order.refines, m_pace.restBudgetMs);
   } catch (const Cancelled&) {
     // Something else is to be shown.
   } catch (const std::exception& error) {
     // The picture is complete: it stays, only what was to be measured or refined is missing.
     m_pictures->giveUpRefinement();
-    emit restFailed(translated(error));
+    tell(m_news.failureAtRest, translated(error));
   }
   m_context.doneCurrent();
   return turn;
 }
 
-void PictureLoop::forget() {
-  m_state = {};
-  m_quality.forget();
-}
-
 const SidePicture* PictureLoop::resting(int side) const {
-  return m_state.resting && side < m_pictures->count() ? &m_pictures->side(side) : nullptr;
+  return state().resting && side < m_pictures->count() ? &m_pictures->side(side) : nullptr;
 }
 
 GradientScale PictureLoop::gradientScaleOf(int side) const {
   return m_pictures && side < m_pictures->count() ? m_pictures->side(side).gradientScale() : GradientScale{};
 }
 
-void PictureLoop::forgetEffects() {
-  if (!m_effects.empty())
-    tellEffects({}, {});
-}
-
-// Receivers set widgets, which must not happen in the middle of painting.
-void PictureLoop::tellEffects(const std::vector<EffectRow>& rows, const QString& picture) {
-  m_effects = rows;
-  m_effectsPicture = picture;
-  QTimer::singleShot(0, this, [this, rows, picture] { emit effectsChanged(rows, picture); });
-}
-
-void PictureLoop::showTimes(const EffectTimes& times) {
-  if (times == m_times)
+void PictureLoop::tellEffects(std::vector<EffectRow> rows) {
+  const QString name = rows.empty() ? QString() : m_order.lastName;
+  if (rows == m_news.effects && name == m_news.effectsOf)
     return;
-  m_times = times;
-  QTimer::singleShot(0, this, [this, times] { emit timesChanged(times); });
+  m_news.effects = std::move(rows);
+  m_news.effectsOf = name;
+  emit told(m_news);
 }
 
 } // namespace limn

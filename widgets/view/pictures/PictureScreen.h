@@ -3,7 +3,6 @@
 
 #include "engine/PixelRect.h"
 #include "scene/basics/Image.h"
-#include "widgets/view/pictures/FinishedPicture.h"
 
 #include <QImage>
 
@@ -11,6 +10,24 @@
 #include <memory>
 
 namespace limn {
+
+/// A picture over a background as 8 bits (Format_RGBA8888, opaque), rounded as picture files are.
+QImage overBackground(const Image& picture, const glm::dvec3& background);
+
+/// The same into a part of an image of four bytes a pixel, red first.
+void putOverBackground(const Image& picture, const glm::dvec3& background, QImage& bytes,
+                       const glm::ivec2& topLeft);
+
+/// A complete picture of a side as everybody wants it: as drawn, and as shown and saved.
+struct FinishedPicture {
+  std::shared_ptr<const Image> image;
+  QImage bytes; ///< over the background, rounded as a file is
+  double contrast = 0.0;
+};
+
+/// Makes everything of a picture that was read back. Takes time with every pixel; needs no OpenGL, so that it
+/// may run beside the event loop.
+FinishedPicture finished(std::shared_ptr<const Image> image, const glm::dvec3& background);
 
 class DrawingEngine;
 struct Scene;
@@ -73,5 +90,13 @@ public:
   /// What is shown since it was cleared, where that is in memory; null on the graphics card.
   virtual QImage frame() const { return {}; }
 };
+
+/// Pictures in textures, shown in the framebuffer that is bound when the screen is cleared. Needs the same
+/// OpenGL context current for every call and the end of all that it made. Throws Error (openGl).
+std::unique_ptr<PictureScreen> makeGlScreen();
+
+/// Pictures in memory, shown in an image of its own; for engines that compute in memory. Needs no OpenGL and
+/// belongs to no thread. `isCancelled` ends drawing with Cancelled (renderer/engine); it may be empty.
+std::unique_ptr<PictureScreen> makeMemoryScreen(std::function<bool()> isCancelled);
 
 } // namespace limn

@@ -2,12 +2,18 @@
 #pragma once
 
 #include "accuracy/ErrorEstimate.h"
-#include "engine/StandIn.h"
+#include "engine/DrawingEngine.h"
+#include "engine/Engine.h"
+#include "engine/PixelRect.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
+#include "scene/view/CompareLayout.h"
+#include "widgets/properties/EffectTimes.h"
+#include "widgets/view/pictures/InteractionQuality.h"
 
 #include <QString>
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -21,9 +27,6 @@ enum class RefinementEnd {
   patience,    ///< the next pass would take too long
   failed
 };
-
-/// Which of its two engines draws a view.
-enum class ViewEngine { driver, processor };
 
 /// How far one picture of the view is.
 struct SideState {
@@ -71,10 +74,73 @@ struct PictureState {
   std::optional<RefinementEnd> refinementEnd; ///< while resting, once no smaller step follows
   QString renderer;                           ///< what draws, by its own name
   QString limitation; ///< one sentence where less than the whole volume, or fewer samples, are drawn
-  ViewEngine engine = ViewEngine::driver;
+  Engine engine = Engine::rayCaster;
   QString engineReason;         ///< one sentence: why this engine draws; may be empty
   bool driverHasFailed = false; ///< and the processor draws in its place
   bool operator==(const PictureState&) const = default;
 };
+
+/// The same state while other pictures are asked for: nothing of it is complete any more.
+inline PictureState staleState(PictureState state) {
+  state.resting = false;
+  state.refines = false;
+  state.refinementEnd.reset();
+  for (SideState& side : state.sides)
+    side.fraction = 0.0;
+  return state;
+}
+
+/// What comes up from the pictures whenever anything in it changes, from those who draw to the window.
+struct ViewNews {
+  PictureState state;
+  std::vector<EffectRow> effects; ///< what the last picture calls for; empty without one
+  QString effectsOf;              ///< what that is called
+  EffectTimes times;
+  double prepared = 1.0; ///< how far a volume is got ready, 0..1, where that takes long
+  QString failure;       ///< a sentence: why nothing is drawn; empty while drawing works
+  QString failureAtRest; ///< a sentence: what is done at rest failed; the pictures stay
+  bool operator==(const ViewNews&) const = default;
+};
+
+/// A part of a picture's columns, as fractions of its width.
+struct Columns {
+  double from = 0.0;
+  double to = 1.0;
+  bool operator==(const Columns&) const = default;
+};
+
+/// The pictures to draw, and how they are put together on the screen. Pushed to those who draw whenever
+/// anything in it changes; an equal order asks for nothing.
+struct PictureOrder {
+  bool isSeen = false;         ///< otherwise nothing is drawn
+  int attempt = 0;             ///< another number: what failed or was stopped may be tried again
+  std::vector<Scene> scenes;   ///< one or two, of one volume; there may be none
+  glm::ivec2 size{0};          ///< of each picture, pixels; nothing is drawn where it is 0
+  std::array<Columns, 2> seen; ///< of each picture, while something moves
+  double seenShare = 1.0;      ///< of all pixels, then
+  QString lastName;            ///< what the last picture is called
+
+  CompareLayout layout = CompareLayout::single;
+  std::vector<PixelRect> places; ///< one per picture, y down
+  glm::ivec2 screen{0};          ///< its size, pixels
+  int wipeColumn = 0;
+  bool isSwapped = false; ///< left and right exchanged
+
+  bool refines = true;                                 ///< at rest, to smaller steps
+  double movingMs = InteractionQuality::usualTargetMs; ///< drawing time aimed at while something moves, > 0
+  bool operator==(const PictureOrder&) const = default;
+};
+
+/// The volume of an order; null where there is none.
+inline std::shared_ptr<const Volume> volumeOf(const PictureOrder& order) {
+  return order.scenes.empty() ? nullptr : order.scenes.front().volume;
+}
+
+/// Whether an order asks for other pictures than the one before it, of which pictures rest or do not: what a
+/// coarse picture hides was not drawn.
+inline bool asksForOthers(const PictureOrder& order, const PictureOrder& before, bool isResting) {
+  return order.attempt != before.attempt || order.size != before.size || order.scenes != before.scenes ||
+         (!isResting && (order.seen != before.seen || order.isSeen != before.isSeen));
+}
 
 } // namespace limn

@@ -167,29 +167,30 @@ SidePicture* Pictures::leastComplete() {
   return least == end || least->complete() ? nullptr : &*least;
 }
 
-void Pictures::show(const Arrangement& arrangement, const glm::dvec3& background) {
+void Pictures::show(const PictureOrder& order) {
+  const glm::dvec3& background = order.scenes.front().image.background;
   m_screen->reset();
-  m_screen->clear(arrangement.size, background);
-  if (m_count == 0 || static_cast<int>(arrangement.places.size()) != m_count)
+  m_screen->clear(order.screen, background);
+  if (m_count == 0 || static_cast<int>(order.places.size()) != m_count)
     return;
-  if (arrangement.layout == CompareLayout::difference)
-    return showDifference(arrangement, background);
+  if (order.layout == CompareLayout::difference)
+    return showDifference(order, background);
   for (int position = 0; position < m_count; ++position) {
-    const PixelRect& place = arrangement.places[position];
+    const PixelRect& place = order.places[position];
     PixelRect part = place;
-    if (arrangement.layout == CompareLayout::wipe) {
-      part.topLeft.x = position == 0 ? 0 : arrangement.wipeColumn;
-      part.size.x = position == 0 ? arrangement.wipeColumn : arrangement.size.x - arrangement.wipeColumn;
+    if (order.layout == CompareLayout::wipe) {
+      part.topLeft.x = position == 0 ? 0 : order.wipeColumn;
+      part.size.x = position == 0 ? order.wipeColumn : order.screen.x - order.wipeColumn;
     }
-    const int side = arrangement.swapped ? m_count - 1 - position : position;
+    const int side = order.isSwapped ? m_count - 1 - position : position;
     m_sides[side].show(*m_screen, place, part);
   }
 }
 
-void Pictures::showDifference(const Arrangement& arrangement, const glm::dvec3& background) {
+void Pictures::showDifference(const PictureOrder& order, const glm::dvec3& background) {
   const SidePicture& left = m_sides[0];
   const SidePicture& right = m_sides[1];
-  const PixelRect place = arrangement.places[0];
+  const PixelRect place = order.places[0];
   const int done = std::min(left.rowsDone(), right.rowsDone());
   if (done > 0)
     m_screen->showDifference(left.finerPixels(), right.finerPixels(), place,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/view/CompareLayout.h"
 #include "widgets/view/pictures/ErrorProbe.h"
 #include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -60,17 +59,8 @@ public:
   /// Whether any was drawn from fewer voxels on its way.
   bool hadStandIns() const;
 
-  /// How the finished and half-finished pictures are put together on the screen.
-  struct Arrangement {
-    CompareLayout layout = CompareLayout::single;
-    std::vector<PixelRect> places; ///< one per picture, y down
-    glm::ivec2 size{0};            ///< of the screen
-    int wipeColumn = 0;
-    bool swapped = false; ///< left and right exchanged
-  };
-
-  /// Shows the arrangement on the screen.
-  void show(const Arrangement& arrangement, const glm::dvec3& background);
+  /// Shows the finished and half-finished pictures as an order puts them together.
+  void show(const PictureOrder& order);
 
   /// What was shown last, where the screen is in memory.
   QImage frame() const { return m_screen->frame(); }
@@ -86,7 +76,7 @@ private:
   std::span<SidePicture> sides() { return {m_sides.data(), static_cast<std::size_t>(m_count)}; }
   SideState stateOf(int index) const;
   void noteShown();
-  void showDifference(const Arrangement& arrangement, const glm::dvec3& background);
+  void showDifference(const PictureOrder& order, const glm::dvec3& background);
   SidePicture* leastComplete();
 
   std::unique_ptr<DrawingEngine> m_engine;

@@ -4,7 +4,7 @@
 #include "accuracy/ErrorEstimate.h"
 #include "engine/DrawingEngine.h"
 #include "scene/ProjectionFacts.h"
-#include "widgets/view/pictures/RefinementRoad.h"
+#include "widgets/view/pictures/StepSearch.h"
 
 #include <QThreadPool>
 

@@ -4,7 +4,7 @@
 #include "engine/DrawingEngine.h"
 #include "scene/PictureFigures.h"
 #include "scene/Scene.h"
-#include "widgets/effects/EffectTimes.h"
+#include "widgets/properties/EffectTimes.h"
 #include "widgets/view/pictures/PictureScreen.h"
 
 #include <memory>

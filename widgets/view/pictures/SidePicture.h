@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "engine/StandIn.h"
+#include "engine/DrawingEngine.h"
 #include "scene/light/Gradient.h"
-#include "widgets/view/pictures/FinishedPicture.h"
-#include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/PictureScreen.h"
+#include "widgets/view/pictures/PictureState.h"
 #include "widgets/view/pictures/TileSchedule.h"
 
 #include <optional>
@@ -13,12 +12,6 @@
 namespace limn {
 
 class DrawingEngine;
-
-/// A part of a picture's columns, as fractions of its width.
-struct Columns {
-  double from = 0.0;
-  double to = 1.0;
-};
 
 /// One picture of the view on its way from coarse to full quality: a coarse picture at once; above it strips
 /// of a middling one, where the coarse one is very coarse; then strips of the full one; at the end the full

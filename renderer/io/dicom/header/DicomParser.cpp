@@ -305,28 +305,19 @@ DicomDataset metaInformation(Parser& parser) {
 
 } // namespace
 
-bool startsAsDicom(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    return false;
-  try {
-    Parser parser(in, path.string());
-    return startOfElements(parser).has_value();
-  } catch (const Error&) {
-    return false; // shorter than it says, as some files of the system are
-  }
-}
-
-DicomFile parseDicom(const std::filesystem::path& path) {
-  DicomFile file;
-  auto in = openDicomStream(path, 0);
+std::optional<DicomFile> parseIfDicom(const std::filesystem::path& path) {
+  auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*in)
+    return std::nullopt;
   Parser parser(*in, path.string());
-  const auto start = startOfElements(parser);
+  std::optional<std::uint64_t> start;
+  try {
+    start = startOfElements(parser);
+  } catch (const Error&) { // shorter than it says, as some files of the system are
+  }
   if (!start)
-    throw Error(Error::Kind::input,
-                Message::tr("The file %1 does not start as DICOM does; if it was an image, it is damaged or "
-                            "cut off, so copy it again from its source.")
-                    .arg(path.string()));
+    return std::nullopt;
+  DicomFile file;
   parser.moveTo(*start);
   const DicomDataset meta = metaInformation(parser);
   file.transferSyntax = textOf(meta, tag::transferSyntax);
@@ -336,14 +327,26 @@ DicomFile parseDicom(const std::filesystem::path& path) {
   }
   if (file.transferSyntax == "1.2.840.10008.1.2.1.99") {
     file.deflatedFrom = parser.position();
-    in = openDicomStream(path, file.deflatedFrom);
-    Parser unpacked(*in, path.string());
+    in->clear();
+    in->seekg(static_cast<std::streamoff>(file.deflatedFrom));
+    const auto plain = inflated(std::move(in), path.string());
+    Parser unpacked(*plain, path.string());
     file.dataset = unpacked.dataset(sniffed(unpacked, ""), unpacked.end(), 0, &file.pixels);
   } else {
     file.dataset = parser.dataset(sniffed(parser, file.transferSyntax), parser.end(), 0, &file.pixels);
   }
   file.dataset.elements.insert(meta.elements.begin(), meta.elements.end());
   return file;
+}
+
+DicomFile parseDicom(const std::filesystem::path& path) {
+  if (auto file = parseIfDicom(path))
+    return std::move(*file);
+  openDicomStream(path, 0); // says so where it cannot be read
+  throw Error(Error::Kind::input,
+              Message::tr("The file %1 does not start as DICOM does; if it was an image, it is damaged or "
+                          "cut off, so copy it again from its source.")
+                  .arg(path.string()));
 }
 
 std::unique_ptr<std::istream> openDicomStream(const std::filesystem::path& path, std::uint64_t deflatedFrom) {

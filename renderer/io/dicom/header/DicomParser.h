@@ -28,12 +28,13 @@ struct DicomFile {
   std::uint64_t deflatedFrom = 0; ///< byte of the file where the deflated part starts; 0 where none does
 };
 
-/// Whether the file starts as DICOM does: the preamble, or at least three sound elements of group 0002 or
-/// 0008. Reads a few hundred bytes; false where it cannot be read.
-bool startsAsDicom(const std::filesystem::path& path);
+/// Parses the attributes of a file with or without preamble and group 0002, in any transfer syntax; opens it
+/// once. Nothing where it does not start as DICOM does (the preamble, or at least three sound elements of
+/// group 0002 or 0008) or cannot be read. Trusts no length. Throws Error (input) where its header is damaged
+/// or cut off.
+std::optional<DicomFile> parseIfDicom(const std::filesystem::path& path);
 
-/// Parses the attributes of a file with or without preamble and group 0002, in any transfer syntax. Trusts
-/// no length. Throws Error (input) where the file is no DICOM or its header is damaged or cut off.
+/// The same; throws Error (input) where the file is no DICOM, too.
 DicomFile parseDicom(const std::filesystem::path& path);
 
 /// Opens the stream to which a DicomPixelLocation refers: the file, or what its deflated part inflates to.

@@ -50,9 +50,9 @@ bool canBecomeVolume(const DicomSeries& series) {
   }
 }
 
-// Whether two parts of a series found in different folders complement each other.
+// Whether two parts of one volume found in different folders complement each other.
 bool complement(const DicomSeries& a, const DicomSeries& b) {
-  if (!makeOneVolume(a.front(), b.front()) || !isPlaced(a) || !isPlaced(b))
+  if (!isPlaced(a) || !isPlaced(b))
     return false;
   const double tolerance = sameDistanceMm(a);
   std::vector<double> distances;
@@ -70,7 +70,8 @@ std::vector<DicomSeries> merged(std::vector<DicomSeries> parts) {
   std::vector<DicomSeries> whole;
   for (DicomSeries& part : parts) {
     const auto found = std::find_if(whole.begin(), whole.end(), [&](const DicomSeries& other) {
-      return other.front().header->path.parent_path() != part.front().header->path.parent_path() &&
+      return makeOneVolume(other.front(), part.front()) &&
+             other.front().header->path.parent_path() != part.front().header->path.parent_path() &&
              complement(other, part);
     });
     if (found == whole.end())
@@ -90,8 +91,8 @@ std::vector<DicomSeries> seriesOf(const std::vector<DicomHeader>& headers) {
       const DicomSlice slice{&header, static_cast<int>(i)};
       // Files of a series mostly follow each other, so look at the newest part first.
       const auto found = std::find_if(parts.rbegin(), parts.rend(), [&](const DicomSeries& part) {
-        return part.front().header->path.parent_path() == header.path.parent_path() &&
-               makeOneVolume(part.front(), slice);
+        return makeOneVolume(part.front(), slice) &&
+               part.front().header->path.parent_path() == header.path.parent_path();
       });
       if (found == parts.rend())
         parts.push_back({slice});

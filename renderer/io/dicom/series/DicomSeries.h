@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/dicom/header/DicomHeader.h"
-#include "io/reading/SeriesSummary.h"
+#include "io/reading/ReadOptions.h"
 
 namespace limn {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/formats/voxels/VolumeParts.h"
+#include "io/formats/voxels/Voxels.h"
 #include "io/reading/Progress.h"
 #include "scene/basics/MemoryBudget.h"
 

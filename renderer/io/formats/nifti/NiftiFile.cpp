@@ -2,14 +2,197 @@
 #include "io/formats/nifti/NiftiFile.h"
 
 #include "io/formats/voxels/AxisGrid.h"
-#include "io/formats/voxels/Voxels.h"
 #include "io/reading/ReadError.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
 namespace limn {
 namespace {
+
+// An affine map from voxel index to mm.
+struct Affine {
+  glm::dmat3 steps{1.0};
+  glm::dvec3 origin{0.0};
+};
+
+// Millimetres per unit of length; files that name no unit mean millimetres.
+double millimetresPerUnit(int units) {
+  switch (units & 7) {
+  case 1:
+    return 1000.0;
+  case 3:
+    return 0.001;
+  default:
+    return 1.0;
+  }
+}
+
+Affine sformOf(const NiftiHeader& header) {
+  const auto& rows = header.sformRows;
+  Affine affine;
+  for (int axis = 0; axis < 3; ++axis)
+    affine.steps[axis] = {rows[0][axis], rows[1][axis], rows[2][axis]};
+  affine.origin = {rows[0].w, rows[1].w, rows[2].w};
+  return affine;
+}
+
+// The rotation of the quaternion (a, b, c, d), a ≥ 0 left out, times the voxel size; a negative pixdim[0]
+// turns the third axis round (nifti1.h, "METHOD 2").
+Affine qformOf(const NiftiHeader& header) {
+  glm::dvec3 v = header.quaternion;
+  const double rest = 1.0 - glm::dot(v, v);
+  const double a = rest > 1e-7 ? std::sqrt(rest) : 0.0;
+  if (a == 0.0)
+    v /= glm::length(v);
+  const double b = v.x, c = v.y, d = v.z;
+  Affine affine;
+  affine.steps[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+  affine.steps[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+  affine.steps[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
+  affine.steps[2] *= header.pixdim[0] < 0.0 ? -1.0 : 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+    affine.steps[axis] *= std::abs(header.pixdim[static_cast<std::size_t>(axis) + 1]);
+  affine.origin = header.quaternionOffset;
+  return affine;
+}
+
+bool isValid(int code, const Affine& affine) {
+  return code > 0 && isUsable(affine.steps) && std::isfinite(glm::length(affine.origin));
+}
+
+// Whether the quaternion is one of unit length, but for the rounding of float32.
+bool isRotation(const NiftiHeader& header) {
+  return glm::dot(header.quaternion, header.quaternion) <= 1.0 + 1e-4;
+}
+
+// The largest distance between the places of one corner of the volume in two maps.
+double largestCornerDistance(const Affine& a, const Affine& b, const NiftiHeader& header) {
+  double largest = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::dvec3 index(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+      index[axis] =
+          (corner >> axis & 1) ? std::max(header.dim[static_cast<std::size_t>(axis) + 1] - 1.0, 0.0) : 0.0;
+    largest = std::max(largest, glm::distance(a.steps * index + a.origin, b.steps * index + b.origin));
+  }
+  return largest;
+}
+
+NiftiPlacement placed(const Affine& affine, double millimetres) {
+  NiftiPlacement placement;
+  placement.stepsMm = rasToLps(affine.steps) * millimetres;
+  placement.originMm = rasToLps(affine.origin) * millimetres;
+  return placement;
+}
+
+NiftiPlacement spacingOnly(const NiftiHeader& header, double millimetres) {
+  NiftiPlacement placement;
+  placement.orientationKnown = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double spacing = std::abs(header.pixdim[static_cast<std::size_t>(axis) + 1]) * millimetres;
+    const bool isGiven = spacing > 0.0 && std::isfinite(spacing);
+    placement.spacingKnown = placement.spacingKnown && isGiven;
+    placement.stepsMm[axis] *= isGiven ? spacing : 1.0;
+  }
+  return placement;
+}
+
+using namespace std::string_view_literals;
+
+constexpr std::int32_t size1 = 348;
+constexpr std::int32_t size2 = 540;
+
+// Reads numbers at byte offsets in either byte order.
+class Fields {
+public:
+  Fields(std::string_view bytes, bool bigEndian)
+      : m_bytes(bytes), m_swap(bigEndian != (std::endian::native == std::endian::big)) {}
+
+  template <class T>
+  T at(std::size_t offset) const {
+    std::array<char, sizeof(T)> raw{};
+    std::copy_n(m_bytes.data() + offset, sizeof(T), raw.data());
+    if (m_swap)
+      std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<T>(raw);
+  }
+
+  template <class T>
+  double number(std::size_t offset) const {
+    return static_cast<double>(at<T>(offset));
+  }
+
+  template <class T>
+  glm::dvec3 triple(std::size_t offset) const {
+    return {number<T>(offset), number<T>(offset + sizeof(T)), number<T>(offset + 2 * sizeof(T))};
+  }
+
+private:
+  std::string_view m_bytes;
+  bool m_swap;
+};
+
+template <class Length, class Real>
+void readArrays(NiftiHeader& header, const Fields& fields, std::size_t dim, std::size_t pixdim,
+                std::size_t rows) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    header.dim[i] = fields.number<Length>(dim + i * sizeof(Length));
+    header.pixdim[i] = fields.number<Real>(pixdim + i * sizeof(Real));
+  }
+  for (std::size_t row = 0; row < 3; ++row) {
+    const std::size_t start = rows + row * 4 * sizeof(Real);
+    header.sformRows[row] = {fields.triple<Real>(start), fields.number<Real>(start + 3 * sizeof(Real))};
+  }
+}
+
+NiftiHeader parse1(std::string_view bytes, bool bigEndian) {
+  const Fields fields(bytes, bigEndian);
+  NiftiHeader header;
+  header.version = 1;
+  header.bigEndian = bigEndian;
+  header.singleFile = bytes.substr(344, 4) == "n+1\0"sv;
+  readArrays<std::int16_t, float>(header, fields, 40, 76, 280);
+  header.datatype = fields.at<std::int16_t>(70);
+  header.bitsPerVoxel = fields.at<std::int16_t>(72);
+  header.voxelOffset = fields.number<float>(108);
+  header.slope = fields.number<float>(112);
+  header.intercept = fields.number<float>(116);
+  header.units = fields.at<std::uint8_t>(123);
+  header.qformCode = fields.at<std::int16_t>(252);
+  header.sformCode = fields.at<std::int16_t>(254);
+  header.quaternion = fields.triple<float>(256);
+  header.quaternionOffset = fields.triple<float>(268);
+  return header;
+}
+
+NiftiHeader parse2(std::string_view bytes, bool bigEndian) {
+  const Fields fields(bytes, bigEndian);
+  NiftiHeader header;
+  header.version = 2;
+  header.bigEndian = bigEndian;
+  header.singleFile = bytes.substr(4, 4) == "n+2\0"sv;
+  readArrays<std::int64_t, double>(header, fields, 16, 104, 400);
+  header.datatype = fields.at<std::int16_t>(12);
+  header.bitsPerVoxel = fields.at<std::int16_t>(14);
+  header.voxelOffset = fields.number<std::int64_t>(168);
+  header.slope = fields.at<double>(176);
+  header.intercept = fields.at<double>(184);
+  header.units = fields.at<std::int32_t>(500);
+  header.qformCode = fields.at<std::int32_t>(344);
+  header.sformCode = fields.at<std::int32_t>(348);
+  header.quaternion = fields.triple<double>(352);
+  header.quaternionOffset = fields.triple<double>(376);
+  return header;
+}
+
+bool startsWithSize(std::string_view bytes, std::int32_t size, bool bigEndian) {
+  return bytes.size() >= static_cast<std::size_t>(size) &&
+         Fields(bytes, bigEndian).at<std::int32_t>(0) == size;
+}
 
 namespace fs = std::filesystem;
 
@@ -129,6 +312,49 @@ Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<Message
 }
 
 } // namespace
+
+NiftiPlacement placementOf(const NiftiHeader& header) {
+  const double millimetres = millimetresPerUnit(header.units);
+  const Affine sform = sformOf(header);
+  const Affine qform = qformOf(header);
+  const bool qformIsValid = isRotation(header) && isValid(header.qformCode, qform);
+  if (isValid(header.sformCode, sform)) {
+    NiftiPlacement placement = placed(sform, millimetres);
+    const double apart = largestCornerDistance(sform, qform, header) * millimetres;
+    if (qformIsValid && apart > 0.5 * glm::length(placement.stepsMm[0]))
+      placement.warnings.push_back(
+          Message::tr("The file's two placements (sform, qform) differ by up to %1 mm; the sform is used.")
+              .arg(Message::fixed(apart, 1)));
+    return placement;
+  }
+  NiftiPlacement placement = qformIsValid ? placed(qform, millimetres) : spacingOnly(header, millimetres);
+  if (header.sformCode > 0)
+    placement.warnings.emplace_back(Message::tr("The file's placement (sform) is damaged and was left out."));
+  if (header.qformCode > 0 && !qformIsValid)
+    placement.warnings.emplace_back(Message::tr("The file's placement (qform) is damaged and was left out."));
+  return placement;
+}
+
+std::optional<NiftiHeader> parseNiftiHeader(std::string_view bytes) {
+  for (const bool bigEndian : {false, true}) {
+    if (startsWithSize(bytes, size1, bigEndian)) {
+      const std::string_view magic = bytes.substr(344, 4);
+      if (magic == "n+1\0"sv || magic == "ni1\0"sv)
+        return parse1(bytes, bigEndian);
+    }
+    if (startsWithSize(bytes, size2, bigEndian)) {
+      const std::string_view magic = bytes.substr(4, 4);
+      if (magic == "n+2\0"sv || magic == "ni2\0"sv)
+        return parse2(bytes, bigEndian);
+    }
+  }
+  return std::nullopt;
+}
+
+bool isAnalyzeHeader(std::string_view bytes) {
+  return (startsWithSize(bytes, size1, false) || startsWithSize(bytes, size1, true)) &&
+         !parseNiftiHeader(bytes);
+}
 
 bool isNifti(std::string_view bytes) {
   return parseNiftiHeader(bytes) || isAnalyzeHeader(bytes);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t bytesPerStep = 1 << 16;
+constexpr std::size_t textBytesPerStep = 1 << 16;
 constexpr std::size_t voxelsPerReport = 1 << 18;
 constexpr std::size_t longestWord = 400; // of a number written out: 10³⁰⁸ and its fraction
 
@@ -58,8 +58,9 @@ private:
     m_buffer.erase(0, m_at);
     m_at = 0;
     const std::size_t kept = m_buffer.size();
-    m_buffer.resize(kept + bytesPerStep);
-    m_buffer.resize(kept + m_text(reinterpret_cast<unsigned char*>(m_buffer.data() + kept), bytesPerStep));
+    m_buffer.resize(kept + textBytesPerStep);
+    m_buffer.resize(kept +
+                    m_text(reinterpret_cast<unsigned char*>(m_buffer.data() + kept), textBytesPerStep));
     return m_buffer.size() > kept;
   }
 

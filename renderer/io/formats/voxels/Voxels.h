@@ -2,15 +2,25 @@
 #pragma once
 
 #include "io/formats/voxels/Bytes.h"
-#include "io/formats/voxels/VolumeParts.h"
 #include "io/reading/Progress.h"
 #include "scene/basics/MemoryBudget.h"
+#include "scene/volume/Volume.h"
 
 #include <map>
 #include <string>
 #include <vector>
 
 namespace limn {
+
+/// What a format reader found, before the reader's options are applied and the volume is made. Readers set
+/// `info.spacingKnown` and `info.orientationKnown`; the sentences about them are added in one place.
+struct VolumeParts {
+  Grid grid;
+  VoxelArray stored;
+  Rescale rescale;
+  VolumeInfo info;
+  std::shared_ptr<Room> room; ///< where `stored` lies; null: in memory
+};
 
 /// The number types that files store; 64-bit integers become double.
 enum class VoxelType { uint8, int8, uint16, int16, uint32, int32, uint64, int64, float32, float64 };

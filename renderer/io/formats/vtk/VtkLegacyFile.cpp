@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // A header of five to a dozen lines; a long title or other words may precede the voxels.
-constexpr std::size_t longestHeader = 1 << 16;
+constexpr std::size_t longestLegacyHeader = 1 << 16;
 
-struct Header {
+struct LegacyHeader {
   bool isText = false;
   bool isCellData = false;
   std::map<std::string, std::vector<std::string>> lines; // by upper-case first word, the words after it
@@ -51,8 +51,8 @@ bool takeLine(std::string_view text, std::size_t& at, std::string_view& line) {
 }
 
 // Reads lines up to the voxels of the first SCALARS (behind an optional LOOKUP_TABLE) or COLOR_SCALARS.
-Header parseHeader(const fs::path& file, std::string_view text) {
-  Header header;
+LegacyHeader parseHeader(const fs::path& file, std::string_view text) {
+  LegacyHeader header;
   std::size_t at = 0;
   std::string_view line;
   for (int title = 0; title < 2; ++title)
@@ -88,7 +88,7 @@ VoxelType typeOfScalars(const fs::path& file, const std::string& name) {
   return typeNamed(file, lowerCase(name), types);
 }
 
-VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec3& dims) {
+VoxelLayout layoutOf(const fs::path& file, const LegacyHeader& header, const glm::ivec3& dims) {
   const std::vector<std::string>& scalars = header.lines.at("SCALARS");
   if (scalars.size() < 2)
     failReading(file, Message::tr("its header's line SCALARS is cut off"), copyAgain);
@@ -102,7 +102,7 @@ VoxelLayout layoutOf(const fs::path& file, const Header& header, const glm::ivec
 }
 
 // The number behind POINT_DATA or CELL_DATA says the size of the volume a second time.
-void requireOneSize(const fs::path& file, const Header& header, std::uint64_t voxels) {
+void requireOneSize(const fs::path& file, const LegacyHeader& header, std::uint64_t voxels) {
   const std::string word = header.isCellData ? "CELL_DATA" : "POINT_DATA";
   const auto found = header.lines.find(word);
   const bool isGiven = found != header.lines.end() && !found->second.empty();
@@ -122,7 +122,7 @@ bool isVtkLegacy(std::string_view bytes) {
 }
 
 VolumeParts readVtkLegacy(const fs::path& path, const MemoryBudget& budget, const Progress& progress) {
-  const Header header = parseHeader(path, firstBytes(path, longestHeader));
+  const LegacyHeader header = parseHeader(path, firstBytes(path, longestLegacyHeader));
   const auto dataset = header.lines.find("DATASET");
   if (dataset == header.lines.end() || dataset->second.empty() ||
       upperCase(dataset->second.front()) != "STRUCTURED_POINTS")

@@ -2,12 +2,22 @@
 #pragma once
 
 #include "io/looks/Look.h"
-#include "io/looks/curves/ColorSpaces.h"
+
+#include <glm/glm.hpp>
 
 #include <string>
 #include <vector>
 
 namespace limn {
+
+/// Between two colours of a curve: straight in sRGB; straight in hue, saturation and value; straight in CIE
+/// L*a*b* (D65); through white in Msh (K. Moreland, "Diverging color maps for scientific visualization",
+/// ISVC 2009); or the second one throughout.
+enum class ColorSpace { rgb, hsv, wrappedHsv, lab, diverging, step };
+
+/// The colour a fraction `u` of the way from one to another. Of hsv, hues go the way round that avoids red's
+/// end of the circle; of wrappedHsv, the shorter one. All colours are sRGB-encoded, 0..1.
+glm::dvec3 mixed(ColorSpace space, const glm::dvec3& from, const glm::dvec3& to, double u);
 
 /// A control point of a curve that may bend towards the next one, as VTK has them. `midpoint` is where, as a
 /// fraction of the way, half of the change is done; `sharpness` leads from a straight line (0) to a step (1).

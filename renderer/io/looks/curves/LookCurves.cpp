@@ -1,13 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/LookCurves.h"
 
+#include "io/looks/curves/LookUnits.h"
 #include "io/reading/ReadError.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limn {
 namespace {
+
+// How far a piece may reach: keeps the walk linear in the number of points, whatever they are.
+constexpr std::size_t longestPiece = 4096;
+
+glm::dvec4 channels(const ControlPoint& point) {
+  return {point.color, point.opacity};
+}
+
+// The slopes of all straight lines from a point that pass within the tolerance of those after it.
+class Fan {
+public:
+  Fan(const ControlPoint& from, double tolerance) : m_from(from), m_tolerance(tolerance) {}
+
+  bool holds(const ControlPoint& end) const {
+    const glm::dvec4 slope = (channels(end) - channels(m_from)) / (end.value - m_from.value);
+    return glm::all(glm::greaterThanEqual(slope, m_lowest)) && glm::all(glm::lessThanEqual(slope, m_highest));
+  }
+
+  /// False where no line is left.
+  bool narrow(const ControlPoint& passed) {
+    const double width = passed.value - m_from.value;
+    const glm::dvec4 rise = channels(passed) - channels(m_from);
+    m_lowest = glm::max(m_lowest, (rise - m_tolerance) / width);
+    m_highest = glm::min(m_highest, (rise + m_tolerance) / width);
+    return glm::all(glm::lessThanEqual(m_lowest, m_highest));
+  }
+
+private:
+  ControlPoint m_from;
+  double m_tolerance;
+  glm::dvec4 m_lowest{-std::numeric_limits<double>::infinity()};
+  glm::dvec4 m_highest{std::numeric_limits<double>::infinity()};
+};
+
+// Where the longest piece from a point ends.
+std::size_t pieceEnd(const std::vector<ControlPoint>& points, std::size_t from, double tolerance) {
+  std::size_t end = from + 1;
+  Fan fan(points[from], tolerance);
+  const std::size_t last = std::min(points.size() - 1, from + longestPiece);
+  for (std::size_t i = from + 1; i <= last && points[i].value > points[i - 1].value; ++i) {
+    if (fan.holds(points[i]))
+      end = i;
+    if (!fan.narrow(points[i]))
+      break;
+  }
+  return end;
+}
 
 /// Walks a curve from value to value.
 class CurveWalk {
@@ -56,6 +105,59 @@ bool differ(double a, double b, double width) {
 }
 
 } // namespace
+
+std::vector<ReadLook> finished(PointLook look, const std::string& file,
+                               const std::optional<LookTarget>& target) {
+  ReadLook read{{}, std::move(look.changes)};
+  read.preset.name = lookNameOf(file);
+  TransferFunction function{1.0, checkedCurve(std::move(look.points), file, read.changes)};
+  if (look.isRelative) {
+    function = stretchedOver(function, target, read.changes);
+    function.points = checkedCurve(std::move(function.points), file, read.changes); // huge ones no longer are
+  }
+  read.preset.transferFunction = std::move(function);
+  return {std::move(read)};
+}
+
+TransferFunction pointsAlone(const Preset& preset, std::vector<Message>& changes) {
+  tellLostParts(preset, changes);
+  if (preset.shading)
+    tell(changes, Message::tr("Light and material were left out: the format has no place for them."));
+  if (preset.gradientOpacity)
+    tell(changes, Message::tr("The opacity by gradient was left out: the format has no place for it."));
+  TransferFunction function = overOneMillimetre(preset.transferFunction, changes);
+  if (function.points.empty())
+    function.points.push_back({}); // transparent
+  return function;
+}
+
+std::vector<ControlPoint> maskedTo(const std::vector<ControlPoint>& points, double low, double high) {
+  const auto end = [&](double value, bool isClear) {
+    const Classified seen = classify({1.0, points}, value);
+    return ControlPoint{value, seen.color, isClear ? 0.0 : seen.opacity};
+  };
+  std::vector<ControlPoint> masked;
+  if (std::isfinite(low))
+    masked = {end(low, true), end(low, false)};
+  for (const ControlPoint& point : points)
+    if (point.value > low && point.value < high)
+      masked.push_back(point);
+  if (!std::isfinite(high))
+    return masked;
+  const auto atEnd = std::ranges::lower_bound(points, high, {}, &ControlPoint::value);
+  const bool hasPoint = atEnd != points.end() && atEnd->value == high; // the first one, before any step there
+  masked.push_back(hasPoint ? *atEnd : end(high, false));
+  masked.push_back(masked.back());
+  masked.back().opacity = 0.0;
+  return masked;
+}
+
+std::vector<ControlPoint> simplified(const std::vector<ControlPoint>& points, double tolerance) {
+  std::vector<ControlPoint> kept;
+  for (std::size_t at = 0; at < points.size(); at = pieceEnd(points, at, tolerance))
+    kept.push_back(points[at]);
+  return kept;
+}
 
 void requirePointCount(std::size_t count, const std::string& name) {
   if (count == 0)

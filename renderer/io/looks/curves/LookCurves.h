@@ -2,12 +2,18 @@
 #pragma once
 
 #include "io/looks/Look.h"
-#include "io/looks/text/LookChanges.h"
+#include "io/looks/text/LookText.h"
+#include "scene/function/TransferFunction.h"
 
 #include <string>
 #include <vector>
 
 namespace limn {
+
+/// Some of the points, first and last among them, such that the function through them stays within
+/// `tolerance` (> 0) of every point in colour and opacity; steps stay where they are. `points` ascend in
+/// value. A greedy walk that takes each piece as long as it gets.
+std::vector<ControlPoint> simplified(const std::vector<ControlPoint>& points, double tolerance);
 
 // Many formats keep opacity and colour in curves of their own. Here each is a list of control points of which
 // only the opacity, or only the colour, counts.
@@ -38,5 +44,25 @@ TransferFunction merged(const std::vector<ControlPoint>& opacity, const std::vec
 /// The same with a sentence where the curves end at different values.
 TransferFunction merged(const std::vector<ControlPoint>& opacity, const std::vector<ControlPoint>& color,
                         std::vector<Message>& changes);
+
+/// A look that is one list of points with colour and opacity, as its file has it.
+struct PointLook {
+  std::vector<ControlPoint> points; ///< in any order
+  bool isRelative = false;          ///< values are fractions of a volume's range
+  std::vector<Message> changes;     ///< so far
+};
+
+/// The look of Limn: points checked and sorted (`checkedCurve`), relative values stretched over the target;
+/// it is called as the file is. Throws Error (input), naming `file`.
+std::vector<ReadLook> finished(PointLook look, const std::string& file,
+                               const std::optional<LookTarget>& target);
+
+/// What a format of points alone holds of a preset: at least one point, opacities over 1 mm. What else the
+/// preset has is told in `changes` as left out.
+TransferFunction pointsAlone(const Preset& preset, std::vector<Message>& changes);
+
+/// Points (ascending) that are transparent outside low..high, and as before inside; low < high, either of
+/// which may be infinite.
+std::vector<ControlPoint> maskedTo(const std::vector<ControlPoint>& points, double low, double high);
 
 } // namespace limn

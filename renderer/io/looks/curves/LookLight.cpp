@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/LookLight.h"
 
-#include "io/looks/text/LookChanges.h"
-#include "scene/light/ModelName.h"
+#include "io/looks/text/LookText.h"
+#include "scene/light/Shading.h"
 
 #include <algorithm>
 

@@ -2,9 +2,9 @@
 #include "io/looks/curves/LookUnits.h"
 
 #include "io/looks/curves/CurvedSegments.h"
-#include "io/looks/curves/Simplified.h"
-#include "io/looks/text/LookChanges.h"
-#include "scene/ProjectionName.h"
+#include "io/looks/curves/LookCurves.h"
+#include "io/looks/text/LookText.h"
+#include "scene/ProjectionFacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/dicom/DicomImages.h"
+#include "io/dicom/DicomFolder.h"
 #include "io/scenefile/SceneFile.h"
 
 #include <array>

@@ -5,21 +5,99 @@
 #include "io/looks/dicom/CroppingModule.h"
 #include "io/looks/dicom/DisplayModule.h"
 #include "io/looks/dicom/GeometryModule.h"
+#include "io/looks/dicom/Items.h"
 #include "io/looks/dicom/Losses.h"
-#include "io/looks/dicom/NewUid.h"
 #include "io/looks/dicom/ObjectBytes.h"
 #include "io/looks/dicom/OwnBlock.h"
-#include "io/looks/dicom/PictureObject.h"
 #include "io/looks/dicom/References.h"
 #include "io/looks/dicom/ShadingModule.h"
+#include "io/looks/dicom/SrgbProfile.h"
 #include "io/looks/dicom/Subject.h"
 
 #include <dcmtk/dcmdata/dcuid.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <ctime>
+#include <random>
+
+namespace limn::dicom {
+namespace {
+
+void putPixels(DcmItem& object, const BytePicture& picture) {
+  putCount(object, DCM_SamplesPerPixel, 3);
+  putText(object, DCM_PhotometricInterpretation, "RGB");
+  putCount(object, DCM_PlanarConfiguration, 0);
+  putCount(object, DCM_Rows, picture.size.y);
+  putCount(object, DCM_Columns, picture.size.x);
+  putCount(object, DCM_BitsAllocated, 8);
+  putCount(object, DCM_BitsStored, 8);
+  putCount(object, DCM_HighBit, 7);
+  putCount(object, DCM_PixelRepresentation, 0);
+  std::vector<std::uint8_t> bytes = picture.bytes;
+  if (bytes.size() % 2 != 0)
+    bytes.push_back(0); // a value has an even length
+  require(object
+              .putAndInsertUint8Array(DcmTag(DCM_PixelData, EVR_OB), bytes.data(),
+                                      static_cast<unsigned long>(bytes.size()))
+              .good(),
+          DCM_PixelData);
+  putSrgb(object);
+}
+
+// Once lossy, always lossy: a picture of such images is one as well.
+void putCompression(DcmItem& object, DcmItem& image) {
+  if (textIn(image, DCM_LossyImageCompression) != "01")
+    return;
+  putText(object, DCM_LossyImageCompression, "01");
+  for (const DcmTagKey& tag : {DCM_LossyImageCompressionRatio, DCM_LossyImageCompressionMethod})
+    if (holds(image, tag))
+      putText(object, tag, textIn(image, tag));
+}
+
+// Fills in the Secondary Capture module and the pixels (PS3.3 A.8.1): what made them, of which images, and
+// that nothing is burned into them. `image` is one of the series.
+void putPicture(DcmItem& object, DcmItem& image, const DicomWriting& writing) {
+  putText(object, DCM_ConversionType, "WSD"); // workstation
+  putText(object, DCM_ImageType, "DERIVED\\SECONDARY");
+  putText(object, DCM_DerivationDescription,
+          "Volume rendering of the source images made by Limn " + writing.version + "; not for diagnosis");
+  putText(object, DCM_BurnedInAnnotation, "NO");
+  putNothing(object, DCM_PatientOrientation);
+  putReferences(object, DCM_SourceImageSequence, writing.series.images);
+  putCompression(object, image);
+  putPixels(object, writing.picture);
+}
+
+} // namespace
+} // namespace limn::dicom
 
 namespace limn {
 namespace {
+
+// A DICOM UID that no other object has: a random UUID below 2.25 (PS3.5, B.2). It tells neither the computer
+// nor the time at which it was made.
+std::string newUid() {
+  std::random_device chance;
+  std::array<std::uint32_t, 4> words{};
+  for (std::uint32_t& word : words)
+    word = chance();
+  words[1] = (words[1] & 0xFFFF0FFFu) | 0x00004000u; // version 4: random
+  words[2] = (words[2] & 0x3FFFFFFFu) | 0x80000000u; // variant of RFC 4122
+  // 128 bits to decimal digits by long division, the last digit first.
+  std::string digits;
+  while (std::any_of(words.begin(), words.end(), [](std::uint32_t word) { return word != 0; })) {
+    std::uint64_t rest = 0;
+    for (std::uint32_t& word : words) {
+      const std::uint64_t part = rest << 32 | word;
+      word = static_cast<std::uint32_t>(part / 10);
+      rest = part % 10;
+    }
+    digits += static_cast<char>('0' + rest);
+  }
+  return "2.25." + std::string(digits.rbegin(), digits.rend());
+}
 
 using namespace dicom;
 

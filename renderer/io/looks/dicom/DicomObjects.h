@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/ImageFile.h"
-#include "io/dicom/DicomImages.h"
+#include "io/dicom/DicomFolder.h"
 #include "scene/Scene.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/dicom/DicomImages.h"
+#include "io/dicom/DicomFolder.h"
 #include "io/looks/dicom/Items.h"
 
 // What an object refers to: the images of a look (PS3.3 C.11.23, C.12.2), the image of a picture.

@@ -49,7 +49,8 @@ WrittenLook writeDicomState(const Preset& preset, const std::optional<LookTarget
   if (!target || !target->series || target->series->volume->info().format != "DICOM")
     refuse();
   const LookTarget::Series& series = *target->series;
-  const std::vector<SeriesImages> all = imagesUnder(series.path, {});
+  const auto dicom = openDicom(series.path, {});
+  const std::vector<SeriesImages> all = dicom ? dicom->images() : std::vector<SeriesImages>();
   if (series.number < 1 || static_cast<std::size_t>(series.number) > all.size())
     refuse();
   Scene scene;

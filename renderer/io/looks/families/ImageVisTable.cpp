@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/PointLook.h"
-#include "io/looks/curves/Simplified.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/HeaderText.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/PointLook.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/families/XmlText.h"
 #include "io/looks/text/LookText.h"

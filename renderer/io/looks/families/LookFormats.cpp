@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/Look.h"
-
 #include "io/looks/families/Families.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
@@ -10,6 +9,19 @@
 
 namespace limn {
 namespace {
+
+bool isLimnPreset(std::string_view text) {
+  return text.find("\"limn_preset\"") != std::string_view::npos;
+}
+
+std::vector<ReadLook> readLimnPreset(std::string_view text, const std::string& name,
+                                     const std::optional<LookTarget>&) {
+  return {{parsePreset(text, name), {}}};
+}
+
+WrittenLook writeLimnPreset(const Preset& preset, const std::optional<LookTarget>&) {
+  return {presetToJson(preset), {}};
+}
 
 // The longest ending of a family that a file's name has.
 std::size_t endingLength(const std::string& fileName) {
@@ -36,6 +48,10 @@ std::string writtenEndings() {
 }
 
 } // namespace
+
+LookFormat limnPresetFormat() {
+  return {Message::tr("Limn preset"), {".json"}, isLimnPreset, readLimnPreset, writeLimnPreset};
+}
 
 const std::vector<LookFormat>& lookFormats() {
   static const std::vector<LookFormat> formats{

@@ -2,7 +2,6 @@
 #include "io/looks/curves/CurvedSegments.h"
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/curves/LookUnits.h"
-#include "io/looks/curves/PointLook.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/families/XmlText.h"
 #include "io/looks/text/LookText.h"

@@ -1,15 +1,178 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/looks/curves/ByteNodes.h"
+#include "io/json/JsonFields.h"
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 namespace limn {
 namespace {
+
+// A colour map as MRIcroGL and niivue keep it: nodes at 0..255 of a range of values, colours in bytes.
+struct ByteNodes {
+  struct Node {
+    double intensity = 0.0;       ///< 0..255
+    std::array<double, 4> rgba{}; ///< 0..255 each
+  };
+  double low = 0.0;  ///< the value of intensity 0
+  double high = 0.0; ///< of 255; both the same: of the volume's own range
+  std::vector<Node> nodes;
+};
+
+constexpr double levels = 255.0;
+
+ByteNodes::Node nodeOf(const ControlPoint& point, const ByteNodes& map) {
+  const double fraction = (point.value - map.low) / (map.high - map.low);
+  return {std::round(levels * fraction),
+          {std::round(levels * point.color.r), std::round(levels * point.color.g),
+           std::round(levels * point.color.b), std::round(levels * point.opacity)}};
+}
+
+double valueOf(const ByteNodes::Node& node, const ByteNodes& map) {
+  return map.low + node.intensity / levels * (map.high - map.low);
+}
+
+// A range that the points span, or where they all lie at one value, some that begins there.
+void setRange(ByteNodes& map, const std::vector<ControlPoint>& points) {
+  map.low = points.front().value;
+  map.high = points.back().value;
+  if (map.low == map.high)
+    map.high += std::max(1.0, std::abs(map.low) * 1e-6);
+}
+
+void tellRounding(const TransferFunction& function, const ByteNodes& map, std::vector<Message>& changes) {
+  double moved = 0.0, shade = 0.0;
+  for (const ControlPoint& point : function.points) {
+    const ByteNodes::Node node = nodeOf(point, map);
+    moved = std::max(moved, std::abs(valueOf(node, map) - point.value));
+    const std::array<double, 4> exact{point.color.r, point.color.g, point.color.b, point.opacity};
+    for (std::size_t channel = 0; channel < 4; ++channel)
+      shade = std::max(shade, std::abs(node.rgba[channel] / levels - exact[channel]));
+  }
+  if (moved > 1e-9 * (map.high - map.low))
+    changes.push_back(
+        Message::tr("The format has 256 places for points: the values of some moved, by up to %1.")
+            .arg(Message::rounded(moved, 3)));
+  if (shade > 1e-9)
+    changes.push_back(
+        Message::tr("The format has colours and opacities in 256 levels: some were rounded, by up to %1.")
+            .arg(Message::rounded(shade, 3)));
+}
+
+// The points of a map: value = low + intensity/255 (high - low). Throws Error (input), naming `file`, where
+// the range is upside down or an intensity lies outside 0..255.
+PointLook pointLook(const ByteNodes& map, const std::string& file) {
+  if (map.low > map.high)
+    failReading(file, Message::tr("its range of values ends before it begins"), saveLookAgain);
+  PointLook look;
+  look.isRelative = map.low == map.high;
+  for (const ByteNodes::Node& node : map.nodes) {
+    if (node.intensity < 0.0 || node.intensity > levels)
+      failReading(file, Message::tr("the intensity of one of its points is not in 0..255"), saveLookAgain);
+    const double value = look.isRelative ? node.intensity / levels : valueOf(node, map);
+    look.points.push_back(
+        {value, glm::dvec3(node.rgba[0], node.rgba[1], node.rgba[2]) / levels, node.rgba[3] / levels});
+  }
+  return look;
+}
+
+// The map nearest to a function, which has points: over the range of its points, everything rounded to whole
+// numbers. Says in `changes` what that changed.
+ByteNodes byteNodes(const TransferFunction& function, std::vector<Message>& changes) {
+  const std::vector<ControlPoint>& points = function.points;
+  ByteNodes map;
+  setRange(map, points);
+  std::size_t dropped = 0;
+  for (const ControlPoint& point : points) {
+    const ByteNodes::Node node = nodeOf(point, map);
+    const std::size_t count = map.nodes.size();
+    // Of several at one place only the first and the last are seen.
+    if (count >= 2 && map.nodes[count - 2].intensity == node.intensity) {
+      map.nodes.pop_back();
+      ++dropped;
+    }
+    map.nodes.push_back(node);
+  }
+  if (map.nodes.back().intensity < levels)
+    map.nodes.push_back({levels, map.nodes.back().rgba});
+  tellRounding(function, map, changes);
+  if (dropped > 0)
+    changes.push_back(Message::tr("%1 points lie closer together than the format can tell and were left out.")
+                          .arg(dropped));
+  return map;
+}
+
+bool isNiivueMap(std::string_view text) {
+  const auto has = [&](std::string_view key) { return text.find(key) != std::string_view::npos; };
+  return has("{") && has("\"R\"") && has("\"G\"") && has("\"B\"") && has("\"I\"");
+}
+
+double niivueNumber(const nlohmann::json& value, const std::string& file) {
+  if (!value.is_number())
+    failReading(file, Message::tr("it has something else where a number is needed"), saveLookAgain);
+  return value.get<double>();
+}
+
+double niivueNumberOr(const nlohmann::json& map, const char* key, double otherwise, const std::string& file) {
+  const auto found = map.find(key);
+  return found == map.end() || found->is_null() ? otherwise : niivueNumber(*found, file);
+}
+
+std::vector<double> channel(const nlohmann::json& map, const char* key, const std::string& file) {
+  const auto found = map.find(key);
+  if (found == map.end() || !found->is_array())
+    failReading(file, Message::tr("its list \"%1\" is missing").arg(key), saveLookAgain);
+  std::vector<double> values;
+  for (const nlohmann::json& value : *found)
+    values.push_back(niivueNumber(value, file));
+  return values;
+}
+
+std::vector<ReadLook> readNiivueMap(std::string_view text, const std::string& file,
+                                    const std::optional<LookTarget>& target) {
+  const nlohmann::json json = parsedJson(text, file);
+  if (!json.is_object())
+    failReading(file, Message::tr("it is no colour map"), saveLookAgain);
+  if (json.contains("labels"))
+    failReading(file, Message::tr("it colours labels and not values"),
+                Message::tr("open a colour map of values instead"));
+  std::array<std::vector<double>, 4> rgba;
+  constexpr std::array<const char*, 4> keys{"R", "G", "B", "A"};
+  const std::vector<double> intensities = channel(json, "I", file);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    rgba[i] = channel(json, keys[i], file);
+    if (rgba[i].size() != intensities.size())
+      failReading(file, Message::tr("its lists of colours have different lengths"), saveLookAgain);
+  }
+  ByteNodes map;
+  map.low = niivueNumberOr(json, "min", 0.0, file);
+  map.high = niivueNumberOr(json, "max", 0.0, file);
+  for (std::size_t i = 0; i < intensities.size(); ++i)
+    map.nodes.push_back({intensities[i], {rgba[0][i], rgba[1][i], rgba[2][i], rgba[3][i]}});
+  return finished(pointLook(map, file), file, target);
+}
+
+WrittenLook writeNiivueMap(const Preset& preset, const std::optional<LookTarget>&) {
+  WrittenLook written;
+  const ByteNodes map = byteNodes(pointsAlone(preset, written.changes), written.changes);
+  nlohmann::ordered_json json{{"min", map.low}, {"max", map.high}};
+  constexpr std::array<const char*, 4> keys{"R", "G", "B", "A"};
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (const ByteNodes::Node& node : map.nodes)
+      json[keys[i]].push_back(static_cast<int>(node.rgba[i]));
+  for (const ByteNodes::Node& node : map.nodes)
+    json["I"].push_back(static_cast<int>(node.intensity));
+  written.text = textOf(json);
+  return written;
+}
 
 /// The entries of a file of sections, by their names in lower case, which no two sections share.
 using Entries = std::map<std::string, std::string, std::less<>>;
@@ -107,6 +270,10 @@ WrittenLook writeMricroglClut(const Preset& preset, const std::optional<LookTarg
 }
 
 } // namespace
+
+LookFormat niivueMapFormat() {
+  return {Message::tr("niivue colour map"), {".niivue.json"}, isNiivueMap, readNiivueMap, writeNiivueMap};
+}
 
 LookFormat mricroglClutFormat() {
   return {Message::tr("MRIcroGL colour map"), {".clut"}, isMricroglClut, readMricroglClut, writeMricroglClut};

@@ -1,24 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 3D presets of OsiriX, Horos and InVesalius: property lists in XML, with the same keys. A look is a list of
-// curves over the value, each with a colour for each of its points; where no curve is, nothing is seen.
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/curves/LookLight.h"
 #include "io/looks/curves/LookUnits.h"
 #include "io/looks/curves/OverlappingCurves.h"
 #include "io/looks/families/Families.h"
-#include "io/looks/families/PlistFields.h"
 #include "io/looks/families/VtkProperty.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 
+#include <pugixml.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// 3D presets of OsiriX, Horos and InVesalius: property lists in XML, with the same keys. A look is a list of
+// curves over the value, each with a colour for each of its points; where no curve is, nothing is seen.
 
 namespace limn {
 namespace {
+
+// A dictionary of an Apple property list in XML, asked by key, whatever the order. Keys that are absent give
+// what is passed for that; `file` is how errors call it. Throws Error (input) where a value is of a wrong
+// kind.
+class PlistFields {
+public:
+  PlistFields(const pugi::xml_node& dict, const std::string& file) : m_dict(dict), m_file(file) {}
+
+  pugi::xml_node value(const char* key) const;
+  std::string text(const char* key) const;
+  double number(const char* key, double absent) const;
+  bool flag(const char* key, bool absent) const;
+  /// The items of a list; none where it is absent.
+  std::vector<pugi::xml_node> list(const char* key) const;
+  /// A list of numbers.
+  std::vector<double> numbers(const char* key) const;
+
+private:
+  double numberOf(const pugi::xml_node& value, const char* key) const;
+
+  pugi::xml_node m_dict;
+  const std::string& m_file;
+};
+
+pugi::xml_node PlistFields::value(const char* key) const {
+  for (const pugi::xml_node& child : m_dict.children("key"))
+    if (trimmed(child.text().get()) == key)
+      for (pugi::xml_node next = child.next_sibling(); next; next = next.next_sibling())
+        if (next.type() == pugi::node_element)
+          return next;
+  return {};
+}
+
+std::string PlistFields::text(const char* key) const {
+  return value(key).text().get();
+}
+
+double PlistFields::number(const char* key, double absent) const {
+  const pugi::xml_node found = value(key);
+  return found ? numberOf(found, key) : absent;
+}
+
+double PlistFields::numberOf(const pugi::xml_node& found, const char* key) const {
+  const std::optional<double> number = numberIn(trimmed(found.text().get()));
+  const std::string_view kind = found.name();
+  if (!number || !std::isfinite(*number) || (kind != "real" && kind != "integer" && kind != "string"))
+    failReading(m_file, Message::tr("its \"%1\" is no finite number").arg(key), saveLookAgain);
+  return *number;
+}
+
+bool PlistFields::flag(const char* key, bool absent) const {
+  const pugi::xml_node found = value(key);
+  const std::string_view kind = found.name();
+  if (!found)
+    return absent;
+  if (kind == "true" || kind == "false")
+    return kind == "true";
+  return numberOf(found, key) != 0.0;
+}
+
+std::vector<pugi::xml_node> PlistFields::list(const char* key) const {
+  const pugi::xml_node found = value(key);
+  if (found && std::string_view(found.name()) != "array")
+    failReading(m_file, Message::tr("its \"%1\" is no list").arg(key), saveLookAgain);
+  std::vector<pugi::xml_node> items;
+  for (const pugi::xml_node& item : found.children())
+    if (item.type() == pugi::node_element)
+      items.push_back(item);
+  return items;
+}
+
+std::vector<double> PlistFields::numbers(const char* key) const {
+  std::vector<double> result;
+  for (const pugi::xml_node& item : list(key))
+    result.push_back(numberOf(item, key));
+  return result;
+}
 
 constexpr std::size_t tableLength = 256; // of an 8-bit colour table
 constexpr double tableHighest = 255.0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/CurvedSegments.h"
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/PointLook.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/families/XmlText.h"
 #include "io/reading/ReadError.h"

@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/text/LookText.h"
 
+#include "io/json/JsonFields.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 namespace limn {
+
+void tell(std::vector<Message>& changes, const Message& sentence) {
+  if (std::find(changes.begin(), changes.end(), sentence) == changes.end())
+    changes.push_back(sentence);
+}
+
+std::string changesJson(const std::vector<Message>& changes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Message& change : changes)
+    list.push_back({{"what", change.english()}});
+  return textOf({{"changes", list}});
+}
 
 std::optional<double> leadingNumber(std::string_view text, std::size_t* used) {
   const std::size_t sign = text.starts_with('+') ? 1 : 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/basics/Message.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn {
 
@@ -13,5 +16,11 @@ std::optional<double> leadingNumber(std::string_view text, std::size_t* used = n
 
 /// The shortest text that reads back as the same number, in the C locale.
 std::string shortest(double number);
+
+/// Adds a sentence that is not yet among them.
+void tell(std::vector<Message>& changes, const Message& sentence);
+
+/// Sentences as scripts read them: {"changes": [{"what": "…"}]}.
+std::string changesJson(const std::vector<Message>& changes);
 
 } // namespace limn

@@ -2,7 +2,6 @@
 #include "widgets/view/gestures/ViewDrag.h"
 
 #include "scene/volume/Phantom.h"
-#include "widgets/view/gestures/WindowLevelGesture.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <gtest/gtest.h>

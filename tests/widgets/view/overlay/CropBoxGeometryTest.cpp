@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/CropBoxGeometry.h"
 #include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/HiddenNotes.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include "scene/volume/Phantom.h"
 #include "widgets/view/overlay/Overlay.h"
@@ -18,7 +18,11 @@ protected:
   }
 
   OverlaySource source() const {
-    return {comparison, {comparison.layout, 0.5, {700, 400}, 1.0}, state, QFont(), 1.0, {}, false, {}, {}};
+    OverlaySource source;
+    source.comparison = comparison;
+    source.geometry = {comparison.layout, comparison.wipe, {700, 400}, 1.0};
+    source.state = state;
+    return source;
   }
 
   void keepBody() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/OverlayRows.h"
+#include "widgets/view/overlay/OverlayParts.h"
 
 #include <gtest/gtest.h>
 

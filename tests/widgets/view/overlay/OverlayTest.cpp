@@ -2,7 +2,7 @@
 #include "widgets/view/overlay/Overlay.h"
 
 #include "scene/volume/Phantom.h"
-#include "widgets/view/gestures/CameraGesture.h"
+#include "widgets/view/gestures/ViewDrag.h"
 
 #include <gtest/gtest.h>
 
@@ -20,9 +20,11 @@ protected:
     state.sides.resize(1);
   }
   OverlaySource source() const {
-    return {
-        comparison, {comparison.layout, comparison.wipe, {700, 400}, 1.0}, state, QFont(), 1.0, {}, false, {},
-        {}};
+    OverlaySource source;
+    source.comparison = comparison;
+    source.geometry = {comparison.layout, comparison.wipe, {700, 400}, 1.0};
+    source.state = state;
+    return source;
   }
   Comparison comparison;
   PictureState state;

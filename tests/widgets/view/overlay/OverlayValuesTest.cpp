@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/overlay/CameraMarks.h"
-#include "widgets/view/overlay/SideText.h"
+#include "widgets/view/overlay/OrientationMarks.h"
+#include "widgets/view/overlay/Titles.h"
 
 #include <gtest/gtest.h>
 

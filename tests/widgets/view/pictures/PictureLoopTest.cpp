@@ -6,7 +6,7 @@
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
-#include "widgets/view/pictures/GlScreen.h"
+#include "widgets/view/pictures/PictureScreen.h"
 
 #include <QCoreApplication>
 
@@ -15,9 +15,15 @@
 namespace limn {
 namespace {
 
-PictureRequest phantomRequest() {
+PictureOrder phantomOrder() {
   static const std::shared_ptr<const Volume> volume = phantomVolume({8.0, 0.0, 1});
-  return {{headScene(volume, ShadingModel::enhanced)}, {60, 40}, {}, 1.0, QStringLiteral("Enhanced")};
+  PictureOrder order;
+  order.isSeen = true;
+  order.scenes = {headScene(volume, ShadingModel::enhanced)};
+  order.size = {60, 40};
+  order.lastName = QStringLiteral("Enhanced");
+  order.refines = false;
+  return order;
 }
 
 class Loop : public test::GlTest {
@@ -27,30 +33,25 @@ protected:
     if (IsSkipped())
       return;
     PictureContext context;
-    context.canDraw = [this] { return canDraw; };
     context.makeCurrent = context.doneCurrent = [] {};
     context.guard = [this](const PictureContext::Work& work) {
       try {
         work();
       } catch (const std::exception&) {
-        canDraw = false;
+        hide();
       }
     };
     loop = std::make_unique<PictureLoop>(
         [] { return std::make_unique<Pictures>(makeRayCasterEngine(), makeGlScreen()); }, context);
-    loop->setRefines(false);
     QObject::connect(loop.get(), &PictureLoop::showNeeded, [this] {
-      if (canDraw)
-        loop->drawIfStale(phantomRequest());
+      if (loop->order().isSeen)
+        loop->drawIfStale();
     });
-    QObject::connect(loop.get(), &PictureLoop::completed, [this] { ++completions; });
-    QObject::connect(loop.get(), &PictureLoop::effectsChanged,
-                     [this](const std::vector<EffectRow>& rows, const QString& name) {
-                       effects = rows;
-                       picture = name;
-                     });
-    QObject::connect(loop.get(), &PictureLoop::timesChanged,
-                     [this](const EffectTimes& told) { times = told; });
+    QObject::connect(loop.get(), &PictureLoop::told, [this](const ViewNews& told) {
+      ++tellings;
+      completions += told.state.resting && !news.state.resting ? 1 : 0;
+      news = told;
+    });
   }
   void TearDown() override { loop.reset(); } // while its context lives
 
@@ -60,32 +61,40 @@ protected:
       QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
 
-  bool canDraw = true;
+  void draw(const PictureOrder& order = phantomOrder()) {
+    loop->show(order);
+    loop->drawIfStale();
+  }
+  void hide() {
+    PictureOrder order = loop->order();
+    order.isSeen = false;
+    loop->show(order);
+  }
+
+  int tellings = 0;
   int completions = 0;
-  std::vector<EffectRow> effects;
-  QString picture;
-  EffectTimes times;
+  ViewNews news;
   std::unique_ptr<PictureLoop> loop;
 };
 
 TEST_F(Loop, goesFromCoarseToCompleteToIdle) {
-  loop->drawIfStale(phantomRequest());
+  draw();
   EXPECT_EQ(loop->state().sides.size(), 1u) << "a coarse picture is there at once";
   EXPECT_FALSE(loop->state().resting);
   EXPECT_EQ(loop->resting(0), nullptr);
   waitFor([this] { return completions == 1; });
   ASSERT_NE(loop->resting(0), nullptr);
   EXPECT_EQ(*loop->resting(0)->picture().image,
-            RayCaster().render(phantomRequest().scenes[0], phantomRequest().size));
+            RayCaster().render(phantomOrder().scenes[0], phantomOrder().size));
   waitFor([this] { return loop->isIdle(); });
-  EXPECT_EQ(picture, QStringLiteral("Enhanced"));
-  EXPECT_FALSE(effects.empty());
+  EXPECT_EQ(news.effectsOf, QStringLiteral("Enhanced"));
+  EXPECT_FALSE(news.effects.empty());
+  EXPECT_EQ(news, loop->news());
 }
 
 // 3 mm: several pieces of 16 planes. A piece a turn, all of them told.
 TEST_F(Loop, uploadsALargeVolumeAPieceATurnAndSaysHowFarItIs) {
   PictureContext context;
-  context.canDraw = [] { return true; };
   context.makeCurrent = context.doneCurrent = [] {};
   context.guard = [](const PictureContext::Work& work) { work(); };
   PicturePace pace;
@@ -93,17 +102,19 @@ TEST_F(Loop, uploadsALargeVolumeAPieceATurnAndSaysHowFarItIs) {
   pace.tellMs = 0;
   loop = std::make_unique<PictureLoop>(
       [] { return std::make_unique<Pictures>(makeRayCasterEngine(), makeGlScreen()); }, context, pace);
-  loop->setRefines(false);
-  PictureRequest request = phantomRequest();
-  request.scenes = {headScene(phantomVolume({3.0, 0.0, 1}), ShadingModel::enhanced)};
+  PictureOrder order = phantomOrder();
+  order.scenes = {headScene(phantomVolume({3.0, 0.0, 1}), ShadingModel::enhanced)};
   std::vector<double> told;
   int turns = 0;
-  QObject::connect(loop.get(), &PictureLoop::preparing, [&](double fraction) { told.push_back(fraction); });
+  QObject::connect(loop.get(), &PictureLoop::told, [&](const ViewNews& last) {
+    if (last.prepared != (told.empty() ? 1.0 : told.back()))
+      told.push_back(last.prepared);
+  });
   QObject::connect(loop.get(), &PictureLoop::showNeeded, [&] {
     turns += loop->isPreparing() ? 1 : 0;
-    loop->drawIfStale(request);
+    loop->drawIfStale();
   });
-  loop->drawIfStale(request);
+  draw(order);
   EXPECT_TRUE(loop->isPreparing());
   EXPECT_FALSE(loop->state().resting);
   waitFor([&] { return loop->state().resting; });
@@ -113,35 +124,77 @@ TEST_F(Loop, uploadsALargeVolumeAPieceATurnAndSaysHowFarItIs) {
   EXPECT_LT(told.front(), 1.0);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 1.0);
-  EXPECT_EQ(*loop->resting(0)->picture().image, RayCaster().render(request.scenes[0], request.size));
+  EXPECT_EQ(*loop->resting(0)->picture().image, RayCaster().render(order.scenes[0], order.size));
 }
 
-TEST_F(Loop, drawsNothingAnewUntilSomethingChanged) {
-  loop->drawIfStale(phantomRequest());
+TEST_F(Loop, anEqualOrderDrawsNothing) {
+  draw();
   waitFor([this] { return loop->isIdle(); });
-  const int before = completions;
-  loop->drawIfStale(phantomRequest());
+  const int before = tellings;
+  draw();
   EXPECT_TRUE(loop->state().resting);
-  loop->restart();
+  EXPECT_TRUE(loop->isIdle());
+  EXPECT_EQ(tellings, before) << "and there is no news";
+}
+
+TEST_F(Loop, whatIsPutTogetherOtherwiseIsNotDrawnAnew) {
+  draw();
+  waitFor([this] { return loop->isIdle(); });
+  PictureOrder order = phantomOrder();
+  order.wipeColumn = 7;
+  order.seen[0].to = 0.5;
+  order.isSwapped = true;
+  draw(order);
+  EXPECT_TRUE(loop->state().resting);
+  order.isSeen = false;
+  loop->show(order);
+  order.isSeen = true;
+  draw(order);
+  EXPECT_TRUE(loop->state().resting) << "hidden and seen again";
+  waitFor([this] { return loop->isIdle(); });
+  EXPECT_EQ(completions, 1);
+}
+
+TEST_F(Loop, anotherSceneAndAnotherAttemptAreDrawnAnew) {
+  draw();
+  waitFor([this] { return loop->isIdle(); });
+  PictureOrder order = phantomOrder();
+  order.scenes[0].camera = orbited(order.scenes[0].camera, 0.1, 0.0);
+  loop->show(order);
+  EXPECT_FALSE(news.state.resting) << "said at once";
+  draw(order);
+  waitFor([this] { return completions == 2; });
+  ++order.attempt;
+  draw(order);
   EXPECT_FALSE(loop->state().resting);
-  loop->drawIfStale(phantomRequest());
-  waitFor([&] { return completions > before; });
+  waitFor([this] { return completions == 3; });
 }
 
 TEST_F(Loop, measuresOnRequestWhatEffectsCost) {
-  loop->drawIfStale(phantomRequest());
-  waitFor([this] { return loop->isIdle() && !effects.empty(); });
-  EXPECT_EQ(times, EffectTimes{}) << "nobody asked";
+  draw();
+  waitFor([this] { return loop->isIdle() && !news.effects.empty(); });
+  EXPECT_EQ(news.times, EffectTimes{}) << "nobody asked";
   loop->measureEffects();
-  waitFor([this] { return !times.costs.empty(); });
-  EXPECT_EQ(times.costs.size(), effects.size());
-  loop->restart();
-  waitFor([this] { return times == EffectTimes{}; });
+  waitFor([this] { return !news.times.costs.empty(); });
+  EXPECT_EQ(news.times.costs.size(), news.effects.size());
+  PictureOrder order = phantomOrder();
+  ++order.attempt;
+  loop->show(order);
+  EXPECT_EQ(news.times, EffectTimes{});
 }
 
-TEST_F(Loop, stopsWhereNothingCanBeDrawn) {
-  loop->drawIfStale(phantomRequest());
-  canDraw = false;
+TEST_F(Loop, withoutAVolumeThereIsNothingToTell) {
+  draw();
+  waitFor([this] { return loop->isIdle() && !news.effects.empty(); });
+  loop->show({});
+  EXPECT_EQ(news.state, PictureState{});
+  EXPECT_TRUE(news.effects.empty());
+  EXPECT_TRUE(news.effectsOf.isEmpty());
+}
+
+TEST_F(Loop, stopsWhereNothingIsSeen) {
+  draw();
+  hide();
   for (int turn = 0; turn < 5; ++turn)
     QCoreApplication::processEvents(QEventLoop::AllEvents, 100);
   EXPECT_EQ(completions, 0);
@@ -151,9 +204,9 @@ TEST_F(Loop, stopsWhereNothingCanBeDrawn) {
 }
 
 TEST_F(Loop, withoutRoomDrawsNothing) {
-  PictureRequest request = phantomRequest();
-  request.size = {0, 0};
-  loop->drawIfStale(request);
+  PictureOrder order = phantomOrder();
+  order.size = {0, 0};
+  draw(order);
   EXPECT_TRUE(loop->state().sides.empty());
 }
 

@@ -12,10 +12,9 @@
 #include "support/MappedVolume.h"
 #include "support/ReferenceEngine.h"
 #include "support/TemporaryFolder.h"
-#include "widgets/view/pictures/GlScreen.h"
-#include "widgets/view/pictures/MemoryScreen.h"
 #include "widgets/view/pictures/PictureLoop.h"
-#include "widgets/view/pictures/RefinementRoad.h"
+#include "widgets/view/pictures/PictureScreen.h"
+#include "widgets/view/pictures/StepSearch.h"
 
 #include <cmath>
 
@@ -40,6 +39,17 @@ void finish(Pictures& pictures, const std::vector<Scene>& scenes) {
   pictures.drawCoarsely(InteractionQuality::levelCount - 1, {});
   while (!pictures.refine(5.0))
     EXPECT_FALSE(pictures.state().resting);
+}
+
+// Pictures put together on a black screen.
+PictureOrder orderOf(CompareLayout layout, const std::vector<PixelRect>& places, const glm::ivec2& screen) {
+  PictureOrder order;
+  order.scenes.resize(1);
+  order.scenes[0].image.background = glm::dvec3(0.0);
+  order.layout = layout;
+  order.places = places;
+  order.screen = screen;
+  return order;
 }
 
 using PicturesWithoutWindow = test::GlTest;
@@ -76,10 +86,10 @@ TEST(PicturesInMemory, stripsOfTheCpuEngineEndInThePictureThatItDrawsWholeAndAre
     EXPECT_EQ(*pictures.side(side).picture().image,
               whole.render(scenes[static_cast<std::size_t>(side)], pictureSize));
   const PixelRect left{{0, 0}, pictureSize}, right{{62, 0}, pictureSize};
-  pictures.show({CompareLayout::sideBySide, {left, right}, {122, 40}, 0, false}, glm::dvec3(0.0));
+  pictures.show(orderOf(CompareLayout::sideBySide, {left, right}, {122, 40}));
   EXPECT_EQ(pictures.frame().copy(62, 0, 60, 40).convertToFormat(QImage::Format_RGBA8888),
             pictures.side(1).picture().bytes);
-  pictures.show({CompareLayout::difference, {left, left}, pictureSize, 0, false}, glm::dvec3(0.0));
+  pictures.show(orderOf(CompareLayout::difference, {left, left}, pictureSize));
   const QRgb one = pictures.side(0).picture().bytes.pixel(30, 20);
   const QRgb other = pictures.side(1).picture().bytes.pixel(30, 20);
   // The part that differs most tells colour and strength.
@@ -145,7 +155,7 @@ TEST(PicturesInMemory, noQualityWhileMovingIsBrighterOrDarkerThanThePictureAtRes
   for (int level = 0; level < InteractionQuality::levelCount; ++level) {
     pictures.want({phantomWith(ShadingModel::classic)}, size);
     pictures.drawCoarsely(level, {});
-    pictures.show({CompareLayout::single, {whole}, size, 0, false}, glm::dvec3(0.0));
+    pictures.show(orderOf(CompareLayout::single, {whole}, size));
     means.push_back(meanOf(pictures.frame()));
   }
   for (const double mean : means)

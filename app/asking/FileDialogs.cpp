@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/asking/FileDialogs.h"
+
+#include "app/document/Settings.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QMessageBox>
+#include <QObject>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QSplitter>
+#include <QTreeView>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+// Gives a dialog for files room for whole dates and for the places at its left; nothing where the platform
+// draws the dialog itself.
+void giveRoom(QFileDialog& dialog) {
+  auto* files = dialog.findChild<QTreeView*>(QStringLiteral("treeView")); // as Qt calls it
+  auto* splitter = dialog.findChild<QSplitter*>();
+  if (!files || !splitter)
+    return;
+  files->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  files->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  dialog.resize(QSize(860, 520).boundedTo(dialog.screen()->availableSize()));
+  splitter->setSizes({160, 680});
+  const bool isSave = dialog.acceptMode() == QFileDialog::AcceptSave;
+  dialog.setLabelText(QFileDialog::LookIn, isSave ? QObject::tr("Save in:") : QObject::tr("Look in:"));
+  if (dialog.fileMode() != QFileDialog::Directory)
+    return;
+  // Folders have neither size nor kind.
+  dialog.setLabelText(QFileDialog::FileName, QObject::tr("Folder:"));
+  files->setColumnHidden(1, true);
+  for (const char* part : {"fileTypeLabel", "fileTypeCombo"})
+    if (auto* shown = dialog.findChild<QWidget*>(QLatin1String(part)))
+      shown->hide();
+}
+
+} // namespace
+
+QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+  QFileDialog dialog(parent, question.title, settings.dialogFolder());
+  dialog.setFileMode(question.isFolder ? QFileDialog::Directory
+                     : question.isMany ? QFileDialog::ExistingFiles
+                                       : QFileDialog::ExistingFile);
+  dialog.setOption(QFileDialog::HideNameFilterDetails); // a list of endings would be cut off
+  dialog.setOption(QFileDialog::ShowDirsOnly, question.isFolder);
+  if (!question.filters.isEmpty())
+    dialog.setNameFilters(question.filters);
+  giveRoom(dialog);
+  if (dialog.exec() != QDialog::Accepted)
+    return {};
+  QStringList paths = dialog.selectedFiles();
+  settings.setDialogFolder(QFileInfo(paths.value(0)).absolutePath());
+  return paths;
+}
+
+QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings) {
+  return askForPaths(parent, question, settings).value(0);
+}
+
+namespace {
+
+// "Chart (*.png *.svg)" → "png", "svg".
+QStringList endingsOf(const QString& filter) {
+  static const QRegularExpression pattern(QStringLiteral("\\*\\.([\\w.]+)"));
+  QStringList endings;
+  for (auto matches = pattern.globalMatch(filter); matches.hasNext();)
+    endings << matches.next().captured(1);
+  return endings;
+}
+
+// The longest of these endings that a path has, without its dot: "head.limn.json" → "limn.json".
+QString endingAmong(const QStringList& offered, const QString& path) {
+  QString found;
+  for (const QString& ending : offered)
+    if (ending.size() > found.size() && path.endsWith(QLatin1Char('.') + ending, Qt::CaseInsensitive))
+      found = ending;
+  return found;
+}
+
+bool isTyped(const QString& path, const QStringList& offered) {
+  const QString ending = QFileInfo(path).suffix();
+  const bool isLetters =
+      !ending.isEmpty() && std::ranges::all_of(ending, [](QChar character) { return character.isLetter(); });
+  return !endingAmong(offered, path).isEmpty() || (offered.size() > 1 && isLetters);
+}
+
+// Another kind of file gets another ending.
+void followFilter(QFileDialog& dialog, const QStringList& offered) {
+  QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog, offered](const QString& filter) {
+    const QFileInfo file(dialog.selectedFiles().value(0));
+    const QString former = endingAmong(offered, file.filePath());
+    if (!file.isDir() && !former.isEmpty())
+      dialog.selectFile(file.filePath().chopped(former.size()) + endingsOf(filter).value(0));
+  });
+}
+
+bool mayReplace(QWidget* parent, const QString& path) {
+  QMessageBox box(QMessageBox::Warning, QObject::tr("Replace the file?"),
+                  QObject::tr("%1 exists already. Replace it?").arg(QFileInfo(path).fileName()),
+                  QMessageBox::Cancel, parent);
+  box.setObjectName(QStringLiteral("replaceFile"));
+  const QAbstractButton* replace = box.addButton(QObject::tr("Replace"), QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
+} // namespace
+
+QString withEnding(const QString& path, const QStringList& filters, const QString& chosen) {
+  QStringList offered;
+  for (const QString& filter : filters)
+    offered << endingsOf(filter);
+  if (path.isEmpty() || isTyped(path, offered))
+    return path;
+  return path + (path.endsWith(QLatin1Char('.')) ? QString() : QStringLiteral(".")) +
+         endingsOf(chosen.isEmpty() ? filters.value(0) : chosen).value(0);
+}
+
+QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings) {
+  QString suggested = question.suggested;
+  const QString folder = settings.saveFolder().isEmpty() ? question.usualFolder : settings.saveFolder();
+  if (QFileInfo(suggested).isRelative() && !folder.isEmpty())
+    suggested = QDir(folder).filePath(suggested);
+  QString filter = question.filters.value(0);
+  QStringList offered;
+  for (const QString& one : question.filters)
+    offered << endingsOf(one);
+  for (;;) {
+    QFileDialog dialog(parent, question.title, suggested);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setNameFilters(question.filters);
+    dialog.selectNameFilter(filter);
+    // It would ask for the name as typed, before the ending.
+    dialog.setOption(QFileDialog::DontConfirmOverwrite);
+    followFilter(dialog, offered);
+    giveRoom(dialog);
+    if (dialog.exec() != QDialog::Accepted)
+      return {};
+    filter = dialog.selectedNameFilter();
+    QString path = withEnding(dialog.selectedFiles().value(0), question.filters, filter);
+    if (!QFileInfo::exists(path) || mayReplace(parent, path)) {
+      settings.setSaveFolder(QFileInfo(path).absolutePath());
+      return path;
+    }
+    suggested = path;
+  }
+}
+
+} // namespace limn

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+class QWidget;
+
+namespace limn {
+
+class Settings;
+
+/// What a dialog asks for.
+struct OpenQuestion {
+  QString title;
+  bool isFolder = false;
+  QStringList filters = {}; ///< "Everything (*.nii *.nrrd)"; of files
+  bool isMany = false;      ///< several files may be chosen
+};
+
+/// Asks for a file or folder to open, beginning where the last dialog ended, and remembers where this one
+/// ends. Empty where nobody wants to open anything.
+QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& settings);
+
+/// The same where the question may be answered by several.
+QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings);
+
+class Settings;
+
+/// What is asked when something is to be saved. Filters read "Chart (*.png)", the usual one first.
+struct SaveQuestion {
+  QString title;
+  QString suggested; ///< a name, or a whole path
+  QStringList filters;
+  QString usualFolder = {}; ///< for a name, before any dialog has ended in another one
+};
+
+/// The path with the first ending of `chosen`, unless one is typed: one that the filters offer, or where they
+/// offer several, anything that looks like one (letters alone), which whoever writes may refuse.
+QString withEnding(const QString& path, const QStringList& filters, const QString& chosen);
+
+/// Asks where to save, from the folder where the last dialog ended, until the file is new or may be replaced.
+/// The path has its ending; empty where nobody wants to save.
+QString askWhereToSave(QWidget* parent, const SaveQuestion& question, Settings& settings);
+
+} // namespace limn

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/drawing/PictureMaker.h"
+
+#include "accuracy/ErrorEstimate.h"
+#include "accuracy/Tolerance.h"
+#include "app/core/drawing/EngineTrial.h"
+#include "app/core/drawing/OnDisk.h"
+#include "cpu/CpuRenderer.h"
+#include "engine/VolumeTooLarge.h"
+#include "gl/HeadlessContext.h"
+#include "raycaster/RayCaster.h"
+#include "reference/ReferenceIntegrator.h"
+#include "scene/basics/Error.h"
+#include "slices/SliceRenderer.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace limn {
+namespace {
+
+// Who draws, for programs and for people.
+struct Drawer {
+  Engine engine;
+  std::string name;
+};
+
+// Draws a scene with the steps that keep its tolerance.
+MadePicture makeWithin(const Scene& scene, const glm::ivec2& size, const DrawScene& draw, StepControl control,
+                       const Drawer& by) {
+  if (!needsSteps(scene))
+    return {draw(scene, size), scene, by.engine, by.name, {}, false};
+  const WithinTolerance found = withinTolerance(scene, size, draw, control);
+  MadePicture picture{draw(found.scene, size), found.scene, by.engine, by.name, {}, false};
+  picture.notes.push_back(Message::tr("The picture is %1.").arg(describe(found)));
+  if (!found.holds)
+    picture.notes.push_back(found.sentence);
+  return picture;
+}
+
+// Scenes one after another: each picture is handed on before the next is drawn.
+struct Sitting {
+  const std::vector<Scene>& scenes;
+  const glm::ivec2& size;
+  const TakePicture& take;
+};
+
+bool stepsSeeFunction(RayCaster& caster, const Scene& scene) {
+  const DrawingFacts facts = caster.facts(scene);
+  return stepSeesFunction(scene, facts.steepestPerMm, facts.plan.effects.has(Effect::preintegration));
+}
+
+bool stepsSeeFunction(CpuRenderer& renderer, const Scene& scene) {
+  const bool isPreintegrated = renderer.plan(scene).effects.has(Effect::preintegration);
+  return stepSeesFunction(scene, renderer.steepestPerMm(), isPreintegrated);
+}
+
+// Those that do not tell how steep the field is.
+template <class Renderer>
+bool stepsSeeFunction(const Renderer&, const Scene&) {
+  return false;
+}
+
+// Draws pictures with one renderer; `draw` tells its effort, of which each picture has an equal part.
+template <class Renderer, class Draw>
+void makeWith(Renderer& renderer, const Draw& draw, const Sitting& sitting, const Effort& effort,
+              StepControl control, const Drawer& by) {
+  const auto count = static_cast<double>(sitting.scenes.size());
+  for (std::size_t i = 0; i < sitting.scenes.size(); ++i) {
+    const auto place = static_cast<double>(i);
+    const Effort part = partOf(effort, place / count, (place + 1.0) / count);
+    MadePicture picture = makeWithin(
+        sitting.scenes[i], sitting.size,
+        [&](const Scene& scene, const glm::ivec2& pixels) { return draw(scene, pixels, part); }, control, by);
+    if (!renderer.limitation().empty())
+      picture.notes.push_back(renderer.limitation());
+    picture.canBeEstimated = stepsSeeFunction(renderer, picture.scene);
+    sitting.take(i, std::move(picture));
+  }
+}
+
+void makeWithGl(const Sitting& sitting, const MakingOptions& order, const VolumeRoom& room) {
+  for (const Scene& scene : sitting.scenes)
+    requireOpenGlMayCopy(scene);
+  const HeadlessContext context;
+  if (order.engine == Engine::slices || order.engine == Engine::slicesBackToFront) {
+    SliceRenderer slices(order.engine == Engine::slices ? BlendOrder::frontToBack : BlendOrder::backToFront);
+    const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort&) {
+      return slices.render(scene, pixels);
+    };
+    return makeWith(slices, draw, sitting, order.effort, StepControl::equal, {*order.engine, rendererName()});
+  }
+  RayCaster caster(RayCaster::EmptySpace::skipped, RayCaster::Programs::specialised, {}, room);
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return caster.render(scene, pixels, effort);
+  };
+  makeWith(caster, draw, sitting, order.effort, StepControl::local, {Engine::rayCaster, rendererName()});
+}
+
+// Any strips make the same picture; between them it is told how far it is.
+Image inStrips(CpuRenderer& renderer, const Scene& scene, const glm::ivec2& size, const Effort& effort) {
+  constexpr int rows = 128;
+  if (size.y <= rows)
+    return renderer.draw(scene, size, {{0, 0}, size}, effort.isCancelled);
+  Image whole(size);
+  for (int y = 0; y < size.y; y += rows) {
+    const PixelRect tile{{0, y}, {size.x, std::min(rows, size.y - y)}};
+    const Image strip = renderer.draw(scene, size, tile, effort.isCancelled);
+    std::ranges::copy(strip.pixels, &whole.at(0, y));
+    if (effort.report)
+      effort.report(1.0 * (y + tile.size.y) / size.y);
+  }
+  return whole;
+}
+
+void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
+  CpuRenderer renderer(order.effort.threads);
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return inStrips(renderer, scene, pixels, effort);
+  };
+  makeWith(renderer, draw, sitting, order.effort, StepControl::local, {Engine::cpu, renderer.name()});
+}
+
+// The reference has no limits of its own to tell of.
+struct ReferenceRenderer {
+  std::string limitation() const { return {}; }
+};
+
+void makeWithReference(const Sitting& sitting, const MakingOptions& order) {
+  const ReferenceRenderer renderer;
+  const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
+    return toImage(renderReference(scene, pixels, order.effort.threads, effort.isCancelled));
+  };
+  makeWith(renderer, draw, sitting, order.effort, StepControl::local,
+           {Engine::reference, "reference (double precision)"});
+}
+
+// The context of the question is gone before a picture makes its own.
+std::string nameOfDriver() {
+  const HeadlessContext context;
+  return rendererName();
+}
+
+bool processorIsFaster(const Scene& scene, const EngineMemory& memory) {
+  EngineFacts facts;
+  facts.renderer = nameOfDriver();
+  const std::string machine = machineWith(facts.renderer);
+  if (memory.recall)
+    facts.times = memory.recall(machine);
+  if (!facts.times) {
+    facts.times = tryEngines(scene, {}).times;
+    if (memory.remember)
+      memory.remember(machine, *facts.times);
+  }
+  return chosenEngine(facts).engine == Engine::cpu;
+}
+
+// Draws a scene whole, or without limits to its light.
+using Draw = std::function<Image(const Scene& scene, Limiting limiting)>;
+
+PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
+  const TissueScenes tissue = tissueScenes(scene);
+  PictureFigures figures;
+  figures.contrast = contrastOf(draw(scene, Limiting::clampOrKnee));
+  figures.overflow = overflowOf(draw(scene, Limiting::none));
+  figures.visibleShare =
+      visibleShare(draw(tissue.weights, Limiting::clampOrKnee), draw(tissue.surface, Limiting::clampOrKnee));
+  return figures;
+}
+
+} // namespace
+
+MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
+                           const Scene& scene, const glm::ivec2& size, const std::string& name) {
+  return makeWithin(scene, size, draw, StepControl::local, {Engine::cpu, name});
+}
+
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
+  if (engine == Engine::reference)
+    return figuresBy(
+        [&](const Scene& drawn, Limiting limiting) {
+          return toImage(renderReference(drawn, size, threads, {}, limiting));
+        },
+        scene);
+  const auto figuresWith = [&](auto& renderer) {
+    return figuresBy(
+        [&](const Scene& drawn, Limiting limiting) {
+          return limiting == Limiting::none ? renderer.renderUnlimited(drawn, size)
+                                            : renderer.render(drawn, size);
+        },
+        scene);
+  };
+  if (engine == Engine::cpu) {
+    CpuRenderer renderer(threads);
+    return figuresWith(renderer);
+  }
+  const HeadlessContext context;
+  RayCaster caster;
+  return figuresWith(caster);
+}
+
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const MakingOptions& order,
+              const TakePicture& take) {
+  std::size_t taken = 0;
+  const TakePicture counted = [&](std::size_t index, MadePicture picture) {
+    take(index, std::move(picture));
+    ++taken;
+  };
+  const Sitting sitting{scenes, size, counted};
+  if (order.engine == Engine::reference)
+    return makeWithReference(sitting, order);
+  if (order.engine == Engine::cpu)
+    return makeWithCpu(sitting, order);
+  if (order.engine)
+    return makeWithGl(sitting, order, {order.textureMb, true});
+  Message problem;
+  try {
+    for (const Scene& scene : scenes)
+      requireInMemory(*scene.volume);
+    if (!processorIsFaster(scenes.front(), order.memory))
+      return makeWithGl(sitting, order, {order.textureMb, false});
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::openGl || taken > 0)
+      throw;
+    problem = error.sentence();
+  }
+  const TakePicture excused = [&](std::size_t index, MadePicture picture) {
+    if (!problem.empty() && index == 0)
+      picture.notes.push_back(Message::tr("%1 The CPU engine drew the picture instead.").arg(problem));
+    take(index, std::move(picture));
+  };
+  makeWithCpu({scenes, size, excused}, order);
+}
+
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                      std::optional<Engine> engine, int threads, double textureMb,
+                                      const EngineMemory& memory) {
+  std::vector<MadePicture> pictures;
+  makeEach(scenes, size, {engine, textureMb, memory, {threads, {}, {}}},
+           [&](std::size_t, MadePicture picture) { pictures.push_back(std::move(picture)); });
+  return pictures;
+}
+
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {
+  if (engine == Engine::slices || engine == Engine::slicesBackToFront)
+    throw Error(Error::Kind::usage,
+                "Slices take the same samples in every pixel; count those of --engine gl or reference.");
+  if (engine == Engine::cpu)
+    throw Error(Error::Kind::usage,
+                "The CPU engine takes the reference's samples and does not count them; count "
+                "those of --engine reference.");
+  if (engine == Engine::reference)
+    return renderReference(scene, size, threads).samples;
+  const HeadlessContext context;
+  return RayCaster().sampleCounts(scene, size);
+}
+
+Image sideBySide(const Image& left, const Image& right) {
+  assert(left.size.y == right.size.y);
+  Image joined({left.size.x + right.size.x, left.size.y});
+  for (int y = 0; y < left.size.y; ++y) {
+    std::copy_n(&left.at(0, y), left.size.x, &joined.at(0, y));
+    std::copy_n(&right.at(0, y), right.size.x, &joined.at(left.size.x, y));
+  }
+  return joined;
+}
+
+} // namespace limn

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/drawing/EngineChoice.h"
+#include "glsl/textures/GraphicsMemory.h"
+#include "scene/PictureFigures.h"
+#include "scene/Scene.h"
+#include "scene/basics/Effort.h"
+#include "scene/basics/Image.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// A picture and what was noteworthy about making it.
+struct MadePicture {
+  Image image;
+  Scene scene; ///< with which it was drawn
+  Engine drawnBy;
+  std::string engine;         ///< renderer string, or "reference (double precision)"
+  std::vector<Message> notes; ///< one sentence each
+  /// Known to have steps that see the transfer function, so that pictures of smaller ones tell its error
+  /// (accuracy/ErrorEstimate).
+  bool canBeEstimated = false;
+};
+
+/// How pictures are drawn.
+struct MakingOptions {
+  std::optional<Engine> engine; ///< absent: the ray caster or the CPU engine, whichever is faster and there
+  /// The ray caster's volume takes at most so much on the graphics card, MB: a larger one is drawn with fewer
+  /// voxels, or by the CPU engine where that may be chosen.
+  double textureMb = anyMb;
+  EngineMemory memory; ///< is asked which engine is the faster; found by a trial where it does not know
+  Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
+};
+
+/// Takes the picture of the scene at `index`.
+using TakePicture = std::function<void(std::size_t index, MadePicture picture)>;
+
+/// Draws one picture per scene with one renderer, sharing its textures, and hands on each before it draws the
+/// next. A scene with a tolerance gets the steps that keep it, where it does not have them already
+/// (accuracy/Tolerance). Throws Error; Cancelled.
+void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const MakingOptions& order,
+              const TakePicture& take);
+
+/// The same, all together. `threads` 0 uses every core.
+std::vector<MadePicture> makePictures(const std::vector<Scene>& scenes, const glm::ivec2& size,
+                                      std::optional<Engine> engine, int threads, double textureMb = anyMb,
+                                      const EngineMemory& memory = {});
+
+/// The picture of a scene that rays of the CPU engine make elsewhere, such as on many machines: `draw` is
+/// asked for it, and before where a tolerance asks for steps of its own. Throws what it throws.
+MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
+                           const Scene& scene, const glm::ivec2& size, const std::string& name);
+
+/// What can be said of a picture in numbers: its contrast, the overflow of its highlights before they are
+/// limited, and how much of what lies at or above the scene's isovalue can be seen through the rest.
+struct PictureFigures {
+  double contrast = 0.0;
+  Overflow overflow;
+  double visibleShare = 0.0; ///< 0..1
+};
+
+/// Draws what the figures need (scene/PictureFigures.h) with the ray caster, the CPU engine or the reference.
+/// Throws Error.
+PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+
+/// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
+/// of equal ones. Throws Error, of kind usage for engines that count none.
+std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+
+/// Two pictures of one height side by side.
+Image sideBySide(const Image& left, const Image& right);
+
+} // namespace limn

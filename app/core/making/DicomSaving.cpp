@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/making/DicomSaving.h"
+
+#include "scene/basics/Error.h"
+
+namespace limn {
+
+SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const DicomFolder> dicom,
+                         std::optional<int> series, const Progress& progress) {
+  if (!dicom)
+    dicom = openDicom(volumePath, progress);
+  if (dicom) {
+    const std::vector<SeriesImages> all = dicom->images();
+    const auto number = static_cast<std::size_t>(series.value_or(1));
+    if (number >= 1 && number <= all.size())
+      return all[number - 1];
+  }
+  throw Error(
+      Error::Kind::usage,
+      Message::tr("Only a DICOM series, or a scene of one, can be saved to DICOM, because picture and "
+                  "look are filed with its patient and study; open the series that %1 was made from.")
+          .arg(std::filesystem::path(volumePath).filename().string()));
+}
+
+std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
+                                 const Image& picture, const SeriesImages& series, bool isAnonymous) {
+  const DicomObjects objects = dicomObjectsOf(
+      scene, {series, bytesOverBackground(picture, scene.image.background), LIMN_VERSION, isAnonymous});
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw Error(Error::Kind::other, Message::tr("The folder %1 cannot be made (%2); choose another one.")
+                                        .arg(folder.string())
+                                        .arg(failure.message()));
+  writeDicomObjects(folder, objects);
+  return objects.losses;
+}
+
+} // namespace limn

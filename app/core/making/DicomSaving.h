@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/looks/dicom/DicomObjects.h"
+#include "io/reading/Progress.h"
+#include "scene/basics/Image.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// The series that a scene shows, of which `dicom` holds the headers; null: they are read. Throws Error
+/// (usage) where it shows none of DICOM's; Cancelled.
+SeriesImages shownSeries(const std::string& volumePath, std::shared_ptr<const DicomFolder> dicom,
+                         std::optional<int> series, const Progress& progress);
+
+/// Writes scene and picture into a folder, which is made, as `look.dcm` and `picture.dcm`; returns what other
+/// programs do not find in the look, a sentence each. Throws Error.
+std::vector<Message> saveToDicom(const std::filesystem::path& folder, const Scene& scene,
+                                 const Image& picture, const SeriesImages& series, bool isAnonymous);
+
+} // namespace limn

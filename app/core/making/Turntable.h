@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/drawing/PictureMaker.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+/// A picture from all around.
+struct Turntable {
+  Scene scene;                   ///< the first frame
+  glm::ivec2 size{512, 512};     ///< of each frame, pixels
+  int frames = 90;               ///< 2..mostFrames, for one turn
+  double framesPerSecond = 25.0; ///< of a video, > 0
+};
+
+/// As many as names of four digits tell apart.
+inline constexpr int mostFrames = 9999;
+
+/// The camera after so much of a turn, radians, anticlockwise seen from above: about the axis of the patient
+/// that stands most nearly upright in the picture, through the target.
+Camera turned(const Camera& camera, double angle);
+
+/// The scene of each frame; the first is the scene itself.
+std::vector<Scene> framesOf(const Turntable& turntable);
+
+/// What a frame's file says of its scene (io/scenefile).
+using DescribeScene = std::function<std::string(const Scene& scene)>;
+
+/// Whether a path asks for a video rather than for a folder of frames: .mp4.
+bool isVideo(const std::filesystem::path& path);
+
+/// The program that makes videos; empty where it is not installed.
+std::string videoProgram();
+
+/// Refuses a path that means neither: a video of another kind, a single picture, a video where there is
+/// nothing to make it with, or a folder with more frames than will be written, which would be taken for the
+/// same turn. Else a folder that is there may be called as it likes. Throws Error (usage).
+void requireTurntablePlace(const std::filesystem::path& path, int frames);
+
+/// Draws all frames and writes them: a PNG each, frame-0001.png, into a folder, which is made where there is
+/// none, or a video, complete or untouched. Of frames that are cancelled those drawn stay. Returns one
+/// sentence each that was noteworthy. Throws Error, of kind usage where there is nothing to make videos with,
+/// and Cancelled.
+std::vector<Message> writeTurntable(const std::filesystem::path& path, const Turntable& turntable,
+                                    const MakingOptions& order, const DescribeScene& describe);
+
+} // namespace limn

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/sources/SceneSource.h"
+
+#include "app/core/naming/MeantWord.h"
+#include "app/core/sources/BuiltInPresets.h"
+#include "app/core/sources/KeptRegion.h"
+#include "app/core/sources/LookSource.h"
+#include "io/ImageFile.h"
+#include "io/scenefile/ForeignJson.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/framing/Framing.h"
+#include "scene/presets/PresetFit.h"
+#include "scene/view/FirstView.h"
+#include "scene/volume/Orientation.h"
+#include "scene/volume/Phantom.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fstream>
+#include <set>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t mostSceneBytes = 16u << 20;
+
+std::string lowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool isPhantom(const std::string& source) {
+  std::error_code unknown;
+  return (source == "phantom" || source.starts_with("phantom:")) && !fs::exists(source, unknown);
+}
+
+struct OpenedVolume {
+  std::shared_ptr<const Volume> volume;
+  std::string path;
+  std::shared_ptr<const DicomFolder> dicom = nullptr;
+};
+
+std::shared_ptr<const Volume> phantomNamed(const std::string& source, const Progress& progress) {
+  PhantomSpec spec;
+  if (const auto colon = source.find(':'); colon != std::string::npos) {
+    const std::string number = source.substr(colon + 1);
+    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), spec.spacingMm);
+    if (failed != std::errc() || end != number.data() + number.size())
+      throw Error(
+          Error::Kind::usage,
+          Message::tr("\"%1\" is not a phantom; write phantom:SPACING, such as phantom:1.5.").arg(source));
+  }
+  if (progress.report)
+    progress.report(0.0, Message::tr("Making the phantom"));
+  return phantomVolume(spec, progress.isCancelled);
+}
+
+// A built-in volume whose name was misspelt is no file that is missing.
+void refuseMisspeltName(const std::string& source) {
+  std::error_code unknown;
+  const std::string meant = meantBy(source.substr(0, source.find(':')), {"sample", "phantom"});
+  if (!meant.empty() && !fs::exists(source, unknown))
+    throw Error(Error::Kind::input,
+                Message::tr("Cannot read %1: there is no such file or folder; did you mean %2?")
+                    .arg(source)
+                    .arg(meant));
+}
+
+OpenedVolume readSource(const std::string& source, const SourceOptions& options, const Progress& progress,
+                        std::vector<Message>& notes) {
+  if (source == "sample") {
+    if (const auto head = installedSampleHead())
+      return {readVolume(*head, options.read, progress), head->string()};
+    notes.push_back(Message::tr(
+        "No example head is installed (package invesalius-examples), so the built-in phantom is shown."));
+    return {phantomNamed("phantom", progress), "phantom"};
+  }
+  if (isPhantom(source))
+    return {phantomNamed(source, progress), source};
+  refuseMisspeltName(source);
+  const std::string path = absoluteSource(source);
+  const bool isOpen = options.dicom && absoluteSource(options.dicom->path().string()) == path;
+  const std::shared_ptr<const DicomFolder> dicom = isOpen ? options.dicom : dicomAt(source, progress);
+  if (options.asksForSeries && !options.read.series && dicom && fs::is_directory(source) &&
+      dicom->summaries().size() > 1)
+    throw SeveralSeries(dicom);
+  return {readVolume(source, dicom, options.read, progress), path, dicom};
+}
+
+OpenedVolume openVolume(const std::string& source, const SourceOptions& options, const Progress& progress,
+                        std::vector<Message>& notes) {
+  OpenedVolume opened = readSource(source, options, progress, notes);
+  if (const auto series = options.read.series; series && opened.volume->info().format != "DICOM")
+    notes.push_back(Message::tr("This is no DICOM series; its number %1 was ignored.").arg(*series));
+  return opened;
+}
+
+OpenedVolume openedBefore(const std::string& source, const SourceOptions& options, const Progress& progress,
+                          std::vector<Message>& notes) {
+  const auto known = options.opened.find(absoluteSource(source));
+  return known != options.opened.end() ? OpenedVolume{known->second, known->first}
+                                       : openVolume(source, options, progress, notes);
+}
+
+// The text of a scene or session, which is told by what it holds: a file may have lost its ending. What has
+// the ending is taken for one, so that an error can say what is wrong with it.
+std::optional<std::string> sceneText(const fs::path& path) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(path, unknown))
+    return std::nullopt;
+  if (lowerExtension(path) == ".json") {
+    std::string text = readTextFile(path);
+    refuseForeignJson(text, path.filename().string());
+    return text;
+  }
+  char first = 0;
+  std::ifstream(path, std::ios::binary) >> first; // behind white space
+  if (first != '{' || fs::file_size(path, unknown) > mostSceneBytes || unknown)
+    return std::nullopt;
+  std::string text = readTextFile(path);
+  if (!looksLikeSession(text) && !looksLikeScene(text))
+    return std::nullopt;
+  return text;
+}
+
+// What a picture that Limn wrote says of its scenes; any other image is a slice of a stack.
+std::string descriptionIn(const fs::path& path) {
+  const std::string extension = lowerExtension(path);
+  const bool mayCarry = extension == ".png" || extension == ".tif" || extension == ".tiff" ||
+                        extension == ".exr" || extension == ".pdf";
+  if (!mayCarry || !fs::is_regular_file(path))
+    return {};
+  std::string description = readImageDescription(path);
+  if (extension == ".pdf" && !looksLikeFigure(description))
+    throw Error(Error::Kind::input,
+                Message::tr("Cannot open %1: it is no figure of Limn; choose a volume, a scene or a picture.")
+                    .arg(path.filename().string()));
+  return description;
+}
+
+std::optional<SceneDocument> sceneInPicture(const fs::path& path) {
+  const std::string description = descriptionIn(path);
+  if (description.find("\"limn_scene\"") == std::string::npos || looksLikeFigure(description))
+    return std::nullopt;
+  return located(parseScene(description, path.filename().string()), path);
+}
+
+std::optional<FigureDocument> figureIn(const fs::path& path) {
+  const std::string description = descriptionIn(path);
+  if (!looksLikeFigure(description))
+    return std::nullopt;
+  FigureDocument figure = parseFigure(description, path.filename().string());
+  for (FigurePanelDocument& panel : figure.panels)
+    panel.scene = located(std::move(panel.scene), path);
+  return figure;
+}
+
+// The second panel as the other side of a comparison where it differs in the model alone, and slices.
+SessionDocument besideFirst(const FigureDocument& figure) {
+  SessionDocument beside;
+  beside.layout = CompareLayout::single;
+  const FigurePanelDocument& first = figure.panels.front();
+  for (const FigurePanelDocument& panel : figure.panels) {
+    SceneDocument other = panel.scene;
+    other.scene.shading.model = first.scene.scene.shading.model;
+    if (other != first.scene)
+      continue;
+    if (panel.plane) {
+      beside.planes = panel.planes;
+      beside.planes.layout = PlaneLayout::pictureAndThree;
+    } else if (&panel != &first && beside.layout == CompareLayout::single) {
+      beside.layout = CompareLayout::sideBySide;
+      beside.leftModel = first.scene.scene.shading.model;
+      beside.rightModel = panel.scene.scene.shading.model;
+    }
+  }
+  return beside;
+}
+
+// What a window cannot hold of a figure.
+Message remarkOn(const FigureDocument& figure, const SessionDocument& beside) {
+  const auto isHeld = [&](const FigurePanelDocument& panel) {
+    SceneDocument other = panel.scene;
+    const ShadingModel model = other.scene.shading.model;
+    other.scene.shading.model = figure.panels.front().scene.scene.shading.model;
+    const bool isSide = model == other.scene.shading.model ||
+                        (beside.layout == CompareLayout::sideBySide && model == beside.rightModel);
+    return other == figure.panels.front().scene && (panel.plane || isSide);
+  };
+  const auto held = std::ranges::count_if(figure.panels, isHeld);
+  const auto all = static_cast<std::ptrdiff_t>(figure.panels.size());
+  if (held == all)
+    return {};
+  if (held == 1)
+    return Message::tr("The figure has %1 panels, of which the window shows the first; the command limn "
+                       "figure draws all of them again.")
+        .arg(all);
+  return Message::tr("The figure has %1 panels, of which the window shows %2; the command limn figure draws "
+                     "all of them again.")
+      .arg(all)
+      .arg(held);
+}
+
+// Where a scene's volume is now: as told, as the scene says, built in, or known under the same name.
+std::string volumeOf(const SceneDocument& document, const SourceOptions& options) {
+  if (options.volume)
+    return options.volume->string();
+  if (fs::exists(document.volume))
+    return document.volume;
+  // Built-in volumes are named without a folder; reading made the name absolute.
+  std::string name = fs::path(document.volume).filename().string();
+  if (name == "phantom" || name == "sample" || name.starts_with("phantom:"))
+    return name;
+  if (const auto referred = options.references.find(name); referred != options.references.end())
+    if (fs::exists(referred->second))
+      return referred->second.string();
+  std::set<fs::path> found;
+  for (const fs::path& known : options.knownVolumes)
+    if (known.filename() == name && fs::exists(known))
+      found.insert(known);
+  if (found.size() == 1)
+    return found.begin()->string();
+  throw VolumeMissing(document.volume);
+}
+
+// Where a scene's label map is now: as the scene says, referred to, or beside the volume.
+std::string labelsOf(const std::string& written, const std::string& volume, const SourceOptions& options) {
+  std::error_code unknown;
+  const fs::path name = fs::path(written).filename();
+  if (written.empty() || fs::exists(written, unknown))
+    return written;
+  if (const auto referred = options.references.find(name.string()); referred != options.references.end())
+    return referred->second.string();
+  const fs::path beside = fs::path(volume).parent_path() / name;
+  return fs::exists(beside, unknown) ? beside.string() : written;
+}
+
+void keepPart(LoadedScene& loaded, KeptPart part, const SourceOptions& options, const Progress& progress) {
+  part.labels = labelsOf(part.labels, loaded.volumePath, options);
+  FoundRegion kept = regionOf(part, *loaded.scene.volume, progress);
+  loaded.scene.keep = std::move(kept.region);
+  if (!kept.remark.empty())
+    loaded.notes.push_back(kept.remark);
+}
+
+LoadedScene loadDocument(SceneDocument document, const SourceOptions& options, const Progress& progress) {
+  LoadedScene loaded;
+  loaded.hasOwnCamera = document.hasCamera;
+  loaded.scene = std::move(document.scene);
+  const std::string source = volumeOf(document, options);
+  const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
+  loaded.scene.volume =
+      document.orientation.empty() ? opened.volume : orientedByHand(*opened.volume, document.orientation);
+  loaded.volumePath = opened.path;
+  loaded.dicom = opened.dicom;
+  loaded.read = options.read;
+  keepPart(loaded, document.keep, options, progress);
+  if (!document.hasCamera)
+    loaded.scene.camera = defaultCamera(opened.volume->grid());
+  if (!document.hasTransferFunction) {
+    // Only the curve: the scene's other keys have values of their own.
+    const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
+    loaded.scene.transferFunction = preset.transferFunction;
+    loaded.preset = preset.name;
+  }
+  return loaded;
+}
+
+LoadedScene loadSession(const fs::path& path, SourceOptions options, const Progress& progress) {
+  const SessionDocument session = readSessionFile(path);
+  if (!options.read.series)
+    options.read.series = session.series;
+  if (!options.read.spacingMm)
+    options.read.spacingMm = session.spacingMm;
+  LoadedScene loaded = loadDocument(session.scene, options, progress);
+  loaded.session = session;
+  return loaded;
+}
+
+// A look names its images, not where they lie, and measures in millimetres what a scene measures in voxels.
+LoadedScene loadLook(const fs::path& path, SourceOptions options, const Progress& progress) {
+  PlacedLook placed = placedLook(path, options, progress);
+  options.volume = placed.dicom->path();
+  options.dicom = placed.dicom;
+  options.read.series = placed.series;
+  options.opened.clear(); // they may be of other series of the folder
+  std::vector<Message> changes = placed.look.changes;
+  const OpenedVolume opened = openVolume(options.volume->string(), options, progress, changes);
+  options.opened.emplace(opened.path, opened.volume);
+  const SceneDocument document = sceneOf(placed.look, opened.volume->grid(), changes);
+  LoadedScene loaded = loadDocument(document, options, progress);
+  loaded.dicom = opened.dicom;
+  loaded.notes.insert(loaded.notes.begin(), changes.begin(), changes.end());
+  return loaded;
+}
+
+} // namespace
+
+std::optional<std::filesystem::path> installedSampleHead() {
+  const fs::path head = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+  return fs::exists(head) ? std::optional(head) : std::nullopt;
+}
+
+std::string absoluteSource(const std::string& source) {
+  if (source == "sample" || isPhantom(source))
+    return source;
+  const fs::path path = fs::absolute(source).lexically_normal();
+  // A folder may be written with a slash behind it.
+  return (path.has_filename() ? path : path.parent_path()).string();
+}
+
+// Why surfaces of such a volume show bands; no look can take them away. An image has no other slice.
+static Message thickSlices(const Grid& grid) {
+  constexpr double muchThicker = 4.0;
+  const double thickest = std::max({grid.spacingMm.x, grid.spacingMm.y, grid.spacingMm.z});
+  const double ratio = thickest / smallestSpacingMm(grid);
+  if (ratio < muchThicker || imageNormalAxis(grid))
+    return {};
+  return Message::
+      tr("The slices lie %1 mm apart, %2 times as far as the pixels within them: surfaces show a band for "
+         "each slice.")
+          .arg(Message::rounded(thickest, 2))
+          .arg(Message::fixed(ratio, 0));
+}
+
+static LoadedScene loadUnframed(const std::string& source, const SourceOptions& options,
+                                const Progress& progress) {
+  SourceOptions named = options; // for the volume that a file names
+  named.asksForSeries = false;
+  if (const std::optional<std::string> text = sceneText(source))
+    return looksLikeSession(*text) ? loadSession(source, named, progress)
+                                   : loadDocument(readSceneFile(source), named, progress);
+  if (isDicomLookFile(source))
+    return loadLook(source, named, progress);
+  if (auto document = sceneInPicture(source))
+    return loadDocument(std::move(*document), named, progress);
+  if (auto figure = figureIn(source)) {
+    LoadedScene first = loadDocument(figure->panels.front().scene, named, progress);
+    first.beside = besideFirst(*figure);
+    if (const Message remark = remarkOn(*figure, *first.beside); !remark.empty())
+      first.notes.push_back(remark);
+    return first;
+  }
+  LoadedScene loaded;
+  const OpenedVolume opened = openedBefore(source, options, progress, loaded.notes);
+  loaded.scene.volume = opened.volume;
+  loaded.volumePath = opened.path;
+  loaded.dicom = opened.dicom;
+  loaded.read = options.read;
+  const Grid& grid = opened.volume->grid();
+  loaded.scene.camera = firstView(defaultCamera(grid), grid, opened.volume->info().orientationKnown);
+  const Preset preset = bestFitting(builtInPresets(), *opened.volume, effortOf(progress, countingVoxels));
+  loaded.scene = withPreset(loaded.scene, preset);
+  loaded.preset = preset.name;
+  if (options.hidesTable && !imageNormalAxis(grid))
+    loaded.scene.keep = sureBodyOf(*opened.volume, progress);
+  return loaded;
+}
+
+std::optional<LoadedFigure> loadFigure(const std::string& source, const SourceOptions& options,
+                                       const Progress& progress) {
+  const std::optional<FigureDocument> figure = figureIn(source);
+  if (!figure)
+    return std::nullopt;
+  LoadedFigure loaded{figure->settings, {}};
+  SourceOptions more = options;
+  for (const FigurePanelDocument& panel : figure->panels) {
+    loaded.panels.push_back(
+        {panel.name, panel.plane, panel.planes, loadDocument(panel.scene, more, progress)});
+    const LoadedScene& scene = loaded.panels.back().scene;
+    // One that was turned by hand is another volume.
+    if (panel.scene.orientation.empty())
+      more.opened.emplace(scene.volumePath, scene.scene.volume);
+  }
+  return loaded;
+}
+
+LoadedScene loadScene(const std::string& source, const SourceOptions& options, const Progress& progress) {
+  LoadedScene loaded = loadUnframed(source, options, progress);
+  if (const Message remark = thickSlices(loaded.scene.volume->grid()); !remark.empty())
+    loaded.notes.push_back(remark);
+  const ImageSettings& image = loaded.scene.image;
+  if (!loaded.hasOwnCamera)
+    loaded.scene.camera = framedCamera(loaded.scene, 1.0 * image.width / image.height,
+                                       effortOf(progress, Message::tr("Finding what is visible")));
+  return loaded;
+}
+
+} // namespace limn

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/drawing/PictureMaker.h"
+#include "widgets/figure/FigureLayout.h"
+
+#include <QImage>
+
+namespace limn {
+
+/// A figure whose pictures are drawn.
+struct MadeFigure {
+  Figure figure; ///< its scenes as they were drawn, with the steps that keep their tolerances
+  FigureLayout layout;
+  std::vector<QImage> pictures; ///< by panel; over the scene's background, or without where the page has none
+  std::vector<Image> floats;    ///< by panel, where they were asked for: premultiplied, without background
+  std::string engine;           ///< who drew, for people; empty where only slices are shown
+  std::vector<std::string> notes; ///< one sentence each
+};
+
+/// What is made of a figure's pictures.
+enum class FigurePixels {
+  bytes, ///< as most files have them
+  floats ///< beside them, for EXR
+};
+
+/// Draws the pictures of a figure's panels in so many pixels each, with one renderer; leaves the layout open.
+/// Tells and asks `order.effort`. Throws Error and Cancelled.
+MadeFigure drawPanels(const Figure& figure, const QSize& size, const MakingOptions& order,
+                      FigurePixels pixels = FigurePixels::bytes);
+
+/// Draws every picture of a figure in the size that its layout gives them, with one renderer, as `limn
+/// render` does: the same bits. Tells and asks `order.effort`. Throws Error and Cancelled.
+MadeFigure makeFigure(const Figure& figure, const MakingOptions& order,
+                      FigurePixels pixels = FigurePixels::bytes);
+
+/// The figure with its errors estimated where it tells them: from small pictures of the same views with their
+/// steps halved twice (accuracy/ErrorEstimate). Throws Error and Cancelled.
+Figure withErrors(Figure figure, const MakingOptions& order);
+
+/// The most bytes that a figure takes while it is made and written.
+double bytesToMake(const FigureLayout& layout, FigurePixels pixels);
+
+/// "The figure is 20,000 × 20,000 pixels and takes 8.0 GB of memory while it is made; 3.1 GB are free." Empty
+/// where there is plenty.
+std::string memoryNote(const FigureLayout& layout, FigurePixels pixels);
+
+/// Whether the computer has that much memory. True where it does not tell.
+bool hasMemoryFor(const FigureLayout& layout, FigurePixels pixels);
+
+} // namespace limn

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/exports/TurntableDialog.h"
+
+#include "app/core/making/Turntable.h"
+#include "app/document/DocumentText.h"
+#include "app/files/saving/SavingController.h"
+#include "io/scenefile/SceneFile.h"
+#include "widgets/controls/NumberField.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/Titles.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// A driver's and a video's frames are no larger.
+constexpr double mostSide = 8192.0;
+
+} // namespace
+
+TurntableDialog::TurntableDialog(WindowContext& context, const SavingController* saving)
+    : ExportDialog(context, {QStringLiteral("turntable"), tr("Drawing the turntable"),
+                             tr("Cancelled; frames that were drawn stay.")}),
+      m_saving(*saving), m_width(new NumberField(16.0, mostSide, 0, this)),
+      m_height(new NumberField(16.0, mostSide, 0, this)), m_frames(new NumberField(2.0, mostFrames, 0, this)),
+      m_perSecond(new NumberField(1.0, 240.0, 0, this)), m_kind(new QComboBox(this)),
+      m_picture(new QComboBox(this)), m_form(new QFormLayout) {
+  setWindowTitle(tr("Save a turntable"));
+  m_kind->setObjectName(QStringLiteral("turntableKind"));
+  m_picture->setObjectName(QStringLiteral("turntablePicture"));
+  m_frames->setObjectName(QStringLiteral("turntableFrames"));
+  m_width->setObjectName(QStringLiteral("turntableWidth"));
+  m_height->setObjectName(QStringLiteral("turntableHeight"));
+  m_width->setAccessibleName(tr("Width in pixels"));
+  m_height->setAccessibleName(tr("Height in pixels"));
+  m_frames->setNumber(90.0);
+  m_perSecond->setNumber(25.0);
+  const QRectF picture = context.view.logicalRect(0);
+  m_width->setNumber(std::floor(picture.width()));
+  m_height->setNumber(std::floor(picture.height()));
+  layOut(!videoProgram().empty());
+  for (NumberField* field : {m_frames, m_perSecond})
+    connect(field, &NumberField::numberEdited, this, &TurntableDialog::showLength);
+  showLength();
+}
+
+ActionLook TurntableDialog::look() {
+  return {.text = tr("Save &turntable…"),
+          .place = {Menu::file, 2, 6},
+          .toolTip = tr("Saves the picture from all around, as frames or a video.")};
+}
+
+void TurntableDialog::layOut(bool hasVideo) {
+  m_kind->addItem(tr("Frames in a folder (PNG)"));
+  if (hasVideo)
+    m_kind->addItem(tr("Video (MP4)"));
+  auto* size = new QHBoxLayout;
+  size->addWidget(m_width, 1);
+  size->addWidget(new QLabel(QStringLiteral("×"), this));
+  size->addWidget(m_height, 1);
+  size->addWidget(new QLabel(tr("pixels"), this));
+  m_form->addRow(tr("Save &as"), m_kind);
+  m_form->addRow(tr("&Picture"), m_picture);
+  m_form->addRow(tr("Size"), size);
+  m_form->addRow(tr("&Frames for one turn"), m_frames);
+  m_form->addRow(tr("Frames per s&econd"), m_perSecond);
+  if (!hasVideo) {
+    auto* missing = new QLabel(tr("A video can be made once the program ffmpeg is installed."), this);
+    missing->setWordWrap(true);
+    m_form->addRow(missing);
+  }
+  auto* save = new QPushButton(tr("&Save…"), this);
+  save->setObjectName(QStringLiteral("turntableSave"));
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(m_form);
+  addFoot(column, save);
+  setMinimumWidth(440);
+  connect(save, &QPushButton::clicked, this, &TurntableDialog::save);
+}
+
+void TurntableDialog::showLength() {
+  say(tr("One turn about the patient's upright axis: a frame each %1°, %2 s.")
+          .arg(QLocale().toString(360.0 / frames(), 'f', 1),
+               QLocale().toString(frames() / framesPerSecond(), 'f', 1)));
+}
+
+void TurntableDialog::setPictures(const QStringList& names, int usual) {
+  QStringList before;
+  for (int i = 0; i < m_picture->count(); ++i)
+    before << m_picture->itemText(i);
+  if (names == before)
+    return;
+  m_picture->clear();
+  m_picture->addItems(names);
+  m_picture->setCurrentIndex(usual);
+  m_form->setRowVisible(m_picture, names.size() > 1);
+}
+
+int TurntableDialog::frames() const {
+  return static_cast<int>(m_frames->number());
+}
+
+double TurntableDialog::framesPerSecond() const {
+  return m_perSecond->number();
+}
+
+void TurntableDialog::begin(bool) {
+  const std::vector<Scene> scenes = m_context.view.scenesOfSides();
+  setPictures(scenes.size() < 2 ? QStringList{sideTitle(scenes.front())}
+                                : QStringList{tr("Left: %1").arg(sideTitle(scenes[0])),
+                                              tr("Right: %1").arg(sideTitle(scenes[1]))},
+              m_context.view.ownSide());
+}
+
+void TurntableDialog::save() {
+  const QString name = suggestedName(m_context.document) + QStringLiteral("-turntable");
+  const bool isVideo = m_kind->currentIndex() == 1;
+  Turntable turntable;
+  turntable.scene = m_context.view.sceneOfSide(m_picture->currentIndex());
+  turntable.scene.keep.source = m_saving.labelsInPicture();
+  turntable.size = {static_cast<int>(m_width->number()), static_cast<int>(m_height->number())};
+  turntable.frames = frames();
+  turntable.framesPerSecond = framesPerSecond();
+  exportTo({isVideo ? tr("Save the video") : tr("Save the frames in a new folder"),
+            isVideo ? name + QStringLiteral(".mp4") : name + QStringLiteral(".frames"),
+            {isVideo ? tr("Video (*.mp4)") : tr("Folder of frames (*.frames)")},
+            QStandardPaths::writableLocation(QStandardPaths::MoviesLocation)},
+           [turntable, order = m_context.drawnLikeTheView(),
+            volume = m_saving.volumeInPicture()](const std::string& path, const Effort& effort) {
+             MakingOptions told = order;
+             told.effort = effort;
+             writeTurntable(path, turntable, told,
+                            [&](const Scene& scene) { return sceneToJson(scene, volume); });
+             return Outcome{tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName())};
+           });
+}
+
+QString TurntableDialog::doing(double fraction) const {
+  return tr("Drawing frame %1 of %2…")
+      .arg(std::min(frames(), static_cast<int>(fraction * frames()) + 1))
+      .arg(frames());
+}
+
+} // namespace limn

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/files/exports/ExportDialog.h"
+
+#include <QStringList>
+
+class QComboBox;
+class QFormLayout;
+
+namespace limn {
+
+class NumberField;
+class SavingController;
+
+/// Asks how what is open is saved from all around, and saves it: as frames, or as a video where there is a
+/// program that makes one.
+class TurntableDialog : public ExportDialog {
+  Q_OBJECT
+
+public:
+  /// `saving` says how files call the volume.
+  TurntableDialog(WindowContext& context, const SavingController* saving);
+
+  static ActionLook look();
+  static bool suits(const Scene& scene) { return scene.volume != nullptr; }
+
+private:
+  QString doing(double fraction) const override;
+  void begin(bool isNew) override;
+  void layOut(bool hasVideo);
+  /// What the window shows, from left to right: of several, one is asked for, at first `usual`; the same
+  /// ones keep what was chosen.
+  void setPictures(const QStringList& names, int usual);
+  int frames() const;
+  double framesPerSecond() const;
+  void save();
+  void showLength();
+
+  const SavingController& m_saving;
+  NumberField* m_width;
+  NumberField* m_height;
+  NumberField* m_frames;
+  NumberField* m_perSecond;
+  QComboBox* m_kind;
+  QComboBox* m_picture;
+  QFormLayout* m_form;
+};
+
+} // namespace limn

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/figure/FigureDialog.h"
+
+#include "app/document/DocumentText.h"
+#include "app/figures/FigureFiles.h"
+#include "app/figures/FigureOptions.h"
+#include "app/files/figure/FigurePreview.h"
+#include "app/files/figure/PanelSources.h"
+#include "app/files/saving/SavingController.h"
+#include "planes/GreyWindows.h"
+#include "scene/basics/Error.h"
+#include "widgets/Translated.h"
+#include "widgets/ValueText.h"
+#include "widgets/view/CompareView.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+constexpr int sideWidth = 372;
+
+// The first picture of a preview has so many pixels each way as a share of the last, so that it comes at
+// once.
+constexpr double coarseShare = 0.3;
+constexpr int restMs = 120;
+
+// What a scene is drawn with that shall be as exact as a screen shows.
+constexpr double exactLevels = 0.5;
+
+// A panel but for what its picture does not show.
+FigurePanel asDrawn(FigurePanel panel) {
+  panel.name.clear();
+  panel.errorLevels.reset();
+  return panel;
+}
+
+bool showSamePictures(const Figure& a, const Figure& b) {
+  return a.settings.page == b.settings.page && std::ranges::equal(a.panels, b.panels, {}, asDrawn, asDrawn);
+}
+
+MakingOptions withEffort(MakingOptions order, const Effort& effort) {
+  order.effort = effort;
+  return order;
+}
+
+QString withNotes(QString text, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes)
+    text += QLatin1Char(' ') + QString::fromStdString(note);
+  return text;
+}
+
+// The figure with its errors, drawn as a whole.
+MadeFigure madeWithErrors(const Figure& figure, const MakingOptions& order, FigurePixels pixels,
+                          const Effort& effort) {
+  constexpr double estimating = 0.15; // of the whole, in time
+  const Figure estimated = withErrors(figure, withEffort(order, partOf(effort, 0.0, estimating)));
+  return makeFigure(estimated, withEffort(order, partOf(effort, estimating, 1.0)), pixels);
+}
+
+} // namespace
+
+FigureDialog::FigureDialog(WindowContext& context, std::function<FigureLooks()> looks,
+                           const SavingController* saving)
+    : ExportDialog(context,
+                   {QStringLiteral("figure"), tr("Making the figure"), tr("Cancelled; nothing was saved.")}),
+      m_looks(std::move(looks)), m_saving(*saving), m_preview(new FigurePreview(this)),
+      m_panels(new PanelList(this)), m_options(new FigureOptions(this)),
+      m_exact(new QCheckBox(tr("As exact as a screen shows"), this)) {
+  setWindowTitle(tr("Save a figure"));
+  m_exact->setObjectName(QStringLiteral("figureExact"));
+  m_exact->setToolTip(tr("Draws within half a level of 255 of the exact picture, which takes longer than the "
+                         "window's own steps."));
+  m_exact->setChecked(true);
+  QWidget* side = makeSide();
+  connect(this, &ExportDialog::workingChanged, side, &QWidget::setDisabled);
+  auto* row = new QHBoxLayout;
+  row->addWidget(m_preview, 1);
+  row->addWidget(side);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(row, 1);
+  addButtons(column);
+  m_options->setSettings(context.settings.figure());
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(restMs);
+  connectParts();
+  resize(1100, 660);
+}
+
+ActionLook FigureDialog::look() {
+  return {.text = tr("Save &figure…"),
+          .place = {Menu::file, 2, 5},
+          .shortcut = tr("Ctrl+Shift+F"),
+          .toolTip =
+              tr("Makes a figure to publish: pictures with names, scale, curve and notes, as PNG, TIFF, "
+                 "EXR or PDF.")};
+}
+
+void FigureDialog::connectParts() {
+  const auto refresh = [this] {
+    m_outcome.clear();
+    refreshPreview();
+  };
+  connect(m_panels, &PanelList::edited, this, refresh);
+  connect(m_options, &FigureOptions::edited, this, refresh);
+  connect(m_exact, &QCheckBox::clicked, this, refresh);
+  connect(m_preview, &FigurePreview::resized, this, &FigureDialog::refreshPreview);
+  connect(m_options, &FigureOptions::edited, this,
+          [this](const FigureSettings& settings) { m_context.settings.setFigure(settings); });
+  connect(&m_soon, &QTimer::timeout, this, &FigureDialog::refreshSources);
+  connect(&m_context.session, &Session::planesChanged, this, [this] { m_soon.start(); });
+}
+
+QWidget* FigureDialog::makeSide() {
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(8, 12, 8, 4);
+  column->setSpacing(12);
+  column->addWidget(m_panels);
+  column->addWidget(m_options);
+  column->addWidget(m_exact);
+  column->addStretch();
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus); // its fields have it
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(side);
+  scroll->setFixedWidth(sideWidth);
+  return scroll;
+}
+
+void FigureDialog::addButtons(QVBoxLayout* column) {
+  auto* save = new QPushButton(tr("&Save…"), this);
+  auto* copy = new QPushButton(tr("&Copy"), this);
+  save->setObjectName(QStringLiteral("figureSave"));
+  copy->setObjectName(QStringLiteral("figureCopy"));
+  copy->setToolTip(tr("Copies the figure to the clipboard, in full size."));
+  connect(save, &QPushButton::clicked, this, &FigureDialog::save);
+  connect(copy, &QPushButton::clicked, this, &FigureDialog::copy);
+  addFoot(column, save, copy);
+}
+
+void FigureDialog::begin(bool isNew) {
+  if (!isNew)
+    return;
+  m_drawn = {};
+  m_outcome.clear();
+  m_preview->setPictures({});
+  show(); // the preview is as large as it is seen
+  refreshSources();
+}
+
+void FigureDialog::showScene(const Scene&) {
+  m_soon.start();
+}
+
+void FigureDialog::done(int result) {
+  ExportDialog::done(result);
+  if (!isVisible())
+    m_work.cancel();
+}
+
+Figure FigureDialog::askedFigure() const {
+  return {m_options->settings(), m_panels->panels()};
+}
+
+bool FigureDialog::isExact() const {
+  return m_exact->isChecked();
+}
+
+void FigureDialog::setExact(bool isExact) {
+  m_exact->setChecked(isExact);
+}
+
+void FigureDialog::refreshSources() {
+  const Scene& scene = m_context.document.scene();
+  m_isStale = isWorking();
+  if (!isVisible() || m_isStale || !scene.volume)
+    return;
+  const Histogram& histogram = m_context.document.histogram();
+  const FigureLooks looks = m_looks();
+  const bool isComparing = m_context.view.compareLayout() != CompareLayout::single;
+  const FigureIngredients from{scene,
+                               m_context.view.scenesOfSides(),
+                               isComparing ? looks.compared : std::nullopt,
+                               looks.remembered,
+                               m_context.session.planes(),
+                               firstWindow(*scene.volume, histogram),
+                               looks.presets,
+                               histogram};
+  const std::vector<PanelSource> sources = panelSources(from);
+  const bool isFirst = m_drawn.panels.empty();
+  m_panels->setSources(sources);
+  if (isFirst) {
+    m_panels->choose(firstPanels(sources, from));
+    FigureSettings settings = m_options->settings();
+    settings.panelAspect = m_context.view.pictureAspect();
+    m_options->setSettings(settings);
+  }
+  refreshPreview();
+}
+
+// Marks at once, pictures as they come.
+void FigureDialog::refreshPreview() {
+  if (isWorking())
+    return;
+  m_preview->setFigure(withKnownErrors(askedFigure()));
+  sayWhatItIs();
+  const std::optional<Figure> shown = m_preview->asShown();
+  if (!shown)
+    return;
+  const std::vector<QImage>& pictures = m_preview->pictures();
+  const QSize size = figureLayout(*shown).pictureSize();
+  const bool isDrawn =
+      showSamePictures(*shown, m_drawn) && pictures.size() == shown->panels.size() &&
+      std::ranges::all_of(pictures, [&](const QImage& picture) { return picture.size() == size; });
+  if (isDrawn && !m_work.isRunning())
+    return;
+  drawPreview(showSamePictures(*shown, m_drawn) ? 1.0 : coarseShare);
+}
+
+void FigureDialog::drawPreview(double share) {
+  const std::optional<Figure> shown = m_preview->asShown();
+  if (!shown)
+    return;
+  const QSize size = (figureLayout(*shown).pictureSize() * share).expandedTo({8, 8});
+  m_work.start([this, figure = *shown, share, size,
+                order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
+    const MadeFigure made = drawPanels(figure, size, withEffort(order, effort));
+    return [this, figure, made, share] {
+      m_drawn = figure;
+      m_notes = made.notes;
+      m_preview->setPictures(made.pictures);
+      sayWhatItIs();
+      share < 1.0 ? drawPreview(1.0) : estimatePreview(figure);
+    };
+  });
+}
+
+// The last that is found out; until then the figure says nothing of it.
+void FigureDialog::estimatePreview(const Figure& figure) {
+  const Figure known = withKnownErrors(figure);
+  const auto isKnown = [](const FigurePanel& panel) { return panel.plane || panel.errorLevels; };
+  if (!figure.settings.shows(FigureMark::accuracy) || std::ranges::all_of(known.panels, isKnown))
+    return;
+  m_work.start(
+      [this, figure, order = m_context.drawnLikeTheView()](const Effort& effort) -> BackgroundWork::Deliver {
+        const Figure estimated = withErrors(figure, withEffort(order, effort));
+        return [this, estimated] {
+          m_estimated = estimated.panels;
+          m_preview->setFigure(withKnownErrors(askedFigure()));
+        };
+      });
+}
+
+Figure FigureDialog::withKnownErrors(Figure figure) const {
+  for (FigurePanel& panel : figure.panels) {
+    if (panel.plane)
+      continue;
+    const auto known = std::ranges::find_if(
+        m_estimated, [&](const FigurePanel& other) { return asDrawn(other) == asDrawn(panel); });
+    if (isExact())
+      panel.errorLevels = exactLevels;
+    else if (known != m_estimated.end())
+      panel.errorLevels = known->errorLevels;
+  }
+  return figure;
+}
+
+void FigureDialog::sayWhatItIs() {
+  const Figure figure = m_preview->figure();
+  try {
+    const FigureLayout layout = figureLayout(figure);
+    const double cm = 2.54 / figure.settings.dotsPerInch;
+    const bool isInPixels = figure.settings.unit == FigureSettings::Unit::pixels;
+    m_options->setUsualHeight(layout.size.height() * (isInPixels ? 1.0 : cm));
+    QString text = tr("%1 × %2 pixels, %3 × %4 cm; each picture %5 × %6.")
+                       .arg(layout.size.width())
+                       .arg(layout.size.height())
+                       .arg(fixedNumber(cm * layout.size.width(), 1))
+                       .arg(fixedNumber(cm * layout.size.height(), 1))
+                       .arg(layout.pictureSize().width())
+                       .arg(layout.pictureSize().height());
+    if (const std::string memory = memoryNote(layout, FigurePixels::bytes); !memory.empty())
+      text += QLatin1Char(' ') + QString::fromStdString(memory);
+    if (!m_outcome.isEmpty())
+      text.prepend(m_outcome + QLatin1Char('\n'));
+    describe(withNotes(text, m_notes), hasMemoryFor(layout, FigurePixels::bytes));
+  } catch (const Error& error) {
+    describe(translated(error), false);
+  }
+}
+
+// What is to be drawn in the end.
+Figure FigureDialog::wanted() const {
+  Figure all = askedFigure();
+  if (isExact())
+    for (FigurePanel& panel : all.panels)
+      if (Quality& quality = panel.scene.quality; !quality.toleranceLevels) {
+        quality.toleranceLevels = exactLevels;
+        quality.fineness.reset();
+      }
+  return all;
+}
+
+void FigureDialog::describe(const QString& text, bool canBeMade) {
+  say(text);
+  setStartable(canBeMade && !isWorking());
+}
+
+void FigureDialog::save() {
+  const QString usual = suggestedName(m_context.document) + QStringLiteral("-figure.png");
+  const std::string volumePath = m_context.document.volumePath();
+  const NameInFile named = [volumePath, volume = m_saving.volumeInPicture(),
+                            labels = m_saving.labelsInPicture()](const std::string& name, const Volume&) {
+    return name == volumePath ? volume : labels;
+  };
+  exportTo({tr("Save the figure"),
+            usual,
+            {tr("PNG picture (*.png)"), tr("PDF with text as text (*.pdf)"), tr("TIFF picture (*.tif)"),
+             tr("OpenEXR with floats (*.exr)")},
+            QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)},
+           [figure = wanted(), named, volumePath,
+            order = m_context.drawnLikeTheView()](const std::string& path, const Effort& effort) {
+             const MadeFigure made = madeWithErrors(figure, order, pixelsFor(figureFormatOf(path)), effort);
+             const std::vector<std::string> volumes(made.figure.panels.size(), volumePath);
+             writeFigure(path, made, figureDescription(made.figure, volumes, named));
+             return Outcome{withNotes(tr("Saved %1.").arg(QFileInfo(QString::fromStdString(path)).fileName()),
+                                      made.notes)};
+           });
+}
+
+void FigureDialog::copy() {
+  run([figure = wanted(), order = m_context.drawnLikeTheView()](const Effort& effort) {
+    const MadeFigure made = madeWithErrors(figure, order, FigurePixels::bytes, effort);
+    const QImage image = imageOf(made);
+    return Outcome{withNotes(tr("Copied %1 × %2 pixels.").arg(image.width()).arg(image.height()), made.notes),
+                   [image] { QApplication::clipboard()->setImage(image); }};
+  });
+}
+
+void FigureDialog::sayOutcome(const QString& sentence) {
+  m_outcome = sentence;
+  sayWhatItIs();
+  if (m_isStale)
+    m_soon.start();
+}
+
+QString FigureDialog::doing(double) const {
+  return tr("Drawing the figure…");
+}
+
+} // namespace limn

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/figure/FigurePreview.h"
+
+#include "scene/basics/Error.h"
+#include "widgets/figure/FigureLayout.h"
+#include "widgets/figure/FigurePainting.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int aroundPage = 12;
+
+// What shows where a page is transparent, as image editors show it.
+QBrush checkers() {
+  constexpr int field = 8;
+  QPixmap tile(2 * field, 2 * field);
+  tile.fill(QColor(255, 255, 255));
+  QPainter painter(&tile);
+  painter.fillRect(0, 0, field, field, QColor(218, 220, 224));
+  painter.fillRect(field, field, field, field, QColor(218, 220, 224));
+  return QBrush(tile);
+}
+
+} // namespace
+
+FigurePreview::FigurePreview(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Preview of the figure"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void FigurePreview::setFigure(const Figure& figure) {
+  m_figure = figure;
+  update();
+}
+
+void FigurePreview::setPictures(const std::vector<QImage>& pictures) {
+  m_pictures = pictures;
+  update();
+}
+
+std::optional<Figure> FigurePreview::asShown() const {
+  if (m_figure.panels.empty())
+    return std::nullopt;
+  try {
+    const QSize full = figureLayout(m_figure).size;
+    const QSizeF room = QSizeF(width() - 2 * aroundPage, height() - 2 * aroundPage) * devicePixelRatioF();
+    Figure shown = m_figure;
+    // Rounding may add some pixels to the height.
+    constexpr double rounding = 8.0;
+    shown.settings =
+        scaledBy(m_figure.settings,
+                 std::min({1.0, room.width() / full.width(), (room.height() - rounding) / full.height()}));
+    figureLayout(shown);
+    return shown;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+void FigurePreview::paintEvent(QPaintEvent*) {
+  const std::optional<Figure> shown = asShown();
+  if (!shown)
+    return;
+  const FigureLayout layout = figureLayout(*shown);
+  QPainter painter(this);
+  const double ratio = devicePixelRatioF();
+  painter.scale(1.0 / ratio, 1.0 / ratio);
+  painter.translate(std::round((width() * ratio - layout.size.width()) / 2.0),
+                    std::round((height() * ratio - layout.size.height()) / 2.0));
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (shown->settings.page == FigureSettings::Page::transparent)
+    painter.fillRect(QRect(QPoint(0, 0), layout.size), checkers());
+  paintFigure(painter, *shown, layout, m_pictures);
+}
+
+void FigurePreview::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  emit resized();
+}
+
+} // namespace limn

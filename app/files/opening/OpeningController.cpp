@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/opening/OpeningController.h"
+
+#include "app/asking/FileDialogs.h"
+#include "app/asking/LookFiles.h"
+#include "app/files/opening/SeriesDialog.h"
+#include "app/window/WindowContext.h"
+#include "io/looks/dicom/DicomLook.h"
+#include "widgets/ValueText.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/panels/ViewPanels.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QLocale>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace limn {
+
+OpeningController::OpeningController(WindowContext& context, std::function<std::function<void()>()> before)
+    : QObject(&context.window), m_context(context),
+      m_recent(context.actions.addMenu(tr("Open &recent"), {Menu::file, 1, 5})), m_before(std::move(before)) {
+  m_recent->setObjectName(QStringLiteral("recentSources"));
+  connect(m_recent, &QMenu::aboutToShow, this, &OpeningController::refreshRecent);
+  addActions();
+  connectLoader();
+  connectEmptyPanel();
+  connect(&context.view, &CompareView::loadingCancelled, this, &OpeningController::cancel);
+  connect(&context.session.undoStack(), &QUndoStack::indexChanged, this, &OpeningController::leaveFailure);
+  refreshRecent();
+}
+
+void OpeningController::addActions() {
+  ActionList& actions = m_context.actions;
+  QAction* file =
+      actions.add(QStringLiteral("openFile"),
+                  {.text = tr("&Open file…"),
+                   .place = {Menu::file, 1, 1},
+                   .shortcut = QKeySequence::Open,
+                   .toolTip = tr("Opens a volume, a session, a scene or a picture that Limn saved."),
+                   .icon = QStringLiteral("open"),
+                   .iconText = tr("Open")});
+  const QAction* folder = actions.add(
+      QStringLiteral("openFolder"),
+      {.text = tr("Open &DICOM folder…"), .place = {Menu::file, 1, 2}, .shortcut = tr("Ctrl+Shift+O")});
+  const QAction* sample = actions.add(QStringLiteral("openSample"),
+                                      {.text = tr("Open the sample &head"), .place = {Menu::file, 1, 3}});
+  QAction* clear = actions.add(
+      QStringLiteral("clearRecent"),
+      {.text = tr("Clear recent files"),
+       .toolTip = tr("Empties the list of recent files, and with it where volumes lie and dialogs open.")});
+  actions.addSetting({.row = 6, .action = clear});
+  connect(file, &QAction::triggered, this, &OpeningController::askForFile);
+  connect(folder, &QAction::triggered, this, &OpeningController::askForFolder);
+  connect(sample, &QAction::triggered, this, &OpeningController::openSample);
+  connect(clear, &QAction::triggered, this, &OpeningController::clearRecent);
+  QToolButton* button = actions.makeMenuButton(QStringLiteral("openButton"), QToolButton::MenuButtonPopup);
+  button->setDefaultAction(file);
+  actions.addMenuButton(*button, m_recent, {1, 1});
+}
+
+void OpeningController::connectLoader() {
+  connect(&m_loader, &VolumeLoader::progressed, &m_context.view, &CompareView::setLoading);
+  connect(&m_loader, &VolumeLoader::cancelled, &m_context.view, &CompareView::clearLoading);
+  connect(&m_loader, &VolumeLoader::seriesFound, this, &OpeningController::chooseSeries);
+  connect(&m_loader, &VolumeLoader::loaded, this,
+          [this](const LoadedScene& scene, const Histogram& histogram) {
+            m_context.view.clearLoading();
+            emit loaded(scene, histogram, m_requested);
+          });
+  connect(&m_loader, &VolumeLoader::failed, this, [this](const QString& source, const QString& sentence) {
+    m_context.view.clearLoading();
+    m_context.settings.removeRecentSource(source);
+    refreshRecent();
+    m_context.showError(sentence);
+    m_failure = sentence;
+  });
+  connect(&m_loader, &VolumeLoader::volumeMissing, this,
+          [this](const QString& source, const QString& expected) {
+            m_failure = isDicomLookFile(source.toStdString())
+                            ? tr("The series that this look belongs to is not beside it.")
+                            : tr("The scene's volume is not where the scene expects it: %1.").arg(expected);
+            m_context.messages.show(MessageBar::Kind::error, m_failure, {},
+                                    {tr("Locate volume…"), [this, source] { locateVolume(source); }});
+          });
+}
+
+void OpeningController::connectEmptyPanel() {
+  const EmptyPanel* empty = &m_context.view.emptyPanel();
+  connect(empty, &EmptyPanel::openFolderRequested, this, &OpeningController::askForFolder);
+  connect(empty, &EmptyPanel::openFileRequested, this, &OpeningController::askForFile);
+  connect(empty, &EmptyPanel::sampleRequested, this, &OpeningController::openSample);
+  connect(empty, &EmptyPanel::recentRequested, this, &OpeningController::openRecent);
+}
+
+void OpeningController::open(const QString& source, const SourceOptions& options) {
+  // A path means the same from wherever the next window is started.
+  const QString path = QString::fromStdString(absoluteSource(source.toStdString()));
+  if (holdsLooks(path)) {
+    emit looksChosen({path});
+    return;
+  }
+  // Whom the file shows is known once it is read; until then its name is shown only where a patient's may be.
+  start({path, options}, m_context.settings.patientIsShown().value_or(false)
+                             ? tr("Opening %1").arg(QFileInfo(path).fileName())
+                             : tr("Opening the volume"));
+}
+
+void OpeningController::restore(const QString& session) {
+  start({session, {}, true}, tr("Restoring the session"));
+}
+
+// A decoder that crashes takes the window along; so what is shown is put on the disk before one begins.
+void OpeningController::start(const Request& request, const QString& what) {
+  m_context.messages.hide();
+  m_requested = request;
+  SourceOptions known = request.options;
+  known.knownVolumes = m_context.settings.knownVolumes();
+  known.references = m_context.settings.references();
+  known.hidesTable = true;
+  if (!known.read.memory)
+    known.read.memory = m_context.memory;
+  m_context.view.setLoading(-1.0, what);
+  m_loader.start(request.source, known, m_before());
+}
+
+void OpeningController::locateVolume(const QString& scene) {
+  const QString path =
+      askWhatToOpen(&m_context.window,
+                    {.title = tr("Where is the volume of %1?").arg(QFileInfo(scene).fileName()),
+                     .isFolder = isDicomLookFile(scene.toStdString())}, // many images
+                    m_context.settings);
+  if (path.isEmpty())
+    return;
+  Request request = m_requested;
+  request.source = scene;
+  request.options.volume = path.toStdString();
+  start(request, tr("Opening the volume"));
+}
+
+void OpeningController::askForFile() {
+  const QString path = askWhatToOpen(
+      &m_context.window,
+      {.title = tr("Open a volume, session, scene or Limn picture"),
+       .filters =
+           QStringList{tr("Everything Limn reads (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vti *.vtk *.dcm "
+                          "*.inv3 *.hdr *.tif *.tiff *.png *.jpg *.json *.exr *.pdf *.vp *.plist *.itf "
+                          "*.clut *.tfi *.1dt)")} +
+           readLookFilters()},
+      m_context.settings);
+  if (!path.isEmpty())
+    open(path);
+}
+
+void OpeningController::askForFolder() {
+  const QString path = askWhatToOpen(&m_context.window,
+                                     {.title = tr("Open a DICOM folder or an image stack"), .isFolder = true},
+                                     m_context.settings);
+  if (!path.isEmpty())
+    open(path);
+}
+
+void OpeningController::chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom) {
+  m_context.view.clearLoading();
+  auto* dialog = new SeriesDialog(dicom->summaries(), &m_context.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SeriesDialog::seriesChosen, this, [this, source, dicom](int number) {
+    SourceOptions options = m_requested.options;
+    options.read.series = number;
+    options.dicom = dicom;
+    open(source, options);
+  });
+  dialog->open();
+}
+
+void OpeningController::askForSpacing(const Request& shown, const glm::dvec3& spacingMm) {
+  auto* dialog = new QInputDialog(&m_context.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Voxel spacing"));
+  dialog->setLabelText(tr("Distance between voxel centres along x, y and z in millimetres:"));
+  dialog->setTextValue(numberList({spacingMm.x, spacingMm.y, spacingMm.z}));
+  connect(dialog, &QInputDialog::textValueSelected, this,
+          [this, shown](const QString& entered) { readWithSpacing(shown, entered); });
+  dialog->open();
+}
+
+void OpeningController::readWithSpacing(const Request& shown, const QString& entered) {
+  const auto typed = numbersTyped(entered);
+  const bool valid =
+      typed && typed->size() == 3 && std::ranges::all_of(*typed, [](double mm) { return mm > 0.0; });
+  if (!valid) {
+    m_context.messages.show(MessageBar::Kind::error,
+                            tr("The spacing must be three positive numbers, such as 0.5, 0.5, 1.2."));
+    return;
+  }
+  SourceOptions options = shown.options;
+  options.read.spacingMm = glm::dvec3((*typed)[0], (*typed)[1], (*typed)[2]);
+  open(shown.source, options);
+}
+
+void OpeningController::leaveFailure() {
+  if (!m_failure.isEmpty() && m_context.messages.sentence() == m_failure)
+    m_context.messages.hide();
+  m_failure.clear();
+}
+
+void OpeningController::remember(const QString& path, const QString& label, const std::string& volume) {
+  m_context.settings.addRecentSource(path, label);
+  if (std::filesystem::path(volume).is_absolute())
+    m_context.settings.addKnownVolume(volume);
+  refreshRecent();
+}
+
+// What was opened before, latest first, as a list shows it: equal labels carry a date.
+QStringList OpeningController::recentTexts() {
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  QStringList texts;
+  for (const RecentSource& source : recent) {
+    const bool isAlone = std::count_if(recent.begin(), recent.end(), [&](const RecentSource& other) {
+                           return other.label == source.label;
+                         }) == 1;
+    const QDateTime opened = QDateTime::fromString(source.opened, Qt::ISODateWithMs).toLocalTime();
+    texts << (isAlone
+                  ? source.label
+                  : tr("%1, opened %2").arg(source.label, QLocale().toString(opened, QLocale::ShortFormat)));
+  }
+  return texts;
+}
+
+void OpeningController::openRecent(int number) {
+  const QList<RecentSource> recent = m_context.settings.recentSources();
+  if (number >= 0 && number < recent.size())
+    open(recent[number].path);
+}
+
+void OpeningController::clearRecent() {
+  m_context.settings.clearRecentSources();
+  m_recent->setEnabled(false);
+  m_context.view.emptyPanel().setRecentSources({});
+}
+
+void OpeningController::refreshRecent() {
+  m_recent->clear();
+  const QStringList texts = recentTexts();
+  for (int number = 0; number < texts.size(); ++number)
+    m_recent->addAction(QString(texts[number]).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                        [this, number] { openRecent(number); });
+  m_recent->setEnabled(!m_recent->isEmpty());
+  m_recent->addSeparator();
+  m_recent->addAction(tr("&Clear this list"), this, &OpeningController::clearRecent);
+  m_context.view.emptyPanel().setRecentSources(texts);
+}
+
+} // namespace limn

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/OpenDocument.h"
+#include "app/files/opening/VolumeLoader.h"
+
+#include <QObject>
+
+class QMenu;
+
+namespace limn {
+
+struct WindowContext;
+
+/// Asks what to open, or offers what was opened before, and reads it; what cannot be read as it is, it asks
+/// more about: which series, where the volume is, how far its voxels lie apart.
+class OpeningController : public QObject {
+  Q_OBJECT
+
+public:
+  /// `before` tells what is done on the worker thread before anything is read.
+  OpeningController(WindowContext& context, std::function<std::function<void()>()> before);
+
+  const VolumeLoader& loader() const { return m_loader; }
+
+  /// Starts loading a volume, DICOM folder, scene, session or Limn picture; looks alone are not for it to
+  /// open (looksChosen).
+  void open(const QString& source, const SourceOptions& options = {});
+  void openSample() { open(QStringLiteral("sample")); }
+  /// Starts loading a session that Limn kept.
+  void restore(const QString& session);
+  void cancel() { m_loader.cancel(); }
+
+  void askForFile();
+  void askForFolder();
+  /// Asks how far the voxels of what is shown lie apart, `spacingMm` at present, and reads it again.
+  void askForSpacing(const Request& shown, const glm::dvec3& spacingMm);
+
+  /// Adds to what was opened before; `label` names nobody. `volume` is where its voxels lie, or a built-in
+  /// name.
+  void remember(const QString& path, const QString& label, const std::string& volume);
+  /// Somebody goes on with what is open: that something else could not be opened is no longer said.
+  void leaveFailure();
+
+signals:
+  void looksChosen(const QStringList& paths);
+  void loaded(const limn::LoadedScene& loaded, const limn::Histogram& histogram,
+              const limn::Request& request);
+
+private:
+  void addActions();
+  void connectLoader();
+  void connectEmptyPanel();
+  /// What was opened before, latest first, in words that name nobody.
+  QStringList recentTexts();
+  void clearRecent();
+  /// Opens one of these, from 0 on.
+  void openRecent(int number);
+  void start(const Request& request, const QString& what);
+  void locateVolume(const QString& scene);
+  void chooseSeries(const QString& source, const std::shared_ptr<const DicomFolder>& dicom);
+  void readWithSpacing(const Request& shown, const QString& entered);
+  void refreshRecent();
+
+  WindowContext& m_context;
+  QMenu* m_recent; ///< of what was opened before
+  std::function<std::function<void()>()> m_before;
+  VolumeLoader m_loader;
+  QString m_failure;   ///< why nothing was opened; empty once that does not matter
+  Request m_requested; ///< last; it may still load, or have failed
+};
+
+} // namespace limn

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/saving/SessionSafety.h"
+
+#include "app/window/WindowContext.h"
+#include "scene/basics/Error.h"
+#include "widgets/Translated.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/panels/ViewPanels.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace limn {
+namespace {
+
+QString timeText(const std::filesystem::path& file) {
+  const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
+  return QLocale().toString(time, QLocale::ShortFormat);
+}
+
+// "CT 512×512×120, 21.11.26 14:03". What cannot be read still has a time.
+QString described(const std::filesystem::path& file) {
+  QString label;
+  try {
+    label = QString::fromStdString(parseSession(readTextFile(file), "session").label);
+  } catch (const Error&) {
+    // Opening it says why.
+  }
+  return label.isEmpty() ? timeText(file) : label + QStringLiteral(", ") + timeText(file);
+}
+
+} // namespace
+
+SessionSafety::SessionSafety(WindowContext& context, std::function<SessionDocument()> session)
+    : QObject(&context.window), m_context(context),
+      m_unsaved(context.actions.addMenu(tr("Open &unsaved session"), {Menu::file, 1, 6})),
+      m_session(std::move(session)) {
+  m_unsaved->setObjectName(QStringLiteral("unsavedSessions"));
+  m_unsaved->setToolTip(tr("Sessions that were left with unsaved changes."));
+  connect(&context.actions.menu(Menu::file), &QMenu::aboutToShow, this, &SessionSafety::refreshMenu);
+  connect(&context.view.emptyPanel(), &EmptyPanel::continueRequested, this, &SessionSafety::continueLast);
+  connect(&context.view, &CompareView::wipeMoved, this, &SessionSafety::noteChange);
+  connect(&context.docks, &Docks::panelChanged, this, &SessionSafety::noteChange);
+  connect(&context.session, &Session::planesChanged, this, &SessionSafety::noteChange);
+}
+
+void SessionSafety::begin() {
+  try {
+    m_keeper = std::make_unique<SessionKeeper>(m_context.folders.sessions,
+                                               [this] { return m_context.document.unsaved(m_session()); });
+    connect(m_keeper.get(), &SessionKeeper::abandonedFound, this, &SessionSafety::offerAbandoned);
+    connect(&m_keeper->autosave(), &Autosave::failed, this, &SessionSafety::sayUnsafe);
+    connect(&m_keeper->autosave(), &Autosave::recovered, &m_context.unsafe, &QWidget::hide);
+  } catch (const Error& error) {
+    m_notKept = translated(error.sentence());
+    sayUnsafe(m_notKept);
+    return;
+  }
+  offerAbandoned();
+  tellUnfinished();
+}
+
+void SessionSafety::noteChange() {
+  if (m_keeper)
+    m_keeper->autosave().noteChange();
+}
+
+std::function<void()> SessionSafety::savingOfNow() {
+  return m_keeper ? std::function<void()>(m_keeper->autosave().savingOfNow()) : nullptr;
+}
+
+// Nobody is asked as long as what is left behind can be had back.
+bool SessionSafety::mayLeave() {
+  const bool keeps = m_keeper || !m_notKept.isEmpty();
+  if (!keeps || !m_context.document.scene().volume || !m_context.document.isEdited())
+    return true;
+  if (!m_keeper)
+    return askBeforeLosing(m_notKept);
+  try {
+    m_keeper->keep(*m_context.document.unsaved(m_session()));
+    tellUnfinished();
+    return true;
+  } catch (const Error& error) {
+    return askBeforeLosing(translated(error.sentence()));
+  }
+}
+
+bool SessionSafety::askBeforeLosing(const QString& why) {
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                  tr("The changes to this session are not saved, and Limn cannot keep them for you."),
+                  QMessageBox::NoButton, &m_context.window);
+  box.setObjectName(QStringLiteral("unsavedChanges"));
+  box.setInformativeText(why);
+  QPushButton* save = box.addButton(tr("Save session…"), QMessageBox::AcceptRole);
+  QPushButton* lose = box.addButton(tr("Lose the changes"), QMessageBox::DestructiveRole);
+  box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+  box.setDefaultButton(save);
+  box.exec();
+  if (box.clickedButton() == save)
+    emit saveRequested();
+  return box.clickedButton() == lose || !m_context.document.isEdited();
+}
+
+void SessionSafety::sayUnsafe(const QString& why) {
+  m_context.unsafe.show(MessageBar::Kind::warning, tr("Unsaved work is not safe at present. %1").arg(why));
+}
+
+void SessionSafety::takeOver(const QString& file) {
+  if (m_keeper && m_keeper->autosave().savingOfNow()())
+    m_keeper->forget(file.toStdString());
+  offerAbandoned();
+  tellUnfinished();
+}
+
+void SessionSafety::tellUnfinished() {
+  const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  m_context.view.emptyPanel().setUnfinished(kept.empty() ? QString() : described(kept.front()));
+}
+
+void SessionSafety::continueLast() {
+  const auto kept = m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>();
+  if (!kept.empty())
+    emit restoreRequested(QString::fromStdString(kept.front().string()));
+}
+
+void SessionSafety::offerAbandoned() {
+  const std::optional<std::filesystem::path> file = m_keeper ? m_keeper->abandoned() : std::nullopt;
+  if (!file) {
+    m_context.recovery.hide();
+    return;
+  }
+  m_context.recovery.show(
+      MessageBar::Kind::question,
+      tr("Limn ended unexpectedly. Restore the last session (%1)?").arg(described(*file)), {},
+      {tr("Restore"), [this, file = *file] { emit restoreRequested(QString::fromStdString(file.string())); }},
+      {tr("Discard"), [this, file = *file] {
+         m_keeper->forget(file);
+         offerAbandoned();
+       }});
+}
+
+void SessionSafety::end() {
+  if (m_keeper)
+    m_keeper->close();
+  m_keeper.reset();
+}
+
+void SessionSafety::refreshMenu() {
+  m_unsaved->clear();
+  for (const std::filesystem::path& file : m_keeper ? m_keeper->kept() : std::vector<std::filesystem::path>())
+    m_unsaved->addAction(described(file).replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                         [this, file] { emit restoreRequested(QString::fromStdString(file.string())); });
+  m_unsaved->setEnabled(!m_unsaved->isEmpty());
+}
+
+} // namespace limn

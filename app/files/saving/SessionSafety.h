@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/recovery/SessionKeeper.h"
+
+class QMenu;
+
+namespace limn {
+
+struct WindowContext;
+
+/// Sees to it that nobody loses a session of a window, and says so where it cannot: keeps the open one,
+/// offers what dead windows left behind, and lists what was left unsaved.
+class SessionSafety : public QObject {
+  Q_OBJECT
+
+public:
+  /// `session` tells the session of the moment.
+  SessionSafety(WindowContext& context, std::function<SessionDocument()> session);
+
+  /// From now on the session is autosaved, and what an earlier window left behind is offered.
+  void begin();
+
+  /// Says that the session may have changed.
+  void noteChange();
+
+  /// Puts the session of this moment on the disk when it is called, on any thread; empty while none is kept.
+  std::function<void()> savingOfNow();
+
+  /// Whether the scene may be left: it is kept, or the user says what becomes of it.
+  bool mayLeave();
+
+  /// The session that a kept file holds is open: from here on this window keeps it, and the file goes.
+  void takeOver(const QString& file);
+
+  /// Ends in order: nothing is left behind.
+  void end();
+
+signals:
+  void restoreRequested(const QString& file);
+  void saveRequested();
+
+private:
+  /// Fills the menu of unsaved sessions.
+  void refreshMenu();
+  /// Opens what was left unsaved last.
+  void continueLast();
+  bool askBeforeLosing(const QString& why);
+  void sayUnsafe(const QString& why);
+  void offerAbandoned();
+  void tellUnfinished();
+
+  WindowContext& m_context;
+  QMenu* m_unsaved; ///< of sessions that were left unsaved
+  std::function<SessionDocument()> m_session;
+  std::unique_ptr<SessionKeeper> m_keeper; ///< null while sessions are not kept
+  QString m_notKept;                       ///< why they are not, though they should be
+};
+
+} // namespace limn

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/AccuracyController.h"
+
+#include "app/asking/FileDialogs.h"
+#include "app/document/DocumentText.h"
+#include "app/window/WindowContext.h"
+#include "io/AtomicFile.h"
+#include "io/reports/AccuracyPage.h"
+#include "io/reports/ReportJson.h"
+#include "scene/basics/Error.h"
+#include "widgets/Translated.h"
+#include "widgets/accuracy/AccuracyPanel.h"
+#include "widgets/accuracy/ChartPicture.h"
+#include "widgets/accuracy/ErrorMapOverlay.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/overlay/Titles.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace limn {
+namespace {
+
+constexpr int mostPixels = 224; ///< each way, of a picture that is measured
+constexpr QSize chartSize(1200, 750);
+
+QByteArray pngOf(const QImage& picture) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG"))
+    throw Error(Error::Kind::other, Message::tr("The chart cannot be written as PNG; is there memory left?"));
+  return bytes;
+}
+
+QByteArray accuracyFile(const AccuracyReport& report, const QString& ending) {
+  if (ending == QStringLiteral("csv"))
+    return QByteArray::fromStdString(accuracyCsv(report));
+  QByteArray chart = pngOf(accuracyChartPicture(report, chartSize, ChartStyle::print));
+  if (ending != QStringLiteral("html"))
+    return chart;
+  // The page carries its chart, so that one file can be passed on.
+  const QByteArray address = "data:image/png;base64," + chart.toBase64();
+  return QByteArray::fromStdString(accuracyPage(report, address.toStdString()));
+}
+
+} // namespace
+
+AccuracyController::AccuracyController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_panel(*new AccuracyPanel(&context.window)),
+      m_map(new ErrorMapOverlay(&context.view)) {
+  context.docks.add(
+      {tr("&Accuracy"), "accuracyDock", &m_panel, Qt::RightDockWidgetArea, SessionDocument::Panel::accuracy});
+  const double movingMs = context.settings.movingMs();
+  context.view.setMovingMs(movingMs);
+  m_panel.setMovingMs(movingMs);
+  addRefinement();
+  connectPanel();
+  connectMeasurer();
+  connect(m_map, &ErrorMapOverlay::outgrown, this, &AccuracyController::takeMapBack);
+  connect(&context.view, &CompareView::told, this,
+          [this](const ViewNews& news) { showOnScreen(news.state); });
+}
+
+void AccuracyController::addRefinement() {
+  QAction* refine = m_context.actions.add(
+      QStringLiteral("refineAtRest"),
+      {.text = tr("Sharpen while nothing &moves"),
+       .toolTip = tr("While nothing moves, draws the picture again with smaller and smaller "
+                     "steps until it lies within half a level of the exact one."),
+       .isCheckable = true});
+  m_context.actions.addSetting({.row = 4, .action = refine});
+  refine->setChecked(m_context.settings.refinesAtRest());
+  m_context.view.setRefinesAtRest(refine->isChecked());
+  connect(refine, &QAction::toggled, this, [this](bool refines) {
+    m_context.settings.setRefinesAtRest(refines);
+    m_context.view.setRefinesAtRest(refines);
+  });
+}
+
+void AccuracyController::connectPanel() {
+  AccuracyPanel* panel = &m_panel;
+  connect(panel, &AccuracyPanel::qualityEdited, &m_context.session, &Session::setQuality);
+  connect(panel, &AccuracyPanel::toleranceWished, this, &AccuracyController::findSteps);
+  connect(panel, &AccuracyPanel::movingMsPicked, this, [this](double ms) {
+    m_context.settings.setMovingMs(ms);
+    m_context.view.setMovingMs(ms);
+  });
+  connect(panel, &AccuracyPanel::measureRequested, this, &AccuracyController::measure);
+  connect(panel, &AccuracyPanel::mapRequested, this, &AccuracyController::showMap);
+  connect(panel, &AccuracyPanel::saveRequested, this, &AccuracyController::save);
+  connect(panel, &AccuracyPanel::cancelRequested, this, [this] {
+    m_measurer.cancel();
+    setWork(AccuracyWork::none);
+  });
+}
+
+void AccuracyController::connectMeasurer() {
+  connect(&m_measurer, &AccuracyMeasurer::progressed, &m_panel, &AccuracyPanel::showProgress);
+  connect(&m_measurer, &AccuracyMeasurer::measured, this, [this](const MeasuredAccuracy& measured) {
+    setWork(AccuracyWork::none);
+    m_measured = measured.report;
+    m_panel.setMeasured(timedFor(measured, shownSize()));
+    m_context.view.setMeasuredErrors(
+        [measured = *m_panel.measured()](const Scene& shown) { return levelsMeasuredOf(shown, measured); });
+  });
+  connect(&m_measurer, &AccuracyMeasurer::stepsFound, this, &AccuracyController::useSteps);
+  connect(&m_measurer, &AccuracyMeasurer::compared, this, &AccuracyController::showCompared);
+  connect(&m_measurer, &AccuracyMeasurer::failed, this, [this](const QString& sentence) {
+    setWork(AccuracyWork::none);
+    m_context.messages.show(MessageBar::Kind::error, sentence);
+  });
+}
+
+// What is measured is what the window does.
+AccuracyMeasurer& AccuracyController::measurer() {
+  m_measurer.setRays(m_context.view.engine());
+  return m_measurer;
+}
+
+void AccuracyController::measure() {
+  const Scene scene = m_context.view.sceneOfSide(measuredSide());
+  const QString name = tr("%1, %2").arg(suggestedName(m_context.document), sideTitle(scene));
+  measurer().measure(name, scene, measuredSize());
+  setWork(AccuracyWork::measuring);
+}
+
+void AccuracyController::findSteps(const Quality& quality, const Gesture& gesture) {
+  takeMapBack();
+  std::vector<Scene> scenes;
+  for (int side = 0; side < pictureCount(m_context.view.compareLayout()); ++side) {
+    scenes.push_back(m_context.view.sceneOfSide(side));
+    scenes.back().quality = quality;
+  }
+  m_toleranceGesture = gesture;
+  measurer().findSteps(scenes, shownSize());
+  setWork(AccuracyWork::findingSteps);
+}
+
+void AccuracyController::useSteps(const WithinTolerance& found) {
+  setWork(AccuracyWork::none);
+  m_context.session.setQuality(found.scene.quality, m_toleranceGesture);
+  if (!found.holds)
+    m_context.messages.show(MessageBar::Kind::warning, translated(found.sentence));
+}
+
+// The map is of the picture as it stands on screen, refined or not.
+void AccuracyController::showMap(bool shown) {
+  takeMapBack();
+  if (!shown)
+    return;
+  m_compared = m_context.view.sceneOfSide(measuredSide());
+  measurer().compare(m_context.view.sceneOfRestingImage(measuredSide()), shownSize());
+  setWork(AccuracyWork::comparing);
+}
+
+void AccuracyController::takeMapBack() {
+  m_map->setVisible(false);
+  m_compared = {};
+  if (m_panel.work() == AccuracyWork::comparing) {
+    m_measurer.cancel();
+    setWork(AccuracyWork::none);
+  }
+  m_panel.setCompared(std::nullopt);
+}
+
+void AccuracyController::showCompared(const ComparedPicture& picture) {
+  setWork(AccuracyWork::none);
+  m_panel.setCompared(picture);
+  if (picture.reference.converged)
+    m_map->showMap(picture.map, m_context.view.logicalRect(measuredSide()));
+}
+
+void AccuracyController::showScene() {
+  const Scene scene = m_context.view.sceneOfSide(measuredSide());
+  const CompareLayout layout = m_context.view.compareLayout();
+  const bool liesOver = layout == CompareLayout::wipe || layout == CompareLayout::difference;
+  if (m_compared.volume && (scene != m_compared || liesOver))
+    takeMapBack();
+  m_measurer.forgetOthersThan(scene.volume);
+  m_panel.setScene(scene);
+  m_panel.setMapUnavailable(
+      liesOver ? tr("Choose one picture or side by side: here two pictures lie over each other.")
+               : QString());
+}
+
+void AccuracyController::showOnScreen(const PictureState& state) {
+  const auto side = static_cast<std::size_t>(measuredSide());
+  m_panel.setOnScreen(
+      state.resting && side < state.sides.size()
+          ? std::optional(qualityShown(m_context.view.sceneOfSide(measuredSide()).quality, state.sides[side]))
+          : std::nullopt);
+}
+
+// While something is measured the pictures at rest do not refine: each would slow the other down.
+void AccuracyController::setWork(AccuracyWork work) {
+  m_panel.setWork(work);
+  m_context.view.setRefinesAtRest(m_context.settings.refinesAtRest() && work == AccuracyWork::none);
+}
+
+// The right one of two, as for the effects.
+int AccuracyController::measuredSide() const {
+  return pictureCount(m_context.view.compareLayout()) - 1;
+}
+
+glm::ivec2 AccuracyController::shownSize() const {
+  const QSizeF shown = m_context.view.logicalRect(measuredSide()).size() * m_context.view.devicePixelRatioF();
+  return glm::max(glm::ivec2(qRound(shown.width()), qRound(shown.height())), glm::ivec2(1));
+}
+
+glm::ivec2 AccuracyController::measuredSize() const {
+  const glm::dvec2 shown = shownSize();
+  const double scale = std::min(1.0, mostPixels / std::max(shown.x, shown.y));
+  return glm::max(glm::ivec2(glm::round(scale * shown)), glm::ivec2(1));
+}
+
+void AccuracyController::save() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QString path =
+      askWhereToSave(&m_context.window,
+                     {tr("Save what was measured"),
+                      suggestedName(m_context.document) + QStringLiteral("-accuracy.html"),
+                      {tr("Page with chart and table (*.html)"), tr("Chart (*.png)"), tr("Table (*.csv)")},
+                      folder},
+                     m_context.settings);
+  if (!path.isEmpty())
+    write(path);
+}
+
+void AccuracyController::write(const QString& path) {
+  if (!m_measured)
+    return;
+  const auto writeFile = [&] {
+    const QByteArray bytes = accuracyFile(*m_measured, QFileInfo(path).suffix().toLower());
+    writeFileAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+  };
+  m_context.notes.attempt(writeFile, path);
+}
+
+} // namespace limn

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/presets/PresetStore.h"
+#include "widgets/controls/MessageBar.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace limn {
+
+class PresetBrowser;
+class Volume;
+struct WindowContext;
+
+/// Uses presets in a session, built-in ones and the user's own, and keeps the latter.
+class PresetController : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PresetController(WindowContext& context);
+
+  /// Lists the presets and marks the one in use.
+  PresetBrowser& browser() const { return m_browser; }
+
+  /// Lists the presets anew.
+  void refresh();
+  /// Marks the preset that the scene was made from, and whether it was changed since. A preview goes on where
+  /// only the camera moved.
+  void markShown();
+
+  /// All presets as they are shown of the volume that is open, in the order of the list.
+  std::vector<Preset> fittedPresets() const;
+
+  /// What the look that is shown is called: the preset in use, marked as the user's where it was changed.
+  QString nameShown() const;
+
+  void use(const QString& name);
+  /// Shows a preset for a while; an empty name ends that.
+  void preview(const QString& name);
+  /// Has a preset compared with what is shown.
+  void compare(const QString& name);
+  /// The preset of this number (from 1 on) in the list; 0 is the full range of values.
+  void useNumber(int number);
+
+  /// Asks for a name and saves the scene as a preset.
+  void askForName();
+  void remove(const QString& name);
+  /// Asks for another name of one of the user's own presets.
+  void rename(const QString& name);
+  void setFavourite(const QString& name, bool isFavourite);
+  /// Asks for the note of one of the user's own presets.
+  void editNote(const QString& name);
+  /// Puts one of them into a folder of the list; an empty one is none.
+  void moveTo(const QString& name, const QString& folder);
+  /// Asks for the folder.
+  void moveToNewFolder(const QString& name);
+  /// Asks for the name under which a preset, as fitted to what is open, is kept as one of the user's own.
+  void duplicate(const QString& name);
+
+signals:
+  void exportRequested(const QString& preset);
+  void listed(); ///< the list was made anew
+  /// What picture and curve are to show for a while, and the preset that it is a preview of; without one it
+  /// is the session's own scene again. It enters no history.
+  void previewed(const limn::Scene& scene, const std::string& preset);
+  void compareRequested(const limn::Preset& look);
+
+private:
+  void connectBrowser();
+  void show(const Preset& preset, const QString& edit);
+  bool isInOtherUnits(const Preset& preset) const;
+  bool isBuiltIn(const QString& name) const;
+  void offerToFit(const Preset& preset);
+  void sayHowItWasFitted(const Preset& preset);
+  void offerBack(const Preset& preset, const QString& sentence, const QString& label, bool isFavourite);
+  void say(const QString& sentence, const MessageBar::Action& action = {});
+  void ask(const QString& title, const QString& label, const QString& name,
+           const std::function<void(const QString&)>& answer);
+  bool mayBeCalled(const QString& name) const;
+  const Preset* find(const QString& name) const;
+  std::optional<Preset> fitted(const QString& name) const;
+  void save(const QString& name);
+  void change(const QString& name, const std::function<void(Preset&)>& edit);
+  void showStanding();
+  void goOnWithPreview();
+  void readAgain(const QString& name);
+
+  WindowContext& m_context;
+  PresetBrowser& m_browser;
+  PresetStore m_store;
+  std::vector<Preset> m_builtIn = builtInPresets();
+  std::vector<Preset> m_own;              ///< as read last
+  std::shared_ptr<const Volume> m_volume; ///< that the list is ordered for
+  QString m_previewed;                    ///< what is seen for a while; empty: nothing
+  Scene m_previewedFrom;                  ///< the session's, then
+  QString m_said;                         ///< in the message bar
+  std::string m_saidOf;                   ///< the preset in use that it is about; empty: of none
+};
+
+} // namespace limn

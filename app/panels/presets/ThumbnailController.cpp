@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/presets/ThumbnailController.h"
+
+#include "app/panels/presets/PresetController.h"
+#include "app/window/WindowContext.h"
+#include "scene/framing/Framing.h"
+#include "widgets/presets/PresetBrowser.h"
+#include "widgets/presets/PresetModel.h"
+#include "widgets/view/CompareView.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace limn {
+namespace {
+
+// The next gesture is often near, and the engines are tried once after the first picture.
+constexpr int afterRefinementMs = 300;
+// Refinement may take a minute; pictures of a second go beside it.
+constexpr int besideRefinementMs = 3000;
+
+constexpr double thumbnailAspect = static_cast<double>(largeThumbnailWidth) / largeThumbnailHeight;
+
+double seenHeightMm(const Camera& camera) {
+  const double distance = camera.projection == Camera::Projection::perspective
+                              ? glm::length(camera.target - camera.position)
+                              : 1.0;
+  return 2.0 * halfHeight(camera) * distance;
+}
+
+} // namespace
+
+bool seeAlike(const Camera& a, const Camera& b) {
+  constexpr double turned = 0.978; // cos 12°
+  const CameraBasis first = basisOf(a);
+  const CameraBasis second = basisOf(b);
+  const double height = seenHeightMm(a);
+  const double size = seenHeightMm(b) / height;
+  return a.projection == b.projection && glm::dot(first.forward, second.forward) > turned &&
+         glm::dot(first.up, second.up) > turned && size > 0.8 && size < 1.25 &&
+         glm::length(a.target - b.target) < height / 6.0;
+}
+
+ThumbnailController::ThumbnailController(WindowContext& context, const PresetController& presets)
+    : QObject(&context.window), m_context(context), m_presets(presets) {
+  connect(&context.view, &CompareView::told, this, [this](const ViewNews& news) { noteState(news.state); });
+  connect(&presets, &PresetController::listed, this, &ThumbnailController::notePresets);
+  context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
+  m_wait.setSingleShot(true);
+  connect(&m_wait, &QTimer::timeout, this, &ThumbnailController::begin);
+}
+
+void ThumbnailController::noteState(const PictureState& state) {
+  if (!state.resting)
+    return stop();
+  if (m_phase != Phase::moving && m_phase != Phase::waiting)
+    return;
+  m_phase = Phase::waiting;
+  const int patience = state.refines ? besideRefinementMs : afterRefinementMs;
+  if (!m_wait.isActive() || m_wait.remainingTime() > patience)
+    m_wait.start(patience);
+}
+
+void ThumbnailController::showScene(const Scene& scene) {
+  if (scene.volume == m_volume)
+    return;
+  stop();
+  m_volume = scene.volume;
+  m_shown.clear();
+  m_presets.browser().clearPictures();
+  m_painter = std::make_shared<ThumbnailPainter>();
+}
+
+void ThumbnailController::notePresets() {
+  if (m_phase == Phase::drawing || m_phase == Phase::complete)
+    begin();
+}
+
+void ThumbnailController::drawNow() {
+  if (m_phase == Phase::complete)
+    emit completed();
+  else if (m_phase != Phase::drawing)
+    begin();
+}
+
+void ThumbnailController::stop() {
+  m_phase = Phase::moving;
+  m_wait.stop();
+  m_work.cancel();
+}
+
+void ThumbnailController::begin() {
+  if (!m_volume)
+    return;
+  m_wait.stop();
+  m_wanted = missing();
+  m_phase = Phase::drawing;
+  const QSize size =
+      QSize(largeThumbnailWidth, largeThumbnailHeight) * m_presets.browser().devicePixelRatioF();
+  m_work.start([this, painter = m_painter, wanted = m_wanted,
+                size](const BackgroundWork::Line& line) -> BackgroundWork::Deliver {
+    painter->draw(wanted, size, line.effort.isCancelled,
+                  [&](const QString& name, const QImage& picture, bool showsNothing) {
+                    line.tell([this, name, picture, showsNothing] { receive(name, picture, showsNothing); });
+                  });
+    return [this] {
+      m_phase = Phase::complete;
+      emit completed();
+    };
+  });
+}
+
+// What the list does not show yet.
+std::vector<Thumbnail> ThumbnailController::missing() {
+  Scene base = m_context.session.scene();
+  base.camera = cameraOf(base);
+  base.quality = {};
+  std::vector<Thumbnail> wanted;
+  for (const Preset& preset : m_presets.fittedPresets()) {
+    const QString name = QString::fromStdString(preset.name);
+    Thumbnail one{name, withPreset(base, preset, true)};
+    const auto found = m_shown.find(name);
+    if (found == m_shown.end() || found->second != one.scene)
+      wanted.push_back(std::move(one));
+  }
+  return wanted;
+}
+
+Camera ThumbnailController::cameraOf(const Scene& scene) {
+  const Grid& grid = scene.volume->grid();
+  const IndexBox box = croppedBox(grid, scene.crop);
+  // A picture of another shape than the view's would cut what that shows.
+  const Camera inView = refitted(scene.camera, grid, box, m_context.view.pictureAspect(), thumbnailAspect);
+  // From farther off than the whole there would be specks.
+  const Camera whole = framed(scene.camera, grid, box, thumbnailAspect);
+  const Camera& seen = seenHeightMm(inView) > seenHeightMm(whole) ? whole : inView;
+  if (m_shown.empty() || !seeAlike(m_camera, seen))
+    m_camera = seen;
+  return m_camera;
+}
+
+void ThumbnailController::receive(const QString& name, const QImage& picture, bool showsNothing) {
+  const auto found = std::ranges::find(m_wanted, name, &Thumbnail::name); // orders are not changed
+  m_shown[name] = found->scene;
+  m_presets.browser().setPicture(name, picture, showsNothing);
+}
+
+} // namespace limn

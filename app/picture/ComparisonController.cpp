@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/ComparisonController.h"
+
+#include "app/picture/ModelMenus.h"
+#include "app/window/WindowContext.h"
+#include "widgets/view/CompareView.h"
+
+namespace limn {
+namespace {
+
+// What the session file calls it, whatever the language.
+const std::string snapshotName = "(before)";
+
+// Where they lie may differ: orientation can be set by hand.
+bool haveSameVoxels(const Volume* a, const Volume* b) {
+  return a == b || (a && b && a->sharesVoxelsWith(*b));
+}
+
+} // namespace
+
+ComparisonController::ComparisonController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_layouts(context.actions.addGroup()) {
+  addLayouts();
+  addModels();
+  addSnapshot();
+}
+
+void ComparisonController::addLayouts() {
+  int row = 0;
+  const auto add = [&](CompareLayout layout, const QString& text, const char* icon, const QString& tip) {
+    ++row;
+    m_context.actions.addChoice(*m_layouts, QStringLiteral("layout-") + QLatin1String(nameOf(layout)),
+                                static_cast<int>(layout),
+                                {.text = text,
+                                 .place = {Menu::view, 1, row},
+                                 .toolTip = tip,
+                                 .icon = QLatin1String(icon),
+                                 .tool = {4, row},
+                                 .needsVolume = true});
+  };
+  add(CompareLayout::single, tr("Si&ngle"), "single", tr("One picture with the chosen model."));
+  add(CompareLayout::sideBySide, tr("Si&de by side"), "side-by-side", tr("Two models beside each other."));
+  add(CompareLayout::wipe, tr("&Wipe"), "wipe", tr("Two models over each other with a border to drag."));
+  add(CompareLayout::difference, tr("Di&fference"), "difference",
+      tr("Where the two models differ, amplified."));
+  connect(m_layouts, &QActionGroup::triggered, this, [this](QAction* chosen) {
+    setLayout(static_cast<CompareLayout>(chosen->data().toInt()));
+    emit layoutChosen();
+  });
+}
+
+void ComparisonController::addModels() {
+  m_models = new ModelMenus(m_context.actions, this);
+  connect(m_models, &ModelMenus::chosen, this, &ComparisonController::setSideModel);
+  connect(this, &ComparisonController::modelsShown, m_models, &ModelMenus::show);
+  connect(&m_context.view, &CompareView::modelChosen, this, &ComparisonController::setSideModel);
+}
+
+void ComparisonController::addSnapshot() {
+  const QAction* take = m_context.actions.add(
+      QStringLiteral("takeSnapshot"), {.text = tr("&Remember this look as \"before\""),
+                                       .place = {Menu::preset, 3, 1},
+                                       .shortcut = tr("Ctrl+B"),
+                                       .toolTip = tr("Keeps curve and light of this moment to compare with "
+                                                     "what becomes of them."),
+                                       .needsVolume = true});
+  m_compareSnapshot =
+      m_context.actions.add(QStringLiteral("compareSnapshot"),
+                            {.text = tr("Compare &before and now"),
+                             .place = {Menu::preset, 3, 2},
+                             .shortcut = tr("Ctrl+Shift+B"),
+                             .toolTip = tr("Shows the remembered look at the left, the present one at the "
+                                           "right."),
+                             .isCheckable = true});
+  m_compareModels = m_context.actions.add(QStringLiteral("compareModels"),
+                                          {.text = tr("Compare &models again"),
+                                           .place = {Menu::preset, 3, 3},
+                                           .toolTip = tr("Ends the comparison of two looks.")});
+  connect(take, &QAction::triggered, this, &ComparisonController::takeSnapshot);
+  connect(m_compareSnapshot, &QAction::triggered, this,
+          [this](bool isChosen) { isChosen ? compareWith(*m_snapshot) : compareModels(); });
+  connect(m_compareModels, &QAction::triggered, this, &ComparisonController::compareModels);
+}
+
+void ComparisonController::setLayout(CompareLayout layout) {
+  m_beforeImage.reset();
+  m_context.view.setCompareLayout(layout);
+  checkOnly(*m_layouts, static_cast<int>(layout));
+  show();
+}
+
+void ComparisonController::setSideModel(int side, ShadingModel model) {
+  const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  if (isSingle || (m_look && side == 1)) {
+    Shading shading = m_context.session.scene().shading;
+    shading.model = model;
+    m_context.session.setShading(shading, {nextGestureId(), tr("change model")});
+    return;
+  }
+  if (m_look)
+    m_look->shading->model = model;
+  else
+    (side == 0 ? m_left : m_right) = model;
+  show();
+}
+
+void ComparisonController::compareWith(const Preset& look) {
+  m_look = look;
+  if (!m_look->shading)
+    m_look->shading = m_context.session.scene().shading;
+  if (m_context.view.compareLayout() == CompareLayout::single)
+    setLayout(CompareLayout::sideBySide);
+  else
+    show();
+}
+
+void ComparisonController::compareModels() {
+  m_look.reset();
+  show();
+}
+
+void ComparisonController::takeSnapshot() {
+  const bool isCompared = m_look && m_look->name == snapshotName;
+  m_snapshot = presetOf(m_context.session.scene(), snapshotName);
+  if (isCompared)
+    m_look = m_snapshot;
+  show();
+}
+
+// The scene's own look is named after its preset; beside "before" it is what became of it.
+std::optional<ComparedLook> ComparisonController::comparedLook() const {
+  if (!m_look)
+    return std::nullopt;
+  const auto text = [](const QString& name) { return name.toStdString(); };
+  if (m_look->name == snapshotName)
+    return ComparedLook{*m_look, {text(tr("Before")), text(tr("Now"))}};
+  const OpenDocument::PresetInUse own = m_context.document.presetInUse();
+  const QString name = QString::fromStdString(own.name);
+  return ComparedLook{*m_look,
+                      {m_look->name, text(own.name.empty() ? tr("Now")
+                                          : own.isModified ? tr("%1, modified", "a preset").arg(name)
+                                                           : name)}};
+}
+
+void ComparisonController::showOpened() {
+  const Scene& scene = m_context.session.scene();
+  const bool isImage =
+      scene.volume && imageNormalAxis(scene.volume->grid()) && scene.shading.model == ShadingModel::none;
+  if (isImage && !m_beforeImage) {
+    const CompareLayout before = m_context.view.compareLayout();
+    setLayout(CompareLayout::single);
+    m_beforeImage = before;
+  } else if (!isImage && m_beforeImage) {
+    setLayout(*m_beforeImage);
+  }
+}
+
+void ComparisonController::show() {
+  const Scene& scene = m_context.session.scene();
+  if (!haveSameVoxels(m_volume.get(), scene.volume.get())) {
+    m_snapshot.reset();
+    m_look.reset();
+  }
+  m_volume = scene.volume;
+  const bool isSingle = m_context.view.compareLayout() == CompareLayout::single;
+  m_context.view.setSides({m_left, m_right}, comparedLook());
+  m_compareSnapshot->setEnabled(m_snapshot.has_value());
+  m_compareSnapshot->setChecked(m_look && m_look->name == snapshotName && !isSingle);
+  m_compareModels->setEnabled(m_look && !isSingle);
+  const ShadingModel own = scene.shading.model;
+  emit modelsShown(isSingle ? std::vector{own}
+                   : m_look ? std::vector{m_look->shading->model, own}
+                            : std::vector{m_left, m_right});
+  emit shown();
+}
+
+void ComparisonController::describe(SessionDocument& session) const {
+  session.layout = m_context.view.compareLayout();
+  session.leftModel = m_left;
+  session.rightModel = m_right;
+  session.wipe = m_context.view.wipePosition();
+  session.snapshot = m_snapshot;
+  session.comparedLook = m_look;
+}
+
+void ComparisonController::restore(const SessionDocument& session) {
+  m_left = session.leftModel;
+  m_right = session.rightModel;
+  m_snapshot = session.snapshot;
+  m_look = session.comparedLook;
+  if (m_look && !m_look->shading)
+    m_look->shading = m_context.session.scene().shading;
+  m_context.view.setWipePosition(session.wipe);
+  setLayout(session.layout);
+}
+
+} // namespace limn

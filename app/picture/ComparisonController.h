@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/scenefile/SessionFile.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QAction;
+class QActionGroup;
+
+namespace limn {
+
+class ModelMenus;
+struct ComparedLook;
+struct WindowContext;
+
+/// What is compared, and in which layout: two models, chosen by buttons and in the pictures and shown by
+/// both, or the scene's own look with another: a preset, or the one remembered as "before" (the snapshot).
+class ComparisonController : public QObject {
+  Q_OBJECT
+
+public:
+  explicit ComparisonController(WindowContext& context);
+
+  void setLayout(CompareLayout layout);
+
+  /// The model of a side (0 left, 1 right) of a comparison; of a single picture, and of the scene's own look,
+  /// the scene's.
+  void setSideModel(int side, ShadingModel model);
+
+  /// Shows a look at the left and the scene's own at the right, side by side where there was one picture.
+  void compareWith(const Preset& look);
+
+  /// The look that is compared with the scene's own, unless models are.
+  std::optional<ComparedLook> comparedLook() const;
+
+  /// The look remembered as "before", of the volume that is open.
+  const std::optional<Preset>& remembered() const { return m_snapshot; }
+
+  /// A scene has been opened. An unlit image (imageLook) is shown alone: no model of light tells it from
+  /// another. What is opened after it has the layout from before, unless someone chose one meanwhile.
+  void showOpened();
+
+  /// Shows models or looks and layout of the moment. Nothing of another volume is compared.
+  void show();
+
+  /// Layout, models, looks and border in a session file.
+  void describe(SessionDocument& session) const;
+  void restore(const SessionDocument& session);
+
+signals:
+  /// The models in the pictures on screen, from left to right.
+  void modelsShown(const std::vector<limn::ShadingModel>& models);
+  void shown();
+  void layoutChosen(); ///< by the user
+
+private:
+  void addLayouts();
+  void addModels();
+  void addSnapshot();
+  void takeSnapshot();
+  void compareModels();
+
+  WindowContext& m_context;
+  QActionGroup* m_layouts; ///< data: CompareLayout as int
+  ModelMenus* m_models = nullptr;
+  QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
+  QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
+  ShadingModel m_left = ShadingModel::classic;
+  ShadingModel m_right = ShadingModel::enhanced;
+  std::optional<Preset> m_snapshot;
+  std::optional<Preset> m_look;               ///< at the left
+  std::shared_ptr<const Volume> m_volume;     ///< that they belong to
+  std::optional<CompareLayout> m_beforeImage; ///< while an image is shown alone
+};
+
+} // namespace limn

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/OrientationController.h"
+
+#include "app/picture/OrientationDialog.h"
+#include "app/window/WindowContext.h"
+#include "scene/view/Camera.h"
+#include "scene/volume/Orientation.h"
+#include "widgets/view/CompareView.h"
+
+#include <QMenu>
+
+namespace limn {
+namespace {
+
+// Where a standard view stands of voxels that tell no sides: "From the first row".
+QString voxelViewName(const Grid& grid, StandardView view) {
+  const Camera camera = standardView({}, grid, view);
+  const glm::dvec3 from = glm::transpose(grid.direction) * (camera.position - camera.target);
+  const glm::dvec3 size = glm::abs(from);
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const bool isLast = from[axis] > 0.0;
+  switch (axis) {
+  case 0:
+    return isLast ? OrientationController::tr("From the last column")
+                  : OrientationController::tr("From the first column");
+  case 1:
+    return isLast ? OrientationController::tr("From the last row")
+                  : OrientationController::tr("From the first row");
+  default:
+    return isLast ? OrientationController::tr("From the last slice")
+                  : OrientationController::tr("From the first slice");
+  }
+}
+
+} // namespace
+
+OrientationController::OrientationController(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_views(context.actions.addGroup()) {
+  ActionList& actions = context.actions;
+  QMenu* menu = actions.addMenu(tr("&Look from"), {Menu::view, 2, 5});
+  addViews(*menu);
+  menu->addSeparator();
+  QAction* reset =
+      actions.add(QStringLiteral("resetCamera"), {.text = tr("Reset camera"), .needsVolume = true});
+  m_setOrientation =
+      actions.add(QStringLiteral("setOrientation"),
+                  {.text = tr("Set &orientation…"),
+                   .toolTip = tr("Says which side is left where the volume's file does not.")});
+  menu->addActions({reset, m_setOrientation});
+  m_setOrientation->setEnabled(false);
+  QToolButton* button = actions.makeMenuButton({}, QToolButton::InstantPopup);
+  button->setText(tr("Look from"));
+  actions.giveIcon(*button, QStringLiteral("compass"));
+  connect(reset, &QAction::enabledChanged, button, &QWidget::setEnabled); // without a volume
+  actions.addMenuButton(*button, menu, {6, 2});
+  connect(reset, &QAction::triggered, &context.view, &CompareView::resetCamera);
+  connect(m_setOrientation, &QAction::triggered, this, &OrientationController::ask);
+  context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { showScene(scene); });
+}
+
+void OrientationController::addViews(QMenu& menu) {
+  const auto add = [this](StandardView view, const char* name, const QString& text) {
+    m_context.actions
+        .addChoice(*m_views, QStringLiteral("view-") + QLatin1String(name), static_cast<int>(view),
+                   {.text = text, .needsVolume = true})
+        ->setCheckable(false);
+    m_viewNames << text;
+  };
+  add(StandardView::anterior, "anterior", tr("Anterior (front)"));
+  add(StandardView::posterior, "posterior", tr("Posterior (back)"));
+  add(StandardView::left, "left", tr("Left"));
+  add(StandardView::right, "right", tr("Right"));
+  add(StandardView::superior, "superior", tr("Superior (above)"));
+  add(StandardView::inferior, "inferior", tr("Inferior (below)"));
+  menu.addActions(m_views->actions());
+  connect(m_views, &QActionGroup::triggered, &m_context.view, [this](const QAction* chosen) {
+    m_context.view.lookFrom(static_cast<StandardView>(chosen->data().toInt()));
+  });
+}
+
+void OrientationController::showScene(const Scene& scene) {
+  if (scene.volume == m_volume)
+    return;
+  m_volume = scene.volume;
+  const bool isKnown = !m_volume || m_volume->info().orientationKnown;
+  const bool isByHand = m_volume && !m_volume->info().orientationByHand.empty();
+  m_setOrientation->setEnabled(!isKnown || isByHand);
+  for (qsizetype i = 0; i < m_viewNames.size(); ++i) {
+    QAction* action = m_views->actions()[i];
+    action->setText(isKnown
+                        ? m_viewNames[i]
+                        : voxelViewName(m_volume->grid(), static_cast<StandardView>(action->data().toInt())));
+  }
+  if (m_dialog && !m_setOrientation->isEnabled())
+    m_dialog->close();
+  else if (m_dialog)
+    m_dialog->setLetters(axisLettersOf(m_volume->grid()));
+}
+
+void OrientationController::ask() {
+  if (!m_volume || !m_setOrientation->isEnabled())
+    return;
+  if (!m_dialog) {
+    m_dialog = new OrientationDialog(axisLettersOf(m_volume->grid()), &m_context.window);
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_dialog, &OrientationDialog::lettersChosen, this, &OrientationController::orient);
+    connect(m_dialog, &QDialog::rejected, this, &OrientationController::takeBack);
+    m_asFound = m_volume;
+    m_answered.reset();
+  }
+  m_dialog->show();
+  m_dialog->raise();
+}
+
+void OrientationController::orient(const std::string& letters) {
+  if (!m_volume || m_volume->info().orientationByHand == letters)
+    return;
+  Scene next = m_context.session.scene();
+  next.volume = m_answered = orientedByHand(*m_volume, letters);
+  m_context.session.edit(next,
+                         {nextGestureId(), tr("set orientation %1").arg(QString::fromStdString(letters))});
+}
+
+// Whatever was shown on trial goes, unless something else has taken its place.
+void OrientationController::takeBack() {
+  if (!m_answered || m_context.session.scene().volume != m_answered)
+    return;
+  Scene next = m_context.session.scene();
+  next.volume = m_asFound;
+  m_context.session.edit(next, {nextGestureId(), tr("take back the orientation")});
+}
+
+} // namespace limn

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/PictureArea.h"
+
+#include "app/document/SceneEdits.h"
+#include "app/window/WindowContext.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/view/CompareView.h"
+#include "widgets/view/gestures/ViewDrag.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <QStatusBar>
+
+namespace limn {
+
+PictureArea::PictureArea(WindowContext& context)
+    : QObject(&context.window), m_context(context), m_tools(context.actions.addGroup()),
+      m_status(*context.window.statusBar()), m_comparison(context), m_engines(context), m_regions(context),
+      m_orientation(context), m_planes(context) {
+  addTools();
+  addCamera();
+  const CompareView* view = &context.view;
+  connect(view, &CompareView::cameraEdited, &context.session, &Session::setCamera);
+  connect(view, &CompareView::cameraFitted, this,
+          [this](const Camera& camera) { m_context.document.fitCamera(camera); });
+  connect(view, &CompareView::windowLevelEdited, &context.session, &Session::setTransferFunction);
+  connect(view, &CompareView::cropEdited, &context.session, &Session::setCrop);
+  connect(view, &CompareView::told, this, [this](const ViewNews& news) { showState(news.state); });
+  connect(view, &CompareView::errorOccurred, this,
+          [this](const QString& sentence) { m_context.showError(sentence); });
+  connect(view, &CompareView::graphicsRestored, this,
+          [this](const QString& sentence) { m_context.messages.show(MessageBar::Kind::warning, sentence); });
+  connect(&m_planes, &PlaneController::probed, this, [this](const std::optional<Probe>& probe) {
+    m_status.showProbe(probe, m_context.session.scene().volume.get());
+  });
+  context.followers.add(SceneFollowers::Stage::view, [this](const Scene& scene) {
+    m_context.view.setScene(scene); // ends a preview
+    m_context.view.setPreview({});
+  });
+  context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
+}
+
+// The keys belong to the picture (ViewKeys), which is why these only name them.
+void PictureArea::addTools() {
+  int row = 0;
+  QMenu* menu = m_context.actions.addMenu(tr("Left dra&g"), {Menu::view, 2, 4});
+  const auto add = [&](ViewTool tool, const char* name, const QString& text, const QString& key,
+                       const QString& tip) {
+    const QString icon = QStringLiteral("tool-") + QLatin1String(name);
+    menu->addAction(m_context.actions.addChoice(*m_tools, icon, static_cast<int>(tool),
+                                                {.text = QStringLiteral("%1\t%2").arg(text, key),
+                                                 .toolTip = tr("Left drag: %1 (%2)").arg(tip, key),
+                                                 .icon = icon,
+                                                 .iconText = text,
+                                                 .tool = {3, ++row},
+                                                 .needsVolume = true}));
+  };
+  add(ViewTool::rotate, "rotate", tr("Rotate"), tr("[ or Esc"), tr("rotate the picture"));
+  add(ViewTool::pan, "pan", tr("Pan"), tr("M"), tr("move the picture"));
+  add(ViewTool::zoom, "zoom", tr("Zoom"), tr("Z"), tr("up is nearer"));
+  add(ViewTool::windowLevel, "window-level", tr("Window/level"), tr("W"),
+      tr("right widens the window, up raises its level"));
+  checkOnly(*m_tools, static_cast<int>(ViewTool::rotate));
+  connect(m_tools, &QActionGroup::triggered, this, [this](const QAction* chosen) {
+    m_context.view.setTool(static_cast<ViewTool>(chosen->data().toInt()));
+  });
+  connect(&m_context.view, &CompareView::toolChanged, this,
+          [this](ViewTool tool) { checkOnly(*m_tools, static_cast<int>(tool)); });
+}
+
+void PictureArea::addCamera() {
+  const QAction* parallel =
+      m_context.actions.add(QStringLiteral("orthographic"),
+                            {.text = tr("&Orthographic"),
+                             .place = {Menu::view, 2, 6},
+                             .toolTip = tr("Parallel rays: sizes can be compared everywhere in the picture."),
+                             .isCheckable = true,
+                             .needsVolume = true});
+  connect(parallel, &QAction::triggered, this, [this](bool isChosen) {
+    m_context.session.setCamera(
+        withProjection(m_context.session.scene().camera,
+                       isChosen ? Camera::Projection::orthographic : Camera::Projection::perspective));
+  });
+  const QAction* copy = m_context.actions.add(QStringLiteral("copyPicture"), {.text = tr("&Copy picture"),
+                                                                              .place = {Menu::edit, 2, 1},
+                                                                              .shortcut = tr("Ctrl+Shift+C"),
+                                                                              .needsVolume = true});
+  connect(copy, &QAction::triggered, this, &PictureArea::copyPicture);
+}
+
+void PictureArea::copyPicture() {
+  if (const QImage picture = m_context.view.currentPicture(0); !picture.isNull())
+    QApplication::clipboard()->setImage(picture);
+  else
+    m_context.window.statusBar()->showMessage(tr("The picture is still being drawn; copy it in a moment."),
+                                              4000);
+}
+
+void PictureArea::showScene(const Scene& scene) {
+  m_comparison.show();
+  m_context.actions.find("orthographic")
+      .setChecked(scene.camera.projection == Camera::Projection::orthographic);
+  m_context.actions.setVolumeOpen(scene.volume != nullptr);
+}
+
+void PictureArea::showState(const PictureState& state) {
+  m_status.showPicture(state, m_context.session.scene());
+  if (!state.limitation.isEmpty() && m_context.messages.sentence() != state.limitation)
+    m_context.messages.show(MessageBar::Kind::warning, state.limitation);
+}
+
+void PictureArea::describe(SessionDocument& session) const {
+  m_comparison.describe(session);
+  m_planes.describe(session);
+}
+
+void PictureArea::restore(const SessionDocument& session) {
+  m_comparison.restore(session);
+  m_planes.restore(session);
+}
+
+} // namespace limn

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/picture/ComparisonController.h"
+#include "app/picture/EngineController.h"
+#include "app/picture/OrientationController.h"
+#include "app/picture/PlaneController.h"
+#include "app/picture/RegionController.h"
+#include "app/picture/StatusTexts.h"
+
+namespace limn {
+
+/// The middle of the window and what is done in it: tools and camera, comparison, slices, what is kept of the
+/// volume and how it lies, the engine, and the status bar's words on all of that.
+class PictureArea : public QObject {
+  Q_OBJECT
+
+public:
+  explicit PictureArea(WindowContext& context);
+
+  ComparisonController& comparison() { return m_comparison; }
+  RegionController& regions() { return m_regions; }
+  PlaneController& planes() { return m_planes; }
+
+  /// What another volume, or none, is called in the status bar.
+  void showVolume(const Volume* volume) { m_status.showVolume(volume); }
+
+  /// What a session file says of it.
+  void describe(SessionDocument& session) const;
+  void restore(const SessionDocument& session);
+
+private:
+  void addTools();
+  void addCamera();
+  void copyPicture();
+  void showScene(const Scene& scene);
+  void showState(const PictureState& state);
+
+  WindowContext& m_context;
+  QActionGroup* m_tools; ///< data: ViewTool as int
+  StatusTexts m_status;
+  ComparisonController m_comparison;
+  EngineController m_engines;
+  RegionController m_regions;
+  OrientationController m_orientation;
+  PlaneController m_planes;
+};
+
+} // namespace limn

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/RegionController.h"
+
+#include "app/asking/FileDialogs.h"
+#include "app/window/WindowContext.h"
+#include "io/labels/LabelReader.h"
+#include "scene/volume/Orientation.h"
+#include "widgets/Translated.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/view/CompareView.h"
+
+#include <QFileInfo>
+#include <QRegularExpression>
+
+namespace limn {
+namespace {
+
+// Labels stay open, each shown wholly; a body goes.
+Region shownWholly(Region region) {
+  if (region.kind != Region::Kind::labels)
+    return {};
+  std::fill(region.weights.begin(), region.weights.end(), 1.0);
+  return region;
+}
+
+} // namespace
+
+RegionController::RegionController(WindowContext& context) : QObject(&context.window), m_context(context) {
+  const QAction* open = context.actions.add(
+      QStringLiteral("openLabels"), {.text = tr("Open &labels…"),
+                                     .place = {Menu::file, 1, 4},
+                                     .toolTip = tr("Opens a segmentation of the volume: each label can be "
+                                                   "shown, hidden or faded."),
+                                     .needsVolume = true});
+  m_bodyOnly =
+      context.actions.add(QStringLiteral("bodyOnly"),
+                          {.text = tr("&Body only"),
+                           .place = {Menu::view, 2, 8},
+                           .toolTip = tr("Finds the body and hides the table, the head holder and what "
+                                         "else lies beside it."),
+                           .isCheckable = true,
+                           .needsVolume = true});
+  connect(open, &QAction::triggered, this, &RegionController::askForLabels);
+  connect(m_bodyOnly, &QAction::triggered, this, &RegionController::setBodyOnly);
+  connect(&context.view, &CompareView::everythingRequested, this, &RegionController::showEverything);
+  connect(&context.view, &CompareView::loadingCancelled, this, &RegionController::cancel);
+  context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
+  connect(&m_work, &BackgroundWork::progressed, this,
+          [this](double done) { m_context.view.setLoading(done, m_doing); });
+  connect(&m_work, &BackgroundWork::failed, this, [this](const QString& sentence) {
+    end();
+    m_context.showError(sentence);
+  });
+}
+
+void RegionController::askForLabels() {
+  const QString path = askWhatToOpen(
+      &m_context.window,
+      {.title = tr("Open the labels of this volume"),
+       .filters = {tr("Segmentations (*.nrrd *.nhdr *.nii *.nii.gz *.dcm *.mha *.mhd *.vti *.vtk)"),
+                   tr("All files (*)")}},
+      m_context.settings);
+  if (!path.isEmpty())
+    openLabels(path);
+}
+
+void RegionController::openLabels(const QString& path) {
+  start(tr("Opening labels"), tr("open labels"), [path](const Volume& volume, const Progress& progress) {
+    return FoundRegion{readLabels(path.toStdString(), gridOfFile(volume), progress), {}};
+  });
+}
+
+void RegionController::setBodyOnly(bool isOn) {
+  const QString gesture = tr("body only");
+  if (!isOn)
+    showEverything();
+  else if (m_body.kind == Region::Kind::body)
+    keep({m_body, {}}, gesture);
+  else
+    start(tr("Looking for the body"), gesture, bodyOf);
+}
+
+void RegionController::showEverything() {
+  cancel();
+  m_context.session.setKeep(shownWholly(m_context.session.scene().keep),
+                            {nextGestureId(), tr("show everything")});
+}
+
+void RegionController::showScene(const Scene& scene) {
+  if (scene.volume != m_volume) {
+    cancel();
+    m_volume = scene.volume;
+    m_body = {};
+  }
+  if (scene.keep.kind == Region::Kind::body)
+    m_body = scene.keep;
+  m_bodyOnly->setChecked(scene.keep.kind == Region::Kind::body);
+}
+
+void RegionController::start(const QString& what, const QString& gesture, Work work) {
+  cancel();
+  if (!m_volume)
+    return;
+  m_doing = what;
+  m_context.view.setLoading(-1.0, what);
+  m_work.start([this, volume = m_volume, gesture,
+                work = std::move(work)](const Effort& effort) -> BackgroundWork::Deliver {
+    const Progress progress{[&effort](double done, const Message&) { effort.report(done); },
+                            effort.isCancelled};
+    return [this, found = work(*volume, progress), gesture] {
+      end();
+      keep(found, gesture);
+    };
+  });
+}
+
+// One or the other is kept; what gave way comes back by one click.
+void RegionController::tellReplaced(const Region& before, const Region& now) {
+  if (before.kind == now.kind || before.kind == Region::Kind::all || now.kind == Region::Kind::all)
+    return;
+  const bool wasBody = before.kind == Region::Kind::body;
+  const QString gesture = wasBody ? tr("body only") : tr("labels again");
+  m_context.messages.show(
+      MessageBar::Kind::question,
+      wasBody ? tr("The labels stand in the place of Body only: one of the two decides what is kept.")
+              : tr("Body only stands in the place of the labels: one of the two decides what is kept."),
+      {}, {wasBody ? tr("Body only again") : tr("Labels again"), [this, before, gesture] {
+             m_context.messages.hide();
+             m_context.session.setKeep(before, {nextGestureId(), gesture});
+           }});
+}
+
+void RegionController::keep(const FoundRegion& found, const QString& gesture) {
+  const Region before = m_context.session.scene().keep;
+  m_context.session.setKeep(found.region, {nextGestureId(), gesture});
+  tellReplaced(before, found.region);
+  if (!found.remark.empty() && isRestricting(found.region))
+    m_context.messages.show(MessageBar::Kind::warning, translated(found.remark), {},
+                            {tr("Show everything"), [this] { showEverything(); }});
+  else if (!found.remark.empty())
+    m_context.messages.show(MessageBar::Kind::warning, translated(found.remark));
+  showScene(m_context.session.scene());
+}
+
+void RegionController::cancel() {
+  if (!m_work.isRunning())
+    return;
+  m_work.cancel();
+  end();
+}
+
+void RegionController::end() {
+  m_context.view.clearLoading();
+  // A box that was checked for what did not come of it.
+  m_bodyOnly->setChecked(m_context.session.scene().keep.kind == Region::Kind::body);
+}
+
+bool isNamedLikeLabels(const QString& path) {
+  static const QRegularExpression word(
+      QStringLiteral("(^|[._ -])(seg|segmentation|label|labels|labelmap|mask)([._ -]|$)"),
+      QRegularExpression::CaseInsensitiveOption);
+  return word.match(QFileInfo(path).fileName()).hasMatch();
+}
+
+} // namespace limn

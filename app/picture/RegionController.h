@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/sources/KeptRegion.h"
+#include "scene/Scene.h"
+#include "widgets/controls/BackgroundWork.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+
+namespace limn {
+
+struct WindowContext;
+
+/// What is kept of the volume: the body, which it finds, or the labels of a segmentation, which it reads, on
+/// a thread of its own, one at a time. What it makes becomes an undo step. Another volume ends its work.
+class RegionController : public QObject {
+  Q_OBJECT
+
+public:
+  explicit RegionController(WindowContext& context);
+
+  /// Whether something is being found or read.
+  bool isBusy() const { return m_work.isRunning(); }
+
+public slots:
+  void askForLabels();
+  void openLabels(const QString& path);
+  void setBodyOnly(bool isOn);
+  /// Takes back what labels or Body only hide; a crop stays.
+  void showEverything();
+  void cancel();
+  void showScene(const limn::Scene& scene);
+
+private:
+  using Work = std::function<FoundRegion(const Volume& volume, const Progress& progress)>;
+
+  void start(const QString& what, const QString& gesture, Work work);
+  void keep(const FoundRegion& found, const QString& gesture);
+  void tellReplaced(const Region& before, const Region& now);
+  void end();
+
+  WindowContext& m_context;
+  QAction* m_bodyOnly;
+  std::shared_ptr<const Volume> m_volume; ///< the one that is open
+  Region m_body;                          ///< of it, where it is known
+  QString m_doing;                        ///< what is worked at, in words
+  BackgroundWork m_work;
+};
+
+/// Whether a file's name says that it holds labels rather than an image: "liver.seg.nrrd",
+/// "label_Brain.nrrd".
+bool isNamedLikeLabels(const QString& path);
+
+} // namespace limn

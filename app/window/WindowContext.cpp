@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/window/WindowContext.h"
+
+#include "cpu/CpuEngine.h"
+#include "raycaster/RayCasterEngine.h"
+#include "widgets/controls/MessageBar.h"
+#include "widgets/planes/PlaneDeck.h"
+#include "widgets/view/CompareView.h"
+
+#include <QMainWindow>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace limn {
+namespace {
+
+QVBoxLayout& columnIn(QMainWindow& window) {
+  auto* centre = new QWidget(&window);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  window.setCentralWidget(centre);
+  return *column;
+}
+
+// The view never draws with OpenGL that the computer does not offer.
+DrawingEngines enginesOf(const OpenGlOffer& openGl, const std::optional<MemoryBudget>& memory) {
+  return {openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
+          [memory] { return makeCpuEngine(0, memory.value_or(MemoryBudget())); }};
+}
+
+} // namespace
+
+WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
+                             const std::optional<MemoryBudget>& itsMemory)
+    : window(itsWindow), folders(std::move(itsFolders)), memory(itsMemory), settings(folders.settings),
+      session(&window), document(session), actions(window), docks(window), m_column(columnIn(window)),
+      recovery(addBar("recoveryBar")), unsafe(addBar("unsafeBar")), patient(addBar("patientBar")),
+      tour(addBar("tourBar")), messages(addBar("messageBar")),
+      view(*new CompareView(enginesOf(openGl, memory), chosenEngine(engineFacts(settings.engine())).engine,
+                            window.centralWidget())),
+      planes(*new PlaneDeck(view, window.centralWidget())), notes(*window.statusBar(), messages) {
+  m_column.addWidget(&planes, 1);
+  settings.setOnProblem([this](const QString& sentence) { showError(sentence); });
+  QObject::connect(&session, &Session::sceneChanged, &window,
+                   [this](const Scene& scene) { followers.tell(scene); });
+}
+
+MessageBar& WindowContext::addBar(const char* name) {
+  auto* bar = new MessageBar(window.centralWidget());
+  bar->setObjectName(QLatin1String(name));
+  m_column.addWidget(bar);
+  return *bar;
+}
+
+EngineFacts WindowContext::engineFacts(std::optional<Engine> setting) {
+  EngineFacts facts{setting, openGl.problem.toStdString(), openGl.renderer.toStdString(), std::nullopt};
+  if (facts.problem.empty() && !setting)
+    facts.times = settings.engineMemory().recall(machineWith(facts.renderer));
+  return facts;
+}
+
+MakingOptions WindowContext::drawnLikeTheView() const {
+  MakingOptions order;
+  order.engine = view.engine();
+  return order;
+}
+
+void WindowContext::showError(const QString& sentence) const {
+  messages.show(MessageBar::Kind::error, sentence);
+}
+
+} // namespace limn

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/asking/SaveNotes.h"
+#include "app/core/drawing/EngineChoice.h"
+#include "app/core/drawing/PictureMaker.h"
+#include "app/core/naming/UserFolders.h"
+#include "app/document/OpenDocument.h"
+#include "app/document/Settings.h"
+#include "app/window/ActionList.h"
+#include "app/window/Docks.h"
+#include "scene/basics/MemoryBudget.h"
+#include "widgets/view/drawing/DriverRecovery.h"
+
+#include <QMainWindow>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace limn {
+
+class CompareView;
+class MessageBar;
+class PlaneDeck;
+
+/// Whoever shows the session's scene, in the order in which they are told of a new one: first what must know
+/// it before the view draws, then the view and what shows the same beside it, then what asks the view.
+class SceneFollowers {
+public:
+  enum class Stage { before, view, after };
+  using Follow = std::function<void(const Scene& scene)>;
+
+  /// Within a stage they are told in the order in which they were added.
+  void add(Stage stage, Follow follow) {
+    m_stages.at(static_cast<std::size_t>(stage)).push_back(std::move(follow));
+  }
+
+  void tell(const Scene& scene) const {
+    for (const std::vector<Follow>& stage : m_stages)
+      for (const Follow& follow : stage)
+        follow(scene);
+  }
+
+private:
+  std::array<std::vector<Follow>, 3> m_stages;
+};
+
+/// What the parts of a window share: what is open, what is remembered, where features register, and the
+/// middle of the window. Parts know it and not each other.
+struct WindowContext {
+  /// Fills the middle of `window`. `folders` is where settings, presets and unsaved sessions are kept,
+  /// `memory` how much it may take for volumes and what engines make of them (default: MemoryBudget's, each
+  /// time).
+  WindowContext(QMainWindow& window, UserFolders folders, const std::optional<MemoryBudget>& memory);
+
+  /// What is known of who may draw, where the user wishes for `setting` (absent: whichever is faster).
+  EngineFacts engineFacts(std::optional<Engine> setting);
+
+  /// Pictures for files are drawn by whoever draws the window.
+  MakingOptions drawnLikeTheView() const;
+
+  /// Says what went wrong in the bar above the picture.
+  void showError(const QString& sentence) const;
+
+  QMainWindow& window;
+  UserFolders folders;
+  std::optional<MemoryBudget> memory;
+  Settings settings;
+  Session session;
+  OpenDocument document;
+  OpenGlOffer openGl = openGlOffer();
+  ActionList actions;
+  Docks docks;
+
+private:
+  QVBoxLayout& m_column; ///< of the middle
+  MessageBar& addBar(const char* name);
+
+public:
+  MessageBar& recovery; ///< offers what an earlier window left behind
+  MessageBar& unsafe;   ///< says so as long as the session cannot be kept
+  MessageBar& patient;  ///< asks once whether a patient may be named
+  MessageBar& tour;     ///< offers a tour of the window, once
+  MessageBar& messages;
+  CompareView& view;
+  PlaneDeck& planes; ///< around the view
+  SaveNotes notes;
+  SceneFollowers followers;
+};
+
+} // namespace limn

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures that many processes draw, started by mpirun as a user starts them.
+#include "accuracy/ImageError.h"
+#include "accuracy/sweep/AccuracySweep.h"
+#include "io/reports/AccuracyFile.h"
+#include "io/scenefile/SceneFile.h"
+#include "scene/framing/Framing.h"
+#include "scene/light/Shading.h"
+#include "scene/volume/Phantom.h"
+#include "stability/scenes/SimpleScenes.h"
+#include "support/ProgramRun.h"
+#include "support/TemporaryFolder.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+// mpirun refuses root unless told twice; it says what it thinks of a rank's exit status unless quiet.
+const std::string mpirun =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --quiet --oversubscribe "
+    "--mca mpi_yield_when_idle 1";
+
+fs::path ranksProgram() {
+  return test::buildFolder() / "limn-mpi";
+}
+
+Image readPicture(const fs::path& file) {
+  const auto input = OIIO::ImageInput::open(file.string());
+  if (!input)
+    throw std::runtime_error("no picture " + file.string());
+  Image image({input->spec().width, input->spec().height});
+  input->read_image(0, 0, 0, 4, OIIO::TypeDesc::FLOAT, image.pixels.data());
+  return image;
+}
+
+class RanksTest : public testing::Test {
+protected:
+  void SetUp() override {
+    if (std::system("command -v mpirun >/dev/null") != 0)
+      GTEST_SKIP() << "needs mpirun (package openmpi-bin), which this machine does not have";
+    if (!fs::exists(ranksProgram()))
+      GTEST_SKIP() << "needs limn-mpi, which `./dev build mpi` builds";
+  }
+
+  /// limn-mpi on so many ranks.
+  test::Outcome onRanks(int ranks, const std::string& arguments) const {
+    const fs::path out = in("stdout"), err = in("stderr");
+    const std::string command = "env -u DISPLAY HOME='" + folder.path().string() + "' " +
+                                lineOf(ranks, arguments) + " >'" + out.string() + "' 2>'" + err.string() +
+                                "' </dev/null";
+    const int raw = std::system(command.c_str());
+    return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, test::bytesOfFile(out), test::bytesOfFile(err)};
+  }
+
+  std::string lineOf(int ranks, const std::string& arguments) const {
+    return mpirun + " -n " + std::to_string(ranks) + " '" + ranksProgram().string() + "' " + arguments;
+  }
+
+  test::Outcome whole(const std::string& arguments) const {
+    return test::runProgram(folder.path(), "render --engine cpu " + arguments);
+  }
+
+  fs::path in(const std::string& name) const { return folder.path() / name; }
+  std::string quoted(const std::string& name) const { return "'" + in(name).string() + "'"; }
+
+  /// What one process draws.
+  Image byOne(const std::string& arguments) const {
+    const test::Outcome one = whole(arguments + " --quiet -o " + quoted("one.exr"));
+    EXPECT_EQ(one.status, 0) << one.err;
+    return readPicture(in("one.exr"));
+  }
+
+  /// Draws the same on ranks; how far they lie apart.
+  ImageError error(int ranks, const std::string& arguments, const Image& expected) const {
+    fs::remove(in("many.exr"));
+    const test::Outcome many = onRanks(ranks, arguments + " --quiet -o " + quoted("many.exr"));
+    EXPECT_EQ(many.status, 0) << many.err;
+    EXPECT_EQ(many.err, "");
+    return imageError(readPicture(in("many.exr")), expected);
+  }
+
+  ImageError error(int ranks, const std::string& arguments) const {
+    return error(ranks, arguments, byOne(arguments));
+  }
+
+  const test::TemporaryFolder folder;
+};
+
+constexpr const char* projectionNames[] = {"composite", "mip",        "minip", "average",
+                                           "xray",      "isosurface", "hybrid"};
+
+// In levels, where rays end at the default 0.998: one process and the bricks leave out as much each.
+constexpr double endingEarly = 2.0 * 0.002 * 255.0;
+
+/// A scene file on the phantom, in which rays run to their end.
+void writeScene(const fs::path& file, Projection projection, ShadingModel model) {
+  Scene scene = headScene(phantomVolume({.spacingMm = 6.0}), model);
+  scene.projection = projection;
+  scene.image.width = 96;
+  scene.image.height = 80;
+  std::ofstream(file) << sceneToJson(scene, "phantom:6");
+}
+
+// Any number of ranks folds alike (tests/cpu/BricksTest): here it is MPI that folds.
+TEST_F(RanksTest, drawWhatOneProcessDrawsInEveryProjection) {
+  double worst = 0.0;
+  for (int projection = 0; projection < 7; ++projection) {
+    writeScene(in("scene.json"), static_cast<Projection>(projection), ShadingModel::robust);
+    const Image expected = byOne(quoted("scene.json"));
+    for (const int ranks :
+         projection == 0 ? std::vector{1, 2, 3, 4, 7} : std::vector{2 + projection % 3, 7}) {
+      const ImageError off = error(ranks, quoted("scene.json"), expected);
+      EXPECT_LE(off.p99_9, 0.5) << projectionNames[projection] << ", " << ranks << " ranks";
+      worst = std::max(worst, off.largest);
+    }
+  }
+  std::cout << "ranks: at most " << worst << " levels from one process\n";
+  EXPECT_LE(worst, 0.01); // the same samples, summed in another order
+}
+
+TEST_F(RanksTest, drawEveryModelAPresetTheBodyAndATolerance) {
+  for (const ShadingModel model : shadingModels) {
+    writeScene(in("scene.json"), Projection::composite, model);
+    EXPECT_LE(error(3, quoted("scene.json")).p99_9, 0.5) << nameOf(model);
+  }
+  EXPECT_LE(error(4, quoted("scene.json") + " --keep body").p99_9, 0.5);
+  EXPECT_LE(error(2, quoted("scene.json") + " --tolerance 1").p99_9, 1.0);
+  EXPECT_LE(error(2, "phantom:6 --preset 'CT bone' --model compare --size 120x60 --view left").p99_9,
+            endingEarly);
+}
+
+/// A volume that becomes brighter slice by slice.
+void writeVolume(const fs::path& file, int width, int slices) {
+  std::ofstream volume(file, std::ios::binary);
+  volume << "NRRD0004\ntype: uint8\ndimension: 3\nsizes: " << width << ' ' << width << ' ' << slices
+         << "\nspacings: 8 8 8\nencoding: raw\n\n";
+  for (int voxel = 0; voxel < width * width * slices; ++voxel)
+    volume.put(static_cast<char>(255 * (voxel / (width * width)) / slices));
+}
+
+TEST_F(RanksTest, mayBeMoreThanSlices) {
+  writeVolume(in("thin.nrrd"), 2, 3);
+  EXPECT_LE(error(7, quoted("thin.nrrd") + " --size 60x60").p99_9, endingEarly);
+}
+
+// Each sample is one rank's, and each pixel is given once.
+TEST_F(RanksTest, tellWhatTheyDid) {
+  writeScene(in("scene.json"), Projection::composite, ShadingModel::classic);
+  const auto samplesOf = [&](int ranks) {
+    const test::Outcome outcome =
+        onRanks(ranks, quoted("scene.json") + " --cost --quiet -o " + quoted("a.png"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    double all = 0.0;
+    int told = 0;
+    for (std::string line; std::getline(lines, line); ++told) {
+      int rank = -1;
+      double samples = 0.0, megabytes = 0.0, bytes = 0.0;
+      EXPECT_EQ(std::sscanf(line.c_str(),
+                            "rank %d: %lf samples in its brick, %lf MB of its own, %lf bytes folded", &rank,
+                            &samples, &megabytes, &bytes),
+                4)
+          << line;
+      EXPECT_EQ(rank, told);
+      EXPECT_GT(megabytes, 1.0);
+      EXPECT_EQ(bytes, 96.0 * 80.0 * 16.0);
+      all += samples;
+    }
+    EXPECT_EQ(told, ranks);
+    return all;
+  };
+  const double one = samplesOf(1);
+  EXPECT_GT(one, 1e5);
+  EXPECT_LE(samplesOf(4), one); // rays that meet nothing that shows in a brick are not counted there
+}
+
+TEST_F(RanksTest, refuseInOneSentenceAndWriteNothing) {
+  const test::Outcome missing = onRanks(3, quoted("none.nrrd") + " --quiet -o " + quoted("a.png"));
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_EQ(std::ranges::count(missing.err, '\n'), 1) << missing.err;
+  EXPECT_NE(missing.err.find("none.nrrd"), std::string::npos);
+  const test::Outcome slow = onRanks(2, "phantom:6 --engine reference -o " + quoted("a.png"));
+  EXPECT_EQ(slow.status, 2);
+  EXPECT_EQ(slow.err, "limn: Ranks draw with the CPU engine; leave --engine away or say cpu.\n");
+  const test::Outcome unknown = onRanks(2, "phantom:6 --preset nothing -o " + quoted("a.png"));
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_EQ(std::ranges::count(unknown.err, '\n'), 1) << unknown.err;
+  EXPECT_FALSE(fs::exists(in("a.png")));
+}
+
+TEST_F(RanksTest, doWhatTheGuidePrints) {
+  std::istringstream page(test::bytesOfFile(test::sourceFolder() / "app/guide/many/README.md"));
+  std::string command = "set -e\n";
+  bool isCommand = false;
+  for (std::string line; std::getline(page, line);)
+    if (line == "```bash" || line == "```")
+      isCommand = line == "```bash";
+    else if (isCommand)
+      command += line + "\n";
+  ASSERT_NE(command.find("limn-mpi head.nrrd"), std::string::npos);
+  ASSERT_NE(command.find("limn accuracy head.nrrd"), std::string::npos);
+  writeVolume(in("head.nrrd"), 16, 16);
+  const std::string home = "'" + folder.path().string() + "'";
+  EXPECT_EQ(std::system(("cd " + home + " && export HOME=" + home + " PATH='" + test::buildFolder().string() +
+                         "':\"$PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                         "OMPI_MCA_rmaps_base_oversubscribe=1 && " +
+                         command)
+                            .c_str()),
+            0);
+  EXPECT_EQ(readPicture(in("head.png")).size, glm::ivec2(1024));
+  EXPECT_TRUE(fs::exists(in("report/accuracy.html")));
+}
+
+// Errors against the picture of ranks are those against the one in double precision, to what floats move.
+TEST_F(RanksTest, drawTheExactPictureOfAReport) {
+  writeScene(in("scene.json"), Projection::composite, ShadingModel::enhanced);
+  const auto reportOf = [&](const std::string& more) {
+    const test::Outcome outcome = test::runProgram(folder.path(), "accuracy " + quoted("scene.json") +
+                                                                      " --quick --size 48x40 --quiet " +
+                                                                      more + " -o " + quoted("report"));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return parseAccuracy(test::bytesOfFile(in("report/accuracy.json")), "accuracy.json");
+  };
+  const AccuracyReport inDouble = reportOf("");
+  const AccuracyReport byRanks = reportOf("--exact-by \"" + lineOf(3, "") + "\"");
+  EXPECT_FALSE(inDouble.reference.isInFloats);
+  ASSERT_TRUE(byRanks.reference.isInFloats);
+  ASSERT_TRUE(byRanks.reference.converged);
+  ASSERT_EQ(byRanks.points.size(), inDouble.points.size());
+  // A percentile differs by no more than the pictures do, and the largest difference of those is more than
+  // their 99.9th percentile, which is what is promised: by a factor of 4 at most where that was measured.
+  const double most = leastP99_9(inDouble.reference) + 4.0 * floatP99_9;
+  for (std::size_t i = 0; i < inDouble.points.size(); ++i)
+    EXPECT_NEAR(byRanks.points[i].error.p99_9, inDouble.points[i].error.p99_9, most) << i;
+  const std::string page = test::bytesOfFile(in("report/accuracy.html"));
+  EXPECT_NE(page.find("in single precision with error-controlled steps"), std::string::npos);
+  EXPECT_NE(page.find("floats move by 0.010 levels at most"), std::string::npos);
+}
+
+TEST_F(RanksTest, orAnotherProgramThatDrawsSomethingElseIsNotBelieved) {
+  writeScene(in("scene.json"), Projection::composite, ShadingModel::classic);
+  const auto refusalOf = [&](const std::string& command) {
+    const test::Outcome outcome = test::runProgram(folder.path(), "accuracy " + quoted("scene.json") +
+                                                                      " --quick --quiet --exact-by \"" +
+                                                                      command + "\" -o " + quoted("report"));
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_FALSE(fs::exists(in("report/accuracy.json")));
+    EXPECT_TRUE(fs::is_empty(in("report")));
+    return outcome.err;
+  };
+  EXPECT_NE(refusalOf("true").find("drew no picture"), std::string::npos);
+  const std::string limn = test::programPath() + " render --engine cpu";
+  EXPECT_NE(refusalOf(limn + " --model robust").find("drew another scene"), std::string::npos);
+  EXPECT_NE(refusalOf(limn + " --size 20x20").find("drew another scene"), std::string::npos);
+}
+
+/// The ids of the running ranks that were given a word.
+std::vector<pid_t> ranksWith(const std::string& word) {
+  std::vector<pid_t> found;
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos)
+      continue;
+    std::ifstream file(entry.path() / "cmdline");
+    std::string words; // an empty one of a process that ends meanwhile
+    std::getline(file, words);
+    if (fs::read_symlink(entry.path() / "exe", gone).filename() == "limn-mpi" &&
+        words.find(word) != std::string::npos)
+      found.push_back(std::stoi(name));
+  }
+  return found;
+}
+
+// The picture would take minutes: the rank dies while it is drawn.
+TEST_F(RanksTest, endAllWhereOneIsKilledAndLeaveNoPicture) {
+  const std::string picture = in("killed.png").string();
+  std::ofstream(in("start.sh")) << "cd '" << folder.path().string() << "' && exec env HOME='"
+                                << folder.path().string() << "' "
+                                << lineOf(3, "phantom:2 --step 0.002 --size 3000x3000 --quiet -o '" +
+                                                 picture + "'")
+                                << " >/dev/null 2>&1\n";
+  const pid_t run = fork();
+  ASSERT_GE(run, 0);
+  if (run == 0) {
+    execl("/bin/sh", "sh", in("start.sh").c_str(), nullptr);
+    _exit(127);
+  }
+  std::vector<pid_t> ranks;
+  int ended = 0;
+  while (ranks.size() < 3 && waitpid(run, &ended, WNOHANG) == 0)
+    ranks = ranksWith(picture);
+  ASSERT_EQ(ranks.size(), 3u) << "mpirun ended before it started its ranks";
+  kill(ranks[1], SIGKILL);
+  ASSERT_EQ(waitpid(run, &ended, 0), run);
+  EXPECT_FALSE(WIFEXITED(ended) && WEXITSTATUS(ended) == 0);
+  EXPECT_TRUE(ranksWith(picture).empty());
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    EXPECT_EQ(entry.path().filename().string().find("killed"), std::string::npos) << entry.path();
+}
+
+/// A ball in Hounsfield units, 134 MB of voxels that lie in a file as they are read.
+void writeBigBall(const fs::path& folder) {
+  constexpr int across = 512, slices = 256;
+  std::ofstream(folder / "big.mhd") << "ObjectType = Image\nNDims = 3\nDimSize = 512 512 256\n"
+                                       "ElementType = MET_SHORT\nElementSpacing = 0.5 0.5 1\n"
+                                       "ElementByteOrderMSB = False\nElementDataFile = big.raw\n";
+  std::ofstream voxels(folder / "big.raw", std::ios::binary);
+  std::vector<std::int16_t> slice(across * across);
+  for (int k = 0; k < slices; ++k) {
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < across; ++i) {
+        const double x = (i - 255.5) / 256, y = (j - 255.5) / 256, z = (k - 127.5) / 128;
+        slice[static_cast<std::size_t>(j) * across + i] =
+            static_cast<std::int16_t>(1500.0 - 2500.0 * std::min(1.0, std::sqrt(x * x + y * y + z * z)));
+      }
+    voxels.write(reinterpret_cast<const char*>(slice.data()),
+                 static_cast<std::streamsize>(slice.size() * sizeof(std::int16_t)));
+  }
+}
+
+/// The most that a rank says it kept: "rank 0: … samples in its brick, 35.1 MB of its own, …".
+double mostOwnMb(const std::string& said) {
+  double most = 0.0;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t end = line.find(" MB of its own"); end != std::string::npos)
+      most = std::max(most, std::stod(line.substr(line.rfind(' ', end - 1))));
+  return most;
+}
+
+TEST_F(RanksTest, eachKeepsLessThanHalfOfWhatOneProcessKeeps) {
+  writeBigBall(folder.path());
+  const std::string drawn =
+      quoted("big.mhd") + " --preset 'CT bone' --size 64x64 --quiet --cost -o " + quoted("big.exr");
+  const test::Outcome alone = onRanks(1, drawn + " --memory 100000");
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const test::Outcome four = onRanks(4, drawn);
+  ASSERT_EQ(four.status, 0) << four.err;
+  const double ownAlone = mostOwnMb(alone.out), ownOfFour = mostOwnMb(four.out);
+  std::cout << "alone " << ownAlone << " MB, each of four at most " << ownOfFour << " MB\n";
+  ASSERT_GT(ownAlone, 134.0) << "one process keeps the voxels";
+  EXPECT_LE(ownOfFour, 0.45 * ownAlone);
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/sources/KeptRegion.h"
+#include "app/core/sources/SceneSource.h"
+#include "scene/volume/Phantom.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace limn {
+namespace {
+
+TEST(KeptRegion, ofAVolumeWithoutTissueIsEverythingWithASentence) {
+  VolumeInfo info;
+  info.unit = "HU";
+  Grid grid;
+  grid.dims = {4, 4, 4};
+  const Volume air(grid, std::vector<std::int16_t>(64, -1000), {}, std::nullopt, info);
+  const FoundRegion found = bodyOf(air);
+  EXPECT_EQ(found.region, Region{});
+  EXPECT_EQ(found.remark.english(),
+            "No body was found in the volume (it holds no tissue), so everything is kept.");
+  EXPECT_EQ(sureBodyOf(air), Region{});
+}
+
+TEST(KeptRegion, ofAHeadAloneIsItsBodyOnlyWhereAskedFor) {
+  const auto phantom = phantomVolume({8.0, 0.0, 1});
+  const FoundRegion asked = bodyOf(*phantom);
+  EXPECT_EQ(asked.region.kind, Region::Kind::body);
+  EXPECT_EQ(asked.remark.english(), "");
+  EXPECT_EQ(sureBodyOf(*phantom), Region{}) << "there is no table to hide";
+}
+
+// A volume of 8 voxels, and a label map on its grid.
+class LabelledScene : public testing::Test {
+protected:
+  LabelledScene() {
+    write("v.nrrd", "0 10 20 30 40 50 60 70");
+    write("seg.nrrd", "0 3 3 0 5 5 0 0");
+  }
+
+  void write(const std::string& name, const std::string& values) const {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    std::ofstream(folder.path() / name)
+        << "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: ascii\n\n"
+        << values << "\n";
+  }
+
+  std::string scene(const std::string& name, const std::string& keep) const {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    std::ofstream(folder.path() / name) << R"({"limn_scene": 1, "volume": "v.nrrd", "keep": )" << keep << "}";
+    return (folder.path() / name).string();
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(LabelledScene, weighsItsLabels) {
+  const LoadedScene loaded =
+      loadScene(scene("s.json", R"({"labels": "seg.nrrd", "weights": {"5": 0.25}})"), {}, {});
+  const Region& keep = loaded.scene.keep;
+  EXPECT_EQ(keep.kind, Region::Kind::labels);
+  EXPECT_EQ(keep.source, (folder.path() / "seg.nrrd").string());
+  EXPECT_EQ(keep.weights, (std::vector<double>{1.0, 1.0, 0.25}));
+  EXPECT_EQ(weightAt(keep, {0, 0, 1}), 0.25);
+  EXPECT_EQ(weightAt(keep, {1, 1, 1}), 1.0);
+  // Written and read again, it is the same.
+  std::ofstream(folder.path() / "again.json") << sceneToJson(loaded.scene, "v.nrrd");
+  const Region again = loadScene((folder.path() / "again.json").string(), {}, {}).scene.keep;
+  EXPECT_EQ(again.weights, keep.weights);
+  EXPECT_EQ(again.source, keep.source);
+}
+
+TEST_F(LabelledScene, findsALabelMapThatLiesBesideTheVolume) {
+  const std::string path = scene("moved/s.json", R"({"labels": "seg.nrrd"})");
+  SourceOptions options;
+  options.volume = folder.path() / "v.nrrd";
+  EXPECT_EQ(loadScene(path, options, {}).scene.keep.source, (folder.path() / "seg.nrrd").string());
+}
+
+TEST_F(LabelledScene, isRefusedInASentenceWithoutItsLabelMapOrLabel) {
+  for (const auto& [keep, named] : std::map<std::string, std::string>{
+           {R"({"labels": "gone.nrrd"})", "gone.nrrd: there is no such file"},
+           {R"({"labels": "seg.nrrd", "weights": {"4": 0}})", "label 4, which seg.nrrd does not have"}})
+    try {
+      (void)loadScene(scene("s.json", keep), {}, {});
+      ADD_FAILURE() << keep;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << error.what();
+    }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/sources/SceneSource.h"
+#include "support/TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace limn {
+namespace {
+
+TEST(SceneSource, aSceneWithoutACurveTakesOnlyThatFromThePreset) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "scene.json";
+  std::ofstream(path) << R"({"limn_scene": 1, "volume": "phantom:8", "projection": "xray",
+      "gradient_opacity": {"points": [{"gradient": 5, "opacity": 0.5}]},
+      "shading": {"model": "robust", "exponent": 77}})";
+  const LoadedScene loaded = loadScene(path.string(), {}, {});
+  EXPECT_FALSE(loaded.preset.empty());
+  EXPECT_FALSE(loaded.scene.transferFunction.points.empty());
+  EXPECT_EQ(loaded.scene.projection, Projection::xray);
+  EXPECT_EQ(loaded.scene.gradientOpacity, (GradientOpacity{{{5.0, 0.5}}}));
+  EXPECT_EQ(loaded.scene.shading.model, ShadingModel::robust);
+  EXPECT_EQ(loaded.scene.shading.exponent, 77.0);
+}
+
+TEST(SceneSource, aVolumeAloneOpensAsItsPresetSays) {
+  const LoadedScene loaded = loadScene("phantom:8", {}, {});
+  EXPECT_EQ(loaded.preset, "CT bone and veil");
+  EXPECT_EQ(loaded.scene.projection, Projection::composite);
+  EXPECT_FALSE(loaded.hasOwnCamera);
+}
+
+// The file says nothing of its unit, and its values are those of a CT: a body would be found in it.
+TEST(SceneSource, aSingleImageOpensUnlitAndWhole) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "image.nrrd";
+  std::ofstream file(path);
+  file << "NRRD0004\ntype: short\ndimension: 3\nsizes: 40 40 1\nspacings: 1 1 9\nencoding: ascii\n\n";
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x)
+      file << (std::hypot(x - 20, y - 20) < 12 ? 200 : -1000) << ' ';
+  file.close();
+  SourceOptions options;
+  options.hidesTable = true;
+  const LoadedScene loaded = loadScene(path.string(), options, {});
+  EXPECT_EQ(loaded.preset, "Image");
+  EXPECT_EQ(loaded.scene.shading.model, ShadingModel::none);
+  EXPECT_EQ(loaded.scene.keep, Region());
+  EXPECT_TRUE(loaded.notes.empty()) << "no other slice: no bands";
+}
+
+TEST(SceneSource, theNumberOfASeriesIsNotIgnoredInSilence) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "small.nrrd";
+  std::ofstream(path) << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\n"
+                         "encoding: ascii\n\n0 1 2 3 4 5 6 7\n";
+  SourceOptions options;
+  EXPECT_TRUE(loadScene(path.string(), options, {}).notes.empty());
+  options.read.series = 3;
+  const LoadedScene loaded = loadScene(path.string(), options, {});
+  ASSERT_EQ(loaded.notes.size(), 1u);
+  EXPECT_NE(loaded.notes.front().english().find("3 was ignored"), std::string::npos)
+      << loaded.notes.front().english();
+  EXPECT_EQ(loadScene("phantom:16", options, {}).notes.size(), 1u);
+}
+
+SessionDocument sessionOfPhantom() {
+  SessionDocument session;
+  session.scene.volume = "phantom:8";
+  session.scene.hasCamera = session.scene.hasTransferFunction = true;
+  session.scene.scene.camera.position = {1, 2, 3};
+  session.scene.scene.transferFunction.points = {{0, {1, 1, 1}, 0}, {1, {1, 1, 1}, 1}};
+  session.layout = CompareLayout::difference;
+  return session;
+}
+
+TEST(SceneSource, aSessionIsASourceLikeAScene) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  const SessionDocument session = sessionOfPhantom();
+  std::ofstream(path) << sessionToJson(session);
+  const LoadedScene loaded = loadScene(path.string(), {}, {});
+  EXPECT_EQ(loaded.volumePath, "phantom:8");
+  EXPECT_TRUE(loaded.hasOwnCamera);
+  EXPECT_EQ(loaded.scene.camera, session.scene.scene.camera);
+  ASSERT_TRUE(loaded.session);
+  EXPECT_EQ(loaded.session->layout, CompareLayout::difference);
+}
+
+TEST(SceneSource, scenesAndSessionsAreKnownByWhatTheyHoldWhateverTheirEnding) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"mine", "mine.v2", "mine.txt"}) {
+    const std::string path = (folder.path() / name).string();
+    std::ofstream(path) << sessionToJson(sessionOfPhantom());
+    EXPECT_TRUE(loadScene(path, {}, {}).session) << name;
+    std::ofstream(path) << "\n {\"limn_scene\": 1, \"volume\": \"phantom:8\", \"projection\": \"xray\"}";
+    EXPECT_EQ(loadScene(path, {}, {}).scene.projection, Projection::xray) << name;
+    std::ofstream(path) << "{\"other\": 1}";
+    EXPECT_THROW(loadScene(path, {}, {}), Error) << name;
+  }
+}
+
+TEST(SceneSource, aPathMeansTheSameFromEverywhereAndBuiltInNamesStay) {
+  EXPECT_EQ(absoluteSource("sample"), "sample");
+  EXPECT_EQ(absoluteSource("phantom:4"), "phantom:4");
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(absoluteSource("data/../head.nii"), (here / "head.nii").string());
+  EXPECT_EQ(absoluteSource("series/"), (here / "series").string());
+}
+
+TEST(SceneSource, aVolumeThatMayNotBeNamedIsFoundByWhatStandsForIt) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "session.json";
+  SessionDocument session = sessionOfPhantom();
+  session.scene.volume = "ct-64x64x64-abc";
+  std::ofstream(path) << sessionToJson(session);
+  EXPECT_THROW(loadScene(path.string(), {}, {}), VolumeMissing);
+  SourceOptions options;
+  options.references["ct-64x64x64-abc"] = folder.path() / "moved"; // nor there
+  EXPECT_THROW(loadScene(path.string(), options, {}), VolumeMissing);
+  std::ofstream(folder.path() / "moved") << "not a volume, but there";
+  try {
+    loadScene(path.string(), options, {});
+    FAIL() << "nothing was thrown";
+  } catch (const VolumeMissing&) {
+    FAIL() << "it was not looked for";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("moved"), std::string::npos) << error.what();
+  }
+}
+
+} // namespace
+} // namespace limn

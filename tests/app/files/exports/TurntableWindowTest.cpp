@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/core/sources/SceneSource.h"
+#include "app/files/exports/TurntableDialog.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+
+// A turntable, saved in the program's window.
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TurntableWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+    ASSERT_TRUE(rest());
+    window->findChild<QAction*>(QStringLiteral("saveTurntable"))->trigger();
+    ASSERT_TRUE(test::waitUntil([this] { return dialog().isActiveWindow(); }));
+    type("turntableWidth", QStringLiteral("120"));
+    type("turntableHeight", QStringLiteral("100"));
+  }
+
+  TurntableDialog& dialog() const { return *window->findChild<TurntableDialog*>(); }
+
+  void type(const char* name, const QString& text) const {
+    auto* field = dialog().findChild<QDoubleSpinBox*>(QLatin1String(name));
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text + QStringLiteral("\t"));
+  }
+
+  void save(const char* name) {
+    typeName(pathTo(name));
+    QTest::mouseClick(dialog().findChild<QPushButton*>(QStringLiteral("turntableSave")), Qt::LeftButton);
+  }
+
+  QString said() const { return dialog().findChild<QLabel*>(QStringLiteral("turntableSays"))->text(); }
+};
+
+TEST_F(TurntableWindow, framesOfWhatIsOpenAreSaved) {
+  type("turntableFrames", QStringLiteral("4"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(said(), QStringLiteral("Saved turn.frames."));
+  for (const char* frame : {"frame-0001.png", "frame-0004.png"})
+    EXPECT_TRUE(fs::exists(folder.path() / "turn.frames" / frame)) << frame;
+  EXPECT_FALSE(fs::exists(folder.path() / "turn.frames" / "frame-0005.png"));
+  EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(TurntableWindow, ofTwoPicturesTheOneThatIsChosenIsSaved) {
+  auto& picture = *dialog().findChild<QComboBox*>(QStringLiteral("turntablePicture"));
+  EXPECT_EQ(picture.currentText(), QStringLiteral("Left: Classic"));
+  picture.setFocus();
+  QTest::keyClick(&picture, Qt::Key_Down);
+  EXPECT_EQ(picture.currentText(), QStringLiteral("Right: Enhanced"));
+  type("turntableFrames", QStringLiteral("2"));
+  save("turn.frames");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  const LoadedScene saved = loadScene((folder.path() / "turn.frames" / "frame-0001.png").string(), {}, {});
+  EXPECT_EQ(saved.scene.shading.model, ShadingModel::enhanced);
+}
+
+TEST_F(TurntableWindow, ofOnePictureNoneIsAskedFor) {
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  window->findChild<QAction*>(QStringLiteral("layout-single"))->trigger();
+  window->findChild<QAction*>(QStringLiteral("saveTurntable"))->trigger();
+  EXPECT_FALSE(dialog().findChild<QComboBox*>(QStringLiteral("turntablePicture"))->isVisible());
+}
+
+TEST_F(TurntableWindow, isCancelledByEsc) {
+  type("turntableFrames", QStringLiteral("5000"));
+  save("turn.frames");
+  ASSERT_TRUE(dialog().isWorking());
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isWorking());
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Cancelled"))) << said().toStdString();
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/figures/FigureOptions.h"
+#include "app/figures/FigureScenes.h"
+#include "app/files/figure/FigureDialog.h"
+#include "app/files/figure/FigurePreview.h"
+#include "io/ImageFile.h"
+#include "widgets/figure/FigureLayout.h"
+#include "widgets/planes/PlaneDeck.h"
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+
+#include <algorithm>
+#include <set>
+
+// Figures, put together and saved in the program's window.
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FigureWindow : public test::WindowHarness {
+protected:
+  void SetUp() override {
+    WindowHarness::SetUp();
+    ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+    ASSERT_TRUE(rest());
+  }
+
+  FigureDialog& dialog() const { return *window->findChild<FigureDialog*>(); }
+
+  template <class Part>
+  Part& part(const char* name) const {
+    return *dialog().findChild<Part*>(QLatin1String(name));
+  }
+
+  void click(const char* name) const { QTest::mouseClick(&part<QPushButton>(name), Qt::LeftButton); }
+  void check(const char* name) const {
+    auto& box = part<QCheckBox>(name);
+    QTest::mouseClick(&box, Qt::LeftButton, {}, QPoint(8, box.height() / 2));
+  }
+
+  /// Asks by the keyboard and waits until the preview shows its pictures.
+  [[nodiscard]] bool ask() {
+    QTest::keyClick(window.get(), Qt::Key_F, Qt::ControlModifier | Qt::ShiftModifier);
+    return test::waitUntil([this] { return window->findChild<FigureDialog*>() && isPreviewed(); });
+  }
+
+  bool isPreviewed() const {
+    const std::optional<Figure> shown = dialog().preview().asShown();
+    if (!shown)
+      return false;
+    const QSize size = figureLayout(*shown).pictureSize();
+    const std::vector<QImage>& pictures = dialog().preview().pictures();
+    return pictures.size() == shown->panels.size() &&
+           std::ranges::all_of(pictures, [&](const QImage& picture) { return picture.size() == size; });
+  }
+
+  QString said() const { return part<QLabel>("figureSays").text(); }
+
+  /// Saves as this file and waits until that is said.
+  [[nodiscard]] bool saveAs(const char* name) {
+    typeName(pathTo(name));
+    click("figureSave");
+    return test::waitUntil([this] { return !dialog().isWorking(); });
+  }
+};
+
+TEST_F(FigureWindow, aFigureOfTheComparisonIsSavedAndOpensAsTheComparison) {
+  setLayout(CompareLayout::sideBySide);
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  EXPECT_EQ(dialog().askedFigure().panels.size(), 2u);
+  check("figureExact"); // the window's own steps
+  EXPECT_FALSE(dialog().isExact());
+  const std::vector<Scene> shown = view().scenesOfSides();
+  ASSERT_TRUE(saveAs("figure.png"));
+  EXPECT_TRUE(said().contains(QStringLiteral("Saved figure.png."))) << said().toStdString();
+  const auto loaded = loadFigure((folder.path() / "figure.png").string(), {}, {});
+  ASSERT_TRUE(loaded);
+  ASSERT_EQ(loaded->panels.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Scene scene = loaded->panels[i].scene.scene;
+    scene.volume = shown[i].volume; // read again
+    scene.image = shown[i].image;   // the panel's size
+    EXPECT_EQ(scene, shown[i]);
+  }
+  click("figureClose");
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(open(QStringLiteral("phantom:16")));
+  ASSERT_TRUE(open(pathTo("figure.png")));
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  const std::vector<Scene> again = view().scenesOfSides();
+  ASSERT_EQ(again.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(again[i].shading, shown[i].shading);
+    EXPECT_EQ(again[i].transferFunction, shown[i].transferFunction);
+  }
+}
+
+TEST_F(FigureWindow, whatWasSavedStaysSaidUntilAnEditAndTheKeyboardReturns) {
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  ASSERT_TRUE(saveAs("figure.png"));
+  EXPECT_TRUE(part<QPushButton>("figureSave").hasFocus());
+  dialog().resize(dialog().size() + QSize(40, 30)); // the preview is drawn anew
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Saved figure.png."))) << said().toStdString();
+  EXPECT_TRUE(said().contains(QStringLiteral("pixels"))) << said().toStdString();
+  check("figureMark-curve");
+  EXPECT_FALSE(said().contains(QStringLiteral("Saved"))) << said().toStdString();
+}
+
+TEST_F(FigureWindow, aLookThatIsRememberedStandsBesideWhatBecameOfIt) {
+  setLayout(CompareLayout::single);
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  const TransferFunction before = scene().transferFunction;
+  session().setTransferFunction(shifted(before, 100.0), {nextGestureId(), QStringLiteral("test")});
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  auto& choice = part<QComboBox>("panelSource-a");
+  const int remembered = choice.findText(QStringLiteral("Remembered: Before"));
+  ASSERT_GE(remembered, 0);
+  choice.setFocus();
+  while (choice.currentIndex() != remembered && choice.currentIndex() + 1 < choice.count())
+    QTest::keyClick(&choice, Qt::Key_Down);
+  ASSERT_EQ(dialog().askedFigure().panels.size(), 1u);
+  EXPECT_EQ(dialog().askedFigure().panels[0].scene.transferFunction, before);
+  EXPECT_EQ(dialog().askedFigure().panels[0].name, QStringLiteral("Before"));
+  click("figureClose");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  ASSERT_TRUE(rest());
+  window->findChild<QAction*>(QStringLiteral("saveFigure"))
+      ->trigger(); // without a window manager no key gets there
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  const Figure compared = dialog().askedFigure();
+  ASSERT_EQ(compared.panels.size(), 2u);
+  for (std::size_t side = 0; side < 2; ++side) {
+    EXPECT_EQ(compared.panels[side].scene.transferFunction, view().scenesOfSides()[side].transferFunction);
+    EXPECT_EQ(compared.panels[side].name, side == 0 ? QStringLiteral("Before") : QStringLiteral("Now"));
+  }
+}
+
+TEST_F(FigureWindow, pdfTiffAndExrAreWrittenByTheirEndings) {
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  for (const char* name : {"figure.pdf", "figure.tif", "figure.exr"}) {
+    ASSERT_TRUE(saveAs(name));
+    EXPECT_TRUE(fs::exists(folder.path() / name)) << said().toStdString();
+    EXPECT_TRUE(loadFigure((folder.path() / name).string(), {}, {})) << name;
+  }
+  ASSERT_TRUE(saveAs("figure.bmp"));
+  EXPECT_TRUE(said().contains(QStringLiteral(".png, .tif, .exr or .pdf"))) << said().toStdString();
+}
+
+TEST_F(FigureWindow, slicesBesideOnePictureAreOfferedAsFourPanels) {
+  setLayout(CompareLayout::single);
+  window->findChild<QAction*>(QStringLiteral("planes-picture_and_three"))->trigger();
+  ASSERT_TRUE(rest());
+  ASSERT_TRUE(ask());
+  const Figure figure = dialog().askedFigure();
+  ASSERT_EQ(figure.panels.size(), 4u);
+  EXPECT_FALSE(figure.panels[0].plane);
+  EXPECT_EQ(figure.panels[1].plane, PatientPlane::axial);
+  EXPECT_EQ(figure.panels[3].plane, PatientPlane::sagittal);
+}
+
+TEST_F(FigureWindow, panelsAreChosenNamedAndCountedByKeyboard) {
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(ask());
+  ASSERT_EQ(dialog().askedFigure().panels.size(), 1u);
+  auto& count = part<QComboBox>("panelCount");
+  count.setFocus();
+  QTest::keyClick(&count, Qt::Key_Down);
+  ASSERT_EQ(dialog().askedFigure().panels.size(), 2u);
+  auto& source = part<QComboBox>("panelSource-b");
+  source.setFocus();
+  for (int step = 0; step < source.count() && source.currentText() != QStringLiteral("Slice: Coronal");
+       ++step)
+    QTest::keyClick(&source, Qt::Key_Down);
+  ASSERT_EQ(dialog().askedFigure().panels[1].plane, PatientPlane::coronal);
+  auto& name = part<QLineEdit>("panelName-b");
+  EXPECT_EQ(name.text(), QStringLiteral("Coronal"));
+  name.selectAll();
+  QTest::keyClicks(&name, QStringLiteral("Through the teeth"));
+  EXPECT_EQ(dialog().askedFigure().panels[1].name, QStringLiteral("Through the teeth"));
+  ASSERT_TRUE(test::waitUntil([this] { return isPreviewed(); }));
+  EXPECT_EQ(undo().count(), 0) << "a figure is no edit";
+}
+
+TEST_F(FigureWindow, panelsThatAreAddedShowWhatNoOtherDoes) {
+  ASSERT_TRUE(ask());
+  ASSERT_EQ(dialog().askedFigure().panels.size(), 2u);
+  auto& count = part<QComboBox>("panelCount");
+  count.setFocus();
+  QTest::keyClick(&count, Qt::Key_End);
+  std::set<QString> names;
+  for (const FigurePanel& panel : dialog().askedFigure().panels)
+    names.insert(panel.name);
+  EXPECT_EQ(names.size(), 4u);
+}
+
+TEST_F(FigureWindow, marksAndPageAreRememberedForTheNextFigure) {
+  ASSERT_TRUE(ask());
+  check("figureMark-curve");
+  auto& page = part<QComboBox>("figurePage");
+  page.setFocus();
+  QTest::keyClick(&page, Qt::Key_Down);
+  EXPECT_FALSE(dialog().askedFigure().settings.shows(FigureMark::curve));
+  const FigureSettings remembered = Settings(UserFolders::below(folder.path()).settings).figure();
+  EXPECT_FALSE(remembered.shows(FigureMark::curve));
+  EXPECT_EQ(remembered.page, FigureSettings::Page::black);
+}
+
+TEST_F(FigureWindow, theSizeIsSaidBeforeAndRefusedWhereThereIsNoMemory) {
+  ASSERT_TRUE(ask());
+  auto& width = part<QDoubleSpinBox>("figureWidth");
+  const auto type = [&](const QString& text) {
+    width.setFocus();
+    width.selectAll();
+    QTest::keyClicks(&width, text + QStringLiteral("\t"));
+  };
+  type(QStringLiteral("10"));
+  EXPECT_TRUE(said().contains(QStringLiteral("1181 × "))) << said().toStdString(); // 10 / 2.54 · 300
+  EXPECT_TRUE(part<QPushButton>("figureSave").isEnabled());
+  type(QStringLiteral("2000"));
+  EXPECT_TRUE(said().contains(QStringLiteral("pixels wide"))) << said().toStdString();
+  EXPECT_FALSE(part<QPushButton>("figureSave").isEnabled());
+  type(QStringLiteral("170")); // 20,079 pixels
+  EXPECT_TRUE(said().contains(QStringLiteral("20079 × "))) << said().toStdString();
+  EXPECT_TRUE(said().contains(QStringLiteral("of memory while it is made"))) << said().toStdString();
+}
+
+TEST_F(FigureWindow, itIsCopiedInFullSize) {
+  ASSERT_TRUE(ask());
+  check("figureExact");
+  auto& width = part<QDoubleSpinBox>("figureWidth");
+  width.setFocus();
+  width.selectAll();
+  QTest::keyClicks(&width, QStringLiteral("5\t"));
+  click("figureCopy");
+  ASSERT_TRUE(test::waitUntil([this] { return !dialog().isWorking(); }));
+  EXPECT_EQ(QApplication::clipboard()->image().width(), 591) << "5 / 2.54 · 300";
+}
+
+TEST_F(FigureWindow, cancellingLeavesNoFileAndTheDialogOpen) {
+  ASSERT_TRUE(ask());
+  typeName(pathTo("figure.png"));
+  click("figureSave");
+  ASSERT_TRUE(dialog().isWorking());
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isWorking());
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_TRUE(said().startsWith(QStringLiteral("Cancelled"))) << said().toStdString();
+  QTest::keyClick(&dialog(), Qt::Key_Escape);
+  EXPECT_FALSE(dialog().isVisible());
+  EXPECT_FALSE(fs::exists(folder.path() / "figure.png"));
+}
+
+TEST_F(FigureWindow, aPanelThatShowsNothingIsSaidInThePreview) {
+  setLayout(CompareLayout::single);
+  ASSERT_TRUE(ask());
+  session().setTransferFunction({1.0, {{0.0, {1, 1, 1}, 0.0}}}, {nextGestureId(), QStringLiteral("nothing")});
+  EXPECT_TRUE(test::waitUntil([this] { return said().contains(QStringLiteral("Panel a shows nothing")); }))
+      << said().toStdString();
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/core/sources/SceneSource.h"
+#include "support/FileBytes.h"
+
+#include <QPushButton>
+
+// What the window remembers of what was opened, and where it looks and asks for it, in the window.
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OpeningWindow : public test::WindowHarness {
+protected:
+  // A small volume in a folder of its own; returns its path.
+  QString smallVolume(const char* inFolder, const char* voxels = "0 100 200 300 400 500 600 700") {
+    const fs::path place = folder.path() / inFolder;
+    fs::create_directories(place);
+    test::writeBytes(
+        place / "small.nrrd",
+        "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\nspace "
+        "directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: ascii\n\n" +
+            std::string(voxels) + "\n");
+    return QString::fromStdString((place / "small.nrrd").string());
+  }
+
+  QString savedPicture() {
+    EXPECT_TRUE(rest());
+    const QString path = pathTo("elsewhere/picture.png");
+    fs::create_directories(folder.path() / "elsewhere");
+    saving().writePicture(path);
+    return path;
+  }
+
+  QString folderOfNextDialog() {
+    auto asked = std::make_shared<QString>();
+    onceAsked<QFileDialog>([asked](QFileDialog& dialog) {
+      *asked = dialog.directory().absolutePath();
+      dialog.reject();
+    });
+    QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+    return *asked;
+  }
+};
+
+TEST_F(OpeningWindow, aPictureFindsTheVolumeThatWasOpenedBefore) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const auto volume = scene().volume;
+  const QString picture = savedPicture();
+  for (int other = 0; other < 12; ++other) // more than the list of recent files holds
+    ASSERT_TRUE(open(QStringLiteral("phantom:%1").arg(20 + other)));
+  ASSERT_TRUE(open(picture));
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+  EXPECT_EQ(scene().volume->range().highest, volume->range().highest);
+}
+
+TEST_F(OpeningWindow, ofTwoVolumesOfOneNameNoneIsTakenUnasked) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString picture = savedPicture();
+  ASSERT_TRUE(open(smallVolume("b", "0 1 2 3 4 5 6 7"))); // of another patient
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(picture));
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("not where the scene expects it")))
+      << messages().sentence().toStdString();
+}
+
+TEST_F(OpeningWindow, aPictureOfTheSampleHeadReopens) {
+  if (!installedSampleHead())
+    GTEST_SKIP() << "invesalius-examples is not installed";
+  ASSERT_TRUE(open(QStringLiteral("sample")));
+  setLayout(CompareLayout::single);
+  const QString picture = savedPicture();
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(open(picture));
+  EXPECT_FALSE(messages().isVisible()) << messages().sentence().toStdString();
+  EXPECT_EQ(window->sessionDocument().scene.volume, installedSampleHead()->string());
+}
+
+TEST_F(OpeningWindow, dialogsOpenWhereTheLastOneEnded) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const QString volume = smallVolume("a");
+  typeName(volume);
+  QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("a"));
+  fs::create_directories(folder.path() / "b");
+  typeName(pathTo("b/mine"));
+  QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(fs::exists(folder.path() / "b" / "mine.limn.json"));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("a")) << "what is opened lies elsewhere than what is saved";
+  const Settings inTheNextRun(UserFolders::below(folder.path()).settings);
+  EXPECT_EQ(inTheNextRun.dialogFolder(), pathTo("a"));
+  EXPECT_EQ(inTheNextRun.saveFolder(), pathTo("b"));
+}
+
+TEST_F(OpeningWindow, theDialogForLabelsOpensWhereTheLastOneEndedToo) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  const QString labels = smallVolume("labels", "0 1 0 1 0 1 0 1");
+  typeName(labels);
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  ASSERT_TRUE(test::waitUntil([this] { return scene().keep.kind == Region::Kind::labels; }));
+  EXPECT_EQ(folderOfNextDialog(), pathTo("labels"));
+  QString asked;
+  onceAsked<QFileDialog>([&asked](QFileDialog& dialog) {
+    asked = dialog.directory().absolutePath();
+    dialog.reject();
+  });
+  window->findChild<QAction*>(QStringLiteral("openLabels"))->trigger();
+  EXPECT_EQ(asked, pathTo("labels"));
+}
+
+TEST_F(OpeningWindow, theEmptyPageOffersWhatWasOpenedBefore) {
+  ASSERT_TRUE(open(smallVolume("a")));
+  QTest::keyClick(window.get(), Qt::Key_W, Qt::ControlModifier);
+  ASSERT_FALSE(scene().volume);
+  auto* recent = window->findChild<QPushButton*>(QStringLiteral("recent"));
+  ASSERT_TRUE(recent && recent->isVisible());
+  EXPECT_TRUE(recent->text().startsWith(QStringLiteral("small.nrrd"))) << recent->text().toStdString();
+  QTest::mouseClick(recent, Qt::LeftButton);
+  ASSERT_TRUE(test::waitUntil([this] { return !window->loader().isLoading(); }));
+  ASSERT_TRUE(scene().volume);
+  EXPECT_EQ(scene().volume->grid().dims, glm::ivec3(2));
+}
+
+TEST_F(OpeningWindow, aForeignFileIsRefusedAndTheSentenceGoesWithTheNextStep) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:6")));
+  test::writeBytes(
+      folder.path() / "vr.json",
+      R"({"@schema": "https://raw.githubusercontent.com/Slicer/Slicer/markups-schema.json#", "markups": []})");
+  ASSERT_TRUE(open(pathTo("vr.json")));
+  EXPECT_TRUE(messages().isVisible());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("3D Slicer")))
+      << messages().sentence().toStdString();
+  window->resize(1380, 640); // every button fits
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(messages().isVisible()) << "the camera that follows the window is no step";
+  clickTool(QStringLiteral("Single"));
+  EXPECT_FALSE(messages().isVisible());
+  ASSERT_TRUE(open(pathTo("vr.json")));
+  EXPECT_TRUE(messages().isVisible());
+  dragAPoint();
+  EXPECT_FALSE(messages().isVisible());
+}
+
+} // namespace
+} // namespace limn

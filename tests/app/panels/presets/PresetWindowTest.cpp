@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/WindowHarness.h"
+#include "app/presets/PresetStore.h"
+#include "widgets/PresetNames.h"
+#include "widgets/presets/PresetBrowser.h"
+
+#include <QContextMenuEvent>
+#include <QInputDialog>
+#include <QMenu>
+
+// Presets in the program's window, by mouse and keys.
+
+namespace limn {
+namespace {
+
+class PresetWindow : public test::WindowHarness {
+protected:
+  PresetBrowser& browser() const { return *window->findChild<PresetBrowser*>(); }
+  QTreeView& list() const { return *browser().findChild<QTreeView*>(); }
+
+  // Never twice to the same place: Qt lets nobody know of a pointer that has not moved.
+  void pointTo(const char* preset) {
+    m_nudge = 1 - m_nudge;
+    const QPoint place = rowOf(browser(), QLatin1String(preset)).center() + QPoint(m_nudge, 0);
+    QTest::mouseMove(window->windowHandle(), list().viewport()->mapTo(window.get(), place));
+  }
+  // The X server tells where its own pointer is, too, and may do so after us.
+  [[nodiscard]] bool pointUntilSeen(const char* preset, const Scene& before) {
+    return test::waitUntil([&] {
+      if (view().scene() == before)
+        pointTo(preset);
+      return view().scene() != before;
+    });
+  }
+  void click(const char* preset) {
+    const QPoint place = rowOf(browser(), QLatin1String(preset)).center();
+    QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                      list().viewport()->mapTo(window.get(), place));
+  }
+
+private:
+  int m_nudge = 0;
+};
+
+TEST_F(PresetWindow, thePresetUnderThePointerIsSeenAndLeavesNothingBehind) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const Scene before = scene();
+  const int steps = undo().count();
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
+  const Scene seen = view().scene();
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), seen.transferFunction) << "the curve";
+  EXPECT_EQ(scene(), before) << "what is edited";
+  QTest::mouseMove(window->windowHandle(), view().mapTo(window.get(), view().rect().center()));
+  ASSERT_TRUE(test::waitUntil([&] { return view().scene() == before; }));
+  EXPECT_EQ(curves().valueEditor()->canvas()->transferFunction(), before.transferFunction);
+  EXPECT_EQ(undo().count(), steps);
+  click("CT lung");
+  EXPECT_EQ(scene(), seen) << "what was seen is what a click gives";
+  EXPECT_EQ(undo().count(), steps + 1);
+}
+
+TEST_F(PresetWindow, theKeyboardSeesPresetsBeforeEnterUsesOne) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  click("CT bone");
+  const Scene before = scene();
+  const int steps = undo().count();
+  QTest::keyClick(window->windowHandle(), Qt::Key_Down);
+  ASSERT_TRUE(test::waitUntil([&] { return view().scene() != before; }));
+  const Scene seen = view().scene();
+  EXPECT_EQ(undo().count(), steps);
+  QTest::keyClick(window->windowHandle(), Qt::Key_Escape);
+  EXPECT_EQ(view().scene(), before);
+  QTest::keyClick(window->windowHandle(), Qt::Key_Return);
+  EXPECT_EQ(scene(), seen);
+  EXPECT_EQ(undo().count(), steps + 1);
+}
+
+TEST_F(PresetWindow, aPreviewGoesOnWhileTheCameraMovesAndEndsWithAnEdit) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  ASSERT_TRUE(pointUntilSeen("CT lung", scene()));
+  const TransferFunction seen = view().scene().transferFunction;
+  session().setCamera(orbited(scene().camera, 0.3, 0.0));
+  EXPECT_EQ(view().scene().camera, scene().camera);
+  EXPECT_EQ(view().scene().transferFunction, seen);
+  Shading shading = scene().shading;
+  shading.exponent += 1.0;
+  session().setShading(shading, {nextGestureId(), QStringLiteral("sharper")});
+  EXPECT_EQ(view().scene(), scene());
+}
+
+TEST_F(PresetWindow, aPreviewEndsWhereAnotherVolumeIsOpened) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const Scene before = scene();
+  ASSERT_TRUE(pointUntilSeen("CT lung", before));
+  ASSERT_TRUE(open(QStringLiteral("phantom:3")));
+  EXPECT_EQ(view().scene(), scene());
+  EXPECT_NE(scene().volume, before.volume);
+}
+
+TEST_F(PresetWindow, whatWasRememberedIsComparedWithWhatBecameOfIt) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::single);
+  click("CT bone");
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  EXPECT_FALSE(compare.isEnabled()) << "nothing is remembered";
+  const Scene before = scene();
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier);
+  click("CT lung");
+  ASSERT_TRUE(compare.isEnabled());
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(view().compareLayout(), CompareLayout::sideBySide);
+  EXPECT_EQ(view().sceneOfSide(0), before);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  EXPECT_NE(scene(), before);
+  undo().undo();
+  EXPECT_EQ(view().sceneOfSide(1), before) << "the right side is what is edited";
+  QTest::keyClick(window->windowHandle(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(compare.isChecked());
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::classic) << "models again";
+  EXPECT_EQ(view().sceneOfSide(1).shading.model, ShadingModel::enhanced);
+}
+
+TEST_F(PresetWindow, aPresetIsComparedWithThePictureInEveryLayout) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  setLayout(CompareLayout::wipe);
+  click("CT bone");
+  const QPoint place = rowOf(browser(), QStringLiteral("CT lung")).center();
+  QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list().viewport()->mapToGlobal(place));
+  QCoreApplication::sendEvent(list().viewport(), &asked);
+  const int steps = undo().count();
+  QAction* const entry = action(QStringLiteral("Compare with the picture"));
+  ASSERT_TRUE(entry);
+  entry->trigger();
+  browser().findChild<QMenu*>()->close();
+  EXPECT_EQ(view().compareLayout(), CompareLayout::wipe);
+  EXPECT_EQ(view().sceneOfSide(1), scene());
+  const TransferFunction lung = view().sceneOfSide(0).transferFunction;
+  EXPECT_NE(lung, scene().transferFunction);
+  EXPECT_EQ(undo().count(), steps) << "it is no edit";
+  click("CT lung");
+  EXPECT_EQ(scene().transferFunction, lung);
+  window->findChild<QAction*>(QStringLiteral("model-left-none"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).shading.model, ShadingModel::none);
+  EXPECT_NE(scene().shading.model, ShadingModel::none);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  EXPECT_EQ(view().sceneOfSide(0).transferFunction, view().sceneOfSide(1).transferFunction);
+}
+
+TEST_F(PresetWindow, anotherVolumeHasNothingToCompareWith) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  QAction& compare = *window->findChild<QAction*>(QStringLiteral("compareSnapshot"));
+  compare.trigger();
+  EXPECT_TRUE(compare.isChecked());
+  ASSERT_TRUE(open(QStringLiteral("phantom:5")));
+  EXPECT_FALSE(compare.isEnabled());
+  EXPECT_FALSE(compare.isChecked());
+}
+
+TEST_F(PresetWindow, theSessionKeepsWhatIsCompared) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  click("CT bone");
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  click("CT lung");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  const Scene left = view().sceneOfSide(0);
+  SessionDocument kept = parseSession(sessionToJson(window->sessionDocument()), "session");
+  EXPECT_EQ(kept.snapshot, window->sessionDocument().snapshot);
+  window->findChild<QAction*>(QStringLiteral("compareModels"))->trigger();
+  window->findChild<ComparisonController*>()->restore(kept);
+  EXPECT_EQ(view().sceneOfSide(0), left);
+  EXPECT_TRUE(window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->isChecked());
+}
+
+TEST_F(PresetWindow, aSavedComparisonOfLooksOpensAsWhatWasEdited) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  click("CT bone");
+  window->findChild<QAction*>(QStringLiteral("takeSnapshot"))->trigger();
+  click("CT skin");
+  window->findChild<QAction*>(QStringLiteral("compareSnapshot"))->trigger();
+  ASSERT_TRUE(rest());
+  const TransferFunction edited = scene().transferFunction;
+  saving().writePicture(pathTo("both.png"));
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  ASSERT_TRUE(open(pathTo("both.png")));
+  EXPECT_EQ(scene().transferFunction, edited);
+}
+
+TEST_F(PresetWindow, favouritesNotesAndFoldersAreThereInTheNextWindow) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  const auto answer = [this](const QString& text) {
+    onceAsked<QInputDialog>([text](QInputDialog& dialog) {
+      dialog.setTextValue(text);
+      dialog.accept();
+    });
+  };
+  const auto choose = [this](const QString& entry) {
+    const QPoint place = rowOf(browser(), QStringLiteral("Mine")).center();
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, place, list().viewport()->mapToGlobal(place));
+    QCoreApplication::sendEvent(list().viewport(), &asked);
+    QMenu& menu = *browser().findChild<QMenu*>();
+    menu.close();
+    action(entry)->trigger();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  const UserFolders folders = UserFolders::below(folder.path());
+  const auto mine = [&] { return PresetStore(folders.presets).find("Mine").value_or(Preset{}); };
+  answer(QStringLiteral("Mine"));
+  window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+  ASSERT_TRUE(test::waitUntil([&] { return mine().name == "Mine"; }));
+  answer(QStringLiteral("for the petrous bone"));
+  choose(QStringLiteral("Note…"));
+  ASSERT_TRUE(test::waitUntil([&] { return !mine().note.empty(); }));
+  answer(QStringLiteral("Temporal"));
+  choose(QStringLiteral("New folder…"));
+  ASSERT_TRUE(test::waitUntil([&] { return !mine().folder.empty(); }));
+  click("CT lung");
+  QTest::keyClick(window->windowHandle(), Qt::Key_F);
+  EXPECT_EQ(browser().presets().mid(0, 2), (QStringList{"CT lung", "Mine"}));
+
+  window = std::make_unique<MainWindow>(folders);
+  EXPECT_EQ(browser().presets().mid(0, 2), (QStringList{"CT lung", "Mine"}));
+  EXPECT_EQ(mine().note, "for the petrous bone");
+  EXPECT_EQ(mine().folder, "Temporal");
+}
+
+TEST_F(PresetWindow, whatFitsTheVolumeBestStandsFirst) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:4")));
+  EXPECT_EQ(browser().presets().front().toStdString(), session().preset().name);
+}
+
+TEST_F(PresetWindow, whatIsDeletedOrReplacedIsBroughtBackByOneClick) {
+  ASSERT_TRUE(open(QStringLiteral("phantom:8")));
+  const auto saveAsMine = [this] {
+    onceAsked<QInputDialog>([](QInputDialog& dialog) {
+      dialog.setTextValue(QStringLiteral("Mine"));
+      dialog.accept();
+    });
+    window->findChild<QAction*>(QStringLiteral("savePreset"))->trigger();
+    return test::waitUntil([this] { return rowOf(browser(), QStringLiteral("Mine")).isValid(); });
+  };
+  const auto kept = [this] {
+    const std::vector<Preset> own = PresetStore(UserFolders::below(folder.path()).presets).read().presets;
+    return own.empty() ? std::nullopt : std::optional(own.front());
+  };
+  const auto bringBack = [this] {
+    QTest::mouseClick(messages().findChild<QToolButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+  };
+  ASSERT_TRUE(saveAsMine());
+  const std::optional<Preset> first = kept();
+  ASSERT_TRUE(first);
+  session().setTransferFunction(shifted(scene().transferFunction, 50.0),
+                                {nextGestureId(), QStringLiteral("shift")});
+  ASSERT_TRUE(saveAsMine());
+  ASSERT_TRUE(test::waitUntil([&] { return kept() != first; }));
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was replaced")))
+      << messages().sentence().toStdString();
+  bringBack();
+  EXPECT_EQ(kept(), first);
+  emit browser().deleteRequested(QStringLiteral("Mine"));
+  EXPECT_FALSE(kept());
+  EXPECT_TRUE(messages().sentence().contains(QStringLiteral("was deleted")))
+      << messages().sentence().toStdString();
+  bringBack();
+  EXPECT_EQ(kept(), first);
+  EXPECT_TRUE(rowOf(browser(), QStringLiteral("Mine")).isValid());
+}
+
+} // namespace
+} // namespace limn

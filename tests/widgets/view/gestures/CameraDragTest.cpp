@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/gestures/ViewDrag.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace limn {
+namespace {
+
+const Camera front{.position = {0, -100, 0}, .target = {0, 0, 0}, .up = {0, 0, 1}};
+const QRectF dragPlace(0, 0, 400, 200);
+
+void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+TEST(DragKind, followsTheTableOfMouseActions) {
+  const auto left = [](Qt::KeyboardModifiers modifiers, ViewTool tool = ViewTool::rotate) {
+    return dragKind(Qt::LeftButton, modifiers, tool);
+  };
+  EXPECT_EQ(left(Qt::NoModifier), DragKind::rotate);
+  EXPECT_EQ(left(Qt::ShiftModifier), DragKind::pan);
+  EXPECT_EQ(left(Qt::ControlModifier), DragKind::roll);
+  EXPECT_EQ(left(Qt::AltModifier), DragKind::windowLevel);
+  EXPECT_EQ(left(Qt::AltModifier | Qt::ControlModifier), DragKind::opacity);
+  EXPECT_EQ(left(Qt::NoModifier, ViewTool::windowLevel), DragKind::windowLevel);
+  EXPECT_EQ(left(Qt::AltModifier | Qt::ControlModifier, ViewTool::windowLevel), DragKind::opacity);
+  EXPECT_EQ(left(Qt::NoModifier, ViewTool::pan), DragKind::pan);
+  EXPECT_EQ(left(Qt::NoModifier, ViewTool::zoom), DragKind::zoom);
+  EXPECT_EQ(dragKind(Qt::MiddleButton, Qt::NoModifier, ViewTool::rotate), DragKind::pan);
+  EXPECT_EQ(dragKind(Qt::RightButton, Qt::NoModifier, ViewTool::rotate), DragKind::zoom);
+  EXPECT_EQ(dragKind(Qt::BackButton, Qt::NoModifier, ViewTool::rotate), DragKind::none);
+}
+
+TEST(CameraGesture, draggingRightByHalfTheHeightTurnsTheFrontToTheRight) {
+  // Half the height is a quarter turn: the camera goes to the patient's right, -x, so that the front
+  // surface moves to the right of the picture.
+  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {200, 100}, dragPlace);
+  expectNear(camera.position, {-100, 0, 0}, 1e-9);
+}
+
+TEST(CameraGesture, draggingUpShowsMoreOfTheLowerSide) {
+  const Camera camera = dragged(front, DragKind::rotate, {100, 100}, {100, 90}, dragPlace);
+  EXPECT_LT(camera.position.z, 0.0);
+  EXPECT_NEAR(camera.position.x, 0.0, 1e-12);
+}
+
+TEST(CameraGesture, draggingAroundAndBackReturns) {
+  Camera camera = dragged(front, DragKind::rotate, {0, 0}, {30, 0}, dragPlace);
+  camera = dragged(camera, DragKind::rotate, {30, 0}, {0, 0}, dragPlace);
+  expectNear(camera.position, front.position, 1e-9);
+}
+
+TEST(CameraGesture, panningKeepsThePointOfTheTargetPlaneUnderThePointer) {
+  const Camera camera = dragged(front, DragKind::pan, {200, 100}, {250, 80}, dragPlace);
+  // The picture is 2 · 100 mm · tan 15° high for 200 pixels; the target moves against the pointer.
+  const double mmPerPixel = 200.0 * std::tan(15.0 * 3.14159265358979323846 / 180.0) / 200.0;
+  expectNear(camera.target, {-50 * mmPerPixel, 0, -20 * mmPerPixel}, 1e-9);
+  expectNear(camera.position - camera.target, front.position - front.target, 1e-9);
+}
+
+TEST(CameraGesture, zoomingUpComesNearerAndBackReturns) {
+  const Camera near = dragged(front, DragKind::zoom, {0, 100}, {0, 50}, dragPlace);
+  // A quarter of the height is e^0.5.
+  EXPECT_NEAR(near.position.y, -100.0 / std::exp(0.5), 1e-9);
+  expectNear(dragged(near, DragKind::zoom, {0, 50}, {0, 100}, dragPlace).position, front.position, 1e-9);
+}
+
+TEST(CameraGesture, rollFollowsThePointerAroundTheCentre) {
+  // From the right of the centre to below it: a quarter turn clockwise, so that up comes to point right.
+  const Camera camera = dragged(front, DragKind::roll, {300, 100}, {200, 180}, dragPlace);
+  const CameraBasis basis = basisOf(camera);
+  expectNear(basis.right, {0, 0, 1}, 1e-9);
+}
+
+TEST(CameraGesture, rollAcrossTheNegativeAxisTakesTheShortWay) {
+  const Camera camera = dragged(front, DragKind::roll, {100, 99}, {100, 101}, dragPlace);
+  // Two pixels at a hundred pixels from the centre are about 0.02 radians.
+  EXPECT_GT(glm::dot(basisOf(camera).up, basisOf(front).up), 0.999);
+}
+
+TEST(CameraGesture, aNotchOfTheWheelIsAFifth) {
+  EXPECT_NEAR(wheelZoomed(front, 120).position.y, -100.0 / 1.2, 1e-9);
+  EXPECT_NEAR(wheelZoomed(front, -120).position.y, -120.0, 1e-9);
+}
+
+TEST(CameraGesture, nearestStandardViewOfEveryStandardViewIsItself) {
+  Grid grid;
+  grid.dims = {10, 10, 10};
+  for (const StandardView view : {StandardView::anterior, StandardView::posterior, StandardView::left,
+                                  StandardView::right, StandardView::superior, StandardView::inferior}) {
+    const Camera camera = orbited(standardView(front, grid, view), 0.3, -0.3);
+    EXPECT_EQ(nearestStandardView(camera), view);
+  }
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/PictureStatus.h"
+#include "scene/volume/Phantom.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+SideState sideWithin(double levels, double stepVoxels = 0.25) {
+  SideState side;
+  side.stepVoxels = stepVoxels;
+  side.shownMs = 11.6;
+  side.isRough = false;
+  side.estimate = ErrorEstimate{levels, 0.1 * levels, 1.5};
+  return side;
+}
+
+PictureState resting(std::vector<SideState> sides) {
+  PictureState state;
+  state.sides = std::move(sides);
+  state.resting = true;
+  return state;
+}
+
+std::string lineOf(const PictureState& state) {
+  return pictureStatusText(state, {}).line().toStdString();
+}
+
+TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
+  EXPECT_EQ(lineOf(resting({sideWithin(0.74)})),
+            "within 0.7 of 255 levels · step 1/4 voxel · 12 ms · OpenGL");
+  EXPECT_EQ(lineOf({}), "") << "no picture";
+}
+
+TEST(PictureStatusText, hasOneBadgeForWhatThePictureIs) {
+  const auto badge = [](const PictureState& state) { return pictureStatusText(state, {}).badge; };
+  PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  EXPECT_EQ(badge(state), QStringLiteral("● exact to the screen"));
+  state.sides[1].estimate->p99_9 = 1.1;
+  state.refines = true;
+  EXPECT_EQ(badge(state), QStringLiteral("◐ refining"));
+  state.sides[1].estimate.reset();
+  EXPECT_EQ(badge(state), QStringLiteral("◐ refining")) << "nobody knows yet";
+  state.resting = false;
+  EXPECT_EQ(badge(state), QStringLiteral("○ preview"));
+  EXPECT_EQ(badge(resting({sideWithin(12.4)})), QStringLiteral("○ not exact")) << "and not to be refined";
+  state = resting({sideWithin(0.2)});
+  state.sides[0].isResolved = false;
+  EXPECT_EQ(badge(state), QStringLiteral("○ not resolved"));
+}
+
+TEST(PictureStatusText, tellsThatWhatMovesHasFewerVoxelsAndHowFarTheyAreOff) {
+  PictureState state = resting({sideWithin(1.0), sideWithin(0.4)});
+  state.resting = false;
+  state.sides[0].coarseness = Coarseness{4, 0.0312};
+  state.sides[1].coarseness = Coarseness{8, 0.01};
+  const PictureStatusText text = pictureStatusText(state, {});
+  EXPECT_EQ(text.badge, QStringLiteral("○ preview, voxels 4× coarser")) << "the side that is off the most";
+  EXPECT_EQ(text.step, QStringLiteral("preview from 1/4 of the voxels along each axis"));
+  EXPECT_TRUE(text.toolTip.contains(QStringLiteral("at most 3.2 % of the range")))
+      << text.toolTip.toStdString() << ": a bound is rounded up";
+}
+
+TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
+  EXPECT_EQ(lineOf(resting({sideWithin(12.4), sideWithin(3.0)})),
+            "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
+}
+
+TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
+  PictureState state = resting({sideWithin(0.76)});
+  state.sides[0].measuredLevels = 0.347; // promised with two digits, rounded up, as the panel does
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured")) << lineOf(state);
+  state.sides[0].estimate.reset();
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured"));
+}
+
+TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
+  PictureState state = resting({sideWithin(0.3), sideWithin(0.76)});
+  EXPECT_TRUE(lineOf(state).starts_with("within 0.8 of 255 levels"));
+  state.sides[1].measuredLevels = 0.347;
+  EXPECT_TRUE(lineOf(state).starts_with("right within 0.35 of 255 levels, measured")) << lineOf(state);
+  state.sides[0].estimate->p99_9 = 2.0;
+  EXPECT_TRUE(lineOf(state).starts_with("left within 2.0 of 255 levels")) << lineOf(state);
+}
+
+TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {
+  PictureState state = resting({sideWithin(2.0), sideWithin(1.0)});
+  state.sides[0].isRough = true;
+  EXPECT_TRUE(lineOf(state).starts_with("within about 2.0 of 255 levels"));
+  state.sides[1].estimate.reset();
+  EXPECT_TRUE(lineOf(state).starts_with("estimating…"));
+  state.sides[1].isResolved = false;
+  EXPECT_TRUE(lineOf(state).starts_with("not resolved")) << "however good a number the other side has";
+}
+
+TEST(PictureStatusText, neverClaimsThatThereIsNoErrorNorMoreThanThereCanBe) {
+  EXPECT_TRUE(lineOf(resting({sideWithin(0.0)})).starts_with("within 0.1 of 255 levels"));
+  EXPECT_TRUE(lineOf(resting({sideWithin(400.0)})).starts_with("within 255 of 255 levels"));
+}
+
+TEST(PictureStatusText, saysHowCoarseThePreviewIs) {
+  PictureState state = resting({sideWithin(20.0, 1.0)});
+  state.resting = false;
+  state.sides[0].imageScale = 0.375;
+  EXPECT_EQ(pictureStatusText(state, {}).step.toStdString(), "preview at 3/8 resolution");
+  state.sides[0].imageScale = 1.0;
+  EXPECT_EQ(pictureStatusText(state, {}).step.toStdString(), "preview, step 1 voxel");
+}
+
+TEST(PictureStatusText, saysThatItRefinesAndWhyItStopped) {
+  PictureState state = resting({sideWithin(0.4, 1.0 / 64.0)});
+  const auto step = [&] { return pictureStatusText(state, {}).step.toStdString(); };
+  state.refines = true;
+  EXPECT_EQ(step(), "step 1/64 voxel, refining");
+  state.refines = false;
+  const std::pair<RefinementEnd, const char*> ends[] = {
+      {RefinementEnd::withinHalfALevel, "refined, step 1/64 voxel"},
+      {RefinementEnd::smallestStep, "smallest step, 1/64 voxel"},
+      {RefinementEnd::sampleLimit, "smallest possible step, 1/64 voxel"},
+      {RefinementEnd::patience, "smallest practical step, 1/64 voxel"},
+      {RefinementEnd::failed, "step 1/64 voxel, not refined"}};
+  for (const auto& [end, text] : ends) {
+    state.refinementEnd = end;
+    EXPECT_EQ(step(), text);
+  }
+}
+
+TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
+  PictureState state = resting({sideWithin(0.46)});
+  state.sides[0].toleranceLevels = 0.5;
+  state.refinementEnd = RefinementEnd::withinHalfALevel;
+  EXPECT_EQ(lineOf(state), "within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
+  const QString tip = pictureStatusText(state, {}).toolTip;
+  EXPECT_TRUE(tip.contains(QStringLiteral("--tolerance 0.5"))) << tip.toStdString();
+  EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
+}
+
+TEST(PictureStatusText, namesStepsSoThatTheyCanBeTyped) {
+  EXPECT_EQ(stepText(1.0 / 16.0), QStringLiteral("1/16 voxel"));
+  EXPECT_EQ(stepText(1.0), QStringLiteral("1 voxel"));
+  EXPECT_EQ(stepText(2.0), QStringLiteral("2 voxels"));
+  EXPECT_EQ(stepText(0.3 / 8.0), QStringLiteral("0.0375 voxel"));
+  for (const double step : {0.3, 0.7, 1.1})
+    for (int halvings = 0; halvings < 7; ++halvings) {
+      const double smaller = step / (1 << halvings);
+      EXPECT_EQ(stepText(smaller).section(QLatin1Char(' '), 0, 0).toDouble(), smaller);
+    }
+}
+
+TEST(PictureStatusText, explainsTheNumbersInItsToolTip) {
+  Scene scene;
+  scene.volume = phantomVolume({8.0, 0.0, 1});
+  const QString tip = pictureStatusText(resting({sideWithin(0.74)}), scene).toolTip;
+  for (const char* part : {"999 of 1000", "step 1/4", "2 mm", "--step 0.25", "order 1.50", "0.74"})
+    EXPECT_TRUE(tip.contains(QString::fromUtf8(part))) << part << "\n" << tip.toStdString();
+}
+
+} // namespace
+} // namespace limn

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/accuracy/DialSection.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/StopSlider.h"
+#include "widgets/accuracy/WorkRow.h"
+#include "widgets/controls/ChoiceRow.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr std::array<double, 4> movingMs{16.0, 33.0, 40.0, 100.0};
+constexpr int defaultMoving = 2;
+
+QString stopName(const OperatingPoint& point) {
+  if (point.toleranceLevels)
+    return DialSection::tr("exact");
+  const double parts = 1.0 / point.stepVoxels;
+  return parts > 1.0 ? QStringLiteral("1/%1").arg(plainNumber(parts, 0)) : plainNumber(point.stepVoxels, 1);
+}
+
+// The stops halve the step, so logarithms lie evenly between them; beyond the smallest step lies the exact
+// end.
+double placeOf(const Quality& quality, const std::vector<OperatingPoint>& stops) {
+  const double last = static_cast<double>(stops.size()) - 1.0;
+  if (quality.toleranceLevels)
+    return last;
+  const double place = std::log2(stops.front().stepVoxels / quality.stepVoxels);
+  const bool hasExact = stops.back().toleranceLevels.has_value();
+  return std::clamp(place, 0.0, hasExact ? last - 0.5 : last);
+}
+
+// What the status bar tells of a picture that is closer to the exact one than it was asked to be.
+QString refinedText(const OperatingPoint& onScreen, const AccuracyReport& report) {
+  const std::optional<std::size_t> index = indexOf(onScreen, report.points);
+  return index ? DialSection::tr("Refined on screen to %1, within %2.")
+                     .arg(pointText(onScreen), pointErrorText(report.points[*index], report.reference))
+               : DialSection::tr("Refined on screen to %1.").arg(pointText(onScreen));
+}
+
+QLabel* endLabel(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  return label;
+}
+
+} // namespace
+
+DialSection::DialSection(QWidget* parent)
+    : FoldingSection(tr("Faster or closer to exact"), parent), m_dial(new StopSlider), m_sentence(new QLabel),
+      m_work(new WorkRow(tr("Finding the steps"))) {
+  auto* block = new QVBoxLayout;
+  block->setSpacing(4);
+  block->addWidget(new QLabel(tr("Picture at rest")));
+  auto* ends = new QHBoxLayout;
+  ends->addWidget(endLabel(tr("Faster")));
+  ends->addStretch(1);
+  ends->addWidget(endLabel(tr("Exact")));
+  block->addLayout(ends);
+  block->addWidget(m_dial);
+  contents()->addLayout(block);
+  m_dial->setAccessibleName(tr("Faster or closer to exact"));
+  m_dial->setToolTip(
+      tr("<p>How far apart the samples along a ray lie while nothing moves: to the left the picture is there "
+         "sooner, to the right it is closer to the exact one; at the end samples are spent where the picture "
+         "needs them to be within half a level of 255.</p><p>From 2 voxels to exact, default 1/2. "
+         "The figures are the error of 999 in 1000 colour values, in levels of 255, and the time of a "
+         "picture, both measured here.</p>"));
+  m_sentence->setObjectName(QStringLiteral("sentence"));
+  m_sentence->setWordWrap(true);
+  auto* text = new QVBoxLayout;
+  text->setSpacing(4);
+  text->addWidget(m_sentence);
+  QLabel* note = endLabel(tr("From there it refines while nothing moves. A level is the smallest step of "
+                             "brightness on a screen, of 255."));
+  note->setWordWrap(true);
+  text->addWidget(note);
+  contents()->addLayout(text);
+  contents()->addWidget(m_work);
+  QStringList choices;
+  for (const double ms : movingMs)
+    choices << tr("at most %1 ms").arg(ms);
+  m_moving = new ChoiceRow(tr("While moving"),
+                           tr("How long a picture may take while you turn or drag: with less time it gets "
+                              "coarser and follows the hand more closely."),
+                           choices, defaultMoving);
+  contents()->addWidget(m_moving);
+  connect(m_moving, &ChoiceRow::indexEdited, this,
+          [this](int index) { emit movingMsPicked(movingMs[static_cast<std::size_t>(index)]); });
+  connect(m_dial, &StopSlider::stopPicked, this,
+          [this](int stop) { emit pointPicked(m_points[static_cast<std::size_t>(stop)]); });
+  show(Scene{}, nullptr, std::nullopt);
+}
+
+void DialSection::show(const Scene& scene, const MeasuredAccuracy* measured,
+                       const std::optional<OperatingPoint>& onScreen) {
+  const double steepest = measured ? measured->steepestPerMm : 0.0;
+  m_points = dialPoints(scene, steepest);
+  showStops(measured);
+  m_dial->setPlace(placeOf(scene.quality, m_points));
+  m_dial->setEnabled(scene.volume != nullptr);
+  QString sentence = sentenceFor(scene, measured);
+  if (measured && onScreen && onScreen != pointOf(scene, steepest))
+    sentence += QLatin1Char(' ') + refinedText(*onScreen, measured->report);
+  m_sentence->setText(sentence);
+  m_dial->setAccessibleDescription(m_sentence->text());
+}
+
+void DialSection::showStops(const MeasuredAccuracy* measured) {
+  std::vector<SliderStop> stops;
+  for (const OperatingPoint& point : m_points) {
+    SliderStop stop{stopName(point), {}};
+    const std::optional<std::size_t> index =
+        measured ? indexOf(point, measured->report.points) : std::nullopt;
+    if (index) {
+      const MeasuredPoint& found = measured->report.points[*index];
+      const ReferenceFacts& reference = measured->report.reference;
+      const bool isKnown = reference.converged;
+      stop.figures = {isKnown ? promisedLevels(std::max(found.error.p99_9, leastP99_9(reference))) : tr("?"),
+                      plainNumber(found.ms.median, found.ms.median < 10.0 ? 1 : 0)};
+    }
+    stops.push_back(stop);
+  }
+  m_dial->setStops(stops,
+                   measured ? QStringList{tr("step"), tr("levels"), tr("ms")} : QStringList{tr("step")});
+}
+
+QString DialSection::sentenceFor(const Scene& scene, const MeasuredAccuracy* measured) const {
+  if (!scene.volume)
+    return tr("Open a volume to choose.");
+  const std::optional<OperatingPoint> point = pointOf(scene, measured ? measured->steepestPerMm : 0.0);
+  if (!point)
+    return tr("With blurred steps (jitter) no error is measured.");
+  const std::optional<std::size_t> index = measured ? indexOf(*point, measured->report.points) : std::nullopt;
+  if (index)
+    return pointSentence(measured->report.points[*index], measured->report.reference);
+  OperatingPoint plain;
+  plain.stepVoxels = point->stepVoxels;
+  plain.toleranceLevels = point->toleranceLevels;
+  const QString name = pointText(plain);
+  return tr("%1: not measured for this picture.").arg(name.left(1).toUpper() + name.mid(1));
+}
+
+void DialSection::setMovingMs(double ms) {
+  const auto nearest = std::ranges::min_element(
+      movingMs, [ms](double a, double b) { return std::abs(a - ms) < std::abs(b - ms); });
+  m_moving->setIndex(static_cast<int>(nearest - movingMs.begin()));
+}
+
+} // namespace limn

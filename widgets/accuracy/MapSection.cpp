@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/accuracy/MapSection.h"
+
+#include "widgets/ValueText.h"
+#include "widgets/accuracy/PointUse.h"
+#include "widgets/accuracy/WorkRow.h"
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace limn {
+namespace {
+
+QString sentenceOf(const ComparedPicture& compared) {
+  if (!compared.reference.converged)
+    return MapSection::tr("Not converged: the exact picture still changes with finer steps, so there is "
+                          "nothing to compare with.");
+  const QString name = pointText(compared.point);
+  return MapSection::tr("%1, compared at %2 × %3 pixels: 999 of 1000 colour values are within %4 levels of "
+                        "255; %5 % of the pixels are off by more than one.")
+      .arg(name.left(1).toUpper() + name.mid(1))
+      .arg(compared.map.size.x)
+      .arg(compared.map.size.y)
+      .arg(promisedLevels(std::max(compared.error.p99_9, leastP99_9(compared.reference))))
+      .arg(plainNumber(100.0 * compared.error.shareOverOne, compared.error.shareOverOne < 0.1 ? 2 : 0));
+}
+
+} // namespace
+
+MapSection::MapSection(QWidget* parent)
+    : FoldingSection(tr("Where it differs"), parent),
+      m_check(new QCheckBox(tr("Show where it is not exact"))),
+      m_work(new WorkRow(tr("Comparing with the exact picture"))), m_sentence(new QLabel) {
+  contents()->addWidget(m_check);
+  contents()->addWidget(m_work);
+  m_sentence->setObjectName(QStringLiteral("sentence"));
+  m_sentence->setWordWrap(true);
+  m_sentence->setForegroundRole(QPalette::PlaceholderText);
+  contents()->addWidget(m_sentence);
+  m_check->setAccessibleName(m_check->text());
+  connect(m_check, &QCheckBox::clicked, this, &MapSection::mapRequested);
+  setUnavailable({});
+  setCompared(nullptr);
+}
+
+void MapSection::setUnavailable(const QString& reason) {
+  m_check->setEnabled(reason.isEmpty());
+  m_check->setToolTip(
+      reason.isEmpty()
+          ? tr("<p>Colours the picture by how far it lies from the exact one, in levels of 255. The next "
+               "change of the picture takes it away.</p>")
+          : reason);
+}
+
+void MapSection::setCompared(const ComparedPicture* compared) {
+  m_check->setChecked(compared && compared->reference.converged);
+  m_sentence->setText(compared ? sentenceOf(*compared) : QString());
+  m_sentence->setVisible(compared);
+}
+
+} // namespace limn

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/Gesture.h"
+
+#include <QAbstractButton>
+#include <QWidget>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+class QLineEdit;
+
+namespace limn {
+
+/// Picks a colour: a field of saturation (right) and brightness (up), a bar of hues, swatches of tissues, and
+/// the hex code to type. Live: every move of the mouse reports.
+class ColorPicker : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ColorPicker(QWidget* parent = nullptr);
+
+  void setColor(const glm::dvec3& color);
+
+  QSize sizeHint() const override { return {236, 208}; }
+
+signals:
+  /// The user picked a colour, sRGB 0..1. `gestureId` is shared by one drag.
+  void colorPicked(const glm::dvec3& color, std::uint64_t gestureId);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  enum class Part { none, field, hue };
+
+  QRectF fieldRect() const;
+  QRectF hueRect() const;
+  QRectF swatchRect(int index) const;
+  void pickAt(const QPointF& position);
+  void pick(const QColor& color);
+  void paintSwatches(QPainter& painter) const;
+
+  // Kept apart, because grey has no hue and black no saturation to read back.
+  double m_hue = 0.0;
+  double m_saturation = 0.0;
+  double m_brightness = 1.0;
+  Part m_part = Part::none;
+  std::uint64_t m_gestureId = 0;
+  QLineEdit* m_hex;
+};
+
+/// A swatch that opens a ColorPicker below itself.
+class ColorButton : public QAbstractButton {
+  Q_OBJECT
+
+public:
+  /// `undoText` is what undo shows: "change colour".
+  explicit ColorButton(const QString& undoText, QWidget* parent = nullptr);
+
+  void setColor(const glm::dvec3& color);
+  const glm::dvec3& color() const { return m_color; }
+
+  QSize sizeHint() const override { return {36, 26}; }
+
+signals:
+  /// sRGB, 0..1.
+  void colorEdited(const glm::dvec3& color, const limn::Gesture& gesture);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  void openPicker();
+
+  QString m_undoText;
+  glm::dvec3 m_color{1.0};
+};
+
+} // namespace limn

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/function/TransferFunction.h"
+#include "widgets/Gesture.h"
+#include "widgets/curve/picture/CurveEdits.h"
+
+#include <QFrame>
+#include <QWidget>
+
+class QLabel;
+
+namespace limn {
+
+class ColorButton;
+class ColorPicker;
+class NumberField;
+enum class CurveSubject;
+
+/// The numbers of the selected point to type: value, opacity, colour. Several points share opacity and
+/// colour; their values are moved in the plot.
+class PointFields : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PointFields(CurveSubject subject = CurveSubject::value, QWidget* parent = nullptr);
+
+  /// `decimals` is what a value is shown with.
+  void setPoints(const TransferFunction& function, const PointIndices& selected, const QString& unit,
+                 int decimals);
+
+  void focusValue();
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+  /// Enter or Esc ended typing in a number; what Esc had typed is taken back.
+  void typingEnded();
+  /// The whole function with the selected points changed.
+  void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+
+private:
+  void nameFields();
+  QString describedSelection() const;
+
+  CurveSubject m_subject;
+  TransferFunction m_function;
+  PointIndices m_selected;
+  QString m_unit;
+  QLabel* m_which;
+  QLabel* m_opacityName;
+  NumberField* m_value;
+  NumberField* m_opacity;
+  ColorButton* m_color;
+};
+
+/// Numbers and, where its curve has colours, colour of one control point beside it; closes on a click
+/// elsewhere, Enter or Esc.
+class PointPopup : public QFrame {
+  Q_OBJECT
+
+public:
+  PointPopup(CurveSubject subject, const TransferFunction& function, std::size_t index, const QString& unit,
+             int decimals, QWidget* parent);
+
+  PointFields* fields() const { return m_fields; }
+
+signals:
+  void functionEdited(const limn::TransferFunction& function, const limn::Gesture& gesture);
+
+private:
+  void change(const TransferFunction& function, const Gesture& gesture);
+
+  TransferFunction m_function;
+  std::size_t m_index;
+  QString m_unit;
+  int m_decimals;
+  PointFields* m_fields;
+  ColorPicker* m_picker;
+};
+
+} // namespace limn

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/effects/EffectRows.h"
+#include "widgets/controls/FoldingSection.h"
+#include "widgets/properties/EffectTimes.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+
+namespace limn {
+
+/// One effect: a mark (filled: on, ring: off), its title, what it costs, and below why.
+class EffectRowWidget : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit EffectRowWidget(QWidget* parent = nullptr);
+
+  void setRow(const EffectRow& row);
+  void setCost(const std::optional<EffectCost>& cost);
+  bool showsCost() const;
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  void showColors();
+  void describe();
+
+  EffectRow m_row;
+  QLabel* m_title;
+  QLabel* m_cost;
+  QLabel* m_reason;
+};
+
+/// What the picture simulates: a row per effect, on or off, why, and on request what each costs.
+class EffectsPanel : public SectionPanel {
+  Q_OBJECT
+
+public:
+  explicit EffectsPanel(QWidget* parent = nullptr);
+
+  /// Shows the rows of the picture called `picture` ("Enhanced", or "Enhanced (right)"); none without a
+  /// volume.
+  void setRows(const std::vector<EffectRow>& rows, const QString& picture);
+
+  void setTimes(const EffectTimes& times);
+
+  QSize sizeHint() const override { return {320, 600}; }
+
+signals:
+  void measureRequested();
+
+private:
+  void showTimes();
+
+  std::vector<EffectRow> m_shown;
+  QString m_picture; ///< what it is called
+  EffectTimes m_times;
+  std::vector<EffectRowWidget*> m_rows;
+  QWidget* m_list = nullptr;
+  QLabel* m_heading = nullptr;
+  QPushButton* m_measure = nullptr;
+  QLabel* m_method = nullptr;
+};
+
+} // namespace limn

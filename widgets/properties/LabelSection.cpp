@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/properties/LabelSection.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStyledItemDelegate>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr int swatchSize = 14; // logical pixels
+
+int percentOf(double weight) {
+  return static_cast<int>(std::lround(100.0 * weight));
+}
+
+Qt::CheckState markOf(double weight) {
+  return weight <= 0.0 ? Qt::Unchecked : weight >= 1.0 ? Qt::Checked : Qt::PartiallyChecked;
+}
+
+// A square of the colour, framed so that white shows on white.
+QPixmap swatchOf(const glm::dvec3& color) {
+  QPixmap swatch(swatchSize, swatchSize);
+  QPainter painter(&swatch);
+  painter.setPen(QApplication::palette().color(QPalette::Mid));
+  painter.setBrush(QColor::fromRgbF(static_cast<float>(color.r), static_cast<float>(color.g),
+                                    static_cast<float>(color.b)));
+  painter.drawRect(0, 0, swatchSize - 1, swatchSize - 1);
+  return swatch;
+}
+
+constexpr int mostRowsShown = 8;
+
+// Rows in which marks stand clear of each other.
+class RowDelegate : public QStyledItemDelegate {
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index).expandedTo({0, 24});
+  }
+};
+
+// Edits percents.
+class PercentDelegate : public RowDelegate {
+public:
+  using RowDelegate::RowDelegate;
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    auto* field = new QSpinBox(parent);
+    field->setRange(0, 100);
+    field->setSuffix(LabelSection::tr(" %"));
+    field->setAccessibleName(LabelSection::tr("Shown"));
+    return field;
+  }
+};
+
+QString summaryOf(const Region& region) {
+  if (region.kind != Region::Kind::labels)
+    return LabelSection::tr("none");
+  const auto weighed = std::count_if(region.weights.begin(), region.weights.end(),
+                                     [](double weight) { return weight != 1.0; });
+  return weighed == 0 ? LabelSection::tr("%1 shown").arg(region.weights.size())
+                      : LabelSection::tr("%1 of %2 hidden or faded").arg(weighed).arg(region.weights.size());
+}
+
+QString weightGestureText(const Label& label, double weight) {
+  const QString name = QString::fromStdString(label.name);
+  return weight <= 0.0   ? LabelTable::tr("hide %1").arg(name)
+         : weight >= 1.0 ? LabelTable::tr("show %1").arg(name)
+                         : LabelTable::tr("fade %1 to %2 %").arg(name).arg(percentOf(weight));
+}
+
+// The region with another weight of the label at `place`, and what undo calls that.
+Region withWeight(Region region, std::size_t place, double weight) {
+  region.weights[place] = std::clamp(weight, 0.0, 1.0);
+  return region;
+}
+
+} // namespace
+
+void LabelTable::setRegion(const Region& region) {
+  if (region == m_region)
+    return;
+  // Other weights of the same labels leave selection and scrolling alone.
+  if (region.labels == m_region.labels && region.weights.size() == m_region.weights.size()) {
+    m_region = region;
+    if (rowCount() > 0)
+      emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    return;
+  }
+  beginResetModel();
+  m_region = region;
+  endResetModel();
+}
+
+int LabelTable::rowCount(const QModelIndex& parent) const {
+  const bool hasLabels = m_region.kind == Region::Kind::labels && m_region.labels && !parent.isValid();
+  return hasLabels ? static_cast<int>(m_region.weights.size()) : 0;
+}
+
+int LabelTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QVariant LabelTable::data(const QModelIndex& index, int role) const {
+  if (!index.isValid())
+    return {};
+  const auto place = static_cast<std::size_t>(index.row());
+  return index.column() == nameColumn ? nameData(place, role) : weightData(place, role);
+}
+
+QVariant LabelTable::nameData(std::size_t place, int role) const {
+  const Label& label = m_region.labels->labels()[place];
+  switch (role) {
+  case Qt::DisplayRole:
+    return QString::fromStdString(label.name);
+  case Qt::DecorationRole:
+    return swatchOf(label.color);
+  case Qt::CheckStateRole:
+    return markOf(m_region.weights[place]);
+  case Qt::ToolTipRole:
+    return tr("%1 (label %2): shown, hidden, or faded where only a part of its opacity is kept.")
+        .arg(QString::fromStdString(label.name))
+        .arg(label.value);
+  default:
+    return {};
+  }
+}
+
+QVariant LabelTable::weightData(std::size_t place, int role) const {
+  const int percent = percentOf(m_region.weights[place]);
+  if (role == Qt::DisplayRole)
+    return tr("%1 %").arg(percent);
+  if (role == Qt::EditRole)
+    return percent;
+  if (role == Qt::AccessibleTextRole)
+    return tr("%1 shown to %2 %")
+        .arg(QString::fromStdString(m_region.labels->labels()[place].name))
+        .arg(percent);
+  return role == Qt::TextAlignmentRole ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+}
+
+QVariant LabelTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::TextAlignmentRole && section == weightColumn)
+    return QVariant(Qt::AlignRight | Qt::AlignVCenter); // over its numbers
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    return {};
+  return section == nameColumn ? tr("Label") : tr("Shown");
+}
+
+Qt::ItemFlags LabelTable::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return flags | (index.column() == nameColumn ? Qt::ItemIsUserCheckable : Qt::ItemIsEditable);
+}
+
+bool LabelTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const bool isMark = index.column() == nameColumn && role == Qt::CheckStateRole;
+  const bool isWeight = index.column() == weightColumn && role == Qt::EditRole;
+  if (!index.isValid() || (!isMark && !isWeight))
+    return false;
+  const auto place = static_cast<std::size_t>(index.row());
+  const double before = m_region.weights[place];
+  // A click on a mark hides what can be seen at all, and shows wholly what cannot.
+  const double weight = isMark ? (before > 0.0 ? 0.0 : 1.0) : std::clamp(value.toInt(), 0, 100) / 100.0;
+  if (weight != before)
+    emit regionEdited(withWeight(m_region, place, weight),
+                      {nextGestureId(), weightGestureText(m_region.labels->labels()[place], weight)});
+  return true;
+}
+
+LabelSection::LabelSection(QWidget* parent)
+    : FoldingSection(tr("Labels"), parent), m_labels(new LabelTable(this)), m_table(new QTreeView),
+      m_open(new QPushButton(tr("Open labels…"))), m_showAll(new QPushButton(tr("Show all"))) {
+  m_table->setModel(m_labels);
+  m_table->setItemDelegate(new RowDelegate(m_table));
+  m_table->setItemDelegateForColumn(LabelTable::weightColumn, new PercentDelegate(m_table));
+  m_table->setAccessibleName(tr("Labels"));
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                           QAbstractItemView::AnyKeyPressed);
+  m_table->setToolTip(tr("Marked labels are shown; a number says how much of its opacity one keeps."));
+  m_table->setRootIsDecorated(false);
+  m_table->setUniformRowHeights(true); // ten thousand rows are not measured
+  m_table->header()->setStretchLastSection(false);
+  m_table->header()->setSectionResizeMode(LabelTable::nameColumn, QHeaderView::Stretch);
+  m_table->header()->setSectionResizeMode(LabelTable::weightColumn, QHeaderView::ResizeToContents);
+  m_open->setAccessibleName(m_open->text());
+  m_showAll->setAccessibleName(m_showAll->text());
+  m_open->setToolTip(tr("Opens a segmentation of the volume: DICOM SEG, NRRD, NIfTI."));
+  m_showAll->setToolTip(tr("Shows every label wholly again."));
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(m_open);
+  buttons->addWidget(m_showAll);
+  buttons->addStretch();
+  contents()->addWidget(m_table);
+  contents()->addLayout(buttons);
+  connect(m_labels, &LabelTable::regionEdited, this, &LabelSection::keepEdited);
+  connect(m_open, &QAbstractButton::clicked, this, &LabelSection::openRequested);
+  connect(m_showAll, &QAbstractButton::clicked, this, [this] {
+    Region all = m_labels->region();
+    std::fill(all.weights.begin(), all.weights.end(), 1.0);
+    emit keepEdited(all, {nextGestureId(), tr("show all labels")});
+  });
+  setScene({});
+}
+
+void LabelSection::setScene(const Scene& scene) {
+  const bool hadRows = m_labels->rowCount() > 0;
+  m_labels->setRegion(scene.keep);
+  const int rows = m_labels->rowCount();
+  if (rows > 0 && !hadRows)
+    setFolded(false);
+  m_table->setVisible(rows > 0);
+  if (rows > 0)
+    m_table->setFixedHeight(m_table->header()->sizeHint().height() + 2 * m_table->frameWidth() +
+                            std::min(rows, mostRowsShown) * m_table->sizeHintForRow(0));
+  m_open->setEnabled(scene.volume != nullptr);
+  m_showAll->setVisible(rows > 0);
+  m_showAll->setEnabled(isRestricting(scene.keep));
+  setSummary(summaryOf(scene.keep));
+}
+
+} // namespace limn

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/theme/LookStyle.h"
+
+#include "widgets/theme/Icons.h"
+#include "widgets/theme/Theme.h"
+
+#include <QApplication>
+#include <QStyleFactory>
+
+namespace limn {
+namespace {
+
+// The name of our own icon, or null where Qt's stays.
+const char* ownIcon(QStyle::StandardPixmap icon) {
+  switch (icon) {
+  case QStyle::SP_DirIcon:
+  case QStyle::SP_DirOpenIcon:
+  case QStyle::SP_DirClosedIcon:
+  case QStyle::SP_DirLinkIcon:
+    return "folder";
+  case QStyle::SP_FileIcon:
+  case QStyle::SP_FileLinkIcon:
+    return "file";
+  case QStyle::SP_ComputerIcon:
+  case QStyle::SP_DesktopIcon:
+  case QStyle::SP_DriveHDIcon:
+  case QStyle::SP_DriveNetIcon:
+    return "computer";
+  case QStyle::SP_DirHomeIcon:
+    return "home";
+  case QStyle::SP_ArrowBack:
+    return "arrow-back";
+  case QStyle::SP_ArrowForward:
+    return "arrow-forward";
+  case QStyle::SP_FileDialogToParent:
+    return "arrow-up";
+  case QStyle::SP_FileDialogNewFolder:
+    return "folder-new";
+  case QStyle::SP_FileDialogListView:
+    return "view-names";
+  case QStyle::SP_FileDialogDetailedView:
+    return "view-details";
+  default:
+    return nullptr;
+  }
+}
+
+} // namespace
+
+LookStyle::LookStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+
+QIcon LookStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const {
+  if (const char* name = ownIcon(icon))
+    return themedIcon(QLatin1String(name), QGuiApplication::palette());
+  return QProxyStyle::standardIcon(icon, option, widget);
+}
+
+int LookStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                         QStyleHintReturn* answer) const {
+  return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0
+                                                     : QProxyStyle::styleHint(hint, option, widget, answer);
+}
+
+ThemeChoice themeNamed(const QString& name) {
+  if (name == QStringLiteral("dark"))
+    return ThemeChoice::dark;
+  if (name == QStringLiteral("contrast"))
+    return ThemeChoice::contrast;
+  return name == QStringLiteral("light") ? ThemeChoice::light : ThemeChoice::system;
+}
+
+void applyTheme(QApplication& application, ThemeChoice choice) {
+  // An unset palette lets the platform's own show through, which is what `system` has to ask.
+  QApplication::setPalette(QPalette());
+  const Look look = choice == ThemeChoice::system  ? lookOf(QApplication::palette())
+                    : choice == ThemeChoice::light ? Look::light
+                    : choice == ThemeChoice::dark  ? Look::dark
+                                                   : Look::contrast;
+  QApplication::setStyle(new LookStyle);
+  QApplication::setPalette(themePalette(look));
+  application.setStyleSheet(themeStyleSheet(look));
+}
+
+} // namespace limn

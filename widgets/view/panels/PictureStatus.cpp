@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/view/panels/PictureStatus.h"
+
+#include "scene/steps/RayFrame.h"
+#include "widgets/ValueText.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QObject>
+#include <QStringList>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+// As few digits as give the number back exactly, as the command line reads it after --step.
+QString exactNumber(double value) {
+  return QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+// "1/4", "5/16", "0.3": fractions of powers of two, which are exact.
+QString fractionText(double value) {
+  for (double denominator = 2.0; denominator <= 1024.0 && value < 1.0; denominator *= 2.0)
+    for (const double numerator : {1.0, 3.0, 5.0})
+      if (value * denominator == numerator)
+        return QStringLiteral("%1/%2").arg(numerator).arg(denominator);
+  return QLocale().toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+// The side that lies farthest from its exact picture.
+const SideState& worstOf(const PictureState& state) {
+  return *std::ranges::max_element(state.sides, [](const auto& a, const auto& b) {
+    return levelsOf(a).value_or(0.0) < levelsOf(b).value_or(0.0);
+  });
+}
+
+bool isKnown(const PictureState& state) {
+  return std::ranges::all_of(state.sides, [](const SideState& side) { return levelsOf(side).has_value(); });
+}
+
+bool isResolved(const PictureState& state) {
+  return std::ranges::all_of(state.sides,
+                             [](const SideState& side) { return side.isResolved || side.measuredLevels; });
+}
+
+QString worstText(const SideState& worst) {
+  if (worst.measuredLevels)
+    return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
+  const QString levels = levelsText(worst.estimate->p99_9);
+  return (worst.isRough ? QObject::tr("within about %1 of 255 levels")
+                        : QObject::tr("within %1 of 255 levels"))
+      .arg(levels);
+}
+
+// Where one of two pictures was measured it is told whose number this is.
+QString estimateText(const PictureState& state) {
+  if (!isResolved(state))
+    return QObject::tr("not resolved");
+  if (!isKnown(state))
+    return QObject::tr("estimating…");
+  const SideState& worst = worstOf(state);
+  QString text = worstText(worst);
+  const bool isMeasured =
+      std::ranges::any_of(state.sides, [](const SideState& side) { return side.measuredLevels.has_value(); });
+  if (state.sides.size() < 2 || !isMeasured)
+    return text;
+  return (&worst == &state.sides.front() ? QObject::tr("left %1") : QObject::tr("right %1")).arg(text);
+}
+
+// Of the side whose values may lie farthest off.
+std::optional<Coarseness> coarsenessOf(const PictureState& state) {
+  std::optional<Coarseness> worst;
+  for (const SideState& side : state.sides)
+    if (side.coarseness && (!worst || side.coarseness->largestError > worst->largestError))
+      worst = side.coarseness;
+  return worst;
+}
+
+// A bound: rounded up.
+QString coarsenessText(const Coarseness& coarseness) {
+  return QObject::tr(
+             "The volume does not lie in memory: while something moves the picture is drawn from 1/%1 of "
+             "the voxels along each axis, whose values differ by at most %2 % of the range; at rest from "
+             "all of them.")
+      .arg(coarseness.reduction)
+      .arg(fixedNumber(std::ceil(1000.0 * coarseness.largestError) / 10.0, 1));
+}
+
+// What the screen can show: a difference of one level in one of a thousand colour values (DEFINITION section
+// 9).
+constexpr double exactLevels = 1.0;
+
+QString badgeText(const PictureState& state) {
+  if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
+    return QObject::tr("○ preview, voxels %1× coarser").arg(coarseness->reduction);
+  if (!state.resting)
+    return QObject::tr("○ preview");
+  if (isResolved(state) && isKnown(state) && *levelsOf(worstOf(state)) <= exactLevels)
+    return QObject::tr("● exact to the screen");
+  if (state.refines)
+    return QObject::tr("◐ refining");
+  return isResolved(state) ? QObject::tr("○ not exact") : QObject::tr("○ not resolved");
+}
+
+// The step of a preview is in the tool tip: what strikes is its resolution.
+QString previewText(const SideState& side) {
+  if (side.coarseness)
+    return QObject::tr("preview from 1/%1 of the voxels along each axis").arg(side.coarseness->reduction);
+  if (side.imageScale >= 1.0)
+    return QObject::tr("preview, step %1").arg(stepText(side.stepVoxels));
+  return QObject::tr("preview at %1 resolution").arg(fractionText(side.imageScale));
+}
+
+struct EndText {
+  QString step; ///< %1: the step
+  QString sentence;
+};
+
+EndText textOf(RefinementEnd end) {
+  switch (end) {
+  case RefinementEnd::withinHalfALevel:
+    return {QObject::tr("refined, step %1"),
+            QObject::tr("The steps cost no more than half a level: smaller ones would show no difference.")};
+  case RefinementEnd::smallestStep:
+    return {QObject::tr("smallest step, %1"),
+            QObject::tr("No smaller step is drawn: it would take long and show little.")};
+  case RefinementEnd::sampleLimit:
+    return {QObject::tr("smallest possible step, %1"),
+            QObject::tr("With a smaller step rays would need more samples than the driver allows.")};
+  case RefinementEnd::patience:
+    return {QObject::tr("smallest practical step, %1"),
+            QObject::tr("The next smaller step would take too long on this machine.")};
+  case RefinementEnd::failed:
+    return {QObject::tr("step %1, not refined"), QObject::tr("Refining the picture failed.")};
+  }
+  return {};
+}
+
+EndText endText(const PictureState& state) {
+  if (state.refinementEnd)
+    return textOf(*state.refinementEnd);
+  if (state.refines)
+    return {QObject::tr("step %1, refining"),
+            QObject::tr("The picture is being drawn again with smaller steps.")};
+  return {QObject::tr("step %1"), {}};
+}
+
+// Under a tolerance there is no one step to tell.
+QString restingText(const PictureState& state) {
+  const SideState& side = state.sides.front();
+  return endText(state).step.arg(side.toleranceLevels ? QObject::tr("chosen by error")
+                                                      : stepText(side.stepVoxels));
+}
+
+QString explanationOf(const PictureState& state) {
+  if (!isResolved(state))
+    return QObject::tr("Not resolved: a band of the curve is narrower than what the value changes by within "
+                       "one step, so the picture may miss it and no number would be right. Pre-integrated "
+                       "steps, or smaller ones, see it.");
+  if (!isKnown(state))
+    return QObject::tr("How far the picture lies from the exact one is being estimated.");
+  if (const std::optional<double> measured = worstOf(state).measuredLevels)
+    return QObject::tr(
+               "999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
+               "within %1 levels of the exact one; black and white are 255 levels apart.")
+        .arg(promisedLevels(*measured));
+  QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
+                             "of the exact picture; black and white are 255 levels apart.")
+                     .arg(levelsText(worstOf(state).estimate->p99_9));
+  if (worstOf(state).isRough)
+    text += QLatin1Char(' ') + QObject::tr("Estimated from a smaller picture.");
+  if (state.sides.front().imageScale < 1.0)
+    text += QLatin1Char(' ') +
+            QObject::tr("The preview also has fewer pixels than the window; that comes on top.");
+  return text;
+}
+
+QString numbersText(const PictureState& state, const Scene& scene) {
+  const SideState& side = state.sides.front();
+  QStringList parts;
+  if (side.toleranceLevels) {
+    parts << QObject::tr("error-controlled steps (--tolerance %1)").arg(exactNumber(*side.toleranceLevels));
+  } else if (scene.volume) {
+    const double mm = side.stepVoxels * smallestSpacingMm(scene.volume->grid());
+    parts << QObject::tr("step %1 of the smallest voxel spacing, %2 mm (--step %3)")
+                 .arg(fractionText(side.stepVoxels))
+                 .arg(digitsNumber(mm, 3))
+                 .arg(exactNumber(side.stepVoxels));
+  }
+  if (isResolved(state) && isKnown(state) && worstOf(state).estimate) {
+    const ErrorEstimate& estimate = *worstOf(state).estimate;
+    const QString errors = QObject::tr("99.9th percentile %1, mean %2 levels")
+                               .arg(digitsNumber(estimate.p99_9, 3))
+                               .arg(digitsNumber(estimate.mean, 2));
+    // Only halvings show an order.
+    parts << (side.toleranceLevels
+                  ? errors
+                  : QObject::tr("%1, observed order %2").arg(errors).arg(fixedNumber(estimate.order, 2)));
+  }
+  parts << state.renderer << state.engineReason;
+  parts.removeAll(QString());
+  return parts.join(QLatin1Char('\n'));
+}
+
+QString engineText(const PictureState& state) {
+  return drawsWithOpenGl(state.engine) ? QObject::tr("OpenGL") : QObject::tr("processor");
+}
+
+constexpr int partGap = 12; // between parts
+
+constexpr std::size_t badgePart = 0, estimatePart = 1, stepPart = 2, timePart = 3, enginePart = 4;
+
+// In the order in which they give way when there is little room; the others stay.
+constexpr std::array givesWay{enginePart, stepPart};
+
+using Texts = std::array<QString, 5>;
+
+Texts partsOf(const PictureStatusText& text) {
+  return {text.badge, text.estimate, text.step, text.time, text.engine};
+}
+
+} // namespace
+
+QString timeText(double ms) {
+  if (ms < 1000.0)
+    return QObject::tr("%1 ms").arg(fixedNumber(ms, ms < 9.95 ? 1 : 0));
+  return QObject::tr("%1 s").arg(fixedNumber(ms / 1000.0, 1));
+}
+
+QString stepText(double stepVoxels) {
+  return (stepVoxels > 1.0 ? QObject::tr("%1 voxels") : QObject::tr("%1 voxel"))
+      .arg(fractionText(stepVoxels));
+}
+
+QString levelsText(double levels) {
+  return fixedNumber(std::clamp(levels, 0.1, 255.0), levels < 9.95 ? 1 : 0);
+}
+
+QString PictureStatusText::line() const {
+  QStringList parts{estimate, step, time, engine};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(" · "));
+}
+
+PictureStatusText pictureStatusText(const PictureState& state, const Scene& scene) {
+  if (state.sides.empty())
+    return {};
+  PictureStatusText text;
+  text.badge = badgeText(state);
+  text.estimate = estimateText(state);
+  text.step = state.resting ? restingText(state) : previewText(state.sides.front());
+  double ms = 0.0;
+  for (const SideState& side : state.sides)
+    ms += side.shownMs;
+  text.time = timeText(ms);
+  text.engine = engineText(state);
+  QStringList lines{explanationOf(state), endText(state).sentence, numbersText(state, scene)};
+  if (const std::optional<Coarseness> coarseness = coarsenessOf(state))
+    lines.prepend(coarsenessText(*coarseness));
+  lines.removeAll(QString());
+  text.toolTip = lines.join(QLatin1Char('\n'));
+  return text;
+}
+
+std::vector<PictureStatusText> commonStatusTexts() {
+  PictureState state;
+  state.sides.resize(1);
+  SideState& side = state.sides.front();
+  side.estimate = ErrorEstimate{188.0, 0.0, 1.0};
+  side.stepVoxels = 1.0 / 64.0;
+  side.imageScale = 3.0 / 16.0;
+  side.shownMs = 888.0;
+  const PictureStatusText preview = pictureStatusText(state, {});
+  state.resting = state.refines = true;
+  side.shownMs = 88800.0;
+  const PictureStatusText refining = pictureStatusText(state, {});
+  side.estimate = ErrorEstimate{exactLevels, 0.0, 1.0};
+  return {preview, refining, pictureStatusText(state, {})};
+}
+
+PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent), m_badge(new QToolButton(this)) {
+  setAccessibleName(tr("Accuracy of the picture"));
+  m_badge->setCheckable(true);
+  m_badge->setAutoRaise(true);
+  m_badge->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  m_badge->setObjectName(QStringLiteral("accuracyBadge"));
+  m_parts[badgePart] = m_badge;
+  for (std::size_t i = 0; i < m_labels.size(); ++i)
+    m_parts[i + 1] = m_labels[i] = new QLabel(this);
+  connect(m_badge, &QToolButton::toggled, this, [this] {
+    updateGeometry();
+    arrange();
+  });
+}
+
+void PictureStatus::setText(const PictureStatusText& text) {
+  if (text == m_text)
+    return;
+  m_text = text;
+  const Texts shown = partsOf(text);
+  m_badge->setText(shown[badgePart]);
+  m_badge->setAccessibleName(tr("Accuracy: %1").arg(shown[badgePart].section(QLatin1Char(' '), 1)));
+  for (std::size_t i = 0; i < m_labels.size(); ++i) {
+    const QString& part = shown[i + 1];
+    m_labels[i]->setText(part);
+    const int advance = m_labels[i]->fontMetrics().horizontalAdvance(part);
+    if (!part.isEmpty())
+      m_padding = std::max(m_padding, m_labels[i]->sizeHint().width() - advance);
+  }
+  setToolTip(text.toolTip + QLatin1Char('\n') + tr("Press for levels and steps."));
+  setAccessibleDescription(text.line());
+  updateGeometry();
+  arrange();
+}
+
+// Room for each part and for what commonly stands there; levels and steps when they are asked for.
+std::array<int, PictureStatus::partCount> PictureStatus::widths() const {
+  std::array<int, partCount> widths{};
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const QFontMetrics metrics = m_parts[i]->fontMetrics();
+    int widest = metrics.horizontalAdvance(partsOf(m_text)[i]);
+    for (const PictureStatusText& common : commonStatusTexts())
+      widest = std::max(widest, metrics.horizontalAdvance(partsOf(common)[i]));
+    widths[i] = widest + m_padding + partGap;
+  }
+  widths[badgePart] += partGap; // the button's own margins
+  if (!m_badge->isChecked())
+    widths[estimatePart] = widths[stepPart] = 0;
+  return widths;
+}
+
+QSize PictureStatus::sizeHint() const {
+  int width = 0;
+  for (const int part : widths())
+    width += part;
+  return {width, fontMetrics().height()};
+}
+
+QSize PictureStatus::minimumSizeHint() const {
+  const std::array<int, partCount> parts = widths();
+  return {parts[badgePart] + parts[estimatePart] + parts[timePart], fontMetrics().height()};
+}
+
+void PictureStatus::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+}
+
+void PictureStatus::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+    arrange();
+}
+
+// Leave out what does not fit, then line up the rest at the right edge.
+void PictureStatus::arrange() {
+  std::array<int, partCount> widths = this->widths();
+  int total = 0;
+  for (const int part : widths)
+    total += part;
+  for (const std::size_t part : givesWay)
+    if (total > width()) {
+      total -= widths[part];
+      widths[part] = 0;
+    }
+  int x = std::max(0, width() - total);
+  for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    m_parts[i]->setVisible(widths[i] > 0);
+    m_parts[i]->setGeometry(x, 0, std::max(0, widths[i] - (i == badgePart ? partGap : 0)), height());
+    x += widths[i];
+  }
+}
+
+} // namespace limn
