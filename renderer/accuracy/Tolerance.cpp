@@ -246,8 +246,7 @@ Message whyNot(double tolerance, double error, bool resolves) {
   return Message::
       tr("The tolerance of %1 cannot be kept: the finest step comes within about %2; make the steps of the "
          "transfer function less steep, or allow that many levels.")
-          .arg(levelsText(tolerance))
-          .arg(levelsText(error));
+          .arg(levelsText(tolerance), levelsText(error));
 }
 
 } // namespace
@@ -258,7 +257,7 @@ Message describe(const WithinTolerance& found) {
       quality.fineness
           ? Message::tr("error-controlled steps of fineness %1").arg(Message::rounded(*quality.fineness, 3))
           : Message::tr("equal steps of %1 voxels").arg(Message::rounded(quality.stepVoxels, 3));
-  return Message::tr("estimated within %1, with %2").arg(levelsText(found.estimateLevels)).arg(steps);
+  return Message::tr("estimated within %1, with %2").arg(levelsText(found.estimateLevels), steps);
 }
 
 WithinTolerance withinTolerance(const Scene& scene, const glm::ivec2& size, const DrawScene& draw,

@@ -54,8 +54,7 @@ void requireOpenGl3() {
     throw Error(Error::Kind::openGl,
                 Message::tr("The graphics driver offers OpenGL %1.%2, but drawing needs OpenGL 3.0; update "
                             "the driver or install Mesa's software driver (libgl1-mesa-dri).")
-                    .arg(epoxy_gl_version() / 10)
-                    .arg(epoxy_gl_version() % 10));
+                    .arg(epoxy_gl_version() / 10, epoxy_gl_version() % 10));
 }
 
 void forgetDriverErrors() {

@@ -36,8 +36,7 @@ FloatTarget::FloatTarget(const glm::ivec2& size) {
     restore();
     throw Error(Error::Kind::openGl, Message::tr("The graphics driver cannot draw a picture of %1×%2 pixels "
                                                  "in floats; try a smaller one or --engine cpu.")
-                                         .arg(size.x)
-                                         .arg(size.y));
+                                         .arg(size.x, size.y));
   }
 }
 
@@ -82,8 +81,7 @@ void PictureTarget::resize(const glm::ivec2& size) {
     throw Error(Error::Kind::openGl,
                 Message::tr("The graphics driver cannot draw a picture of %1 × %2 pixels in 32-bit floats; "
                             "make the window smaller or install a driver with OpenGL 3.0 or newer.")
-                    .arg(size.x)
-                    .arg(size.y));
+                    .arg(size.x, size.y));
   m_size = size;
 }
 

@@ -34,8 +34,7 @@ struct Target {
       !fs::exists(target.path.parent_path(), unknown))
     throw Error(Error::Kind::other,
                 Message::tr("Cannot write %1: there is no folder %2; make it, or choose another folder.")
-                    .arg(target.path.string())
-                    .arg(target.path.parent_path().string()));
+                    .arg(target.path.string(), target.path.parent_path().string()));
   const bool isFull = error == ENOSPC || error == EDQUOT;
   const Message advice = target.place != FilePlace::chosen
                              ? Message::tr("make room there or allow Limn to write there")
@@ -46,9 +45,7 @@ struct Target {
   throw Error(Error::Kind::other,
               (isThere ? Message::tr("Cannot write %1: %2; %3, the old file is untouched.")
                        : Message::tr("Cannot write %1: %2; %3."))
-                  .arg(target.path.string())
-                  .arg(std::strerror(error))
-                  .arg(advice));
+                  .arg(target.path.string(), std::strerror(error), advice));
 }
 
 const std::string prefix = ".limn-";

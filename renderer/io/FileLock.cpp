@@ -17,8 +17,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void failLocking(const fs::path& file, int error) {
   throw Error(Error::Kind::other,
               Message::tr("Cannot write %1: %2; check that the folder exists, may be written and has room.")
-                  .arg(file.string())
-                  .arg(std::strerror(error)));
+                  .arg(file.string(), std::strerror(error)));
 }
 
 Descriptor opened(const fs::path& file) {

@@ -45,8 +45,7 @@ void writeAtomically(const fs::path& path, const PictureToWrite& picture) {
     if (!problem.empty())
       throw Error(Error::Kind::other,
                   Message::tr("Cannot write %1: %2; choose another folder, ending or size.")
-                      .arg(path.string())
-                      .arg(problem));
+                      .arg(path.string(), problem));
   });
 }
 

@@ -84,8 +84,7 @@ VoxelTexture::VoxelTexture(const glm::ivec3& size, Format format, const Message&
   if (glGetError() != GL_NO_ERROR)
     throw Error(Error::Kind::openGl,
                 Message::tr("The graphics driver has no room for %1, %2 MB; draw without them.")
-                    .arg(what)
-                    .arg(m_bytes / 1000000));
+                    .arg(what, m_bytes / 1000000));
   std::vector<glm::vec4> slice(static_cast<std::size_t>(size.x) * size.y);
   for (int k = 0; k < size.z; ++k) {
     fill(k, slice);

@@ -200,7 +200,7 @@ Message VolumeTexture::tooLarge() const {
 Message VolumeTexture::limitation() const {
   if (m_reduction == glm::ivec3(1))
     return {};
-  return Message::tr("%1 and is shown with %2.").arg(tooLarge()).arg(times(m_size - 2));
+  return Message::tr("%1 and is shown with %2.").arg(tooLarge(), times(m_size - 2));
 }
 
 } // namespace limn

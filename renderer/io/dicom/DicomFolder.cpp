@@ -139,8 +139,7 @@ std::optional<DicomHeaders> headersUnder(const fs::path& folder, const Progress&
     if (files.size() > mostFiles && found.foreign.size() <= i)
       throw Error(Error::Kind::input,
                   Message::tr("The folder %1 holds more than %2 files; open the folder of one study instead.")
-                      .arg(folder.string())
-                      .arg(mostFiles));
+                      .arg(folder.string(), mostFiles));
   }
   if (found.foreign.size() == files.size())
     return std::nullopt;
@@ -173,11 +172,7 @@ Message listed(const SeriesSummary& summary) {
     name += " '" + summary.description + "'";
   return (summary.dims.z == 1 ? Message::tr("%1 (%2, %3 × %4, %5 image)")
                               : Message::tr("%1 (%2, %3 × %4, %5 images)"))
-      .arg(summary.number)
-      .arg(name)
-      .arg(summary.dims.x)
-      .arg(summary.dims.y)
-      .arg(summary.dims.z);
+      .arg(summary.number, name, summary.dims.x, summary.dims.y, summary.dims.z);
 }
 
 Message listed(const std::vector<DicomSeries>& all, std::size_t except) {
@@ -186,7 +181,7 @@ Message listed(const std::vector<DicomSeries>& all, std::size_t except) {
   for (std::size_t i = 0; i < std::min(all.size(), mostNamed); ++i)
     if (i != except)
       list = list.followedBy(", ", listed(summaryOf(all[i], static_cast<int>(i) + 1)));
-  return all.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list).arg(all.size() - mostNamed) : list;
+  return all.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list, all.size() - mostNamed) : list;
 }
 
 DicomSeries chosenSeries(const fs::path& path, const std::vector<DicomSeries>& all,
@@ -194,17 +189,13 @@ DicomSeries chosenSeries(const fs::path& path, const std::vector<DicomSeries>& a
   const int count = static_cast<int>(all.size());
   if (options.series && (*options.series < 1 || *options.series > count))
     throw Error(Error::Kind::input, Message::tr("%1 has no series %2; it holds %3.")
-                                        .arg(nameOf(path))
-                                        .arg(*options.series)
-                                        .arg(listed(all, all.size())));
+                                        .arg(nameOf(path), *options.series, listed(all, all.size())));
   const auto index = static_cast<std::size_t>(options.series.value_or(1) - 1);
   if (!options.series && count > 1)
     warnings.push_back(
         Message::tr(
             "%1 series were found and the largest is shown, %2; the others are %3. Choose one by its number.")
-            .arg(count)
-            .arg(listed(summaryOf(all[0], 1)))
-            .arg(listed(all, 0)));
+            .arg(count, listed(summaryOf(all[0], 1)), listed(all, 0)));
   return all[index];
 }
 
@@ -214,8 +205,7 @@ Message firstNames(const std::vector<std::string>& files) {
   Message list;
   for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
     list = list.followedBy(", ", plainText(files[i], 80));
-  return files.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list).arg(files.size() - mostNamed)
-                                  : list;
+  return files.size() > mostNamed ? Message::tr("%1 and %2 more").arg(list, files.size() - mostNamed) : list;
 }
 
 void noteFiles(const fs::path& path, const DicomHeaders& headers, std::vector<Message>& warnings) {
@@ -225,8 +215,7 @@ void noteFiles(const fs::path& path, const DicomHeaders& headers, std::vector<Me
                                                    "(%2): slices may be missing; copy the series again.")
                                      : Message::tr("%1 DICOM files are damaged or cut off and were left out "
                                                    "(%2): slices may be missing; copy the series again."))
-                           .arg(damaged)
-                           .arg(firstNames(headers.damaged)));
+                           .arg(damaged, firstNames(headers.damaged)));
   const bool isOneImage =
       !fs::is_directory(path) && headers.images.size() == 1 && headers.images.front().frames.size() == 1;
   if (isOneImage)
@@ -239,9 +228,9 @@ void requireImages(const fs::path& path, const DicomHeaders& headers) {
   Message found = Message::tr("DICOM objects without images only (reports, plans or indices)");
   if (!headers.damaged.empty())
     found = Message::tr("only DICOM files that are damaged or cut off (%1)").arg(firstNames(headers.damaged));
-  throw Error(Error::Kind::input, Message::tr("The folder %1 holds %2; choose the folder of an image series.")
-                                      .arg(nameOf(path))
-                                      .arg(found));
+  throw Error(
+      Error::Kind::input,
+      Message::tr("The folder %1 holds %2; choose the folder of an image series.").arg(nameOf(path), found));
 }
 
 void requireSeries(const DicomSeries& series) {
@@ -261,10 +250,7 @@ void requireRoom(const fs::path& path, const glm::ivec3& dims) {
         Error::Kind::input,
         Message::tr(
             "%1 makes a volume of %2 × %3 × %4 voxels, more than can be shown; choose a smaller series.")
-            .arg(nameOf(path))
-            .arg(dims.x)
-            .arg(dims.y)
-            .arg(dims.z));
+            .arg(nameOf(path), dims.x, dims.y, dims.z));
 }
 
 void applySpacing(const ReadOptions& options, DicomGeometry& geometry) {

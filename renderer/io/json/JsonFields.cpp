@@ -22,8 +22,7 @@ Message described(const Limits& limits) {
   const bool above = limits.highest < std::numeric_limits<double>::max();
   if (below && above)
     return (limits.openBelow ? Message::tr("above %1 to %2") : Message::tr("from %1 to %2"))
-        .arg(written(limits.lowest))
-        .arg(written(limits.highest));
+        .arg(written(limits.lowest), written(limits.highest));
   if (below)
     return (limits.openBelow ? Message::tr("above %1") : Message::tr("at least %1"))
         .arg(written(limits.lowest));
@@ -35,15 +34,13 @@ Message described(const Limits& limits) {
 JsonFields::JsonFields(const nlohmann::json& object, std::string document, std::string where)
     : m_object(object), m_document(std::move(document)), m_where(std::move(where)) {
   if (!m_object.is_object())
-    throw Error(Error::Kind::input,
-                Message::tr("%1: %2 must be a JSON object in braces.")
-                    .arg(m_document)
-                    .arg(m_where.empty() ? Message::tr("the file") : Message("\"" + m_where + "\"")));
+    throw Error(Error::Kind::input, Message::tr("%1: %2 must be a JSON object in braces.")
+                                        .arg(m_document, m_where.empty() ? Message::tr("the file")
+                                                                         : Message("\"" + m_where + "\"")));
 }
 
 void JsonFields::fail(const std::string& key, const Message& problem) const {
-  throw Error(Error::Kind::input,
-              Message::tr("%1: \"%2\" %3.").arg(m_document).arg(pathOf(key)).arg(problem));
+  throw Error(Error::Kind::input, Message::tr("%1: \"%2\" %3.").arg(m_document, pathOf(key), problem));
 }
 
 bool JsonFields::has(const std::string& key) {
@@ -62,7 +59,7 @@ double JsonFields::numberIn(const nlohmann::json& value, const std::string& key,
   const double number = value.get<double>();
   const bool tooLow = limits.openBelow ? !(number > limits.lowest) : !(number >= limits.lowest);
   if (tooLow || !(number <= limits.highest) || !std::isfinite(number))
-    fail(key, Message::tr("is %1; it must be %2").arg(written(number)).arg(described(limits)));
+    fail(key, Message::tr("is %1; it must be %2").arg(written(number), described(limits)));
   return number;
 }
 
@@ -132,7 +129,7 @@ std::optional<std::size_t> JsonFields::choice(const std::string& key, std::span<
       return i;
     known += (known.empty() ? "" : ", ") + std::string(words[i]);
   }
-  fail(key, Message::tr("is \"%1\"; choose one of %2").arg(word).arg(known));
+  fail(key, Message::tr("is \"%1\"; choose one of %2").arg(word, known));
 }
 
 void JsonFields::finish() const {
@@ -157,8 +154,7 @@ nlohmann::json parsedJson(std::string_view text, const std::string& name) {
         Error::Kind::input,
         Message::tr(
             "%1 is not valid JSON (the mistake is near byte %2); open it in a text editor to repair it.")
-            .arg(name)
-            .arg(error.byte));
+            .arg(name, error.byte));
   } catch (const nlohmann::json::out_of_range&) {
     throw Error(Error::Kind::input,
                 Message::tr("%1 holds a number too large to be one; open it in a text editor to repair it.")

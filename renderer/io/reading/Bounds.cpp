@@ -14,8 +14,7 @@ void requireMemory(const std::filesystem::path& path, double bytes) {
     return;
   failReading(path,
               Message::tr("its voxels need %1 GiB of memory and this computer has %2")
-                  .arg(Message::fixed(bytes / (1 << 30), 1))
-                  .arg(Message::fixed(present / (1 << 30), 1)),
+                  .arg(Message::fixed(bytes / (1 << 30), 1), Message::fixed(present / (1 << 30), 1)),
               Message::tr("save a smaller volume"));
 }
 
@@ -30,8 +29,7 @@ std::shared_ptr<Room> roomFor(const std::filesystem::path& path, double bytes, c
   warnings.push_back(
       Message::tr("The voxels are kept on disk while the volume is open (%1 GB in %2), because "
                   "they need more memory than may be used.")
-          .arg(Message::fixed(bytes / 1e9, 1))
-          .arg(room->folder().string()));
+          .arg(Message::fixed(bytes / 1e9, 1), room->folder().string()));
   return room;
 }
 

@@ -5,7 +5,7 @@ namespace limn {
 namespace {
 
 Message sentence(const std::filesystem::path& file, const Message& rest) {
-  return Message::tr("Cannot read %1: %2").arg(plainText(file.string())).arg(rest);
+  return Message::tr("Cannot read %1: %2").arg(plainText(file.string()), rest);
 }
 
 } // namespace
@@ -28,7 +28,7 @@ Message plainMessage(const Message& message, std::size_t most) {
 void failReading(const std::filesystem::path& file, const Message& reason, const Message& wayOut) {
   constexpr std::size_t longestPart = 200;
   throw Error(Error::Kind::input,
-              sentence(file, Message::tr("%1; %2.").arg(plainMessage(reason, longestPart)).arg(wayOut)));
+              sentence(file, Message::tr("%1; %2.").arg(plainMessage(reason, longestPart), wayOut)));
 }
 
 void failReading(const std::filesystem::path& file, const Error& cause) {

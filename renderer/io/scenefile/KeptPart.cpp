@@ -42,8 +42,7 @@ std::vector<double> weightsOf(const std::vector<Label>& labels, const std::map<i
   if (!left.empty())
     throw Error(Error::Kind::input, Message::tr("The scene gives a weight to label %1, which %2 does not "
                                                 "have; take the weight out or choose another label map.")
-                                        .arg(left.begin()->first)
-                                        .arg(labelMap));
+                                        .arg(left.begin()->first, labelMap));
   return inOrder;
 }
 

@@ -59,8 +59,8 @@ void writeTo(const fs::path& temporary, const FileToWrite& file, const Progress&
   if (!stream)
     throw Error(Error::Kind::other,
                 Message::tr("Cannot write %1: %2; choose another folder or make room.")
-                    .arg(file.path.string())
-                    .arg(errno != 0 ? Message(std::strerror(errno)) : Message::tr("the disk is full")));
+                    .arg(file.path.string(),
+                         errno != 0 ? Message(std::strerror(errno)) : Message::tr("the disk is full")));
 }
 
 // The next file is written before this one takes its place: no name points to a new file until all are

@@ -102,9 +102,8 @@ void requireInRange(const Volume& volume, double isovalue) {
       Error::Kind::input,
       Message::tr("There is no surface at %1, because the volume has values from %2 to %3; choose one "
                   "between them.")
-          .arg(valueText(volume, isovalue))
-          .arg(valueText(volume, range.lowest))
-          .arg(valueText(volume, range.highest)));
+          .arg(valueText(volume, isovalue), valueText(volume, range.lowest),
+               valueText(volume, range.highest)));
 }
 
 [[noreturn]] void failEmpty(const Volume& volume, double isovalue) {
@@ -122,9 +121,8 @@ void requireMemoryFor(const SurfaceEstimate& estimate, const SurfaceOrder& order
       Error::Kind::input,
       Message::tr("The surface would have about %1 million triangles, which need %2 MB of memory where %3 "
                   "are free; crop the volume, choose another value or open a coarser volume.")
-          .arg(Message::rounded(static_cast<double>(estimate.triangles) / 1e6, 3))
-          .arg(Message::fixed(estimate.bytes / 1e6, 0))
-          .arg(Message::fixed(*order.memoryBytes / 1e6, 0)));
+          .arg(Message::rounded(static_cast<double>(estimate.triangles) / 1e6, 3),
+               Message::fixed(estimate.bytes / 1e6, 0), Message::fixed(*order.memoryBytes / 1e6, 0)));
 }
 
 SurfaceEstimate estimateOf(const SurfaceLattice& lattice, const SurfaceOrder& order,

@@ -26,11 +26,15 @@ public:
   /// A number of so many digits that count, without trailing zeros.
   static Message rounded(double number, int digits);
 
-  /// This with the next place filled. Counts stand in digits.
+  /// This with the next place, or the next ones, filled. Counts stand in digits.
   Message arg(const Message& message) const;
   template <class Count, std::enable_if_t<std::is_integral_v<Count>, int> = 0> // moc does not know concepts
   Message arg(Count count) const {
     return arg(Message(std::to_string(count)));
+  }
+  template <class First, class Second, class... More>
+  Message arg(const First& first, const Second& second, const More&... more) const {
+    return arg(first).arg(second, more...);
   }
 
   /// This, what separates, and another; one of them alone where the other is empty.

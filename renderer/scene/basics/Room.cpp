@@ -149,14 +149,12 @@ Message gigabytes(std::uint64_t bytes) {
       Error::Kind::other,
       Message::tr("Cannot keep the volume's data in %1: they need %2 GB and %3 GB are free there; make "
                   "room, or set TMPDIR to a folder on a larger disk.")
-          .arg(folder.string())
-          .arg(gigabytes(needed))
-          .arg(gigabytes(freeBytes(folder).value_or(0))));
+          .arg(folder.string(), gigabytes(needed), gigabytes(freeBytes(folder).value_or(0))));
 }
 
 [[noreturn]] void failMapping(const fs::path& path, const Message& reason) {
   throw Error(Error::Kind::other,
-              Message::tr("Cannot read %1: %2; copy the file again.").arg(path.string()).arg(reason));
+              Message::tr("Cannot read %1: %2; copy the file again.").arg(path.string(), reason));
 }
 
 std::optional<std::uint64_t> sizeOf(const Descriptor& file) {
@@ -170,8 +168,7 @@ std::optional<std::uint64_t> sizeOf(const Descriptor& file) {
   throw Error(Error::Kind::other,
               Message::tr("Cannot keep the volume's data in %1: %2; set TMPDIR to a folder "
                           "on a disk that can be written.")
-                  .arg(folder.string())
-                  .arg(std::strerror(error)));
+                  .arg(folder.string(), std::strerror(error)));
 }
 
 // Some file systems make no files without a name.

@@ -43,8 +43,7 @@ LabelMap::LabelMap(const glm::ivec3& dims, Places places, std::vector<Label> lab
         if (all.size() != voxels)
           throw Error(Error::Kind::input,
                       Message::tr("A label map has one label for each voxel; this one has %1 for %2.")
-                          .arg(all.size())
-                          .arg(voxels));
+                          .arg(all.size(), voxels));
         m_boxes = boxesAround(all, dims, m_labels.size());
       },
       m_places);

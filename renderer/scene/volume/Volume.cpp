@@ -77,8 +77,7 @@ void requireUsableGrid(const Grid& grid, std::size_t voxels) {
   if (expected != voxels)
     throw Error(Error::Kind::input, Message::tr("The volume has %1 voxels where its dimensions ask for %2; "
                                                 "the file is truncated or its header is wrong.")
-                                        .arg(voxels)
-                                        .arg(expected));
+                                        .arg(voxels, expected));
 }
 
 } // namespace

@@ -63,8 +63,7 @@ public:
         Error::Kind::input,
         Message::tr(
             "The DICOM header of %1 %2: the file is damaged or cut off; copy it again from its source.")
-            .arg(m_file)
-            .arg(why));
+            .arg(m_file, why));
   }
 
   std::string bytes(std::uint64_t count) {

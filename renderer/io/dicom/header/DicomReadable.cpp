@@ -42,7 +42,7 @@ std::string quoted(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const DicomHeader& header, const Message& why) {
-  throw Error(Error::Kind::input, Message::tr("The DICOM file %1 %2").arg(header.path.string()).arg(why));
+  throw Error(Error::Kind::input, Message::tr("The DICOM file %1 %2").arg(header.path.string(), why));
 }
 
 void requirePicture(const DicomHeader& header) {
@@ -82,8 +82,7 @@ void requireFormat(const DicomHeader& header) {
   const DicomPixelFormat& format = header.format;
   if (header.columns == 0 || header.rows == 0)
     refuse(header, Message::tr("says its picture is %1 × %2 pixels; its header is damaged.")
-                       .arg(header.columns)
-                       .arg(header.rows));
+                       .arg(header.columns, header.rows));
   const int bits = format.bitsAllocated;
   if (bits != 8 && bits != 16 && bits != 32)
     refuse(header,
@@ -94,9 +93,7 @@ void requireFormat(const DicomHeader& header) {
       format.highBit >= bits)
     refuse(header,
            Message::tr("contradicts itself: %1 bits up to bit %2 stored in %3; its header is damaged.")
-               .arg(format.bitsStored)
-               .arg(format.highBit)
-               .arg(bits));
+               .arg(format.bitsStored, format.highBit, bits));
   if (format.samples != 1 && format.samples != 3)
     refuse(header, Message::tr("has %1 samples per pixel; only grey (1) and colour (3) can be opened.")
                        .arg(format.samples));
@@ -108,8 +105,7 @@ void requireFormat(const DicomHeader& header) {
   if (!isKnown)
     refuse(header, Message::tr("says its %1 samples per pixel mean %2, which this program does not know; "
                                "export it as grey values.")
-                       .arg(format.samples)
-                       .arg(quoted(format.photometric)));
+                       .arg(format.samples, quoted(format.photometric)));
   if (format.photometric == "PALETTE COLOR" && !header.palette)
     refuse(header,
            Message::tr("is coloured by a palette this program cannot read; export it as grey values."));
@@ -138,9 +134,7 @@ void requireWhole(const DicomHeader& header) {
         header.announcedFrames > roomForFrames(header))
       refuse(header, Message::tr("is too short for the %1 pictures of %2 × %3 pixels it announces; it is "
                                  "damaged or cut off, so copy it again from its source.")
-                         .arg(header.announcedFrames)
-                         .arg(header.columns)
-                         .arg(header.rows));
+                         .arg(header.announcedFrames, header.columns, header.rows));
     return;
   }
   if (present >= needed && header.announcedFrames > mostFramesOfVolume)
@@ -150,8 +144,7 @@ void requireWhole(const DicomHeader& header) {
     refuse(
         header,
         Message::tr("is cut off: its pixels need %1 bytes, and it holds %2; copy it again from its source.")
-            .arg(needed)
-            .arg(present));
+            .arg(needed, present));
 }
 
 void requireSupported(const DicomHeader& header) {

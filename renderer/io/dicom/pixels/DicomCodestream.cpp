@@ -19,9 +19,7 @@ namespace {
   throw Error(
       Error::Kind::input,
       Message::tr("The compressed pixels of %1 %2 (transfer syntax %3); export the series uncompressed.")
-          .arg(header.path.string())
-          .arg(why)
-          .arg(header.transferSyntax));
+          .arg(header.path.string(), why, header.transferSyntax));
 }
 
 int word(const DicomCodestream& stream, std::size_t at) {
@@ -71,18 +69,13 @@ CodestreamFacts agreedFacts(const DicomHeader& header, const DicomCodestream& st
     fail(header, Message::tr("are damaged or in a form this program does not read"));
   if (facts->columns != header.columns || facts->rows != header.rows)
     fail(header, Message::tr("make a picture of %1 × %2 pixels where the header says %3 × %4")
-                     .arg(facts->columns)
-                     .arg(facts->rows)
-                     .arg(header.columns)
-                     .arg(header.rows));
+                     .arg(facts->columns, facts->rows, header.columns, header.rows));
   if (facts->components != header.format.samples)
     fail(header, Message::tr("have %1 samples per pixel where the header says %2")
-                     .arg(facts->components)
-                     .arg(header.format.samples));
+                     .arg(facts->components, header.format.samples));
   if ((facts->bits + 7) / 8 * 8 != header.format.bitsAllocated)
-    fail(header, Message::tr("have %1 bits where the header says %2")
-                     .arg(facts->bits)
-                     .arg(header.format.bitsAllocated));
+    fail(header,
+         Message::tr("have %1 bits where the header says %2").arg(facts->bits, header.format.bitsAllocated));
   return *facts;
 }
 

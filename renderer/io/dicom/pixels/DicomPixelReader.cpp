@@ -45,8 +45,7 @@ DicomPixelReader::DicomPixelReader(const DicomHeader& header)
 void DicomPixelReader::fail(const Message& why) const {
   throw Error(Error::Kind::input, Message::tr("The pixels of the DICOM file %1 %2; the file is damaged or "
                                               "cut off, so copy it again from its source.")
-                                      .arg(m_header->path.string())
-                                      .arg(why));
+                                      .arg(m_header->path.string(), why));
 }
 
 std::vector<unsigned char> DicomPixelReader::bytesAt(std::uint64_t offset, std::uint64_t length) {
@@ -103,7 +102,7 @@ void DicomPixelReader::assignFragments(const std::vector<Fragment>& fragments,
                                        const std::vector<std::uint32_t>& offsets) {
   const std::size_t frames = m_header->frames.size();
   if (fragments.size() < frames)
-    fail(Message::tr("hold %1 compressed pieces for %2 frames").arg(fragments.size()).arg(frames));
+    fail(Message::tr("hold %1 compressed pieces for %2 frames").arg(fragments.size(), frames));
   const bool useTable = offsets.size() == frames;
   const std::unordered_set<std::uint64_t> starts(offsets.begin(), offsets.end());
   for (std::size_t i = 0; i < fragments.size(); ++i) {
@@ -115,7 +114,7 @@ void DicomPixelReader::assignFragments(const std::vector<Fragment>& fragments,
     m_frames.back().push_back(fragments[i]);
   }
   if (m_frames.size() != frames)
-    fail(Message::tr("hold %1 pictures for %2 frames").arg(m_frames.size()).arg(frames));
+    fail(Message::tr("hold %1 pictures for %2 frames").arg(m_frames.size(), frames));
 }
 
 std::vector<unsigned char> DicomPixelReader::uncompressed(int index) {

@@ -47,9 +47,7 @@ void refuseGap(const std::vector<double>& gaps, double usual) {
     throw Error(Error::Kind::input,
                 Message::tr("The DICOM series has a gap of %1 mm after slice %2, where its slices usually "
                             "lie %3 mm apart: slices are missing; copy the whole series again.")
-                    .arg(decimal(*widest))
-                    .arg(widest - gaps.begin() + 1)
-                    .arg(decimal(usual)));
+                    .arg(decimal(*widest), widest - gaps.begin() + 1, decimal(usual)));
 }
 
 // Says where slices must be missing: in gaps that are whole multiples of the usual distance. Empty where
@@ -68,16 +66,15 @@ Message missingSlices(const std::vector<double>& heights, double usual) {
     missing += static_cast<std::size_t>(whole) - 1;
     if (++places <= mostNamed)
       where = where.followedBy(
-          ", ", Message::tr("%1 and %2 mm").arg(decimal(heights[k - 1], 1)).arg(decimal(heights[k], 1)));
+          ", ", Message::tr("%1 and %2 mm").arg(decimal(heights[k - 1], 1), decimal(heights[k], 1)));
   }
   if (places == 0)
     return {};
   if (places > mostNamed)
-    where = Message::tr("%1 and in %2 more places").arg(where).arg(places - mostNamed);
+    where = Message::tr("%1 and in %2 more places").arg(where, places - mostNamed);
   return (missing == 1 ? Message::tr("%1 slice seems to be missing between %2 from the first")
                        : Message::tr("%1 slices seem to be missing between %2 from the first"))
-      .arg(missing)
-      .arg(where);
+      .arg(missing, where);
 }
 
 // Chooses the distance of the grid's planes for slices at the given heights (ascending from 0).
@@ -92,14 +89,12 @@ Spacing planeSpacing(const std::vector<double>& heights, std::vector<Message>& w
   const double mean = heights.back() / static_cast<double>(slices - 1);
   const double unevenness = std::max(widest - usual, usual - smallest) / usual;
   const double moved = displacement(heights, mean);
-  const Message range = Message::tr("%1 to %2 mm").arg(decimal(smallest)).arg(decimal(widest));
+  const Message range = Message::tr("%1 to %2 mm").arg(decimal(smallest), decimal(widest));
   if (unevenness <= largestEvenness && moved <= largestDisplacement * mean) {
     if (unevenness > smallestUnevenness)
       warnings.push_back(
           Message::tr("The slices lie %1 apart; %2 mm is used for all, which moves a slice by %3 mm at most.")
-              .arg(range)
-              .arg(decimal(mean))
-              .arg(decimal(moved)));
+              .arg(range, decimal(mean), decimal(moved)));
     return {mean, static_cast<int>(slices), true};
   }
   refuseGap(gaps, usual);
@@ -109,10 +104,8 @@ Spacing planeSpacing(const std::vector<double>& heights, std::vector<Message>& w
   const Message missing = missingSlices(heights, usual);
   warnings.push_back(Message::tr("The slices lie unequally, %1 apart: %2 planes every %3 mm were "
                                  "interpolated between them, some of which %4")
-                         .arg(range)
-                         .arg(planes)
-                         .arg(decimal(spacing))
-                         .arg(missing.empty() ? Message::tr("may bridge missing slices.")
+                         .arg(range, planes, decimal(spacing),
+                              missing.empty() ? Message::tr("may bridge missing slices.")
                                               : Message::tr("bridge missing slices: %1.").arg(missing)));
   return {spacing, planes, false};
 }

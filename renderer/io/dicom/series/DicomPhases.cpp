@@ -107,7 +107,7 @@ void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<M
               name.isTime && !isShared ? std::string(phaseOf(*first, name.phase)) : most->first);
   }
   const Message value = most->first.empty() ? Message::tr("unset") : Message(most->first);
-  chosen.push_back(isShared ? Message::tr("%1 %2 of %3").arg(name.name).arg(value).arg(counts.size())
+  chosen.push_back(isShared ? Message::tr("%1 %2 of %3").arg(name.name, value, counts.size())
                             : Message::tr("the first %1 at each position").arg(name.name));
 }
 
@@ -151,9 +151,7 @@ DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings) 
         (2 * repeated >= stations.size()
              ? Message::tr("The series holds several phases (%1 images at %2 positions); shown is: %3.")
              : Message::tr("The series repeats some positions (%1 images at %2 positions); shown is: %3."))
-            .arg(images)
-            .arg(stations.size())
-            .arg(shown));
+            .arg(images, stations.size(), shown));
   }
   DicomSeries result;
   for (const Station& station : stations)

@@ -198,7 +198,7 @@ VolumeParts readInVesalius(const fs::path& path, const MemoryBudget& budget, con
     if (size != bytesOf(layout))
       failReading(
           path,
-          Message::tr("its matrix has %1 bytes where the project asks for %2").arg(size).arg(bytesOf(layout)),
+          Message::tr("its matrix has %1 bytes where the project asks for %2").arg(size, bytesOf(layout)),
           copyAgain);
     readVoxels(path, bytes, layout, budget, progress, 0, parts);
   });

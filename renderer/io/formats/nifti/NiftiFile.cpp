@@ -235,7 +235,7 @@ fs::path partner(const fs::path& path, const std::string& ending) {
     if (fs::is_regular_file(candidate, problem))
       return candidate;
   }
-  failReading(path, Message::tr("its other half %1%2 is missing").arg(stem.string()).arg(ending),
+  failReading(path, Message::tr("its other half %1%2 is missing").arg(stem.string(), ending),
               Message::tr("copy both files of the pair into one folder"));
 }
 
@@ -279,8 +279,7 @@ void requireOneType(const fs::path& file, const NiftiHeader& header, const Sampl
   if (header.bitsPerVoxel != 0 && header.bitsPerVoxel != bits)
     failReading(file,
                 Message::tr("its header contradicts itself: voxels of %1 bits, and of a type that has %2")
-                    .arg(header.bitsPerVoxel)
-                    .arg(bits),
+                    .arg(header.bitsPerVoxel, bits),
                 copyAgain);
 }
 

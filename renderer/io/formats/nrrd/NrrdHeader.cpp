@@ -200,9 +200,8 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
     } else {
       failReading(file,
                   Message::tr("its axis %1 holds %2 values per voxel (%3), and a volume needs one")
-                      .arg(i + 1)
-                      .arg(axes[i].size)
-                      .arg(axes[i].kind.empty() ? Message::tr("no kind") : Message(axes[i].kind)),
+                      .arg(i + 1, axes[i].size,
+                           axes[i].kind.empty() ? Message::tr("no kind") : Message(axes[i].kind)),
                   Message::tr("save one component or one time step as a volume of its own"));
     }
   }

@@ -66,8 +66,7 @@ public:
     else if (picture.shape != m_shape)
       failReading(m_path,
                   Message::tr("its picture %1 (page %2) has another size or type than the first")
-                      .arg(file.filename().string())
-                      .arg(page + 1),
+                      .arg(file.filename().string(), page + 1),
                   Message::tr("keep only the slices of one stack in the folder"));
     withStoredType(m_shape.type, [&](auto value) { append<decltype(value)>(picture); });
     ++m_slices;

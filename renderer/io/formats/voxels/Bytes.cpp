@@ -132,9 +132,8 @@ void requireRoom(const ByteLocation& location, std::uint64_t needed) {
   if (!fits)
     failReading(location.file,
                 Message::tr("its header asks for %1 bytes of voxels, but the file holds only %2%3")
-                    .arg(wanted)
-                    .arg(held)
-                    .arg(location.encoding == Encoding::raw ? Message() : Message::tr(" compressed ones")),
+                    .arg(wanted, held,
+                         location.encoding == Encoding::raw ? Message() : Message::tr(" compressed ones")),
                 copyAgain);
 }
 

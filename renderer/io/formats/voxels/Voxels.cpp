@@ -98,7 +98,7 @@ void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool m
 
 void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
   failReading(file,
-              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got).arg(wanted),
+              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got, wanted),
               copyAgain);
 }
 
@@ -115,7 +115,7 @@ std::uint64_t voxelCount(const fs::path& file, const glm::ivec3& dims) {
   std::uint64_t count = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const Message given =
-        Message::tr("its header gives the dimensions %1 x %2 x %3").arg(dims.x).arg(dims.y).arg(dims.z);
+        Message::tr("its header gives the dimensions %1 x %2 x %3").arg(dims.x, dims.y, dims.z);
     if (dims[axis] < 1)
       failReading(file, Message::tr("%1, which leave no voxels").arg(given), copyAgain);
     if (count > most / static_cast<std::uint64_t>(dims[axis]))

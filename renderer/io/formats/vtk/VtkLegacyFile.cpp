@@ -109,9 +109,7 @@ void requireOneSize(const fs::path& file, const LegacyHeader& header, std::uint6
   if (isGiven && number(file, found->second.front()) != static_cast<double>(voxels))
     failReading(file,
                 Message::tr("its header contradicts itself: %1 %2 where DIMENSIONS make %3")
-                    .arg(word)
-                    .arg(found->second.front())
-                    .arg(voxels),
+                    .arg(word, found->second.front(), voxels),
                 copyAgain);
 }
 

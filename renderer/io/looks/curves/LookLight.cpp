@@ -39,8 +39,7 @@ double toldExponent(const Shading& shading, Reflection reflection, std::vector<M
                                 "which are as wide.")
                   : Message::tr("The exponent %1 of highlights after Phong became %2 after Blinn-Phong, "
                                 "which are as wide."))
-             .arg(Message::rounded(shading.exponent, 4))
-             .arg(Message::rounded(exponent, 4)));
+             .arg(Message::rounded(shading.exponent, 4), Message::rounded(exponent, 4)));
   return exponent;
 }
 
@@ -72,8 +71,7 @@ Shading shadingOf(const HeadLight& light, std::vector<Message>& changes) {
   if (isLimited)
     tell(changes, Message::tr("Numbers of the light were limited to what Limn draws: no coefficient below 0, "
                               "exponents from %1 to %2.")
-                      .arg(Message::rounded(lowestExponent, 2))
-                      .arg(Message::rounded(highestExponent, 4)));
+                      .arg(Message::rounded(lowestExponent, 2), Message::rounded(highestExponent, 4)));
   return shading;
 }
 

@@ -45,7 +45,7 @@ double spacingFor(const std::optional<LookTarget>& target, std::vector<Message>&
 }
 
 Message rangeText(double low, double high) {
-  return Message::tr("%1 to %2").arg(Message::rounded(low, 6)).arg(Message::rounded(high, 6));
+  return Message::tr("%1 to %2").arg(Message::rounded(low, 6), Message::rounded(high, 6));
 }
 
 } // namespace
@@ -117,9 +117,9 @@ TransferFunction overOneMillimetre(const TransferFunction& function, std::vector
         seen.push_back(between);
     }
   }
-  tell(changes, Message::tr("Opacities over %1 mm became those over 1 mm, within %2.")
-                    .arg(Message::rounded(function.unitDistanceMm, 4))
-                    .arg(Message::rounded(segmentTolerance, 2)));
+  tell(changes,
+       Message::tr("Opacities over %1 mm became those over 1 mm, within %2.")
+           .arg(Message::rounded(function.unitDistanceMm, 4), Message::rounded(segmentTolerance, 2)));
   return {1.0, simplified(seen, 0.8 * segmentTolerance)};
 }
 

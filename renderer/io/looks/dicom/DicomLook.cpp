@@ -113,17 +113,14 @@ const SeriesImages& seriesOf(const DicomLook& look, const std::vector<SeriesImag
   const std::size_t held = best == all.end() ? 0 : countHeld(wanted, *best);
   const std::string place = folder.filename().string();
   if (held == 0)
-    failReading(name,
-                Message::tr("it belongs to another series: none of its %1 images is in %2")
-                    .arg(wanted.size())
-                    .arg(place),
-                Message::tr("name the folder of its series (--volume PATH)"));
+    failReading(
+        name,
+        Message::tr("it belongs to another series: none of its %1 images is in %2").arg(wanted.size(), place),
+        Message::tr("name the folder of its series (--volume PATH)"));
   if (const std::size_t missing = countMissing(wanted, *best); missing > 0)
     failReading(name,
                 Message::tr("%1 of the %2 images that it belongs to are missing in %3")
-                    .arg(missing)
-                    .arg(wanted.size())
-                    .arg(place),
+                    .arg(missing, wanted.size(), place),
                 Message::tr("fetch the whole series again"));
   return *best;
 }

@@ -35,9 +35,7 @@ using Words = std::vector<std::uint16_t>;
                              std::size_t should) {
   failReading(name,
               Message::tr("the table %1 has %2 entries, where its descriptor announces %3")
-                  .arg(nameOf(tag))
-                  .arg(is)
-                  .arg(should),
+                  .arg(nameOf(tag), is, should),
               exportAgain);
 }
 

@@ -46,10 +46,9 @@ FieldOfView fieldOfViewIn(DcmItem& object, const std::string& name) {
 bool isPerspectiveIn(DcmItem& object, const std::string& name) {
   const std::string text = textIn(object, DCM_RenderProjection);
   if (text != "PERSPECTIVE" && text != "ORTHOGRAPHIC")
-    failReading(
-        name,
-        Message::tr("%1 is \"%2\", which Limn does not know").arg(nameOf(DCM_RenderProjection)).arg(text),
-        exportAgain);
+    failReading(name,
+                Message::tr("%1 is \"%2\", which Limn does not know").arg(nameOf(DCM_RenderProjection), text),
+                exportAgain);
   return text == "PERSPECTIVE";
 }
 
@@ -61,9 +60,9 @@ Projection methodIn(DcmItem& object, const std::string& name) {
     return Projection::mip;
   if (text == "MINIMUM_IP")
     return Projection::minip;
-  failReading(
-      name, Message::tr("%1 is \"%2\", which Limn does not know").arg(nameOf(DCM_RenderingMethod)).arg(text),
-      exportAgain);
+  failReading(name,
+              Message::tr("%1 is \"%2\", which Limn does not know").arg(nameOf(DCM_RenderingMethod), text),
+              exportAgain);
 }
 
 // A field of view beside the axis: a parallel camera moves aside; a perspective one stays, and it is said.

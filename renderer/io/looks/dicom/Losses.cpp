@@ -54,8 +54,7 @@ void addCurve(const Scene& scene, Sentences& losses) {
   if (scene.transferFunction.unitDistanceMm != stepMm)
     losses.push_back(
         Message::tr("The unit distance of %1 mm is not kept: opacities are written over the step of %2 mm.")
-            .arg(Message::rounded(scene.transferFunction.unitDistanceMm, 4))
-            .arg(Message::rounded(stepMm, 4)));
+            .arg(Message::rounded(scene.transferFunction.unitDistanceMm, 4), Message::rounded(stepMm, 4)));
   if (scene.gradientOpacity)
     losses.push_back(Message::tr("The gradient opacity is not kept."));
 }

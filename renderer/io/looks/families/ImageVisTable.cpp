@@ -84,9 +84,7 @@ std::vector<ReadLook> readImageVisTable(std::string_view text, const std::string
   look.isRelative = true;
   if (look.points.size() < rows.size())
     look.changes.push_back(Message::tr("Its %1 rows became %2 points, within %3 of colour and opacity.")
-                               .arg(rows.size())
-                               .arg(look.points.size())
-                               .arg(Message::rounded(tableTolerance, 2)));
+                               .arg(rows.size(), look.points.size(), Message::rounded(tableTolerance, 2)));
   return finished(std::move(look), file, target);
 }
 
@@ -123,10 +121,8 @@ WrittenLook writeImageVisTable(const Preset& preset, const std::optional<LookTar
   if (furthest > 1e-6)
     written.changes.push_back(
         Message::tr("The curve became %1 rows from %2 to %3, which differ from it by up to %4.")
-            .arg(writtenRows)
-            .arg(Message::rounded(target->low, 6))
-            .arg(Message::rounded(target->high, 6))
-            .arg(Message::rounded(furthest, 3)));
+            .arg(writtenRows, Message::rounded(target->low, 6), Message::rounded(target->high, 6),
+                 Message::rounded(furthest, 3)));
   return written;
 }
 

@@ -114,8 +114,7 @@ void requireLookEnding(const std::filesystem::path& path) {
   if (!writtenLookFormat(path.filename().string()))
     throw Error(Error::Kind::usage,
                 Message::tr("The ending of %1 names no kind of look that Limn writes; these do: %2.")
-                    .arg(path.filename().string())
-                    .arg(writtenEndings()));
+                    .arg(path.filename().string(), writtenEndings()));
 }
 
 bool hasLookEnding(const std::string& fileName) {

@@ -130,8 +130,7 @@ HeadLight osirixLight(const PlistFields& fields, std::vector<Message>& changes) 
   if (isOn && found == namedLights.end() && !name.empty())
     tell(changes,
          Message::tr("The numbers of its light \"%1\" are not in the file; those of \"%2\" were taken.")
-             .arg(plainText(name, 80))
-             .arg(light.name));
+             .arg(plainText(name, 80), light.name));
   return {isOn, light.ambient, light.diffuse, light.specular, light.exponent, Reflection::phong};
 }
 
@@ -154,9 +153,9 @@ std::vector<ControlPoint> osirixCurve(const pugi::xml_node& places, const pugi::
     return std::distance(list.children("dict").begin(), list.children("dict").end());
   };
   if (count(places) != count(colors))
-    failReading(
-        file, Message::tr("a curve in it has %1 points and %2 colours").arg(count(places)).arg(count(colors)),
-        saveLookAgain);
+    failReading(file,
+                Message::tr("a curve in it has %1 points and %2 colours").arg(count(places), count(colors)),
+                saveLookAgain);
   return checkedCurve(std::move(points), file, changes);
 }
 
@@ -167,8 +166,7 @@ TransferFunction osirixCurves(const PlistFields& fields, const std::string& file
   const auto places = fields.list(isFunctionAlone ? "curves" : "16bitClutCurves");
   const auto colors = fields.list(isFunctionAlone ? "colors" : "16bitClutColors");
   if (places.size() != colors.size())
-    failReading(file,
-                Message::tr("it has %1 curves and colours for %2").arg(places.size()).arg(colors.size()),
+    failReading(file, Message::tr("it has %1 curves and colours for %2").arg(places.size(), colors.size()),
                 saveLookAgain);
   if (places.empty())
     failReading(file, Message::tr("it has no curves"), saveLookAgain);
@@ -204,8 +202,7 @@ std::vector<glm::dvec3> osirixTable(const PlistFields& fields, const std::string
     if (channel.size() != tableLength)
       failReading(file,
                   Message::tr("a channel of its colour table has %1 entries instead of %2")
-                      .arg(channel.size())
-                      .arg(tableLength),
+                      .arg(channel.size(), tableLength),
                   saveLookAgain);
   for (std::size_t i = 0; i < tableLength; ++i)
     table.push_back(glm::dvec3(channels[0][i], channels[1][i], channels[2][i]) / tableHighest);

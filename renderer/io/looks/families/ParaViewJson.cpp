@@ -142,9 +142,9 @@ SegmentRule ParaViewMap::colorRule(std::vector<Message>& changes) {
     rule.space = ColorSpace::lab;
   const bool isKnown = found != spaces.end() || wanted == "lab/ciede2000";
   if (!isKnown || wanted == "lab/ciede2000")
-    tell(changes, Message::tr("Its colour space \"%1\" became %2.")
-                      .arg(plainText(space, 40))
-                      .arg(isKnown ? "Lab" : "RGB"));
+    tell(
+        changes,
+        Message::tr("Its colour space \"%1\" became %2.").arg(plainText(space, 40), isKnown ? "Lab" : "RGB"));
   else if (rule.space != ColorSpace::rgb)
     tell(changes,
          Message::tr("Colours between points in the colour space %1 became points in RGB.").arg(space));

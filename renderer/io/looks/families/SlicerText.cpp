@@ -36,8 +36,7 @@ public:
       failReading(m_file, Message::tr("it has \"%1\" where a number is needed").arg(word), saveLookAgain);
     if (used < word.size())
       tell(m_changes, Message::tr("The damaged number \"%1\" was read as %2, as other programs do.")
-                          .arg(plainText(word, 40))
-                          .arg(Message::rounded(*number, 8)));
+                          .arg(plainText(word, 40), Message::rounded(*number, 8)));
     return *number;
   }
 
@@ -58,9 +57,7 @@ std::vector<BentPoint> slicerCurve(std::string_view text, std::size_t perPoint, 
   if (count != static_cast<double>(numbers.left()) || numbers.left() % perPoint != 0)
     failReading(file,
                 Message::tr("one of its functions should have %1 numbers, %2 for each point, and has %3")
-                    .arg(Message::rounded(count, 8))
-                    .arg(perPoint)
-                    .arg(numbers.left()),
+                    .arg(Message::rounded(count, 8), perPoint, numbers.left()),
                 Message::tr("copy or save it again"));
   requirePointCount(std::max<std::size_t>(1, numbers.left() / perPoint), file);
   std::vector<BentPoint> points;
@@ -144,7 +141,7 @@ std::vector<ReadLook> readSlicerText(std::string_view text, const std::string& n
                                      const std::optional<LookTarget>& target) {
   const std::vector<std::string_view> lines = linesOf(text);
   if (lines.size() < slicerLines)
-    failReading(name, Message::tr("it has %1 lines instead of %2").arg(lines.size()).arg(int(slicerLines)),
+    failReading(name, Message::tr("it has %1 lines instead of %2").arg(lines.size(), int(slicerLines)),
                 Message::tr("copy or save it again"));
   std::vector<Message> changes;
   const auto number = [&](SlicerLine line, double absent) {

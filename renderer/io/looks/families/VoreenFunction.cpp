@@ -145,8 +145,7 @@ void applyGamma(PointLook& look, const pugi::xml_node& function, const std::stri
     point.value = std::clamp(point.value, 0.0, 1.0);
   look.points = withGamma(look.points, gamma);
   tell(look.changes, Message::tr("Its gamma of %1 became points, within %2 of the curve.")
-                         .arg(Message::rounded(gamma, 6))
-                         .arg(Message::rounded(segmentTolerance, 2)));
+                         .arg(Message::rounded(gamma, 6), Message::rounded(segmentTolerance, 2)));
 }
 
 void applyThreshold(PointLook& look, const pugi::xml_node& function, const std::string& file) {

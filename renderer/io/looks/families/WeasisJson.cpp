@@ -101,9 +101,7 @@ HeadLight weasisLight(const WeasisPoints& points, std::vector<Message>& changes)
     tell(changes,
          Message::tr("Ambient, diffuse and specular light that differ from point to point became their mean, "
                      "weighted by opacity: %1, %2 and %3.")
-             .arg(Message::rounded(mean.x, 3))
-             .arg(Message::rounded(mean.y, 3))
-             .arg(Message::rounded(mean.z, 3)));
+             .arg(Message::rounded(mean.x, 3), Message::rounded(mean.y, 3), Message::rounded(mean.z, 3)));
   }
   light.ambient = mean.x;
   light.diffuse = mean.y;
@@ -202,7 +200,7 @@ std::vector<ControlPoint> inSpace(std::vector<ControlPoint> points, const std::s
   const bool isLab = space == "lab";
   tell(changes,
        isLab ? Message::tr("Colours between points in the colour space %1 became points in RGB.").arg("Lab")
-             : Message::tr("Its colour space \"%1\" became %2.").arg(plainText(space, 40)).arg("RGB"));
+             : Message::tr("Its colour space \"%1\" became %2.").arg(plainText(space, 40), "RGB"));
   if (!isLab)
     return points;
   std::vector<BentPoint> bent;

@@ -28,9 +28,7 @@ std::optional<double> attributeIn(const pugi::xml_node& node, const char* attrib
   if (!number)
     failReading(file,
                 Message::tr("its attribute \"%1\" of <%2> is \"%3\" and no number")
-                    .arg(attribute)
-                    .arg(node.name())
-                    .arg(std::string(text.substr(0, 40))),
+                    .arg(attribute, node.name(), std::string(text.substr(0, 40))),
                 saveLookAgain);
   return number;
 }
@@ -38,8 +36,7 @@ std::optional<double> attributeIn(const pugi::xml_node& node, const char* attrib
 double attributeOf(const pugi::xml_node& node, const char* attribute, const std::string& file) {
   const std::optional<double> number = attributeIn(node, attribute, file);
   if (!number)
-    failReading(file, Message::tr("<%1> has no attribute \"%2\"").arg(node.name()).arg(attribute),
-                saveLookAgain);
+    failReading(file, Message::tr("<%1> has no attribute \"%2\"").arg(node.name(), attribute), saveLookAgain);
   return *number;
 }
 
