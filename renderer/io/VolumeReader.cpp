@@ -6,7 +6,6 @@
 #include "io/formats/metaimage/MetaImageFile.h"
 #include "io/formats/nifti/NiftiFile.h"
 #include "io/formats/nrrd/NrrdFile.h"
-#include "io/formats/nrrd/NrrdHeader.h"
 #include "io/formats/pictures/PictureStack.h"
 #include "io/formats/voxels/Bytes.h"
 #include "io/formats/vtk/VtkLegacyFile.h"

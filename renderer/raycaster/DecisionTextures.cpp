@@ -3,7 +3,7 @@
 
 #include "gl/DriverHealth.h"
 #include "glsl/programs/SceneUniforms.h"
-#include "glsl/textures/FunctionTable.h"
+#include "glsl/textures/SceneTextures.h"
 #include "scene/steps/RayFrame.h"
 
 #include <epoxy/gl.h>

@@ -4,7 +4,6 @@
 #include "gl/GlObjects.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/decisions/Decisions.h"
-#include "glsl/textures/TextureVoxels.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/Scene.h"
 #include "scene/basics/Message.h"

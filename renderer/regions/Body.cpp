@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regions/Body.h"
 
-#include "regions/Components.h"
+#include "regions/BitGrid.h"
 #include "regions/Flood.h"
-#include "regions/Morphology.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Histogram.h"
 

@@ -6,6 +6,10 @@
 
 namespace limn {
 
+/// The largest part of a set whose voxels are connected over faces, edges or corners (26 neighbours); the
+/// first of several that are equally large. Empty where the set is.
+BitGrid largestComponent(const BitGrid& set, const Effort& effort);
+
 /// The seeds, and the voxels of `allowed` that are connected with them over voxels of `allowed` (26
 /// neighbours).
 BitGrid grownWithin(const BitGrid& seeds, const BitGrid& allowed, const Effort& effort);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/regions/LabelMap.h"
+#include "scene/regions/Region.h"
 #include "scene/volume/Volume.h"
 
 #include <memory>

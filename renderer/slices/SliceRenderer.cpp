@@ -3,7 +3,6 @@
 
 #include "gl/DriverHealth.h"
 #include "gl/PictureTarget.h"
-#include "gl/SavedState.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"

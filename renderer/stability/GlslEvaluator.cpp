@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stability/GlslEvaluator.h"
 
-#include "gl/SavedState.h"
+#include "gl/PictureTarget.h"
 #include "gl/ShaderProgram.h"
 #include "glsl/programs/EmbeddedShaders.h"
 #include "glsl/programs/SceneUniforms.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "stability/HardCase.h"
+#include "stability/Workbench.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,6 @@
 #include "cpu/CpuRenderer.h"
 #include "scene/light/Shading.h"
 #include "scene/volume/Phantom.h"
-#include "stability/scenes/SceneVariations.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/Heads.h"
 #include "support/ImageCompare.h"

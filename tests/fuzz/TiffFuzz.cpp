@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FuzzInput.h"
 
-#include "io/formats/pictures/Picture.h"
+#include "io/formats/pictures/PictureStack.h"
 
 // The chain of a TIFF file's pages, which is checked before the library sees the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

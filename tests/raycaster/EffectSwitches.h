@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "stability/scenes/SceneVariations.h"
+#include "stability/scenes/SimpleScenes.h"
 
 namespace limn::test {
 

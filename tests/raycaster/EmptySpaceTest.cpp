@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/steps/EmptySpace.h"
-#include "glsl/textures/TextureVoxels.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "raycaster/RayCaster.h"
 #include "scene/volume/Phantom.h"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Sets.h"
 
+#include "regions/BitGrid.h"
 #include "regions/Body.h"
-#include "regions/Components.h"
 #include "regions/Flood.h"
-#include "regions/Morphology.h"
 #include "scene/basics/Error.h"
 
 #include <gtest/gtest.h>

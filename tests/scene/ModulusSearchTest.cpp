@@ -3,7 +3,6 @@
 #include "scene/light/ModulusSearch.h"
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"
-#include "scene/light/Stencil.h"
 #include "scene/volume/Histogram.h"
 
 #include <gtest/gtest.h>

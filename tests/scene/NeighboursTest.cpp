@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/effects/Neighbours.h"
 #include "scene/PhantomScene.h"
 #include "scene/effects/EffectPlan.h"
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/GlObjects.h"
+#include "glsl/decisions/Decisions.h"
 #include "glsl/textures/VolumeTexture.h"
 #include "scene/Scene.h"
 #include "scene/effects/EffectPlan.h"
@@ -17,6 +18,16 @@
 #include <vector>
 
 namespace limn {
+
+/// The entries of a format's table: the function at equal distances over the volume's range, both ends
+/// included (HARD_CASES H26 and H27). None for the exact format. `stepMm` is the step for which
+/// corrected entries hold their opacity.
+std::vector<glm::vec4> tableEntries(const TransferFunction& function, const ValueRange& range,
+                                    TableFormat format, double stepMm);
+
+/// The function as a table shows it, linear between entries, to tell where something can be seen; the
+/// function itself for the exact format.
+TransferFunction tabulated(const TransferFunction& function, const ValueRange& range, TableFormat format);
 
 /// The weights of a kept region on the graphics card, beside the texels of its volume.
 class RegionTexture {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/reading/Progress.h"
-#include "scene/regions/LabelMap.h"
+#include "scene/regions/Region.h"
 #include "scene/volume/Volume.h"
 
 #include <filesystem>

@@ -2,13 +2,13 @@
 #include "io/dicom/DicomVoxels.h"
 
 #include "io/dicom/pixels/DicomPixelReader.h"
-#include "io/dicom/pixels/DicomUnpack.h"
 #include "io/reading/Bounds.h"
 #include "scene/basics/Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -174,6 +174,152 @@ void noteFormat(const DicomSeries& series, std::vector<Message>& warnings) {
     warnings.emplace_back(Message::tr("The images are coloured; their luminance is shown."));
 }
 
+template <class T>
+struct Source {
+  const RoomVector<T>& voxels;
+  glm::ivec3 dims;
+  std::optional<PaddingRange> padding;
+
+  bool isValid(T stored) const {
+    if constexpr (std::is_floating_point_v<T>)
+      if (std::isnan(stored))
+        return false;
+    return !padding || stored < padding->first || stored > padding->last;
+  }
+};
+
+/// The voxels of one slice that a sample mixes, along one axis: two neighbours and the weight of the second.
+struct Neighbours {
+  int first = 0;
+  int second = 0;
+  double weight = 0.0;
+};
+
+// A voxel owns its full extent: a slice covers [-0.5, count - 0.5), clamped beyond the outermost centres.
+std::optional<Neighbours> neighbours(double position, int count) {
+  if (!(position >= -0.5) || !(position < count - 0.5))
+    return std::nullopt;
+  const double clamped = std::clamp(position, 0.0, static_cast<double>(count - 1));
+  const int first = static_cast<int>(clamped);
+  return Neighbours{first, std::min(first + 1, count - 1), clamped - first};
+}
+
+/// What a slice holds at a sample: nothing, padding (not finite), or a value.
+using Sample = std::optional<double>;
+
+template <class T>
+Sample sampleSlice(const Source<T>& source, int slice, const std::optional<Neighbours>& x,
+                   const std::optional<Neighbours>& y) {
+  if (!x || !y)
+    return std::nullopt;
+  const auto at = [&](int i, int j) { return source.voxels[voxelOffset(source.dims, i, j, slice)]; };
+  const T corners[4] = {at(x->first, y->first), at(x->second, y->first), at(x->first, y->second),
+                        at(x->second, y->second)};
+  const double weights[4] = {(1.0 - x->weight) * (1.0 - y->weight), x->weight * (1.0 - y->weight),
+                             (1.0 - x->weight) * y->weight, x->weight * y->weight};
+  double mixed = 0.0;
+  bool areValid = true;
+  for (int c = 0; c < 4; ++c) {
+    if (weights[c] == 0.0)
+      continue;
+    areValid = areValid && source.isValid(corners[c]);
+    mixed += weights[c] * static_cast<double>(corners[c]);
+  }
+  if (areValid)
+    return mixed;
+  const T nearest = corners[std::max_element(weights, weights + 4) - weights];
+  return source.isValid(nearest) ? Sample(static_cast<double>(nearest)) : std::nullopt;
+}
+
+/// The slices below and above a plane, and the weight of the upper.
+Neighbours slicesAround(const std::vector<DicomPlacement>& placements, double heightMm) {
+  const auto above = std::upper_bound(placements.begin(), placements.end(), heightMm,
+                                      [](double h, const DicomPlacement& p) { return h < p.heightMm; });
+  const int last = static_cast<int>(placements.size()) - 1;
+  const int lower = std::clamp(static_cast<int>(above - placements.begin()) - 1, 0, last);
+  const int upper = std::min(lower + 1, last);
+  const double gap = placements[static_cast<std::size_t>(upper)].heightMm -
+                     placements[static_cast<std::size_t>(lower)].heightMm;
+  const double rise = heightMm - placements[static_cast<std::size_t>(lower)].heightMm;
+  return {lower, upper, gap > 0.0 ? std::clamp(rise / gap, 0.0, 1.0) : 0.0};
+}
+
+Sample mixed(const Sample& lower, const Sample& upper, double weight) {
+  if (weight == 0.0 || weight == 1.0 || !lower || !upper)
+    return weight < 0.5 ? lower : upper;
+  return *lower + weight * (*upper - *lower);
+}
+
+template <class T>
+T storedOf(const Sample& sample, T empty) {
+  if (!sample)
+    return empty;
+  if constexpr (std::is_floating_point_v<T>)
+    return static_cast<T>(*sample);
+  else
+    return static_cast<T>(std::lround(*sample));
+}
+
+std::vector<std::optional<Neighbours>> columnOf(int outputCount, double shift, int sourceCount) {
+  std::vector<std::optional<Neighbours>> result;
+  result.reserve(static_cast<std::size_t>(outputCount));
+  for (int i = 0; i < outputCount; ++i)
+    result.push_back(neighbours(i - shift, sourceCount));
+  return result;
+}
+
+template <class T>
+void resamplePlane(const Source<T>& source, const DicomGeometry& geometry, int plane, T empty, T* out) {
+  const glm::ivec3 dims = geometry.grid.dims;
+  // Heights that differ from a slice's by rounding only must not mix in its neighbour.
+  Neighbours slices = slicesAround(geometry.placements, plane * geometry.grid.spacingMm.z);
+  if (slices.weight < 1e-6 || slices.weight > 1.0 - 1e-6)
+    slices.weight = std::round(slices.weight);
+  const glm::dvec2 lowerShift = geometry.placements[static_cast<std::size_t>(slices.first)].shift;
+  const glm::dvec2 upperShift = geometry.placements[static_cast<std::size_t>(slices.second)].shift;
+  const auto lowerX = columnOf(dims.x, lowerShift.x, source.dims.x);
+  const auto lowerY = columnOf(dims.y, lowerShift.y, source.dims.y);
+  const auto upperX = columnOf(dims.x, upperShift.x, source.dims.x);
+  const auto upperY = columnOf(dims.y, upperShift.y, source.dims.y);
+  for (std::size_t j = 0; j < lowerY.size(); ++j)
+    for (std::size_t i = 0; i < lowerX.size(); ++i) {
+      Sample lower, upper;
+      if (slices.weight < 1.0)
+        lower = sampleSlice(source, slices.first, lowerX[i], lowerY[j]);
+      if (slices.weight > 0.0)
+        upper = sampleSlice(source, slices.second, upperX[i], upperY[j]);
+      *out++ = storedOf(mixed(lower, upper, slices.weight), empty);
+    }
+}
+
+// Finds a value for voxels without data; nothing where the type has none left.
+template <class T>
+std::optional<T> emptyValue(const RoomVector<T>& voxels, const std::optional<PaddingRange>& padding) {
+  using Limits = std::numeric_limits<T>;
+  if constexpr (std::is_floating_point_v<T>)
+    return Limits::quiet_NaN();
+  if (padding && padding->first >= Limits::lowest() && padding->first <= Limits::max())
+    return static_cast<T>(padding->first);
+  const auto [lowest, highest] = std::minmax_element(voxels.begin(), voxels.end());
+  if (*lowest > Limits::lowest())
+    return Limits::lowest();
+  if (*highest < Limits::max())
+    return Limits::max();
+  return std::nullopt;
+}
+
+// The same values in a wider type.
+template <class T>
+VoxelVectors widened(RoomVector<T> voxels) {
+  const auto room = voxels.get_allocator().room();
+  if constexpr (sizeof(T) == 1)
+    return RoomVector<std::int16_t>(voxels.begin(), voxels.end(), room);
+  else if constexpr (sizeof(T) == 2)
+    return RoomVector<std::int32_t>(voxels.begin(), voxels.end(), room);
+  else
+    return RoomVector<double>(voxels.begin(), voxels.end(), room);
+}
+
 } // namespace
 
 DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, const Progress& progress,
@@ -195,6 +341,34 @@ DicomVoxels readVoxels(const DicomSeries& series, const DicomKeeping& keeping, c
     warnings.emplace_back(
         Message::tr("Some pixels have bits set beyond those that hold the value; these bits were ignored."));
   return voxels;
+}
+
+DicomVoxels resampled(DicomVoxels voxels, const glm::ivec3& sourceDims, const DicomGeometry& geometry,
+                      const DicomKeeping& keeping, const Progress& progress, std::vector<Message>& warnings) {
+  return std::visit(
+      [&]<class T>(RoomVector<T>& stored) -> DicomVoxels {
+        const std::optional<T> empty = emptyValue(stored, voxels.padding);
+        if (!empty)
+          return resampled({widened(std::exchange(stored, {})), voxels.rescale, std::nullopt, voxels.room},
+                           sourceDims, geometry, keeping, progress, warnings);
+        const Source<T> source{stored, sourceDims, voxels.padding};
+        const glm::ivec3 dims = geometry.grid.dims;
+        const std::size_t perPlane = static_cast<std::size_t>(dims.x) * static_cast<std::size_t>(dims.y);
+        const std::size_t count = perPlane * static_cast<std::size_t>(dims.z);
+        const auto room =
+            roomFor(keeping.path, static_cast<double>(count) * sizeof(T), keeping.budget, warnings);
+        RoomVector<T> result(count, room);
+        for (int plane = 0; plane < dims.z; ++plane) {
+          reportOrStop(progress, static_cast<double>(plane) / dims.z, Message::tr("Straightening slices"));
+          resamplePlane(source, geometry, plane, *empty,
+                        result.data() + perPlane * static_cast<std::size_t>(plane));
+        }
+        std::optional<PaddingRange> padding = voxels.padding;
+        if (!padding && !std::is_floating_point_v<T>)
+          padding = PaddingRange{static_cast<double>(*empty), static_cast<double>(*empty)};
+        return {std::move(result), voxels.rescale, padding, room};
+      },
+      voxels.stored);
 }
 
 } // namespace limn

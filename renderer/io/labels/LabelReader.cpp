@@ -3,11 +3,11 @@
 
 #include "io/VolumeReader.h"
 #include "io/dicom/DicomSegmentation.h"
-#include "io/formats/nrrd/NrrdHeader.h"
+#include "io/formats/nrrd/NrrdFile.h"
 #include "io/formats/voxels/Bytes.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
-#include "scene/regions/LabelMap.h"
+#include "scene/regions/Region.h"
 
 #include <charconv>
 #include <sstream>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "io/reading/Progress.h"
-#include "io/surfaces/Solid.h"
 #include "io/surfaces/SurfaceMesh.h"
 
 #include <cstddef>

@@ -6,6 +6,8 @@
 #include "scene/basics/Error.h"
 #include "scene/volume/Volume.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -85,6 +87,36 @@ void requireDifferent(std::vector<double> isovalues) {
                 Message::tr("The value %1 was given twice; give each once.").arg(valueName(*twice)));
 }
 
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson distancesJson(const Distances& distances) {
+  return {{"largest", distances.largest}, {"mean", distances.mean}, {"points", distances.points}};
+}
+
+OrderedJson surfaceJson(const WrittenSurface& surface) {
+  const MadeSurface& made = surface.made;
+  return {
+      {"value", made.order.isovalue},
+      {"file", surface.file.filename().string()},
+      {"triangles", made.mesh.triangles.size()},
+      {"triangles_before", made.trianglesBefore},
+      {"closed", made.order.isClosed},
+      {"watertight", made.edges.isWatertight()},
+      {"edges_of_holes", made.edges.usedOnce},
+      {"edges_used_otherwise", made.edges.usedOtherwise},
+      {"volume_mm3", made.edges.isWatertight() ? OrderedJson(made.enclosedMm3) : OrderedJson()},
+      {"parts", made.parts},
+      {"dropped",
+       {{"parts", made.dropped.parts},
+        {"hollows", made.dropped.hollows},
+        {"volume_mm3", made.dropped.enclosedMm3}}},
+      {"tolerance_mm", made.order.toleranceMm > 0.0 ? OrderedJson(made.order.toleranceMm) : OrderedJson()},
+      {"distance_mm",
+       {{"largest", made.error.largest()},
+        {"mesh_to_surface", distancesJson(made.error.ofMesh)},
+        {"surface_to_mesh", distancesJson(made.error.ofSurface)}}}};
+}
+
 } // namespace
 
 std::vector<fs::path> surfacePaths(const fs::path& path, const std::vector<double>& isovalues) {
@@ -120,6 +152,13 @@ std::vector<WrittenSurface> exportSurfaces(const Scene& scene, const std::vector
   for (std::size_t i = 0; i < made.size(); ++i)
     written.push_back({paths[i], std::move(made[i])});
   return written;
+}
+
+std::string surfacesJson(const std::vector<WrittenSurface>& surfaces) {
+  OrderedJson list = OrderedJson::array();
+  for (const WrittenSurface& surface : surfaces)
+    list.push_back(surfaceJson(surface));
+  return OrderedJson{{"axes", "LPS"}, {"unit", "mm"}, {"surfaces", list}}.dump(2) + "\n";
 }
 
 } // namespace limn

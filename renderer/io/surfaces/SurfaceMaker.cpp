@@ -3,7 +3,7 @@
 
 #include "io/surfaces/Decimation.h"
 #include "io/surfaces/Extraction.h"
-#include "io/surfaces/Solid.h"
+#include "io/surfaces/SurfaceMesh.h"
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"
 

@@ -2,7 +2,6 @@
 #include "scene/light/Gradient.h"
 
 #include "scene/light/ModulusSearch.h"
-#include "scene/light/Stencil.h"
 
 #include <algorithm>
 

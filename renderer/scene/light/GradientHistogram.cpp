@@ -2,7 +2,6 @@
 #include "scene/light/GradientHistogram.h"
 
 #include "scene/light/Gradient.h"
-#include "scene/light/Stencil.h"
 #include "scene/volume/RowPieces.h"
 
 #include <algorithm>

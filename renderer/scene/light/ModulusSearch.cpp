@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/light/ModulusSearch.h"
 
-#include "scene/light/Stencil.h"
+#include "scene/light/Gradient.h"
 #include "scene/volume/RowPieces.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/presets/Boundaries.h"
 
+#include "scene/light/Gradient.h"
 #include "scene/light/GradientHistogram.h"
-#include "scene/light/Stencil.h"
 #include "scene/volume/RowPieces.h"
 
 #include <algorithm>

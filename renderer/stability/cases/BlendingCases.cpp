@@ -245,13 +245,10 @@ std::vector<Finding> fog(Workbench& bench) {
 
 } // namespace
 
-std::vector<HardCase> opacityCases() {
-  return {{"H4", "Full opacity is corrected for any step without infinities", opaque},
-          {"H5", "Tiny opacities are neither skipped nor lost", faint}};
-}
-
 std::vector<HardCase> blendingCases() {
-  return {{"H38", "Colours are multiplied by opacity once, up to the screen", premultiplied},
+  return {{"H4", "Full opacity is corrected for any step without infinities", opaque},
+          {"H5", "Tiny opacities are neither skipped nor lost", faint},
+          {"H38", "Colours are multiplied by opacity once, up to the screen", premultiplied},
           {"H39", "Display values are neither encoded nor decoded on their way to the screen", encoding},
           {"H42", "Fog weighs the object by its own distance and touches no opacity", fog}};
 }

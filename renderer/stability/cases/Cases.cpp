@@ -8,10 +8,8 @@ namespace limn {
 
 std::vector<HardCase> hardCases() {
   std::vector<HardCase> cases;
-  for (const auto& group :
-       {formulaCases, opacityCases, stepCases, rayCases, cameraCases, voxelCases, functionCases,
-        volumeShapeCases, gradientCases, samplingCases, reuseCases, preintegrationCases, blendingCases,
-        highlightCases, projectionCases, driverCases, regionCases}) {
+  for (const auto& group : {formulaCases, blendingCases, rayCases, voxelCases, functionCases, gradientCases,
+                            reuseCases, projectionCases, driverCases}) {
     std::vector<HardCase> more = group();
     std::move(more.begin(), more.end(), std::back_inserter(cases));
   }

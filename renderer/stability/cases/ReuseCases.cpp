@@ -3,7 +3,6 @@
 #include "scene/volume/Phantom.h"
 #include "stability/Measures.h"
 #include "stability/cases/Cases.h"
-#include "stability/scenes/SceneVariations.h"
 #include "stability/scenes/SimpleScenes.h"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 /// Scenes so simple that their pictures have closed forms.
-
 namespace limn {
 
 /// Linear colours.
@@ -64,5 +64,14 @@ Scene headScene(std::shared_ptr<const Volume> volume, ShadingModel model);
 
 /// Cubes of `edge` voxels whose labels take turns, one weight (0..1) for each label: neighbours differ.
 Region cubesRegion(const glm::ivec3& dims, int edge, const std::vector<double>& weights);
+
+/// One change of a scene.
+struct Variation {
+  const char* what;
+  void (*apply)(Scene&);
+};
+
+/// Every parameter of a scene changed in turn: each must show in a lit picture of the robust model.
+const std::vector<Variation>& everyParameter();
 
 } // namespace limn

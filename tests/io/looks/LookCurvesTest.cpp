@@ -2,7 +2,6 @@
 #include "LookText.h"
 
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/OverlappingCurves.h"
 
 #include <random>
 

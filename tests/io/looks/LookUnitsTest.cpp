@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
-#include "io/looks/curves/LookLight.h"
 #include "io/looks/curves/LookUnits.h"
+#include "io/looks/families/VtkProperty.h"
 
 namespace limn {
 namespace {

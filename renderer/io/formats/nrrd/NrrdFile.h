@@ -5,9 +5,48 @@
 #include "io/reading/Progress.h"
 #include "scene/basics/MemoryBudget.h"
 
+#include <glm/glm.hpp>
+
 #include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace limn {
+
+/// The text of a NRRD header: its fields by lower-case name, keys, and where the voxels start in an attached
+/// file.
+struct NrrdHeader {
+  std::map<std::string, std::string> fields;
+  std::map<std::string, std::string> keys; ///< what programs added ("key:=value"), by its name as written
+  std::uint64_t end = 0;                   ///< bytes of header, the blank line included
+
+  /// The value of a field; empty where it is absent.
+  std::string field(const std::string& name) const;
+};
+
+/// Whether the bytes start as a NRRD file does.
+bool isNrrd(std::string_view bytes);
+
+/// Reads the header of a NRRD or NHDR file. Throws Error where it is damaged or longer than 1 MiB.
+/// Source: teem.sourceforge.net/nrrd/format.html.
+NrrdHeader readNrrdHeader(const std::filesystem::path& file);
+
+/// The axes of a NRRD file sorted by what they mean, and where they put the volume (LPS, mm).
+struct NrrdAxes {
+  int components = 1;        ///< length of a colour axis before the spatial axes
+  glm::ivec3 dims{1};        ///< the spatial axes
+  std::uint64_t volumes = 1; ///< product of the axes after them
+  glm::dmat3 stepsMm{1.0};
+  glm::dvec3 originMm{0.0};
+  bool orientationKnown = true;
+  bool spacingKnown = true;
+};
+
+/// Sorts and places the axes. Throws Error where they are not those of one scalar or colour volume.
+NrrdAxes nrrdAxes(const std::filesystem::path& file, const NrrdHeader& header);
 
 /// Reads a NRRD volume, attached (.nrrd) or detached (.nhdr), raw, gzip or text. Three spatial axes (two
 /// make one slice), before them at most an axis of colours, after them further volumes of which the first

@@ -11,6 +11,43 @@
 
 namespace limn {
 
+/// What one picture of a stack is.
+struct PictureShape {
+  int width = 0;
+  int height = 0;
+  int channels = 1; ///< 1, 2 (with alpha), 3 (RGB) or 4 (RGBA)
+  VoxelType type = VoxelType::uint8;
+  bool operator==(const PictureShape&) const = default;
+};
+
+/// One picture, decoded as its rows are asked for.
+struct Picture {
+  PictureShape shape;
+  /// Writes `count` rows, in native byte order and the samples of a pixel together. Rows must be asked for
+  /// once each and in order. Throws Error where the picture is damaged.
+  std::function<void(unsigned char* to, int first, int count)> readRows;
+};
+
+/// Bytes of one row.
+inline std::size_t rowBytes(const PictureShape& shape) {
+  return static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels) *
+         bytesPerVoxel(shape.type);
+}
+
+/// Throws Error where a header asks for more pixels than its file can hold, or for none.
+void requireRoom(const std::filesystem::path& file, const PictureShape& shape);
+
+/// Opens a PNG or JPEG picture.
+Picture openPicture(const std::filesystem::path& file);
+
+/// Opens a TIFF file and hands its pages to `use`, one after the other. Throws Error.
+void forEachTiffPage(const std::filesystem::path& file, const std::function<void(const Picture&)>& use);
+
+/// The number of pages of a TIFF or BigTIFF file, once all that its directories point to has been found
+/// inside the file: readers take a chain of pages that breaks off for its end, and missing strips for zeros.
+/// Throws Error where the file is cut off or damaged. Source: TIFF 6.0, section 2; BigTIFF design of libtiff.
+int tiffPages(const std::filesystem::path& file);
+
 /// Whether the bytes start as a TIFF, PNG or JPEG picture does.
 bool isPicture(std::string_view bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/formats/pictures/Picture.h"
+#include "io/formats/pictures/PictureStack.h"
 #include "io/reading/ReadError.h"
 
 #include <glm/gtc/packing.hpp>

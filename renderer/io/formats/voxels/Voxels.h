@@ -6,11 +6,65 @@
 #include "scene/basics/MemoryBudget.h"
 #include "scene/volume/Volume.h"
 
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace limn {
+
+/// Calls `function(T{})` with a number of the C++ type that stores `type`.
+template <class Function>
+auto withStoredType(VoxelType type, Function&& function) {
+  switch (type) {
+  case VoxelType::uint8:
+    return function(std::uint8_t{});
+  case VoxelType::int8:
+    return function(std::int8_t{});
+  case VoxelType::uint16:
+    return function(std::uint16_t{});
+  case VoxelType::int16:
+    return function(std::int16_t{});
+  case VoxelType::uint32:
+    return function(std::uint32_t{});
+  case VoxelType::int32:
+    return function(std::int32_t{});
+  case VoxelType::uint64:
+    return function(std::uint64_t{});
+  case VoxelType::int64:
+    return function(std::int64_t{});
+  case VoxelType::float32:
+    return function(float{});
+  case VoxelType::float64:
+    break;
+  }
+  return function(double{});
+}
+
+/// The type in which a stored type is kept.
+template <class Stored>
+using Kept = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) == 8, double, Stored>;
+
+/// The value of a pixel or voxel: its sample, or the luminance of its colours.
+template <class Stored>
+Kept<Stored> keptValue(const Stored* samples, int components) {
+  if (components == 1)
+    return static_cast<Kept<Stored>>(samples[0]);
+  double values[4] = {};
+  for (int c = 0; c < components; ++c)
+    values[c] = static_cast<double>(samples[c]);
+  const double luma = luminance(values, components);
+  return static_cast<Kept<Stored>>(std::is_integral_v<Kept<Stored>> ? std::round(luma) : luma);
+}
+
+/// Throws the sentence of voxels that end early.
+[[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
+
+/// The warning of a file that holds more than its header asks for.
+inline const Message surplusWarning =
+    Message::tr("The file holds more data than its header asks for: its dimensions may be wrong.");
 
 /// What a format reader found, before the reader's options are applied and the volume is made. Readers set
 /// `info.spacingKnown` and `info.orientationKnown`; the sentences about them are added in one place.
@@ -83,5 +137,16 @@ double luminance(const double* samples, int components);
 
 /// The sentence for a volume whose colours became luminance.
 inline const Message colorWarning = Message::tr("The file holds colours; their luminance is shown.");
+
+/// Reads voxels written as decimal numbers between white space, scalar only, as the bytes arrive. `warnings`
+/// takes note of numbers behind the last voxel; with `mayBeCut` also of a text that ends right behind a
+/// digit, of which it may have lost others. Throws Error, naming `file`, where the text is too short or a
+/// word is no number of the layout's type; Cancelled.
+void readTextVoxels(const std::filesystem::path& file, const ByteReader& text, const VoxelLayout& layout,
+                    const MemoryBudget& budget, const Progress& progress, bool mayBeCut, VolumeParts& parts);
+
+/// The same from a place in a file, which must not be compressed.
+void readTextVoxels(const ByteLocation& location, const VoxelLayout& layout, const MemoryBudget& budget,
+                    const Progress& progress, VolumeParts& parts);
 
 } // namespace limn

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/dicom/DicomLook.h"
-#include "io/looks/dicom/CroppingModule.h"
 #include "io/looks/dicom/DisplayModule.h"
 #include "io/looks/dicom/GeometryModule.h"
 #include "io/looks/dicom/ObjectBytes.h"
 #include "io/looks/dicom/OwnBlock.h"
 #include "io/looks/dicom/References.h"
-#include "io/looks/dicom/ShadingModule.h"
 #include "io/reading/ReadError.h"
 
 #include <dcmtk/dcmdata/dcuid.h>

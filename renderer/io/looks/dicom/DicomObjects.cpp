@@ -2,7 +2,6 @@
 #include "io/looks/dicom/DicomObjects.h"
 
 #include "io/AtomicFile.h"
-#include "io/looks/dicom/CroppingModule.h"
 #include "io/looks/dicom/DisplayModule.h"
 #include "io/looks/dicom/GeometryModule.h"
 #include "io/looks/dicom/Items.h"
@@ -10,9 +9,7 @@
 #include "io/looks/dicom/ObjectBytes.h"
 #include "io/looks/dicom/OwnBlock.h"
 #include "io/looks/dicom/References.h"
-#include "io/looks/dicom/ShadingModule.h"
 #include "io/looks/dicom/SrgbProfile.h"
-#include "io/looks/dicom/Subject.h"
 
 #include <dcmtk/dcmdata/dcuid.h>
 

@@ -3,6 +3,8 @@
 
 #include "io/looks/dicom/ColourTable.h"
 #include "io/looks/dicom/Items.h"
+#include "scene/light/Shading.h"
+#include "scene/view/Camera.h"
 
 #include <string>
 #include <vector>
@@ -10,6 +12,8 @@
 // The window and the table behind it: the VOI of the input (PS3.3 C.11.2) and the Volume Render Display
 // module (C.11.32).
 
+// The Render Shading module (PS3.3 C.11.31): Phong with coefficients alone, white highlights, one white light
+// at infinity. A look without it is unlit.
 namespace limn::dicom {
 
 /// The range of a window as its decimal strings hold it: a little wider than asked for where 16 characters
@@ -32,5 +36,14 @@ void putDisplay(DcmItem& object, const std::string& inputSet, const ColourTable&
 /// said in `changes`. Throws Error (input).
 ColourTable displayIn(DcmItem& object, DcmItem& input, const std::string& name,
                       std::vector<Message>& changes);
+
+/// The exponent of the smoothest surface, shininess 1.
+inline constexpr double largestExponent = 1024.0;
+
+/// The nearest light that the module can hold; nothing is written for an unlit scene.
+void putShading(DcmItem& object, const Shading& shading, const Camera& camera);
+
+/// Unlit where the module is absent. Throws Error (input).
+Shading shadingIn(DcmItem& object, const std::string& name, std::vector<Message>& changes);
 
 } // namespace limn::dicom
