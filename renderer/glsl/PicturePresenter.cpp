@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glsl/PicturePresenter.h"
 
-#include "glsl/programs/EmbeddedShaders.h"
+#include "glsl/programs/ShaderVariant.h"
 #include "scene/view/CompareLayout.h"
 
 #include <epoxy/gl.h>

@@ -3,7 +3,6 @@
 
 #include "gl/PictureTarget.h"
 #include "gl/ShaderProgram.h"
-#include "glsl/programs/EmbeddedShaders.h"
 #include "glsl/programs/SceneUniforms.h"
 #include "glsl/programs/ShaderVariant.h"
 #include "glsl/textures/SceneTextures.h"

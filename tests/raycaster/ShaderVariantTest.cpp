@@ -2,7 +2,6 @@
 // Every program that a scene can ask for links, and is valid GLSL 1.30 for the reference compiler.
 #include "glsl/programs/ShaderVariant.h"
 #include "gl/DriverHealth.h"
-#include "glsl/programs/EmbeddedShaders.h"
 #include "scene/effects/EffectSet.h"
 #include "support/GlTest.h"
 #include "support/Places.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/presets/Boundaries.h"
 #include "scene/basics/Error.h"
 #include "scene/presets/Suggestion.h"
 #include "scene/volume/Histogram.h"

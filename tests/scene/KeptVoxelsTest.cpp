@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/framing/KeptVoxels.h"
-#include "scene/presets/Boundaries.h"
+#include "scene/presets/Suggestion.h"
 
 #include <gtest/gtest.h>
 

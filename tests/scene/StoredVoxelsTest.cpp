@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene/volume/StoredVoxels.h"
+#include "scene/volume/Volume.h"
 
 #include <gtest/gtest.h>
 

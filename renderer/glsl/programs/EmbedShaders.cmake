@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, a C++ file with the text of every file of SHADERS (a list joined by commas).
 string(REPLACE "," ";" SHADERS "${SHADERS}")
-set(text "// Made by EmbedShaders.cmake from the folder shaders.\n#include \"glsl/programs/EmbeddedShaders.h\"\n\n")
+set(text "// Made by EmbedShaders.cmake from the folder shaders.\n#include \"glsl/programs/ShaderVariant.h\"\n\n")
 string(APPEND text "namespace limn {\n\nconst std::vector<EmbeddedShader>& embeddedShaders() {\n")
 string(APPEND text "  static const std::vector<EmbeddedShader> shaders = {\n")
 foreach(shader ${SHADERS})

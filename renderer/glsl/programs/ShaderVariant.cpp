@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "glsl/programs/ShaderVariant.h"
 
-#include "glsl/programs/EmbeddedShaders.h"
-
 #include <algorithm>
 #include <cassert>
 

@@ -4,7 +4,7 @@
 #include "io/dicom/DicomVoxels.h"
 #include "io/dicom/series/DicomGeometry.h"
 #include "io/reading/Bounds.h"
-#include "io/reading/NameLikeness.h"
+#include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 
 #include <sys/vfs.h>

@@ -2,7 +2,6 @@
 #include "io/scenefile/FigureFile.h"
 
 #include "io/json/JsonFields.h"
-#include "io/scenefile/PlanesJson.h"
 #include "io/scenefile/SceneJson.h"
 
 #include <nlohmann/json.hpp>

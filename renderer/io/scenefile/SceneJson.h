@@ -3,6 +3,7 @@
 
 #include "io/json/JsonFields.h"
 #include "io/scenefile/SceneFile.h"
+#include "scene/view/PlaneSettings.h"
 
 // What the files that contain a scene share; for this folder only.
 
@@ -32,5 +33,11 @@ nlohmann::ordered_json keptPartJson(const KeptPart& part);
 
 /// The fields of a scene file; the volume is stored as given, and `keep` in place of the scene's own.
 nlohmann::ordered_json sceneJson(const SceneDocument& document);
+
+/// What a session file says of the slices beside its picture. Throws Error (input).
+PlaneSettings readPlanes(JsonFields fields);
+
+/// The same as it is written.
+nlohmann::ordered_json planesJson(const PlaneSettings& settings);
 
 } // namespace limn

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/scenefile/SceneFile.h"
 
-#include "io/json/JsonFields.h"
+#include "io/reading/ReadError.h"
 #include "io/scenefile/SceneJson.h"
 #include "scene/ProjectionFacts.h"
 #include "scene/light/Shading.h"
@@ -9,6 +9,8 @@
 #include "scene/volume/Orientation.h"
 
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace limn {
 namespace {
@@ -242,6 +244,35 @@ bool readIsovalue(JsonFields& fields, double& isovalue) {
   return isGiven;
 }
 
+constexpr Limits slabLimits{0.0, thickestSlabMm};
+// Of places: a kilometre from the origin lies no patient.
+constexpr Limits placeLimits{-1e6, 1e6};
+
+GreyWindow readGreyWindow(JsonFields fields) {
+  GreyWindow window;
+  fields.number("centre", window.centre);
+  fields.number("width", window.width, positive);
+  fields.finish();
+  return window;
+}
+
+Slab readSlab(JsonFields fields) {
+  Slab slab;
+  fields.choice("mode", slab.mode, slabModes);
+  fields.number("thickness_mm", slab.thicknessMm, slabLimits);
+  fields.finish();
+  return slab;
+}
+
+MeasuredDistance readDistance(JsonFields fields) {
+  MeasuredDistance distance;
+  fields.choice("plane", distance.plane, patientPlanes);
+  fields.vector("from_mm", distance.from, placeLimits);
+  fields.vector("to_mm", distance.to, placeLimits);
+  fields.finish();
+  return distance;
+}
+
 } // namespace
 
 SceneDocument readScene(JsonFields fields) {
@@ -344,6 +375,42 @@ Preset readPreset(JsonFields& fields) {
     preset.landmarks = readLandmarks(fields);
   fields.finish();
   return preset;
+}
+
+PlaneSettings readPlanes(JsonFields fields) {
+  PlaneSettings settings;
+  fields.choice("layout", settings.layout, planeLayouts);
+  fields.choice("large", settings.large, patientPlanes);
+  if (fields.has("crosshair_mm"))
+    fields.vector("crosshair_mm", settings.crosshairMm.emplace(), placeLimits);
+  if (fields.has("window"))
+    settings.window = readGreyWindow(fields.object("window"));
+  fields.choice("interpolation", settings.interpolation, planeInterpolations);
+  if (fields.has("slab"))
+    settings.slab = readSlab(fields.object("slab"));
+  fields.boolean("tinted", settings.isTinted);
+  fields.boolean("region_outlined", settings.outlinesRegion);
+  if (fields.has("distance"))
+    settings.distance = readDistance(fields.object("distance"));
+  fields.finish();
+  return settings;
+}
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t limit) {
+  // Settings and scenes may lie where only their owner looks: the name says enough.
+  const std::filesystem::path name = path.filename();
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(path, failed);
+  if (failed)
+    failReading(name, Message::tr("there is no such file"), Message::tr("check the path"));
+  if (size > limit)
+    failReading(name, Message::tr("it is far larger than any file of this kind"),
+                Message::tr("choose another file"));
+  std::ifstream file(path, std::ios::binary);
+  std::string text(size, '\0');
+  if (!file.read(text.data(), static_cast<std::streamsize>(size)))
+    failReading(name, Message::tr("it cannot be opened"), Message::tr("check that you may read it"));
+  return text;
 }
 
 } // namespace limn

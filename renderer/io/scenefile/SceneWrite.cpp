@@ -176,4 +176,21 @@ nlohmann::ordered_json presetJson(const Preset& preset) {
   return json;
 }
 
+Json planesJson(const PlaneSettings& settings) {
+  Json json = {{"layout", nameOf(settings.layout)}, {"large", nameOf(settings.large)}};
+  if (settings.crosshairMm)
+    json["crosshair_mm"] = toJson(*settings.crosshairMm);
+  if (settings.window)
+    json["window"] = {{"centre", settings.window->centre}, {"width", settings.window->width}};
+  json["interpolation"] = nameOf(settings.interpolation);
+  json["slab"] = {{"mode", nameOf(settings.slab.mode)}, {"thickness_mm", settings.slab.thicknessMm}};
+  json["tinted"] = settings.isTinted;
+  json["region_outlined"] = settings.outlinesRegion;
+  if (const auto& distance = settings.distance)
+    json["distance"] = {{"plane", nameOf(distance->plane)},
+                        {"from_mm", toJson(distance->from)},
+                        {"to_mm", toJson(distance->to)}};
+  return json;
+}
+
 } // namespace limn

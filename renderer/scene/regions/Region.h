@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scene/volume/Grid.h"
-#include "scene/volume/StoredVoxels.h"
+#include "scene/volume/Volume.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "scene/basics/Effort.h"
 #include "scene/volume/RowPieces.h"
-#include "scene/volume/StoredVoxels.h"
+#include "scene/volume/Volume.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/basics/StableMath.h"
-#include "stability/Measures.h"
 #include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 

@@ -2,7 +2,7 @@
 #include "gl/GpuTimer.h"
 #include "gl/PictureTarget.h"
 #include "scene/steps/RayFrame.h"
-#include "stability/Measures.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
 #include <chrono>

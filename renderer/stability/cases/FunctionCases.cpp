@@ -3,7 +3,7 @@
 #include "scene/basics/StableMath.h"
 #include "scene/function/MeanMaterial.h"
 #include "stability/GlslEvaluator.h"
-#include "stability/Measures.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "scene/basics/StableMath.h"
 #include "scene/light/Gradient.h"
 #include "stability/GlslEvaluator.h"
-#include "stability/Measures.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
 #include <array>

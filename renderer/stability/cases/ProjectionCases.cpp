@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stability/Measures.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gl/PictureTarget.h"
 #include "scene/volume/Phantom.h"
-#include "stability/Measures.h"
+#include "stability/Workbench.h"
 #include "stability/cases/Cases.h"
 #include "stability/scenes/SimpleScenes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LookText.h"
 
-#include "io/looks/curves/LookUnits.h"
+#include "io/looks/curves/LookCurves.h"
 #include "io/looks/families/VtkProperty.h"
 
 namespace limn {

@@ -4,7 +4,7 @@
 #include "io/formats/voxels/Voxels.h"
 #include "io/openimageio/PictureLibrary.h"
 #include "io/reading/Bounds.h"
-#include "io/reading/NameLikeness.h"
+#include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 
 #include <algorithm>

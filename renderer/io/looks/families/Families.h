@@ -5,7 +5,7 @@
 
 namespace limn {
 
-// One function a family; each stands in a file of its own.
+// One function a family.
 LookFormat limnPresetFormat();
 LookFormat dicomFormat();
 LookFormat slicerJsonFormat();

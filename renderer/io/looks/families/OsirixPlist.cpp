@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/LookUnits.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/families/VtkProperty.h"
 #include "io/looks/text/LookText.h"

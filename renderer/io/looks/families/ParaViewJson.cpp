@@ -3,7 +3,6 @@
 #include "io/json/JsonFields.h"
 #include "io/looks/curves/CurvedSegments.h"
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/LookUnits.h"
 #include "io/looks/families/Families.h"
 #include "io/looks/families/VtkProperty.h"
 #include "io/reading/HeaderText.h"

@@ -2,7 +2,6 @@
 #include "io/looks/families/VtkProperty.h"
 
 #include "io/looks/curves/LookCurves.h"
-#include "io/looks/curves/LookUnits.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/ReadError.h"
 #include "scene/light/Shading.h"
