@@ -5,56 +5,21 @@
 
 namespace limn {
 
-unsigned TextureKind::create() {
+unsigned madeName(GlKind kind) {
+  if (kind == GlKind::program)
+    return glCreateProgram();
+  const auto make = {glGenTextures, glGenBuffers, glGenVertexArrays, glGenFramebuffers, glGenQueries};
   GLuint name = 0;
-  glGenTextures(1, &name);
+  make.begin()[static_cast<int>(kind)](1, &name);
   return name;
 }
-void TextureKind::destroy(unsigned name) {
-  glDeleteTextures(1, &name);
-}
 
-unsigned BufferKind::create() {
-  GLuint name = 0;
-  glGenBuffers(1, &name);
-  return name;
-}
-void BufferKind::destroy(unsigned name) {
-  glDeleteBuffers(1, &name);
-}
-
-unsigned VertexArrayKind::create() {
-  GLuint name = 0;
-  glGenVertexArrays(1, &name);
-  return name;
-}
-void VertexArrayKind::destroy(unsigned name) {
-  glDeleteVertexArrays(1, &name);
-}
-
-unsigned FramebufferKind::create() {
-  GLuint name = 0;
-  glGenFramebuffers(1, &name);
-  return name;
-}
-void FramebufferKind::destroy(unsigned name) {
-  glDeleteFramebuffers(1, &name);
-}
-
-unsigned ProgramKind::create() {
-  return glCreateProgram();
-}
-void ProgramKind::destroy(unsigned name) {
-  glDeleteProgram(name);
-}
-
-unsigned QueryKind::create() {
-  GLuint name = 0;
-  glGenQueries(1, &name);
-  return name;
-}
-void QueryKind::destroy(unsigned name) {
-  glDeleteQueries(1, &name);
+void endName(GlKind kind, unsigned name) {
+  if (kind == GlKind::program)
+    return glDeleteProgram(name);
+  const auto end = {glDeleteTextures, glDeleteBuffers, glDeleteVertexArrays, glDeleteFramebuffers,
+                    glDeleteQueries};
+  end.begin()[static_cast<int>(kind)](1, &name);
 }
 
 } // namespace limn

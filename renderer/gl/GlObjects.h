@@ -5,15 +5,22 @@
 
 namespace limn {
 
+/// What an OpenGL object is.
+enum class GlKind { texture, buffer, vertexArray, framebuffer, query, program };
+
+// Make and end the name of an object, in the current context.
+unsigned madeName(GlKind kind);
+void endName(GlKind kind, unsigned name);
+
 /// An OpenGL object that dies with its owner; move-only. Needs the context that made it to be current when it
-/// dies. `Kind` names the object and how it is made and deleted.
-template <class Kind>
+/// dies.
+template <GlKind kind>
 class GlObject {
 public:
-  GlObject() : m_name(Kind::create()) {}
+  GlObject() : m_name(madeName(kind)) {}
   ~GlObject() {
     if (m_name != 0)
-      Kind::destroy(m_name);
+      endName(kind, m_name);
   }
   GlObject(GlObject&& other) noexcept : m_name(std::exchange(other.m_name, 0u)) {}
   GlObject& operator=(GlObject&& other) noexcept {
@@ -27,37 +34,11 @@ private:
   unsigned m_name = 0;
 };
 
-/// What makes and ends the names of each kind of object, in the current context.
-struct TextureKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-struct BufferKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-struct VertexArrayKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-struct FramebufferKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-struct ProgramKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-struct QueryKind {
-  static unsigned create();
-  static void destroy(unsigned name);
-};
-
-using GlTexture = GlObject<TextureKind>;
-using GlBuffer = GlObject<BufferKind>;
-using GlVertexArray = GlObject<VertexArrayKind>;
-using GlFramebuffer = GlObject<FramebufferKind>;
-using GlProgram = GlObject<ProgramKind>;
-using GlQuery = GlObject<QueryKind>;
+using GlTexture = GlObject<GlKind::texture>;
+using GlBuffer = GlObject<GlKind::buffer>;
+using GlVertexArray = GlObject<GlKind::vertexArray>;
+using GlFramebuffer = GlObject<GlKind::framebuffer>;
+using GlQuery = GlObject<GlKind::query>;
+using GlProgram = GlObject<GlKind::program>;
 
 } // namespace limn

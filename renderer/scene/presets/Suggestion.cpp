@@ -16,7 +16,7 @@
 namespace limn {
 namespace {
 
-constexpr int bins = 256; // along each axis
+constexpr int histogramBins = 256; // along each axis
 
 // Places beyond these quantiles widen no bin.
 constexpr double outermost = 0.005;
@@ -30,7 +30,7 @@ struct Axis {
   double width = 1.0; // of a bin
 
   int binOf(double value) const {
-    return std::clamp(static_cast<int>(std::floor((value - lowest) / width)), 0, bins - 1);
+    return std::clamp(static_cast<int>(std::floor((value - lowest) / width)), 0, histogramBins - 1);
   }
 };
 
@@ -43,26 +43,26 @@ Axis axisOf(const std::vector<LowAndHigh>& places) {
   const auto last = static_cast<double>(values.size() - 1);
   const double lowest = values[static_cast<std::size_t>(outermost * last)];
   const double highest = values[static_cast<std::size_t>((1.0 - outermost) * last)];
-  return {lowest, highest > lowest ? (highest - lowest) / (bins - 1) : 1.0};
+  return {lowest, highest > lowest ? (highest - lowest) / (histogramBins - 1) : 1.0};
 }
 
 // Counts over low and high.
 using Counts = std::vector<double>;
 
 std::size_t offsetOf(int low, int high) {
-  return static_cast<std::size_t>(high) * bins + static_cast<std::size_t>(low);
+  return static_cast<std::size_t>(high) * histogramBins + static_cast<std::size_t>(low);
 }
 
-// The mean of neighbours along an axis whose bins lie `stride` apart.
+// The mean of neighbours along an axis whose histogramBins lie `stride` apart.
 Counts averaged(const Counts& counts, bool alongLow) {
   Counts result(counts.size());
-  for (int high = 0; high < bins; ++high)
-    for (int low = 0; low < bins; ++low) {
+  for (int high = 0; high < histogramBins; ++high)
+    for (int low = 0; low < histogramBins; ++low) {
       double sum = 0.0;
       for (int n = -smoothing; n <= smoothing; ++n) {
         const int l = alongLow ? low + n : low;
         const int h = alongLow ? high : high + n;
-        if (l >= 0 && l < bins && h >= 0 && h < bins)
+        if (l >= 0 && l < histogramBins && h >= 0 && h < histogramBins)
           sum += counts[offsetOf(l, h)];
       }
       result[offsetOf(low, high)] = sum / (2 * smoothing + 1);
@@ -73,11 +73,11 @@ Counts averaged(const Counts& counts, bool alongLow) {
 // The bin that is reached by going up from one.
 std::size_t peakAbove(const Counts& counts, std::size_t bin) {
   for (;;) {
-    const int low = static_cast<int>(bin) % bins;
-    const int high = static_cast<int>(bin) / bins;
+    const int low = static_cast<int>(bin) % histogramBins;
+    const int high = static_cast<int>(bin) / histogramBins;
     std::size_t best = bin;
-    for (int h = std::max(0, high - 1); h <= std::min(bins - 1, high + 1); ++h)
-      for (int l = std::max(0, low - 1); l <= std::min(bins - 1, low + 1); ++l)
+    for (int h = std::max(0, high - 1); h <= std::min(histogramBins - 1, high + 1); ++h)
+      for (int l = std::max(0, low - 1); l <= std::min(histogramBins - 1, low + 1); ++l)
         if (counts[offsetOf(l, h)] > counts[best])
           best = offsetOf(l, h);
     if (best == bin)
@@ -233,7 +233,7 @@ std::vector<LowHighPeak> peaksOf(std::vector<LowAndHigh> places) {
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   });
   const Axis axis = axisOf(places);
-  Counts counts(std::size_t{bins} * bins, 0.0);
+  Counts counts(std::size_t{histogramBins} * histogramBins, 0.0);
   for (const LowAndHigh& place : places)
     ++counts[offsetOf(axis.binOf(place.low), axis.binOf(place.high))];
   for (int pass = 0; pass < 3; ++pass)
@@ -253,8 +253,8 @@ std::vector<LowHighPeak> peaksOf(std::vector<LowAndHigh> places) {
       peak = peakAbove(counts, offsetOf(low, high));
     Sum& sum = sums[peak];
     ++sum.members;
-    if (std::abs(low - static_cast<int>(peak) % bins) > 1 ||
-        std::abs(high - static_cast<int>(peak) / bins) > 1)
+    if (std::abs(low - static_cast<int>(peak) % histogramBins) > 1 ||
+        std::abs(high - static_cast<int>(peak) / histogramBins) > 1)
       continue;
     ++sum.near;
     sum.low += place.low;

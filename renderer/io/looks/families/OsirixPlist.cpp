@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -292,42 +291,27 @@ std::vector<ReadLook> readOsirixPlist(std::string_view text, const std::string& 
   return looks;
 }
 
-/// Writes a property list.
-class PlistWriter {
-public:
-  PlistWriter() {
-    pugi::xml_node declaration = m_document.append_child(pugi::node_declaration);
-    declaration.append_attribute("version") = "1.0";
-    declaration.append_attribute("encoding") = "UTF-8";
-    m_document.append_child(pugi::node_doctype)
-        .set_value("plist PUBLIC \"-//Apple//DTD PLIST 1.0//EN\" "
-                   "\"http://www.apple.com/DTDs/PropertyList-1.0.dtd\"");
-    pugi::xml_node plist = m_document.append_child("plist");
-    plist.append_attribute("version") = "1.0";
-    m_root = plist.append_child("dict");
-  }
+/// Begins a property list; what is written stands in the dictionary returned.
+pugi::xml_node beginPlist(pugi::xml_document& document) {
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  document.append_child(pugi::node_doctype)
+      .set_value("plist PUBLIC \"-//Apple//DTD PLIST 1.0//EN\" "
+                 "\"http://www.apple.com/DTDs/PropertyList-1.0.dtd\"");
+  pugi::xml_node plist = document.append_child("plist");
+  plist.append_attribute("version") = "1.0";
+  return plist.append_child("dict");
+}
 
-  pugi::xml_node root() const { return m_root; }
-
-  static pugi::xml_node add(pugi::xml_node dict, const char* key, const char* kind,
-                            const std::string& value = "") {
-    dict.append_child("key").text() = key;
-    pugi::xml_node item = dict.append_child(kind);
-    if (!value.empty())
-      item.text() = value.c_str();
-    return item;
-  }
-
-  std::string text() const {
-    std::ostringstream text;
-    m_document.save(text, "  ");
-    return text.str();
-  }
-
-private:
-  pugi::xml_document m_document;
-  pugi::xml_node m_root;
-};
+pugi::xml_node addItem(pugi::xml_node dict, const char* key, const char* kind,
+                       const std::string& value = "") {
+  dict.append_child("key").text() = key;
+  pugi::xml_node item = dict.append_child(kind);
+  if (!value.empty())
+    item.text() = value.c_str();
+  return item;
+}
 
 // Outside a curve nothing is seen there: what Limn shows beyond its ends is drawn out over 16 bits of values.
 std::vector<ControlPoint> drawnOut(const TransferFunction& function) {
@@ -341,15 +325,15 @@ std::vector<ControlPoint> drawnOut(const TransferFunction& function) {
 }
 
 void addOsirixCurve(pugi::xml_node root, const std::vector<ControlPoint>& points) {
-  pugi::xml_node places = PlistWriter::add(root, "16bitClutCurves", "array").append_child("array");
-  pugi::xml_node colors = PlistWriter::add(root, "16bitClutColors", "array").append_child("array");
+  pugi::xml_node places = addItem(root, "16bitClutCurves", "array").append_child("array");
+  pugi::xml_node colors = addItem(root, "16bitClutColors", "array").append_child("array");
   for (const ControlPoint& point : points) {
     pugi::xml_node place = places.append_child("dict"), color = colors.append_child("dict");
-    PlistWriter::add(place, "x", "real", shortest(point.value));
-    PlistWriter::add(place, "y", "real", shortest(point.opacity));
-    PlistWriter::add(color, "red", "real", shortest(point.color.r));
-    PlistWriter::add(color, "green", "real", shortest(point.color.g));
-    PlistWriter::add(color, "blue", "real", shortest(point.color.b));
+    addItem(place, "x", "real", shortest(point.value));
+    addItem(place, "y", "real", shortest(point.opacity));
+    addItem(color, "red", "real", shortest(point.color.r));
+    addItem(color, "green", "real", shortest(point.color.g));
+    addItem(color, "blue", "real", shortest(point.color.b));
   }
 }
 
@@ -383,16 +367,17 @@ WrittenLook writeOsirixPlist(const Preset& preset, const std::optional<LookTarge
   if (isMip) // which such files hold
     rest.projection.reset();
   tellLostParts(rest, written.changes);
-  PlistWriter writer;
+  pugi::xml_document document;
+  const pugi::xml_node root = beginPlist(document);
   const double low = points.front().value, high = points.back().value;
   const auto add = [&](const char* key, const char* kind, const std::string& value = "") {
-    PlistWriter::add(writer.root(), key, kind, value);
+    addItem(root, key, kind, value);
   };
   add("name", "string", preset.name);
   add("groupName", "string", preset.folder.empty() ? preset.modality : preset.folder);
   add("advancedCLUT", "true");
   add("CLUT", "string", "16-bit CLUT");
-  addOsirixCurve(writer.root(), points);
+  addOsirixCurve(root, points);
   add("wl", "real", shortest(low / 2.0 + high / 2.0));
   add("ww", "real", shortest(high - low));
   add("useShading", light.isOn ? "true" : "false");
@@ -405,7 +390,7 @@ WrittenLook writeOsirixPlist(const Preset& preset, const std::optional<LookTarge
     add(key, "real", "0");
   if (isMip)
     add("MIP", "true");
-  written.text = writer.text();
+  written.text = textOf(document);
   return written;
 }
 

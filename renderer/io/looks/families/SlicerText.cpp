@@ -11,7 +11,6 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 // 3D Slicer's volume properties before JSON: lines of text (.vp), and elements of a MRML scene or of its list
 // of presets (.xml). Both write a function as how many numbers follow, and those.
@@ -257,9 +256,7 @@ WrittenLook writeMrml(const Preset& preset, const std::optional<LookTarget>& tar
   set("scalarOpacity", curveText(property.opacity, opacityNumbers));
   set("gradientOpacity", curveText(property.gradientOpacity, opacityNumbers));
   set("colorTransfer", curveText(property.color, colorNumbers));
-  std::ostringstream text;
-  document.save(text, "  ");
-  written.text = text.str();
+  written.text = textOf(document);
   return written;
 }
 

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -52,13 +51,6 @@ double attributeOf(const pugi::xml_node& node, const char* attribute, const std:
   if (!number)
     failReading(file, Message::tr("<%1> has no attribute \"%2\"").arg(node.name(), attribute), saveLookAgain);
   return *number;
-}
-
-/// The text of a document, indented by spaces.
-std::string textOf(const pugi::xml_document& document) {
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
 }
 
 bool isMitkFunction(std::string_view text) {

@@ -4,10 +4,12 @@
 #include "io/json/JsonFields.h"
 
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <sstream>
 
 namespace limn {
 
@@ -39,6 +41,12 @@ std::string shortest(double number) {
   std::array<char, 32> text{};
   const auto [end, problem] = std::to_chars(text.data(), text.data() + text.size(), number);
   return std::string(text.data(), static_cast<std::size_t>(end - text.data()));
+}
+
+std::string textOf(const pugi::xml_document& document) {
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
 }
 
 } // namespace limn

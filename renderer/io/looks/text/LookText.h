@@ -8,6 +8,10 @@
 #include <string_view>
 #include <vector>
 
+namespace pugi {
+class xml_document;
+}
+
 namespace limn {
 
 /// A number with which a text starts, as C's atof takes "-250.0.0" for -250, in the C locale; "nan" and "inf"
@@ -22,5 +26,8 @@ void tell(std::vector<Message>& changes, const Message& sentence);
 
 /// Sentences as scripts read them: {"changes": [{"what": "…"}]}.
 std::string changesJson(const std::vector<Message>& changes);
+
+/// The text of a document, indented by spaces.
+std::string textOf(const pugi::xml_document& document);
 
 } // namespace limn
