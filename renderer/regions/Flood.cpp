@@ -111,7 +111,6 @@ void setRun(Word* row, const Run& run) {
   }
 }
 
-using Word = BitGrid::Word;
 constexpr int topBit = BitGrid::wordBits - 1;
 
 // Grows the bits of a row along it, as far as `allowed` goes without a gap, in steps that double their reach;

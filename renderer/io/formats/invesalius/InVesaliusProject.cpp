@@ -20,12 +20,6 @@
 namespace limn {
 namespace {
 
-// Goes through the files of a tar archive (plain or gzipped) to the first of this name, whatever its
-// folder, and calls `use` with its size and its bytes. False where there is none. Throws Error where the
-// archive is damaged.
-bool withTarEntry(const std::filesystem::path& archive, const std::string& name,
-                  const std::function<void(std::uint64_t size, const ByteReader& bytes)>& use);
-
 constexpr std::size_t blockBytes = 1 << 16;
 constexpr std::uint64_t mostPassed = std::uint64_t{2} << 30; // masks and surfaces of a project
 // Masks compress a hundredfold and the matrix beside them hardly, so what is passed over shrinks less as a
@@ -66,6 +60,9 @@ void passOver(const std::filesystem::path& file, archive* opened, std::uint64_t&
     failDamagedArchive(file);
 }
 
+// Goes through the files of a tar archive (plain or gzipped) to the first of this name, whatever its
+// folder, and calls `use` with its size and its bytes. False where there is none. Throws Error where the
+// archive is damaged.
 bool withTarEntry(const std::filesystem::path& file, const std::string& name,
                   const std::function<void(std::uint64_t size, const ByteReader& bytes)>& use) {
   const Archive opened = openArchive(file);

@@ -176,8 +176,6 @@ std::string canonicalName(const std::string& name) {
   return name;
 }
 
-namespace fs = std::filesystem;
-
 constexpr std::uint64_t mostBytes = std::uint64_t{1} << 60;
 constexpr double farthestSkip = 1 << 30; // of bytes before the voxels: no header in use is longer
 

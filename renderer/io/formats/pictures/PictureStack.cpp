@@ -92,8 +92,6 @@ bool isJpeg(const fs::path& file) {
   return stream.get() == 0xff;
 }
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t bytesPerBand = 1 << 20;
 
 bool isDigit(char c) {

@@ -148,8 +148,6 @@ private:
   std::uint64_t m_listed = 0; // bytes of all lists
 };
 
-namespace fs = std::filesystem;
-
 // No strip, tile or table of a file is larger; a header that asks for more is damaged.
 constexpr tmsize_t largestPiece = tmsize_t{256} << 20;
 

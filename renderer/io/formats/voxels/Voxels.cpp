@@ -94,8 +94,6 @@ void noteSurplus(const ByteLocation& location, const VoxelLayout& layout, bool m
     warnings.emplace_back(surplusWarning);
 }
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t textBytesPerStep = 1 << 16;
 constexpr std::size_t voxelsPerReport = 1 << 18;
 constexpr std::size_t longestWord = 400; // of a number written out: 10³⁰⁸ and its fraction

@@ -15,57 +15,6 @@
 
 namespace limn {
 
-/// Calls `function(T{})` with a number of the C++ type that stores `type`.
-template <class Function>
-auto withStoredType(VoxelType type, Function&& function) {
-  switch (type) {
-  case VoxelType::uint8:
-    return function(std::uint8_t{});
-  case VoxelType::int8:
-    return function(std::int8_t{});
-  case VoxelType::uint16:
-    return function(std::uint16_t{});
-  case VoxelType::int16:
-    return function(std::int16_t{});
-  case VoxelType::uint32:
-    return function(std::uint32_t{});
-  case VoxelType::int32:
-    return function(std::int32_t{});
-  case VoxelType::uint64:
-    return function(std::uint64_t{});
-  case VoxelType::int64:
-    return function(std::int64_t{});
-  case VoxelType::float32:
-    return function(float{});
-  case VoxelType::float64:
-    break;
-  }
-  return function(double{});
-}
-
-/// The type in which a stored type is kept.
-template <class Stored>
-using Kept = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) == 8, double, Stored>;
-
-/// The value of a pixel or voxel: its sample, or the luminance of its colours.
-template <class Stored>
-Kept<Stored> keptValue(const Stored* samples, int components) {
-  if (components == 1)
-    return static_cast<Kept<Stored>>(samples[0]);
-  double values[4] = {};
-  for (int c = 0; c < components; ++c)
-    values[c] = static_cast<double>(samples[c]);
-  const double luma = luminance(values, components);
-  return static_cast<Kept<Stored>>(std::is_integral_v<Kept<Stored>> ? std::round(luma) : luma);
-}
-
-/// Throws the sentence of voxels that end early.
-[[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
-
-/// The warning of a file that holds more than its header asks for.
-inline const Message surplusWarning =
-    Message::tr("The file holds more data than its header asks for: its dimensions may be wrong.");
-
 /// What a format reader found, before the reader's options are applied and the volume is made. Readers set
 /// `info.spacingKnown` and `info.orientationKnown`; the sentences about them are added in one place.
 struct VolumeParts {
@@ -134,6 +83,57 @@ bool mapVoxels(const ByteLocation& location, const VoxelLayout& layout, const Me
 
 /// The luma of colour samples in display encoding (ITU-R BT.709 weights); the sample itself where grey.
 double luminance(const double* samples, int components);
+
+/// Calls `function(T{})` with a number of the C++ type that stores `type`.
+template <class Function>
+auto withStoredType(VoxelType type, Function&& function) {
+  switch (type) {
+  case VoxelType::uint8:
+    return function(std::uint8_t{});
+  case VoxelType::int8:
+    return function(std::int8_t{});
+  case VoxelType::uint16:
+    return function(std::uint16_t{});
+  case VoxelType::int16:
+    return function(std::int16_t{});
+  case VoxelType::uint32:
+    return function(std::uint32_t{});
+  case VoxelType::int32:
+    return function(std::int32_t{});
+  case VoxelType::uint64:
+    return function(std::uint64_t{});
+  case VoxelType::int64:
+    return function(std::int64_t{});
+  case VoxelType::float32:
+    return function(float{});
+  case VoxelType::float64:
+    break;
+  }
+  return function(double{});
+}
+
+/// The type in which a stored type is kept.
+template <class Stored>
+using Kept = std::conditional_t<std::is_integral_v<Stored> && sizeof(Stored) == 8, double, Stored>;
+
+/// The value of a pixel or voxel: its sample, or the luminance of its colours.
+template <class Stored>
+Kept<Stored> keptValue(const Stored* samples, int components) {
+  if (components == 1)
+    return static_cast<Kept<Stored>>(samples[0]);
+  double values[4] = {};
+  for (int c = 0; c < components; ++c)
+    values[c] = static_cast<double>(samples[c]);
+  const double luma = luminance(values, components);
+  return static_cast<Kept<Stored>>(std::is_integral_v<Kept<Stored>> ? std::round(luma) : luma);
+}
+
+/// Throws the sentence of voxels that end early.
+[[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
+
+/// The warning of a file that holds more than its header asks for.
+inline const Message surplusWarning =
+    Message::tr("The file holds more data than its header asks for: its dimensions may be wrong.");
 
 /// The sentence for a volume whose colours became luminance.
 inline const Message colorWarning = Message::tr("The file holds colours; their luminance is shown.");

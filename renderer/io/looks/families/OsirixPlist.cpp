@@ -390,7 +390,7 @@ WrittenLook writeOsirixPlist(const Preset& preset, const std::optional<LookTarge
     add(key, "real", "0");
   if (isMip)
     add("MIP", "true");
-  written.text = textOf(document);
+  written.text = xmlText(document);
   return written;
 }
 

@@ -256,7 +256,7 @@ WrittenLook writeMrml(const Preset& preset, const std::optional<LookTarget>& tar
   set("scalarOpacity", curveText(property.opacity, opacityNumbers));
   set("gradientOpacity", curveText(property.gradientOpacity, opacityNumbers));
   set("colorTransfer", curveText(property.color, colorNumbers));
-  written.text = textOf(document);
+  written.text = xmlText(document);
   return written;
 }
 

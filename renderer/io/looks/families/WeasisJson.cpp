@@ -289,7 +289,6 @@ std::vector<ReadLook> readWeasisMaps(std::string_view text, const std::string& n
   return looks;
 }
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* everyModality = "ALL";

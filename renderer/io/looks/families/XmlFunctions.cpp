@@ -152,7 +152,7 @@ WrittenLook writeMitkFunction(const Preset& preset, const std::optional<LookTarg
   document.append_child("Version").append_attribute("TransferfunctionVersion") = 1;
   appendFunction(document.append_child("TransferFunction"), withSingleValues(function.points),
                  gradientOpacityForVtk(preset.gradientOpacity, target, changes));
-  return {textOf(document), std::move(changes)};
+  return {xmlText(document), std::move(changes)};
 }
 
 constexpr double lowestMask = std::numeric_limits<double>::lowest(); // of absolute values: none
@@ -243,7 +243,7 @@ WrittenLook writeInviwoFunction(const Preset& preset, const std::optional<LookTa
     channel("z", point.color.b);
     channel("w", point.opacity);
   }
-  return {textOf(document), changes};
+  return {xmlText(document), changes};
 }
 
 bool isVoreenFunction(std::string_view text) {

@@ -43,7 +43,7 @@ std::string shortest(double number) {
   return std::string(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
-std::string textOf(const pugi::xml_document& document) {
+std::string xmlText(const pugi::xml_document& document) {
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

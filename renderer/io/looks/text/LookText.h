@@ -28,6 +28,6 @@ void tell(std::vector<Message>& changes, const Message& sentence);
 std::string changesJson(const std::vector<Message>& changes);
 
 /// The text of a document, indented by spaces.
-std::string textOf(const pugi::xml_document& document);
+std::string xmlText(const pugi::xml_document& document);
 
 } // namespace limn
