@@ -53,6 +53,12 @@ bool canBecomeVolume(const DicomSeries& series) {
   }
 }
 
+// Distances along the normal closer than this are one position, mm.
+double sameDistanceMm(const DicomSeries& series) {
+  const glm::dvec2 spacing = series.front().frame().pixelSpacingMm.value_or(glm::dvec2(1.0));
+  return 0.01 * std::min({spacing.x, spacing.y, 1.0});
+}
+
 // Whether two parts of one volume found in different folders complement each other.
 bool complement(const DicomSeries& a, const DicomSeries& b) {
   if (!isPlaced(a) || !isPlaced(b))
@@ -187,6 +193,57 @@ void settle(std::vector<Station>& stations, const PhaseName& name, std::vector<M
                             : Message::tr("the first %1 at each position").arg(name.name));
 }
 
+// Drops images found more than once (one SOP instance UID), with a warning.
+DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings) {
+  std::set<std::pair<std::string, int>> seen;
+  const auto copies = std::erase_if(series, [&](const DicomSlice& slice) {
+    return !slice.header->sopInstance.empty() &&
+           !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
+  });
+  if (copies > 0)
+    warnings.push_back((copies == 1
+                            ? Message::tr("%1 image is a copy of another of the series and left out.")
+                            : Message::tr("%1 images are copies of another of the series and left out."))
+                           .arg(copies));
+  return series;
+}
+
+// Leaves one slice at each position of a placed, sorted series: of several phases (temporal position,
+// trigger time, echo …) one is kept, with a warning. Returns them sorted.
+DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings) {
+  std::vector<Station> stations = stationsOf(series);
+  const auto repeated = static_cast<std::size_t>(
+      std::count_if(stations.begin(), stations.end(), [](const Station& s) { return s.size() > 1; }));
+  std::size_t images = 0;
+  for (const Station& station : stations)
+    images += station.size();
+  const std::size_t leftOut = images - stations.size();
+
+  std::vector<Message> chosen;
+  for (const PhaseName& name : phaseNames)
+    if (!isSettled(stations) && tellsSlicesApart(stations, name.phase))
+      settle(stations, name, chosen);
+  if (!isSettled(stations))
+    chosen.push_back(Message::tr("the lowest image number at each position"));
+
+  if (leftOut > 0) {
+    Message shown = chosen.front();
+    for (std::size_t i = 1; i < chosen.size(); ++i)
+      shown = shown.followedBy(", ", chosen[i]);
+    warnings.push_back(
+        (2 * repeated >= stations.size()
+             ? Message::tr("The series holds several phases (%1 images at %2 positions); shown is: %3.")
+             : Message::tr("The series repeats some positions (%1 images at %2 positions); shown is: %3."))
+            .arg(images, stations.size(), shown));
+  }
+  DicomSeries result;
+  for (const Station& station : stations)
+    result.push_back(*std::min_element(station.begin(), station.end(), [](const auto& a, const auto& b) {
+      return a.header->instanceNumber.value_or(0.0) < b.header->instanceNumber.value_or(0.0);
+    }));
+  return result;
+}
+
 } // namespace
 
 std::vector<DicomSeries> seriesOf(const std::vector<DicomHeader>& headers) {
@@ -238,11 +295,6 @@ double distanceMm(const DicomSlice& slice, const DicomSeries& series) {
   return glm::dot(*slice.frame().positionMm, glm::cross(axes[0], axes[1]));
 }
 
-double sameDistanceMm(const DicomSeries& series) {
-  const glm::dvec2 spacing = series.front().frame().pixelSpacingMm.value_or(glm::dvec2(1.0));
-  return 0.01 * std::min({spacing.x, spacing.y, 1.0});
-}
-
 DicomSeries sorted(DicomSeries series) {
   const bool usePosition = isPlaced(series);
   const DicomSeries reference = series;
@@ -258,54 +310,6 @@ DicomSeries sorted(DicomSeries series) {
            std::tie(std::get<0>(right), std::get<1>(right), std::get<2>(right).get(), std::get<3>(right));
   });
   return series;
-}
-
-DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings) {
-  std::set<std::pair<std::string, int>> seen;
-  const auto copies = std::erase_if(series, [&](const DicomSlice& slice) {
-    return !slice.header->sopInstance.empty() &&
-           !seen.insert({slice.header->sopInstance, slice.frameIndex}).second;
-  });
-  if (copies > 0)
-    warnings.push_back((copies == 1
-                            ? Message::tr("%1 image is a copy of another of the series and left out.")
-                            : Message::tr("%1 images are copies of another of the series and left out."))
-                           .arg(copies));
-  return series;
-}
-
-DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings) {
-  std::vector<Station> stations = stationsOf(series);
-  const auto repeated = static_cast<std::size_t>(
-      std::count_if(stations.begin(), stations.end(), [](const Station& s) { return s.size() > 1; }));
-  std::size_t images = 0;
-  for (const Station& station : stations)
-    images += station.size();
-  const std::size_t leftOut = images - stations.size();
-
-  std::vector<Message> chosen;
-  for (const PhaseName& name : phaseNames)
-    if (!isSettled(stations) && tellsSlicesApart(stations, name.phase))
-      settle(stations, name, chosen);
-  if (!isSettled(stations))
-    chosen.push_back(Message::tr("the lowest image number at each position"));
-
-  if (leftOut > 0) {
-    Message shown = chosen.front();
-    for (std::size_t i = 1; i < chosen.size(); ++i)
-      shown = shown.followedBy(", ", chosen[i]);
-    warnings.push_back(
-        (2 * repeated >= stations.size()
-             ? Message::tr("The series holds several phases (%1 images at %2 positions); shown is: %3.")
-             : Message::tr("The series repeats some positions (%1 images at %2 positions); shown is: %3."))
-            .arg(images, stations.size(), shown));
-  }
-  DicomSeries result;
-  for (const Station& station : stations)
-    result.push_back(*std::min_element(station.begin(), station.end(), [](const auto& a, const auto& b) {
-      return a.header->instanceNumber.value_or(0.0) < b.header->instanceNumber.value_or(0.0);
-    }));
-  return result;
 }
 
 DicomSeries shownOf(const DicomSeries& series, std::vector<Message>& warnings) {

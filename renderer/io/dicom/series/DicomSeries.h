@@ -31,18 +31,8 @@ bool isPlaced(const DicomSeries& series);
 /// The position of a placed slice along the normal (row × column) of the first of its series, mm.
 double distanceMm(const DicomSlice& slice, const DicomSeries& series);
 
-/// Distances along the normal closer than this are one position, mm.
-double sameDistanceMm(const DicomSeries& series);
-
 /// Sorts by position along the normal where slices are placed, otherwise by instance number and frame.
 DicomSeries sorted(DicomSeries series);
-
-/// Drops images found more than once (one SOP instance UID), with a warning.
-DicomSeries withoutCopies(DicomSeries series, std::vector<Message>& warnings);
-
-/// Leaves one slice at each position of a placed, sorted series: of several phases (temporal position,
-/// trigger time, echo …) one is kept, with a warning. Returns them sorted.
-DicomSeries onePhase(const DicomSeries& series, std::vector<Message>& warnings);
 
 /// The slices of which the volume of a series is made: sorted, without copies, of one phase.
 DicomSeries shownOf(const DicomSeries& series, std::vector<Message>& warnings);

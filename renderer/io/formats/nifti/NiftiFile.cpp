@@ -13,6 +13,39 @@
 namespace limn {
 namespace {
 
+// Bytes that hold either version's header.
+constexpr std::size_t niftiHeaderBytes = 540;
+
+// The fields of a NIfTI-1 or NIfTI-2 header that place and decode its voxels, as stored (RAS, file units).
+// Source: nifti1.h and nifti2.h of the NIfTI Data Format Working Group.
+struct NiftiHeader {
+  int version = 1;
+  bool bigEndian = false;
+  bool singleFile = true; // voxels in this file, else in an .img file
+  std::array<double, 8> dim{};
+  std::array<double, 8> pixdim{};
+  int bitsPerVoxel = 0; // 0 where the writer left it out
+  int datatype = 0;
+  double voxelOffset = 0.0;
+  double slope = 0.0;
+  double intercept = 0.0;
+  int units = 0;
+  int qformCode = 0;
+  int sformCode = 0;
+  glm::dvec3 quaternion{0.0}; // b, c, d
+  glm::dvec3 quaternionOffset{0.0};
+  std::array<glm::dvec4, 3> sformRows{};
+};
+
+// Where a NIfTI header places its voxels, in LPS and mm.
+struct NiftiPlacement {
+  glm::dmat3 stepsMm{1.0}; // columns: one voxel along each axis
+  glm::dvec3 originMm{0.0};
+  bool orientationKnown = true;
+  bool spacingKnown = true;
+  std::vector<Message> warnings;
+};
+
 // An affine map from voxel index to mm.
 struct Affine {
   glm::dmat3 steps{1.0};
@@ -244,6 +277,29 @@ bool isVoxelFile(const fs::path& path) {
   return name.extension() == ".img";
 }
 
+// Reads a header of either version and byte order; nothing where the bytes are no NIfTI header.
+std::optional<NiftiHeader> parseNiftiHeader(std::string_view bytes) {
+  for (const bool bigEndian : {false, true}) {
+    if (startsWithSize(bytes, size1, bigEndian)) {
+      const std::string_view magic = bytes.substr(344, 4);
+      if (magic == "n+1\0"sv || magic == "ni1\0"sv)
+        return parse1(bytes, bigEndian);
+    }
+    if (startsWithSize(bytes, size2, bigEndian)) {
+      const std::string_view magic = bytes.substr(4, 4);
+      if (magic == "n+2\0"sv || magic == "ni2\0"sv)
+        return parse2(bytes, bigEndian);
+    }
+  }
+  return std::nullopt;
+}
+
+// Whether the bytes are an Analyze 7.5 header: NIfTI-1's size without its magic word.
+bool isAnalyzeHeader(std::string_view bytes) {
+  return (startsWithSize(bytes, size1, false) || startsWithSize(bytes, size1, true)) &&
+         !parseNiftiHeader(bytes);
+}
+
 NiftiHeader headerOf(const fs::path& file) {
   const std::string bytes = firstBytes(file, niftiHeaderBytes);
   if (const auto header = parseNiftiHeader(bytes))
@@ -310,8 +366,8 @@ Rescale rescaleOf(const NiftiHeader& header, int components, std::vector<Message
   return {};
 }
 
-} // namespace
-
+// Decides the placement from the header alone: a valid sform (code > 0), else the qform (code > 0), else
+// only the spacing. Units become millimetres.
 NiftiPlacement placementOf(const NiftiHeader& header) {
   const double millimetres = millimetresPerUnit(header.units);
   const Affine sform = sformOf(header);
@@ -334,26 +390,7 @@ NiftiPlacement placementOf(const NiftiHeader& header) {
   return placement;
 }
 
-std::optional<NiftiHeader> parseNiftiHeader(std::string_view bytes) {
-  for (const bool bigEndian : {false, true}) {
-    if (startsWithSize(bytes, size1, bigEndian)) {
-      const std::string_view magic = bytes.substr(344, 4);
-      if (magic == "n+1\0"sv || magic == "ni1\0"sv)
-        return parse1(bytes, bigEndian);
-    }
-    if (startsWithSize(bytes, size2, bigEndian)) {
-      const std::string_view magic = bytes.substr(4, 4);
-      if (magic == "n+2\0"sv || magic == "ni2\0"sv)
-        return parse2(bytes, bigEndian);
-    }
-  }
-  return std::nullopt;
-}
-
-bool isAnalyzeHeader(std::string_view bytes) {
-  return (startsWithSize(bytes, size1, false) || startsWithSize(bytes, size1, true)) &&
-         !parseNiftiHeader(bytes);
-}
+} // namespace
 
 bool isNifti(std::string_view bytes) {
   return parseNiftiHeader(bytes) || isAnalyzeHeader(bytes);

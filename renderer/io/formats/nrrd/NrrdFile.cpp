@@ -14,6 +14,17 @@
 namespace limn {
 namespace {
 
+// The axes of a NRRD file sorted by what they mean, and where they put the volume (LPS, mm).
+struct NrrdAxes {
+  int components = 1;        // length of a colour axis before the spatial axes
+  glm::ivec3 dims{1};        // the spatial axes
+  std::uint64_t volumes = 1; // product of the axes after them
+  glm::dmat3 stepsMm{1.0};
+  glm::dvec3 originMm{0.0};
+  bool orientationKnown = true;
+  bool spacingKnown = true;
+};
+
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t mostNrrdVolumes = std::uint64_t{1} << 40;
@@ -246,8 +257,7 @@ ByteLocation locationOf(const fs::path& path, const NrrdHeader& header, Encoding
   return location;
 }
 
-} // namespace
-
+// Sorts and places the axes. Throws Error where they are not those of one scalar or colour volume.
 NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
   const std::vector<Axis> axes = axesOf(file, header);
   NrrdAxes result;
@@ -288,6 +298,8 @@ NrrdAxes nrrdAxes(const fs::path& file, const NrrdHeader& header) {
     placeBySpacing(header, spatial, result);
   return result;
 }
+
+} // namespace
 
 std::string NrrdHeader::field(const std::string& name) const {
   const auto found = fields.find(name);

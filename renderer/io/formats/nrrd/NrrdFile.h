@@ -34,20 +34,6 @@ bool isNrrd(std::string_view bytes);
 /// Source: teem.sourceforge.net/nrrd/format.html.
 NrrdHeader readNrrdHeader(const std::filesystem::path& file);
 
-/// The axes of a NRRD file sorted by what they mean, and where they put the volume (LPS, mm).
-struct NrrdAxes {
-  int components = 1;        ///< length of a colour axis before the spatial axes
-  glm::ivec3 dims{1};        ///< the spatial axes
-  std::uint64_t volumes = 1; ///< product of the axes after them
-  glm::dmat3 stepsMm{1.0};
-  glm::dvec3 originMm{0.0};
-  bool orientationKnown = true;
-  bool spacingKnown = true;
-};
-
-/// Sorts and places the axes. Throws Error where they are not those of one scalar or colour volume.
-NrrdAxes nrrdAxes(const std::filesystem::path& file, const NrrdHeader& header);
-
 /// Reads a NRRD volume, attached (.nrrd) or detached (.nhdr), raw, gzip or text. Three spatial axes (two
 /// make one slice), before them at most an axis of colours, after them further volumes of which the first
 /// is read with a warning. Throws Error; Cancelled.

@@ -33,6 +33,13 @@ void growBy(RoomVector<T>& voxels, std::size_t step, std::uint64_t final) {
   voxels.resize(wanted);
 }
 
+// Throws the sentence of voxels that end early.
+void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
+  failReading(file,
+              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got, wanted),
+              copyAgain);
+}
+
 template <class Stored>
 RoomVector<Kept<Stored>> readAs(const fs::path& file, const ByteReader& bytes, const VoxelLayout& layout,
                                 const Progress& progress, std::uint64_t certain,
@@ -181,12 +188,6 @@ RoomVector<Kept<Stored>> readAs(const fs::path& file, Words& words, const VoxelL
 }
 
 } // namespace
-
-void failShort(const fs::path& file, std::uint64_t got, std::uint64_t wanted) {
-  failReading(file,
-              Message::tr("its voxels end after %1 of the %2 that its header asks for").arg(got, wanted),
-              copyAgain);
-}
 
 std::size_t bytesPerVoxel(VoxelType type) {
   return withStoredType(type, [](auto value) { return sizeof(value); });

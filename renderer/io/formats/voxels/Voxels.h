@@ -128,9 +128,6 @@ Kept<Stored> keptValue(const Stored* samples, int components) {
   return static_cast<Kept<Stored>>(std::is_integral_v<Kept<Stored>> ? std::round(luma) : luma);
 }
 
-/// Throws the sentence of voxels that end early.
-[[noreturn]] void failShort(const std::filesystem::path& file, std::uint64_t got, std::uint64_t wanted);
-
 /// The warning of a file that holds more than its header asks for.
 inline const Message surplusWarning =
     Message::tr("The file holds more data than its header asks for: its dimensions may be wrong.");

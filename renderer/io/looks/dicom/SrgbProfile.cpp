@@ -74,8 +74,9 @@ std::string header(std::uint32_t size) {
   return text;
 }
 
-} // namespace
-
+// An ICC profile (version 4.3) of the class that DICOM asks for, an input device, which says that colours
+// are sRGB's (IEC 61966-2-1): its primaries adapted to D50 by Bradford, its curve as the parametric one it
+// is.
 std::string srgbProfile() {
   const Tags tags = srgbTags();
   const auto count = static_cast<std::uint32_t>(tags.size());
@@ -88,6 +89,8 @@ std::string srgbProfile() {
   }
   return header(start + static_cast<std::uint32_t>(data.size())) + table + data;
 }
+
+} // namespace
 
 void dicom::putSrgb(DcmItem& object) {
   const std::string profile = srgbProfile();
