@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "regions/Body.h"
 
-#include "regions/BitGrid.h"
 #include "regions/Flood.h"
 #include "scene/presets/PresetFit.h"
 #include "scene/volume/Histogram.h"

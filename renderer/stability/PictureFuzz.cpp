@@ -17,7 +17,6 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <sstream>
 
 namespace limn {

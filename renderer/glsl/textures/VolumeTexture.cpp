@@ -6,7 +6,6 @@
 #include "scene/function/PiecewiseTable.h"
 #include "scene/steps/BlockGatherer.h"
 #include "scene/volume/RowPieces.h"
-#include "scene/volume/Volume.h"
 
 #include <epoxy/gl.h>
 

@@ -7,7 +7,6 @@
 #include "io/formats/voxels/Bytes.h"
 #include "io/reading/ReadError.h"
 #include "regions/LabelsOnGrid.h"
-#include "scene/regions/Region.h"
 
 #include <charconv>
 #include <sstream>

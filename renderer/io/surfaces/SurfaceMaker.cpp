@@ -3,7 +3,6 @@
 
 #include "io/surfaces/Decimation.h"
 #include "io/surfaces/Extraction.h"
-#include "io/surfaces/SurfaceMesh.h"
 #include "scene/basics/Error.h"
 #include "scene/light/Gradient.h"
 

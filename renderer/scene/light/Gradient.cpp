@@ -3,8 +3,6 @@
 
 #include "scene/light/ModulusSearch.h"
 
-#include <algorithm>
-
 namespace limn {
 
 glm::dvec3 gradientAtVoxel(const Volume& volume, const glm::ivec3& index) {

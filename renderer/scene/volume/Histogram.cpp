@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Histogram.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>

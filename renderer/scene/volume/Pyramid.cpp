@@ -3,10 +3,8 @@
 
 #include "scene/basics/Effort.h"
 #include "scene/volume/RowPieces.h"
-#include "scene/volume/Volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 #include <type_traits>

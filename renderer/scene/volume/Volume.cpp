@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/volume/Volume.h"
 
-#include "scene/basics/Error.h"
-
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cctype>
@@ -11,7 +8,6 @@
 #include <initializer_list>
 #include <limits>
 #include <mutex>
-#include <span>
 #include <type_traits>
 
 namespace limn {

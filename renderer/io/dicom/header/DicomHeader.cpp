@@ -5,7 +5,6 @@
 
 #include <vtkDICOMCharacterSet.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -3,7 +3,6 @@
 
 #include "io/formats/voxels/AxisGrid.h"
 #include "io/formats/voxels/Bytes.h"
-#include "io/formats/voxels/Voxels.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 

@@ -2,7 +2,6 @@
 #include "io/formats/metaimage/MetaImageFile.h"
 
 #include "io/formats/voxels/AxisGrid.h"
-#include "io/formats/voxels/Voxels.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 

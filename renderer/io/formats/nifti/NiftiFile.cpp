@@ -5,10 +5,13 @@
 #include "io/reading/ReadError.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace limn {
 namespace {

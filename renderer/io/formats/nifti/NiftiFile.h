@@ -5,15 +5,8 @@
 #include "io/reading/Progress.h"
 #include "scene/basics/MemoryBudget.h"
 
-#include <glm/glm.hpp>
-
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace limn {
 

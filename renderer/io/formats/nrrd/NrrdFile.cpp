@@ -3,13 +3,14 @@
 
 #include "io/formats/voxels/AxisGrid.h"
 #include "io/formats/voxels/Bytes.h"
-#include "io/formats/voxels/Voxels.h"
 #include "io/reading/HeaderText.h"
 #include "io/reading/ReadError.h"
 
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace limn {
 namespace {

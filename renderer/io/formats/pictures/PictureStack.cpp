@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/formats/pictures/PictureStack.h"
 
-#include "io/formats/voxels/Voxels.h"
 #include "io/openimageio/PictureLibrary.h"
 #include "io/reading/Bounds.h"
 #include "io/reading/HeaderText.h"

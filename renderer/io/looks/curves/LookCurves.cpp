@@ -2,7 +2,6 @@
 #include "io/looks/curves/LookCurves.h"
 
 #include "io/looks/curves/CurvedSegments.h"
-#include "io/looks/text/LookText.h"
 #include "io/reading/ReadError.h"
 #include "scene/ProjectionFacts.h"
 

@@ -4,7 +4,6 @@
 #include "io/looks/curves/LookCurves.h"
 #include "io/looks/text/LookText.h"
 #include "io/reading/ReadError.h"
-#include "scene/light/Shading.h"
 
 #include <algorithm>
 #include <array>
