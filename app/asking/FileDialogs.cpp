@@ -5,6 +5,7 @@
 #include "io/looks/Look.h"
 #include "io/scenefile/SceneFile.h"
 #include "io/scenefile/SessionFile.h"
+#include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 
 #include <QDir>

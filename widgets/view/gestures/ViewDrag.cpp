@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
-
 #include <QObject>
 
 #include <algorithm>
