@@ -10,6 +10,16 @@ namespace limn {
 
 class Settings;
 
+/// Whether a file holds looks, of Limn or another program: by its ending and by what is in it. Never throws.
+bool holdsLooks(const QString& path);
+
+/// The filters of a dialog that asks for looks.
+QStringList readLookFilters();
+
+/// The filters of a dialog that asks where to write one, a kind each: first the kind with the ending `first`
+/// (".itf"), if there is one, then Limn's own.
+QStringList writtenLookFilters(const QString& first);
+
 /// What a dialog asks for.
 struct OpenQuestion {
   QString title;
@@ -24,8 +34,6 @@ QString askWhatToOpen(QWidget* parent, const OpenQuestion& question, Settings& s
 
 /// The same where the question may be answered by several.
 QStringList askForPaths(QWidget* parent, const OpenQuestion& question, Settings& settings);
-
-class Settings;
 
 /// What is asked when something is to be saved. Filters read "Chart (*.png)", the usual one first.
 struct SaveQuestion {

@@ -12,6 +12,13 @@
 
 namespace limn {
 
+/// The scene with another projection. A surface at a value that the volume does not have, or one in
+/// Hounsfield units in other data, begins between background and object; `histogram` is the volume's.
+Scene withProjection(Scene scene, Projection projection, const Histogram& histogram);
+
+/// The camera with parallel rays or with a vanishing point; the target plane keeps its size on screen.
+Camera withProjection(Camera camera, Camera::Projection projection);
+
 /// The one mutable scene of the program. Every change goes through here: edits become undo steps (one per
 /// gesture), the camera moves without one. There is one signal, and it carries the new scene.
 class Session : public QObject {

@@ -3,20 +3,69 @@
 
 #include "app/files/exports/SurfaceDialog.h"
 #include "app/files/figure/FigureDialog.h"
-#include "app/files/opening/DropController.h"
 #include "app/files/opening/OpeningController.h"
-#include "app/files/opening/RemarksController.h"
-#include "app/files/saving/PictureSaving.h"
 #include "app/files/saving/SavingController.h"
 #include "app/files/saving/SessionSafety.h"
 
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
 namespace limn {
+
+/// Takes the files that are dropped on a window and says what each is: looks, however many, and one other
+/// file, which is to be opened.
+class DropController : public QObject {
+  Q_OBJECT
+
+public:
+  /// The window accepts drops from now on.
+  explicit DropController(QWidget& window);
+
+signals:
+  void looksDropped(const QStringList& paths);
+  void sourceDropped(const QString& path);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void tell(const QStringList& paths);
+};
 
 /// What files tell of the rest of the window when they are made.
 struct FileSources {
   std::function<SessionDocument()> session; ///< of this moment
   std::function<FigureLooks()> looks;
   std::function<CurveChoice()> curve;
+};
+
+/// What there is to say of a volume that was opened, with what can be done about it; what a person has
+/// answered since is no longer said. Of a DICOM series it offers the looks that lie beside it, once it has
+/// searched them beside the event loop.
+class RemarksController : public QObject {
+  Q_OBJECT
+
+public:
+  /// `opening` asks for a spacing.
+  RemarksController(WindowContext& context, OpeningController& opening);
+
+  /// What to say of the volume that is open now; `notes` come from opening it.
+  void show(const std::vector<Message>& notes);
+
+private:
+  void say();
+  void lookForLooks(const LoadedScene& loaded, const Request& request);
+  void offer(const QStringList& looks);
+  void followScene(const Scene& scene);
+
+  WindowContext& m_context;
+  OpeningController& m_opening;
+  BackgroundWork m_searching;
+  std::vector<Message> m_notes;
+  std::shared_ptr<const Volume> m_volume; ///< of which something is said
+  QString m_said;                         ///< what the bar shows of it
 };
 
 /// What comes into the window and leaves it: opening, saving and keeping of sessions, figures and exports.

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/panels/AccuracyMeasurer.h"
+#include "accuracy/Tolerance.h"
+#include "accuracy/sweep/ConvergedPicture.h"
+#include "app/core/drawing/RealRenderers.h"
 #include "scene/Scene.h"
 #include "widgets/Gesture.h"
+#include "widgets/accuracy/PointUse.h"
+#include "widgets/controls/BackgroundWork.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
 
 namespace limn {
 
@@ -11,6 +21,58 @@ class AccuracyPanel;
 class ErrorMapOverlay;
 struct PictureState;
 struct WindowContext;
+
+/// Measures error and time of scenes, where they differ from the exact picture and what steps keep a
+/// tolerance, on a worker thread, with OpenGL in a context of its own or on the processor. One piece of work
+/// at a time: new work ends what runs. Signals come on the thread the measurer lives in; of ended work
+/// nothing more is told.
+class AccuracyMeasurer : public QObject {
+  Q_OBJECT
+
+public:
+  explicit AccuracyMeasurer(QObject* parent = nullptr);
+
+  /// Which engine draws in work that is begun from now on; OpenGL at first.
+  void setRays(Engine rays) { m_rays = rays; }
+
+  /// Measures the points that the window offers for a scene, which people call `name`.
+  void measure(const QString& name, const Scene& scene, const glm::ivec2& size);
+
+  /// Compares the picture of a scene with the exact one.
+  void compare(const Scene& scene, const glm::ivec2& size);
+
+  /// Finds the steps with which pictures of `size` keep the tolerance of their scenes (accuracy/Tolerance);
+  /// the scenes differ in their light, and what is told is the one that needs the finest steps.
+  void findSteps(const std::vector<Scene>& scenes, const glm::ivec2& size);
+
+  void cancel() { m_work.cancel(); }
+
+  /// Lets go of what is kept of any other volume.
+  void forgetOthersThan(const std::shared_ptr<const Volume>& volume);
+
+signals:
+  void progressed(double fraction, const QString& doing);
+  void measured(const limn::MeasuredAccuracy& accuracy);
+  void compared(const limn::ComparedPicture& picture);
+  void stepsFound(const limn::WithinTolerance& found);
+  void failed(const QString& sentence);
+
+private:
+  /// The exact picture that was drawn last: both kinds of work need it, and it takes the most time.
+  struct Exact {
+    Scene scene;
+    glm::ivec2 size{0};
+    ConvergedPicture picture;
+  };
+  class Job;
+
+  void start(std::function<BackgroundWork::Deliver(Job& job)> task);
+
+  Engine m_rays = Engine::rayCaster;
+  std::shared_ptr<const Exact> m_exact;
+  BackgroundWork m_work;
+};
+
 enum class AccuracyWork;
 
 /// Measures on request how close the picture is to the exact one and what that costs, finds steps for a

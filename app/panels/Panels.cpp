@@ -2,19 +2,44 @@
 #include "app/panels/Panels.h"
 
 #include "app/window/WindowContext.h"
+#include "scene/function/PointShare.h"
+#include "scene/presets/PresetFit.h"
 #include "widgets/curve/CurvePanel.h"
+#include "widgets/curve/PointLight.h"
 #include "widgets/curve/TransferFunctionEditor.h"
+#include "widgets/curve/canvas/TransferFunctionCanvas.h"
 #include "widgets/presets/PresetBrowser.h"
+#include "widgets/properties/CropSection.h"
 #include "widgets/properties/EffectsPanel.h"
 #include "widgets/properties/LabelSection.h"
 #include "widgets/properties/PropertiesPanel.h"
 #include "widgets/view/CompareView.h"
 
+#include <QApplication>
 #include <QStyledItemDelegate>
 #include <QUndoView>
 
+#include <memory>
+
 namespace limn {
 namespace {
+
+// In Hounsfield units. Air around the body is left out of a minimum, and of an average but for its depth.
+TransferFunction minimumCurve() {
+  return {1.0,
+          {{-985.0, glm::dvec3(0.0), 0.0},
+           {-985.0, glm::dvec3(0.0), 1.0},
+           {-200.0, glm::dvec3(0.55), 1.0},
+           {100.0, glm::dvec3(1.0), 1.0}}};
+}
+
+TransferFunction averageCurve() {
+  return {1.0,
+          {{-950.0, glm::dvec3(0.0), 0.0},
+           {-950.0, glm::dvec3(0.0), 1.0},
+           {-300.0, glm::dvec3(0.45), 1.0},
+           {500.0, glm::dvec3(1.0), 1.0}}};
+}
 
 // Edits are named as undo says them, "move point"; a list of them begins each with a capital.
 class CapitalDelegate : public QStyledItemDelegate {
@@ -38,6 +63,169 @@ Panel& dockedAtRight(WindowContext& context, const QString& title, const char* n
 }
 
 } // namespace
+
+ProjectionCurves::Kind ProjectionCurves::kindOf(Projection projection) {
+  switch (projection) {
+  case Projection::mip:
+    return Kind::maximum;
+  case Projection::minip:
+    return Kind::minimum;
+  case Projection::average:
+    return Kind::average;
+  case Projection::xray:
+    return Kind::xray;
+  case Projection::composite:
+  case Projection::isosurface:
+  case Projection::compositeIsosurface:
+    break;
+  }
+  return Kind::tissue;
+}
+
+TransferFunction ProjectionCurves::ownCurve(const Scene& scene, Kind kind, const Histogram& histogram) {
+  const bool isHounsfield = looksLikeHounsfield(*scene.volume);
+  Preset preset;
+  preset.modality = "CT";
+  if (kind == Kind::tissue)
+    preset = bestFitting(builtInPresets(), *scene.volume);
+  else if (kind == Kind::maximum)
+    preset = presetNamed(builtInPresets(), isHounsfield ? "CT maximum (MIP)" : "MR maximum (MIP)");
+  else if (kind == Kind::xray)
+    preset = presetNamed(builtInPresets(), "CT X-ray");
+  else
+    preset.transferFunction = kind == Kind::minimum ? minimumCurve() : averageCurve();
+  return kind == Kind::tissue ? preset.transferFunction
+                              : fittedToValues(preset, *scene.volume, histogram).transferFunction;
+}
+
+void ProjectionCurves::note(const Scene& scene) {
+  if (m_volume != scene.volume)
+    m_shown.clear();
+  m_volume = scene.volume;
+  if (scene.volume)
+    m_shown[kindOf(scene.projection)] = scene.transferFunction;
+}
+
+Scene ProjectionCurves::changed(const Scene& scene, Projection projection, const Histogram& histogram) const {
+  Scene result = withProjection(scene, projection, histogram);
+  const Kind kind = kindOf(projection);
+  if (!scene.volume || kind == kindOf(scene.projection))
+    return result;
+  const auto shown = m_volume == scene.volume ? m_shown.find(kind) : m_shown.end();
+  result.transferFunction = shown != m_shown.end() ? shown->second : ownCurve(scene, kind, histogram);
+  return result;
+}
+
+EarlierLook::EarlierLook(WindowContext& context)
+    : QObject(&context.window), m_context(context),
+      m_use(context.actions.add(
+          QStringLiteral("earlierLook"),
+          {.text = tr("Use the &look of the volume before"),
+           .place = {Menu::preset, 1, 3},
+           .shortcut = tr("Ctrl+L"),
+           .toolTip = tr("Shows this volume with curve and light of the one that was open before it.")})) {
+  m_use->setEnabled(false);
+  context.followers.add(SceneFollowers::Stage::before, [this](const Scene& scene) { follow(scene); });
+  connect(m_use, &QAction::triggered, this, &EarlierLook::use);
+}
+
+void EarlierLook::follow(const Scene& scene) {
+  const std::shared_ptr<const Volume> before = m_volume.lock();
+  // Where the voxels of one volume lie may change: orientation can be set by hand.
+  const bool isSame = before && scene.volume && before->sharesVoxelsWith(*scene.volume);
+  std::optional<Landmarks> landmarks;
+  if (isSame) {
+    landmarks = m_present->look.landmarks;
+  } else {
+    if (m_present)
+      m_earlier = std::move(m_present);
+    m_present.reset();
+    if (scene.volume)
+      landmarks = landmarksOf(m_context.document.histogram());
+  }
+  m_volume = scene.volume;
+  if (scene.volume) {
+    m_present = {presetOf(scene, tr("Earlier look").toStdString()), looksLikeHounsfield(*scene.volume)};
+    m_present->look.landmarks = landmarks;
+  }
+  m_use->setEnabled(m_earlier && scene.volume);
+}
+
+void EarlierLook::use() {
+  const std::shared_ptr<const Volume>& volume = m_context.session.scene().volume;
+  if (!m_earlier || !volume)
+    return;
+  Preset look = m_earlier->look;
+  const bool haveOneScale = m_earlier->isHounsfield && looksLikeHounsfield(*volume);
+  if (haveOneScale)
+    look.landmarks.reset();
+  m_context.session.usePreset(fittedTo(look, m_context.document.histogram(), volume->grid()),
+                              {nextGestureId(), tr("use the look of the volume before")});
+  if (!haveOneScale)
+    m_context.messages.show(
+        MessageBar::Kind::warning,
+        tr("The look of the volume before was fitted to the values of this one: not both are in "
+           "Hounsfield units."));
+}
+
+CropBoxController::CropBoxController(WindowContext& context, const CropSection& section)
+    : m_context(context), m_section(section),
+      m_action(context.actions.add(
+          QStringLiteral("cropBox"),
+          {.text = tr("&Crop box"),
+           .place = {Menu::view, 2, 7},
+           .shortcut = Qt::Key_B,
+           .toolTip = tr("Shows a box with handles in the picture; what is outside is cut away. (B)"),
+           .icon = QStringLiteral("crop-box"),
+           .tool = {6, 1},
+           .isCheckable = true,
+           .needsVolume = true})) {
+  // A letter belongs to whatever has the focus: this one to the picture.
+  m_action->setShortcutContext(Qt::WidgetShortcut);
+  context.view.addAction(m_action);
+  connect(m_action, &QAction::toggled, this, &CropBoxController::show);
+  connect(&section, &FoldingSection::foldedByUser, this, [this](bool folded) {
+    m_isEdited = !folded;
+    show();
+  });
+  connect(qApp, &QApplication::focusChanged, this,
+          [this](const QWidget*, const QWidget* now) { followFocus(now); });
+}
+
+bool CropBoxController::isShown() const {
+  return m_action->isChecked();
+}
+
+void CropBoxController::setShown(bool isShown) {
+  m_action->setChecked(isShown);
+}
+
+void CropBoxController::show() {
+  m_context.view.setCropBoxVisible(m_action->isChecked() || m_isEdited);
+}
+
+void CropBoxController::followFocus(const QWidget* now) {
+  if (!now)
+    return; // another program's turn
+  m_isEdited = m_section.isAncestorOf(now) || (m_isEdited && now == &m_context.view);
+  show();
+}
+
+EmphasisController::EmphasisController(WindowContext& context, TransferFunctionCanvas& canvas)
+    : QObject(&context.window), m_context(context), m_light(new PointLight(canvas)) {
+  connect(m_light, &PointLight::changed, this, &EmphasisController::show);
+  context.followers.add(SceneFollowers::Stage::before, [this](const Scene&) { m_light->turnOff(); });
+}
+
+// The curve in the plot may be one that is previewed itself, and has other points than the session's.
+void EmphasisController::show(std::optional<std::size_t> point) {
+  Scene scene = m_context.session.scene();
+  const bool isShown = scene.volume && point && *point < scene.transferFunction.points.size();
+  emit lit(isShown ? point : std::nullopt);
+  if (isShown)
+    scene.transferFunction = withPointEmphasised(scene.transferFunction, *point);
+  m_context.view.setScene(scene); // until the session's own ends it
+}
 
 Panels::Panels(WindowContext& context)
     : QObject(&context.window), m_context(context), m_presets(context),

@@ -2,22 +2,114 @@
 #pragma once
 
 #include "app/panels/AccuracyController.h"
-#include "app/panels/CropBoxController.h"
 #include "app/panels/RayController.h"
 #include "app/panels/curve/CurveController.h"
-#include "app/panels/curve/EmphasisController.h"
 #include "app/panels/curve/SuggestionController.h"
-#include "app/panels/presets/EarlierLook.h"
 #include "app/panels/presets/LookController.h"
 #include "app/panels/presets/PresetController.h"
-#include "app/panels/presets/ProjectionCurves.h"
 #include "app/panels/presets/ThumbnailController.h"
 #include "io/scenefile/SessionFile.h"
 
+#include <QObject>
+
+#include <map>
+#include <optional>
+
+class QAction;
+
 namespace limn {
 
+class CropSection;
 class EffectsPanel;
+class PointLight;
 class PropertiesPanel;
+class TransferFunctionCanvas;
+struct WindowContext;
+
+/// The curves of the kinds of pictures of one volume: maximum, minimum, average and X-ray say nothing with a
+/// curve made for tissue, so each brings its own, and gives the one before back.
+class ProjectionCurves {
+public:
+  /// Keeps what a scene shows for its kind of picture; the curves of another volume are forgotten.
+  void note(const Scene& scene);
+
+  /// The scene as another kind of picture (withProjection), with the curve last shown as that kind or, the
+  /// first time, with its own; `histogram` is the volume's. Kinds that show tissue share one.
+  Scene changed(const Scene& scene, Projection projection, const Histogram& histogram) const;
+
+private:
+  enum class Kind { tissue, maximum, minimum, average, xray };
+  static Kind kindOf(Projection projection);
+  static TransferFunction ownCurve(const Scene& scene, Kind kind, const Histogram& histogram);
+
+  std::shared_ptr<const Volume> m_volume;
+  std::map<Kind, TransferFunction> m_shown;
+};
+
+/// Shows the crop box in the picture while its action is checked, and while the crop section is used: on
+/// while one goes from there to its handles in the view.
+class CropBoxController : public QObject {
+  Q_OBJECT
+
+public:
+  CropBoxController(WindowContext& context, const CropSection& section);
+
+  bool isShown() const;
+  void setShown(bool isShown);
+
+private:
+  void show();
+  void followFocus(const QWidget* now);
+
+  WindowContext& m_context;
+  const CropSection& m_section;
+  QAction* m_action;
+  bool m_isEdited = false; ///< in its section, or in the view since
+};
+
+/// Shows what a point of the curve governs for as long as the pointer rests on it: in the slices and in the
+/// picture, and in no history.
+class EmphasisController : public QObject {
+  Q_OBJECT
+
+public:
+  EmphasisController(WindowContext& context, TransferFunctionCanvas& canvas);
+
+signals:
+  /// The slices are to light up what this point governs, or nothing.
+  void lit(std::optional<std::size_t> point);
+
+private:
+  void show(std::optional<std::size_t> point);
+
+  WindowContext& m_context;
+  PointLight* m_light;
+};
+
+/// The look of the volume that was open before the present one, for the next patient: the same curve and
+/// light, moved onto the values of what is open where the two have no common scale.
+class EarlierLook : public QObject {
+  Q_OBJECT
+
+public:
+  explicit EarlierLook(WindowContext& context);
+
+private:
+  void follow(const Scene& scene);
+  void use();
+
+  /// A look, and the data that it was shaped on.
+  struct Shaped {
+    Preset look; ///< knows the landmarks of those data
+    bool isHounsfield = false;
+  };
+
+  WindowContext& m_context;
+  QAction* m_use;                       ///< shows that look, as one undo step; out of use while there is none
+  std::weak_ptr<const Volume> m_volume; ///< that `m_present` belongs to
+  std::optional<Shaped> m_present;
+  std::optional<Shaped> m_earlier;
+};
 
 /// The docks around the picture: presets and history at the left, properties, effects, accuracy and the ray
 /// at the right, the curve below.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/ComparisonController.h"
 
-#include "app/picture/ModelMenus.h"
 #include "app/window/WindowContext.h"
+#include "widgets/shading/ModelSection.h"
 #include "widgets/view/CompareView.h"
+
+#include <QMenu>
+
+#include <array>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -15,6 +20,74 @@ const std::string snapshotName = "(before)";
 bool haveSameVoxels(const Volume* a, const Volume* b) {
   return a == b || (a && b && a->sharesVoxelsWith(*b));
 }
+
+/// The models of the pictures: a menu and a button of the tool bar for each side, which name the model that
+/// is shown and change it. Of a single picture there is one of each.
+class ModelMenus : public QObject {
+public:
+  /// A model was chosen for a side: 0 left, or the only one, 1 right.
+  using Choose = std::function<void(int side, ShadingModel model)>;
+
+  // Last in the tool bar: the buttons come, go and change their width with the layout, and move nothing.
+  ModelMenus(ActionList& actions, const Choose& choose, QObject* parent) : QObject(parent) {
+    const std::array names{"model-left-", "model-right-"}, buttons{"modelButton", "rightModelButton"};
+    for (int side = 0; side < 2; ++side) {
+      const auto place = static_cast<std::size_t>(side);
+      Side& its = m_sides[place];
+      its.group = actions.addGroup();
+      its.menu = actions.addMenu({}, {Menu::view, 2, 2 + side});
+      for (const ShadingModel model : shadingModels)
+        its.menu->addAction(actions.addChoice(*its.group, QLatin1String(names[place]) + nameOf(model),
+                                              static_cast<int>(model),
+                                              {.text = modelName(model), .needsVolume = true}));
+      its.button = actions.makeMenuButton(QLatin1String(buttons[place]), QToolButton::InstantPopup);
+      its.place = actions.addMenuButton(*its.button, its.menu, {7, side});
+      const QAction* choice = its.group->actions().front(); // enabled as all of its group are
+      connect(choice, &QAction::enabledChanged, its.button, &QWidget::setEnabled);
+      connect(its.group, &QActionGroup::triggered, this, [choose, side](const QAction* action) {
+        choose(side, static_cast<ShadingModel>(action->data().toInt()));
+      });
+    }
+  }
+
+  /// The models in the pictures on screen, from left to right: one or two.
+  void show(const std::vector<ShadingModel>& models) const {
+    const bool isSingle = models.size() < 2;
+    const std::array menuTexts{isSingle ? ComparisonController::tr("&Model")
+                                        : ComparisonController::tr("Left &model"),
+                               ComparisonController::tr("R&ight model")};
+    const std::array buttonTexts{isSingle ? ComparisonController::tr("%1")
+                                          : ComparisonController::tr("Left: %1"),
+                                 ComparisonController::tr("Right: %1")};
+    const std::array toolTips{
+        isSingle ? ComparisonController::tr("The shading model of the picture: how tissue is lit.")
+                 : ComparisonController::tr("The shading model of the left side."),
+        ComparisonController::tr("The shading model of the right side.")};
+    for (std::size_t side = 0; side < m_sides.size(); ++side) {
+      const Side& its = m_sides[side];
+      const bool isShown = side < models.size();
+      its.menu->menuAction()->setVisible(isShown);
+      its.place->setVisible(isShown);
+      if (!isShown)
+        continue;
+      const QString text = buttonTexts[side].arg(modelName(models[side]));
+      checkOnly(*its.group, static_cast<int>(models[side]));
+      its.menu->setTitle(menuTexts[side]);
+      its.button->setText(text);
+      its.button->setToolTip(toolTips[side]);
+      its.button->setAccessibleName(ComparisonController::tr("Model: %1").arg(text));
+    }
+  }
+
+private:
+  struct Side {
+    QActionGroup* group = nullptr;
+    QMenu* menu = nullptr;
+    QToolButton* button = nullptr;
+    QAction* place = nullptr; ///< of the button in the tool bar
+  };
+  std::array<Side, 2> m_sides;
+};
 
 } // namespace
 
@@ -50,9 +123,9 @@ void ComparisonController::addLayouts() {
 }
 
 void ComparisonController::addModels() {
-  m_models = new ModelMenus(m_context.actions, this);
-  connect(m_models, &ModelMenus::chosen, this, &ComparisonController::setSideModel);
-  connect(this, &ComparisonController::modelsShown, m_models, &ModelMenus::show);
+  const auto choose = [this](int side, ShadingModel model) { setSideModel(side, model); };
+  const auto* menus = new ModelMenus(m_context.actions, choose, this);
+  connect(this, &ComparisonController::modelsShown, menus, &ModelMenus::show);
   connect(&m_context.view, &CompareView::modelChosen, this, &ComparisonController::setSideModel);
 }
 

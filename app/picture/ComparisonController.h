@@ -12,7 +12,6 @@ class QActionGroup;
 
 namespace limn {
 
-class ModelMenus;
 struct ComparedLook;
 struct WindowContext;
 
@@ -64,8 +63,7 @@ private:
   void compareModels();
 
   WindowContext& m_context;
-  QActionGroup* m_layouts; ///< data: CompareLayout as int
-  ModelMenus* m_models = nullptr;
+  QActionGroup* m_layouts;              ///< data: CompareLayout as int
   QAction* m_compareSnapshot = nullptr; ///< checked while the snapshot is compared with what is shown
   QAction* m_compareModels = nullptr;   ///< enabled while looks are compared
   ShadingModel m_left = ShadingModel::classic;

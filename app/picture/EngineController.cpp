@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture/EngineController.h"
 
-#include "app/core/drawing/EngineTrial.h"
+#include "app/core/drawing/EngineChoice.h"
 #include "app/window/WindowContext.h"
 #include "widgets/Translated.h"
 #include "widgets/view/CompareView.h"

@@ -3,17 +3,43 @@
 
 #include "scene/Scene.h"
 
+#include <QDialog>
 #include <QObject>
 #include <QPointer>
 
+#include <array>
+#include <string>
+
 class QAction;
 class QActionGroup;
+class QComboBox;
 class QMenu;
 
 namespace limn {
 
-class OrientationDialog;
 struct WindowContext;
+
+/// Asks where the columns, rows and slices of a volume run to in the patient. Each answer is told at once, so
+/// that the picture shows it; the three always go to three directions.
+class OrientationDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  /// `letters` hold at present, or are assumed (Orientation.h).
+  OrientationDialog(const std::string& letters, QWidget* parent);
+
+  void setLetters(const std::string& letters);
+
+signals:
+  void lettersChosen(const std::string& letters);
+
+private:
+  void choose(std::size_t axis, char letter);
+  void flip(std::size_t axis);
+
+  std::string m_letters;
+  std::array<QComboBox*, 3> m_boxes{};
+};
 
 /// How the voxels lie in the patient where a person says so, because the file does not; one undo step for
 /// each answer. Standard views carry the patient's sides only where those are known.

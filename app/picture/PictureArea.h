@@ -6,9 +6,33 @@
 #include "app/picture/OrientationController.h"
 #include "app/picture/PlaneController.h"
 #include "app/picture/RegionController.h"
-#include "app/picture/StatusTexts.h"
+
+#include <optional>
+
+class QLabel;
+class QStatusBar;
 
 namespace limn {
+
+class PictureStatus;
+struct PictureState;
+struct Probe;
+
+/// What the status bar says of volume, pointer and picture.
+class StatusTexts {
+public:
+  explicit StatusTexts(QStatusBar& bar);
+
+  /// Also whether its voxels stay on the disk. Null: none.
+  void showVolume(const Volume* volume);
+  void showProbe(const std::optional<Probe>& probe, const Volume* volume);
+  void showPicture(const PictureState& state, const Scene& scene);
+
+private:
+  QLabel* m_volume;
+  QLabel* m_probe;
+  PictureStatus* m_picture;
+};
 
 /// The middle of the window and what is done in it: tools and camera, comparison, slices, what is kept of the
 /// volume and how it lies, the engine, and the status bar's words on all of that.

@@ -1855,41 +1855,6 @@
     </message>
 </context>
 <context>
-    <name>limn::AppearanceController</name>
-    <message>
-        <source>The window speaks this language when it is opened the next time.</source>
-        <translation>Das Fenster verwendet diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
-    </message>
-    <message>
-        <source>Follow the system</source>
-        <translation>Wie das System</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>Hoher Kontrast</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farbschema</translation>
-    </message>
-    <message>
-        <source>The window uses it from the next start.</source>
-        <translation>Gilt, sobald das Fenster das nächste Mal geöffnet wird.</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-</context>
-<context>
     <name>limn::BackgroundWork</name>
     <message>
         <source>There is not enough memory for this; close other programs or ask for something smaller.</source>
@@ -2052,6 +2017,46 @@
     <message>
         <source>Ends the comparison of two looks.</source>
         <translation>Beendet den Vergleich zweier Darstellungen.</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modell</translation>
+    </message>
+    <message>
+        <source>R&amp;ight model</source>
+        <translation>&amp;Rechtes Modell</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Left: %1</source>
+        <translation>Links: %1</translation>
+    </message>
+    <message>
+        <source>Right: %1</source>
+        <translation>Rechts: %1</translation>
+    </message>
+    <message>
+        <source>The shading model of the picture: how tissue is lit.</source>
+        <translation>Das Schattierungsmodell des Bildes: wie Gewebe beleuchtet wird.</translation>
+    </message>
+    <message>
+        <source>The shading model of the left side.</source>
+        <translation>Das Schattierungsmodell der linken Seite.</translation>
+    </message>
+    <message>
+        <source>The shading model of the right side.</source>
+        <translation>Das Schattierungsmodell der rechten Seite.</translation>
+    </message>
+    <message>
+        <source>Model: %1</source>
+        <translation>Modell: %1</translation>
+    </message>
+    <message>
+        <source>Left &amp;model</source>
+        <translation>&amp;Linkes Modell</translation>
     </message>
 </context>
 <context>
@@ -2956,6 +2961,38 @@
     <message>
         <source>&amp;Quit</source>
         <translation>Be&amp;enden</translation>
+    </message>
+    <message>
+        <source>The window speaks this language when it is opened the next time.</source>
+        <translation>Das Fenster verwendet diese Sprache, sobald es das nächste Mal geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Follow the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>The window uses it from the next start.</source>
+        <translation>Gilt, sobald das Fenster das nächste Mal geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
     </message>
 </context>
 <context>
@@ -6975,49 +7012,6 @@
     <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
-    </message>
-</context>
-<context>
-    <name>limn::ModelMenus</name>
-    <message>
-        <source>&amp;Model</source>
-        <translation>&amp;Modell</translation>
-    </message>
-    <message>
-        <source>R&amp;ight model</source>
-        <translation>&amp;Rechtes Modell</translation>
-    </message>
-    <message>
-        <source>%1</source>
-        <translation>%1</translation>
-    </message>
-    <message>
-        <source>Left: %1</source>
-        <translation>Links: %1</translation>
-    </message>
-    <message>
-        <source>Right: %1</source>
-        <translation>Rechts: %1</translation>
-    </message>
-    <message>
-        <source>The shading model of the picture: how tissue is lit.</source>
-        <translation>Das Schattierungsmodell des Bildes: wie Gewebe beleuchtet wird.</translation>
-    </message>
-    <message>
-        <source>The shading model of the left side.</source>
-        <translation>Das Schattierungsmodell der linken Seite.</translation>
-    </message>
-    <message>
-        <source>The shading model of the right side.</source>
-        <translation>Das Schattierungsmodell der rechten Seite.</translation>
-    </message>
-    <message>
-        <source>Model: %1</source>
-        <translation>Modell: %1</translation>
-    </message>
-    <message>
-        <source>Left &amp;model</source>
-        <translation>&amp;Linkes Modell</translation>
     </message>
 </context>
 <context>

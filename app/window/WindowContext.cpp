@@ -3,11 +3,12 @@
 
 #include "cpu/CpuEngine.h"
 #include "raycaster/RayCasterEngine.h"
+#include "widgets/Translated.h"
 #include "widgets/controls/MessageBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/view/CompareView.h"
 
-#include <QMainWindow>
+#include <QFileInfo>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -30,6 +31,26 @@ DrawingEngines enginesOf(const OpenGlOffer& openGl, const std::optional<MemoryBu
 }
 
 } // namespace
+
+bool SaveNotes::attempt(const std::function<void()>& write, const QString& path) {
+  try {
+    write();
+  } catch (const Error& error) {
+    sayFailure(translated(error.sentence()));
+    return false;
+  }
+  if (!path.isEmpty())
+    m_status.showMessage(QObject::tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
+  if (!m_failure.isEmpty() && m_messages.sentence() == m_failure)
+    m_messages.hide();
+  m_failure.clear();
+  return true;
+}
+
+void SaveNotes::sayFailure(const QString& sentence) {
+  m_failure = sentence;
+  m_messages.show(MessageBar::Kind::error, sentence);
+}
 
 WindowContext::WindowContext(QMainWindow& itsWindow, UserFolders itsFolders,
                              const std::optional<MemoryBudget>& itsMemory)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/asking/SaveNotes.h"
 #include "app/core/drawing/EngineChoice.h"
 #include "app/core/drawing/PictureMaker.h"
 #include "app/core/naming/UserFolders.h"
@@ -13,12 +12,14 @@
 #include "widgets/view/drawing/DriverRecovery.h"
 
 #include <QMainWindow>
+#include <QString>
 
 #include <array>
 #include <functional>
 #include <optional>
 #include <vector>
 
+class QStatusBar;
 class QVBoxLayout;
 
 namespace limn {
@@ -26,6 +27,23 @@ namespace limn {
 class CompareView;
 class MessageBar;
 class PlaneDeck;
+
+/// Says of whatever is saved that it was, or why not; what failed is forgotten once something is saved.
+class SaveNotes {
+public:
+  SaveNotes(QStatusBar& status, MessageBar& messages) : m_status(status), m_messages(messages) {}
+
+  /// Calls `write`, which throws Error where it fails; returns whether it did not. `path`, where there is
+  /// one, is named in the status bar.
+  bool attempt(const std::function<void()>& write, const QString& path = {});
+
+  void sayFailure(const QString& sentence);
+
+private:
+  QStatusBar& m_status;
+  MessageBar& m_messages;
+  QString m_failure; ///< the last, until something was saved
+};
 
 /// Whoever shows the session's scene, in the order in which they are told of a new one: first what must know
 /// it before the view draws, then the view and what shows the same beside it, then what asks the view.

@@ -2,8 +2,8 @@
 // What assistive technology finds in the controls that paint themselves, asked as a screen reader asks.
 #include "widgets/controls/FoldingSection.h"
 #include "widgets/controls/NumberSliders.h"
-#include "widgets/controls/SpringSlider.h"
 #include "widgets/controls/TrackSlider.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 
 #include <QAbstractButton>
 #include <QAccessible>

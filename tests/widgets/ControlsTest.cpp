@@ -7,8 +7,8 @@
 #include "widgets/controls/LabelledRow.h"
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/NumberSliders.h"
-#include "widgets/controls/SpringSlider.h"
 #include "widgets/controls/TrackSlider.h"
+#include "widgets/curve/TransferFunctionEditor.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/presets/PresetOrder.h"
+#include "widgets/presets/PresetModel.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "widgets/controls/NumberField.h"
 #include "widgets/controls/NumberSliders.h"
 #include "widgets/controls/TrackSlider.h"
-#include "widgets/properties/QualitySection.h"
 #include "widgets/shading/LightSection.h"
 #include "widgets/shading/ShadingSection.h"
 

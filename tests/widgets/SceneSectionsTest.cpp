@@ -9,7 +9,6 @@
 #include "widgets/properties/CropSection.h"
 #include "widgets/properties/FogSection.h"
 #include "widgets/properties/PropertiesPanel.h"
-#include "widgets/properties/QualitySection.h"
 #include "widgets/shading/GradientSection.h"
 #include "widgets/shading/LightSection.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/properties/AxisNames.h"
 #include "widgets/properties/CropFaces.h"
 #include "widgets/properties/FogSection.h"
 

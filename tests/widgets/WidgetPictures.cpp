@@ -2,7 +2,6 @@
 // Grabs the editing widgets in both looks: limn_widget_pictures FOLDER
 #include "scene/volume/Phantom.h"
 #include "widgets/WidgetSamples.h"
-#include "widgets/controls/SpringSlider.h"
 #include "widgets/curve/CurvePanel.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/curve/PointFields.h"

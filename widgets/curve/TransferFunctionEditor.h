@@ -5,11 +5,14 @@
 #include "scene/volume/Histogram.h"
 #include "scene/volume/Volume.h"
 #include "widgets/Gesture.h"
+#include "widgets/controls/LabelledRow.h"
 #include "widgets/curve/picture/CanvasPicture.h"
 #include "widgets/curve/picture/CurveEdits.h"
 
 #include <QWidget>
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 
 class QAbstractButton;
@@ -20,8 +23,34 @@ class QToolButton;
 namespace limn {
 
 class PointFields;
-class SpringSlider;
+class TrackSlider;
 class TransferFunctionCanvas;
+
+/// A slider for relative changes: it springs back to its neutral place when let go. The number pulled to
+/// shows while it is held.
+class SpringSlider : public QWidget {
+  Q_OBJECT
+
+public:
+  /// `readOut` turns a pulled number into words.
+  SpringSlider(const QString& label, const QString& help, const SliderScale& scale, double neutral,
+               std::function<QString(double)> readOut, QWidget* parent = nullptr);
+
+  /// Once the words for a number have become other ones.
+  void showNumber();
+
+signals:
+  /// Pulled away from neutral by so much; `gestureId` is shared by one pull.
+  void pulled(double number, std::uint64_t gestureId);
+  /// Let go: the next pull starts from what is now.
+  void released();
+
+private:
+  SliderScale m_scale;
+  std::function<QString(double)> m_readOut;
+  QLabel* m_number;
+  TrackSlider* m_slider;
+};
 
 /// The tissue of a value that was pinned in the picture, and two buttons that show less or more of it.
 class TissueButtons : public QWidget {

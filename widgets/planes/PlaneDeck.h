@@ -7,11 +7,61 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
+
+class QBoxLayout;
+class QComboBox;
+class QToolButton;
 
 namespace limn {
 
-class PlaneBar;
+class NumberField;
 class PlaneView;
+
+/// The row above the slices: tools, grey window, slab, tint. It shows settings and asks for others.
+class PlaneBar : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit PlaneBar(QWidget* parent = nullptr);
+
+  void setContent(const PlaneContent& content);
+  void setTool(PlaneTool tool);
+
+  /// How high it is at a width: the groups of controls stand beside each other or, where that has no room,
+  /// below.
+  int heightAt(int width) const;
+
+signals:
+  void settingsEdited(const limn::PlaneSettings& settings);
+  void distanceEdited(const std::optional<limn::MeasuredDistance>& before); ///< as PlaneView says it
+  void toolRequested(limn::PlaneTool tool);
+
+protected:
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  QWidget* makeToolGroup();
+  QWidget* makeSlabGroup();
+  QToolButton* makeMoreButton();
+  void fillWindowMenu();
+  bool needsTwoRows(int width) const;
+  void edit(const std::function<void(PlaneSettings&)>& change);
+  void showIcons();
+
+  PlaneContent m_content;
+  QBoxLayout* m_row;
+  std::array<QWidget*, 2> m_groups{};
+  std::array<QToolButton*, 3> m_tools{}; ///< in the order of PlaneTool
+  QToolButton* m_windows = nullptr;
+  NumberField* m_width = nullptr;
+  NumberField* m_centre = nullptr;
+  NumberField* m_thickness = nullptr;
+  QComboBox* m_mode = nullptr;
+  QToolButton* m_tint = nullptr;
+};
 
 /// The picture and the slices beside it, as the settings lay them out: the picture alone, four equal places,
 /// or one slice large with the picture and the other two in a column at its right. Without a volume there is

@@ -3,12 +3,12 @@
 
 #include "widgets/presets/PresetDelegates.h"
 #include "widgets/presets/PresetFilter.h"
-#include "widgets/presets/PresetMenu.h"
-#include "widgets/presets/PresetModel.h"
 #include "widgets/presets/PresetPointer.h"
 #include "widgets/theme/Icons.h"
 #include "widgets/theme/Theme.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -21,9 +21,13 @@
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QStandardItemModel>
+#include <QString>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <string>
 
 namespace limn {
 
@@ -259,30 +263,46 @@ void PresetBrowser::offerMenu(const QModelIndex& index, const QPoint& at) {
   if (!index.isValid() || index.data(presetRole::isGroup).toBool())
     return;
   const QString name = index.data().toString();
-  PresetInHand preset;
-  preset.name = name;
-  preset.isOwn = index.data(presetRole::isOwn).toBool();
-  preset.isFavourite = index.data(presetRole::isFavourite).toBool();
-  preset.isModified = name == m_current && m_isModified;
-  preset.allFolders = foldersOf(m_own);
-  for (const Preset& own : m_own)
-    if (own.name == name.toStdString())
-      preset.folder = own.folder;
-  const auto ask = [this, name](auto signal) { return [this, name, signal] { emit(this->*signal)(name); }; };
-  PresetDeeds deeds;
-  deeds.use = ask(&PresetBrowser::presetChosen);
-  deeds.compare = ask(&PresetBrowser::compareRequested);
-  deeds.toggleFavourite = [this, name, is = preset.isFavourite] { emit favouriteRequested(name, !is); };
-  deeds.duplicate = ask(&PresetBrowser::duplicateRequested);
-  deeds.exportIt = ask(&PresetBrowser::exportRequested);
-  deeds.rename = ask(&PresetBrowser::renameRequested);
-  deeds.editNote = ask(&PresetBrowser::noteRequested);
-  deeds.remove = ask(&PresetBrowser::deleteRequested);
-  deeds.moveToNewFolder = ask(&PresetBrowser::newFolderRequested);
-  deeds.moveTo = [this, name](const QString& folder) { emit folderRequested(name, folder); };
-  QMenu* menu = makePresetMenu(preset, deeds, this);
+  const bool isFavourite = index.data(presetRole::isFavourite).toBool();
+  const bool isModified = name == m_current && m_isModified;
+  auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, auto signal) {
+    menu->addAction(text, menu, [this, name, signal] { emit(this->*signal)(name); });
+  };
+  add(isModified ? QObject::tr("Reset to this preset") : QObject::tr("Use"), &PresetBrowser::presetChosen);
+  add(QObject::tr("Compare with the picture"), &PresetBrowser::compareRequested);
+  menu->addAction(isFavourite ? QObject::tr("Remove from favourites") : QObject::tr("Add to favourites"),
+                  menu, [this, name, isFavourite] { emit favouriteRequested(name, !isFavourite); });
+  menu->addSeparator();
+  add(QObject::tr("Duplicate…"), &PresetBrowser::duplicateRequested);
+  add(QObject::tr("Export…"), &PresetBrowser::exportRequested);
+  if (index.data(presetRole::isOwn).toBool()) {
+    add(QObject::tr("Rename…"), &PresetBrowser::renameRequested);
+    add(QObject::tr("Note…"), &PresetBrowser::noteRequested);
+    addFolders(*menu, name);
+    add(QObject::tr("Delete"), &PresetBrowser::deleteRequested);
+  }
+  menu->addSeparator();
+  menu->addAction(QObject::tr("Copy name"), menu, [name] { QApplication::clipboard()->setText(name); });
   menu->popup(at);
+}
+
+void PresetBrowser::addFolders(QMenu& menu, const QString& name) {
+  QMenu* folders = menu.addMenu(QObject::tr("Move to folder"));
+  const auto known = std::ranges::find(m_own, name.toStdString(), &Preset::name);
+  const std::string holds = known == m_own.end() ? std::string() : known->folder;
+  const auto add = [&](const QString& text, const std::string& folder) {
+    QAction* action = folders->addAction(
+        text, folders, [this, name, folder] { emit folderRequested(name, QString::fromStdString(folder)); });
+    action->setCheckable(true);
+    action->setChecked(folder == holds);
+  };
+  add(QObject::tr("My presets"), {});
+  for (const std::string& folder : foldersOf(m_own))
+    add(QString::fromStdString(folder), folder);
+  folders->addSeparator();
+  folders->addAction(QObject::tr("New folder…"), folders, [this, name] { emit newFolderRequested(name); });
 }
 
 void PresetBrowser::showButtons() {

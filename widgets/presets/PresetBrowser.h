@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/presets/PresetOrder.h"
+#include "widgets/presets/PresetModel.h"
 
 #include <QWidget>
 
@@ -12,6 +12,7 @@ class QAbstractItemView;
 class QLabel;
 class QLineEdit;
 class QListView;
+class QMenu;
 class QPushButton;
 class QStackedWidget;
 class QStandardItemModel;
@@ -23,9 +24,8 @@ namespace limn {
 class FlatPresets;
 class PresetDelegate;
 class PresetFilter;
-struct PresetPicture;
 
-/// The presets, searchable, as a list in groups (PresetOrder) or a gallery of large pictures in the same
+/// The presets, searchable, as a list in groups (PresetModel) or a gallery of large pictures in the same
 /// order. A click or Enter chooses, a right click opens a menu and selects nothing; F makes a favourite, F2
 /// renames, Delete deletes; names are unique over both lists. The frame marks the preset that is shown,
 /// wherever the keyboard is. It saves and deletes nothing itself.
@@ -105,6 +105,7 @@ private:
   QModelIndex listed(const QString& name) const;
   void mark();
   void offerMenu(const QModelIndex& index, const QPoint& at);
+  void addFolders(QMenu& menu, const QString& name);
   void choose(const QModelIndex& index);
   void toggleFavourite(const QModelIndex& index);
   QString ownPresetInHand() const;

@@ -5,7 +5,6 @@
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
 #include "widgets/controls/NumberSliders.h"
-#include "widgets/properties/AxisNames.h"
 #include "widgets/properties/CropFaces.h"
 
 #include <QHBoxLayout>

@@ -5,15 +5,42 @@
 #include "widgets/Gesture.h"
 #include "widgets/controls/FoldingSection.h"
 
+class QCheckBox;
+
 namespace limn {
 
+class ChoiceRow;
 class CropSection;
 class FogSection;
 class LabelSection;
 class ModelSection;
 class ProjectionSection;
-class QualitySection;
 class ShadingSection;
+class ValueSlider;
+
+/// Closer to exact or faster: the sampling step, where a ray may stop, and two ways to hide the steps.
+class QualitySection : public FoldingSection {
+  Q_OBJECT
+
+public:
+  explicit QualitySection(QWidget* parent = nullptr);
+
+  void setQuality(const Quality& quality);
+
+signals:
+  void qualityEdited(const limn::Quality& quality, const limn::Gesture& gesture);
+
+private:
+  ValueSlider* addNumber(ValueSlider* slider, double Quality::*member);
+  void addPreintegration();
+  void addJitter();
+
+  Quality m_quality;
+  ValueSlider* m_step;
+  ValueSlider* m_termination;
+  ChoiceRow* m_preintegration = nullptr;
+  QCheckBox* m_jitter = nullptr;
+};
 
 /// What a scene says beside its curves, in folding sections: projection, light, crop, labels, fog, quality.
 /// Controls that change nothing in the pictures shown are disabled and say why in their tool tips; a section

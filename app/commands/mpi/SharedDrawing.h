@@ -1,9 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/commands/mpi/Ranks.h"
+#include "cpu/bricks/BrickRenderer.h"
+#include "scene/basics/Error.h"
+
+#include <functional>
+#include <mpi.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace limn {
+
+/// The processes that draw a picture together, each a rank, and what they say to each other: a thin face of
+/// MPI. Where nothing else is said, all ranks call a function alike. A rank that dies ends all of them.
+class Ranks {
+public:
+  Ranks(int& argc, char**& argv);
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  int rank() const { return m_rank; }
+  int count() const { return m_count; }
+  bool isFirst() const { return m_rank == 0; } ///< it decides, talks and writes
+
+  /// How many of them share this one's machine, itself included.
+  int onThisMachine() const;
+
+  /// The text of the first rank, on every rank.
+  std::string fromFirst(const std::string& text) const;
+
+  /// Throws on every rank what failed on the lowest one that failed.
+  void agree(const std::optional<Error>& failure) const;
+
+  /// The smallest of all ranks, place by place, on every rank.
+  void smallest(std::vector<float>& values) const;
+
+  /// Folded place by place, on the first rank.
+  std::vector<ScalarShare> folded(const std::vector<ScalarShare>& shares, Folding folding) const;
+
+  /// The numbers of all ranks one behind the other, on the first.
+  std::vector<double> gathered(const std::vector<double>& numbers) const;
+
+private:
+  int m_rank = 0;
+  int m_count = 1;
+};
+
+/// The ranks in the order in which their bricks stand in front of each other. MPI folds in its own tree, and
+/// keeps the order of an operation that does not commute.
+class RanksInOrder {
+public:
+  /// `order` names the ranks from front to back.
+  RanksInOrder(const Ranks& ranks, const std::vector<int>& order);
+  ~RanksInOrder();
+  RanksInOrder(const RanksInOrder&) = delete;
+  RanksInOrder& operator=(const RanksInOrder&) = delete;
+
+  /// Puts the pixels of all ranks over each other into `folded` of the first rank; others may give null.
+  void over(const std::vector<glm::vec4>& share, glm::vec4* folded) const;
+
+private:
+  int m_first = 0; ///< the place of the first rank
+  MPI_Comm m_ranks = MPI_COMM_NULL;
+  MPI_Datatype m_pixel = MPI_DATATYPE_NULL;
+  MPI_Op m_over = MPI_OP_NULL;
+};
+
+/// What the work throws, as an error that can be told to other ranks; nothing where it succeeds.
+std::optional<Error> failureOf(const std::function<void()>& work);
 
 /// What a rank did so far.
 struct RankCost {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/Engine.h"
+#include "scene/Scene.h"
 #include "scene/basics/Message.h"
 
 #include <functional>
@@ -45,5 +46,17 @@ struct EngineChoice {
 /// The engine that draws: the one asked for where there is OpenGL, the faster where none is asked for, and
 /// until that is known the one that is likely to be.
 EngineChoice chosenEngine(const EngineFacts& facts);
+
+/// What came out of trying both engines.
+struct EngineTrial {
+  std::string renderer; ///< the driver's name of what drew with OpenGL
+  EngineTimes times;
+};
+
+/// Draws a scene in small pictures with both engines in turn and keeps the shortest time of each; what is
+/// made once (textures, programs, tables) is not counted. Takes about a second on a processor, and makes an
+/// OpenGL context of its own: no other may be current on the thread. `isCancelled`, which may be empty, is
+/// asked between two pictures and within those of the processor; true ends it with Cancelled. Throws Error.
+EngineTrial tryEngines(const Scene& scene, const std::function<bool()>& isCancelled);
 
 } // namespace limn

@@ -3,7 +3,7 @@
 
 #include "accuracy/ErrorEstimate.h"
 #include "accuracy/Tolerance.h"
-#include "app/core/drawing/EngineTrial.h"
+#include "app/core/drawing/EngineChoice.h"
 #include "app/core/drawing/OnDisk.h"
 #include "cpu/CpuRenderer.h"
 #include "engine/VolumeTooLarge.h"

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "app/files/exports/ExportDialog.h"
+#include "io/surfaces/SurfaceExport.h"
 #include "io/surfaces/SurfaceMaker.h"
+
+#include <QString>
 
 class QCheckBox;
 class QComboBox;
@@ -11,6 +14,28 @@ class QLabel;
 namespace limn {
 
 class NumberField;
+
+/// Where the value of a surface comes from that nobody typed.
+enum class ValueOrigin { isosurface, pin, point, range };
+
+/// A value to begin with.
+struct FirstValue {
+  double value = 0.0;
+  ValueOrigin origin = ValueOrigin::range;
+  bool operator==(const FirstValue&) const = default;
+};
+
+/// The isovalue of a scene that shows an isosurface, else the pinned value, else that of the selected point
+/// of the curve, else the scene's isovalue where the volume reaches it, else the middle of its range.
+FirstValue firstValue(const Scene& scene, std::optional<double> pinned,
+                      std::optional<std::size_t> selectedPoint);
+
+/// One sentence each.
+QString textOf(ValueOrigin origin);
+/// How many triangles, how large the file, in which units and axes.
+QString textOf(const SurfaceEstimate& estimate, bool willLoseTriangles);
+/// What was made: triangles, whether it is watertight, how far it lies from the isosurface.
+QString textOf(const MadeSurface& made, const QString& file);
 
 /// What is in hand on the curve: a pinned value, the only point that is selected.
 struct CurveChoice {

@@ -5,12 +5,13 @@
 #include "app/figures/FigureFiles.h"
 #include "app/figures/FigureOptions.h"
 #include "app/files/figure/FigurePreview.h"
-#include "app/files/figure/PanelSources.h"
 #include "app/files/saving/SavingController.h"
 #include "planes/GreyWindows.h"
 #include "scene/basics/Error.h"
 #include "widgets/Translated.h"
 #include "widgets/ValueText.h"
+#include "widgets/figure/FigureText.h"
+#include "widgets/properties/ProjectionSection.h"
 #include "widgets/view/CompareView.h"
 
 #include <QApplication>
@@ -18,12 +19,14 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QObject>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -66,6 +69,104 @@ MadeFigure madeWithErrors(const Figure& figure, const MakingOptions& order, Figu
   constexpr double estimating = 0.15; // of the whole, in time
   const Figure estimated = withErrors(figure, withEffort(order, partOf(effort, 0.0, estimating)));
   return makeFigure(estimated, withEffort(order, partOf(effort, estimating, 1.0)), pixels);
+}
+
+/// From which pictures of a figure are made.
+struct FigureIngredients {
+  Scene scene;                      ///< with a volume
+  std::vector<Scene> sides;         ///< what is on screen, from left to right
+  std::optional<ComparedLook> look; ///< that is compared on screen with the scene's own
+  std::optional<Preset> remembered; ///< the look remembered as "before"
+  PlaneSettings planes;
+  GreyWindow firstWindow; ///< of slices whose settings have none
+  std::vector<Preset> presets;
+  Histogram histogram; ///< of the volume
+};
+
+PanelSource named(const QString& text, FigurePanel panel) {
+  panel.name = usualName(panel);
+  return {text, std::move(panel)};
+}
+
+PanelSource withLook(const QString& pattern, const Scene& scene, const QString& name) {
+  FigurePanel panel;
+  panel.scene = scene;
+  panel.name = name;
+  return {pattern.arg(name), std::move(panel)};
+}
+
+void addLooks(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  if (from.look)
+    for (std::size_t side = 0; side < 2; ++side)
+      sources.push_back(withLook(QObject::tr("Compared: %1"),
+                                 side == 0 ? withPreset(from.scene, from.look->shown) : from.scene,
+                                 QString::fromStdString(from.look->names[side])));
+}
+
+void addRemembered(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  if (from.remembered)
+    sources.push_back(withLook(QObject::tr("Remembered: %1"), withPreset(from.scene, *from.remembered),
+                               QObject::tr("Before")));
+}
+
+void addScenes(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  FigurePanel panel;
+  panel.scene = from.scene;
+  if (!usesLight(from.scene.projection)) {
+    sources.push_back(named(QObject::tr("Picture: %1").arg(usualName(panel)), panel));
+    return;
+  }
+  for (const ShadingModel model : shadingModels) {
+    panel.scene.shading.model = model;
+    sources.push_back(named(QObject::tr("Picture: %1").arg(usualName(panel)), panel));
+  }
+}
+
+void addSlices(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  for (const PatientPlane plane : patientPlanes) {
+    FigurePanel panel;
+    panel.scene = from.scene;
+    panel.plane = plane;
+    panel.planes = from.planes;
+    panel.firstWindow = from.firstWindow;
+    sources.push_back(named(QObject::tr("Slice: %1").arg(usualName(panel)), panel));
+  }
+}
+
+void addPresets(std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  for (const Preset& preset : from.presets)
+    sources.push_back(withLook(QObject::tr("Preset: %1"), withPreset(from.scene, preset, true),
+                               QString::fromStdString(preset.name)));
+}
+
+// All that can stand in a panel: two looks that are compared, the scene with every model, as it was before,
+// its slices, every preset from where the camera is.
+std::vector<PanelSource> panelSources(const FigureIngredients& from) {
+  std::vector<PanelSource> sources;
+  addLooks(sources, from);
+  addScenes(sources, from);
+  addRemembered(sources, from);
+  addSlices(sources, from);
+  addPresets(sources, from);
+  return sources;
+}
+
+// What a figure begins with, places in `panelSources`: what is on screen, slices beside one picture too.
+std::vector<std::size_t> firstPanels(const std::vector<PanelSource>& sources, const FigureIngredients& from) {
+  std::vector<std::size_t> panels;
+  const auto add = [&](const auto& isMeant) {
+    const auto found = std::ranges::find_if(sources, isMeant);
+    if (found != sources.end() && panels.size() < mostPanels)
+      panels.push_back(static_cast<std::size_t>(found - sources.begin()));
+  };
+  for (const Scene& side : from.sides)
+    add([&](const PanelSource& source) { return !source.panel.plane && source.panel.scene == side; });
+  if (panels.empty())
+    panels.push_back(0);
+  if (panels.size() == 1 && from.planes.layout != PlaneLayout::pictureOnly)
+    for (const PatientPlane plane : patientPlanes)
+      add([&](const PanelSource& source) { return source.panel.plane == plane; });
+  return panels;
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "app/figures/FigureMaker.h"
-#include "app/figures/FigureScenes.h"
 #include "app/files/exports/ExportDialog.h"
 #include "app/files/figure/PanelList.h"
 #include "scene/presets/Preset.h"
@@ -36,7 +35,6 @@ public:
   static ActionLook look();
   static bool suits(const Scene& scene) { return scene.volume != nullptr; }
 
-  PanelList& panelList() { return *m_panels; }
   FigureOptions& options() { return *m_options; }
   FigurePreview& preview() { return *m_preview; }
 

@@ -2,15 +2,68 @@
 #pragma once
 
 #include "app/document/OpenDocument.h"
-#include "app/files/opening/VolumeLoader.h"
+#include "widgets/controls/BackgroundWork.h"
 
+#include <QDialog>
 #include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
 
 class QMenu;
+class QTreeWidget;
 
 namespace limn {
 
 struct WindowContext;
+
+/// Lets the user choose one of the series in a folder; the largest is chosen at first.
+class SeriesDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  SeriesDialog(const std::vector<SeriesSummary>& series, QWidget* parent);
+
+signals:
+  /// The number of the chosen series, as DicomFolder gives it.
+  void seriesChosen(int number);
+
+private:
+  void makeTable();
+  void choose();
+
+  std::vector<SeriesSummary> m_series;
+  QTreeWidget* m_list;
+};
+
+/// Loads scenes on a worker thread, one at a time; starting another cancels the one under way. Signals come
+/// on the thread the loader lives in.
+class VolumeLoader : public QObject {
+  Q_OBJECT
+
+public:
+  explicit VolumeLoader(QObject* parent = nullptr);
+
+  /// `before` runs first, on the worker thread.
+  void start(const QString& source, const SourceOptions& options, std::function<void()> before = {});
+  void cancel();
+  bool isLoading() const { return m_work.isRunning(); }
+
+signals:
+  void progressed(double fraction, const QString& what);
+  void loaded(const limn::LoadedScene& scene, const limn::Histogram& histogram);
+  /// The folder holds several series and none was chosen.
+  void seriesFound(const QString& source, const std::shared_ptr<const limn::DicomFolder>& dicom);
+  void failed(const QString& source, const QString& sentence);
+  /// Beside failed: the scene could be read, its volume was not found where it is expected.
+  void volumeMissing(const QString& source, const QString& expected);
+  void cancelled();
+
+private:
+  QString m_source;
+  BackgroundWork m_work;
+};
 
 /// Asks what to open, or offers what was opened before, and reads it; what cannot be read as it is, it asks
 /// more about: which series, where the volume is, how far its voxels lie apart.

@@ -1,16 +1,349 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/frame/dialogs/DialogController.h"
 
-#include "app/frame/dialogs/HelpBoxes.h"
-#include "app/frame/dialogs/SettingsDialog.h"
-#include "app/frame/dialogs/StabilityDialog.h"
 #include "app/guide/GuideWindow.h"
 #include "app/window/WindowContext.h"
+#include "widgets/theme/Icons.h"
 #include "widgets/view/CompareView.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QStringList>
+#include <QUrl>
+#include <QVBoxLayout>
 
 namespace limn {
+namespace {
+
+// Keys that stand for one thing each, apart, as they are called here: "A · P".
+QString keys(std::initializer_list<const char*> names) {
+  QStringList apart;
+  for (const char* name : names)
+    apart << QKeySequence(QLatin1String(name), QKeySequence::PortableText).toString(QKeySequence::NativeText);
+  return apart.join(QStringLiteral(" · "));
+}
+
+QList<HelpRow> pictureRows() {
+  return {
+      {{}, QObject::tr("Picture")},
+      {QObject::tr("Left drag"), QObject::tr("rotate, or what the chosen tool does")},
+      {keys({"[", "M", "Z", "W"}), QObject::tr("tools: rotate, pan, zoom, window and level")},
+      {QObject::tr("Esc"), QObject::tr("cancel a drag; otherwise rotate again")},
+      {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
+      {QObject::tr("Right drag, wheel, + −"), QObject::tr("zoom")},
+      {QObject::tr("Ctrl+left drag"), QObject::tr("roll")},
+      {QObject::tr("Alt+left drag"), QObject::tr("window and level; with Ctrl: opacity")},
+      {QObject::tr("Arrows"), QObject::tr("rotate")},
+      {QObject::tr("Shift+move"), QObject::tr("value under the pointer; View ▸ Ray: along the ray below it")},
+      {QObject::tr("Shift+click"),
+       QObject::tr("keep that value: buttons make its tissue more or less opaque")},
+      {keys({"A", "P", "L", "S", "I"}), QObject::tr("look from front, back, left, above, below")},
+      {keys({"End", "PgDown", "Home"}), QObject::tr("look from front, left, above; Shift: the opposite")},
+      {QObject::tr("R"), QObject::tr("reset the camera")},
+      {QObject::tr("Space"), QObject::tr("swap the two sides while held")},
+      {QObject::tr("B, drag a handle"), QObject::tr("crop box; double click a handle: that face uncut")},
+      {QObject::tr("0, 1 … 9"), QObject::tr("full range, presets")},
+      {QObject::tr("F11, double click"), QObject::tr("picture and curve only; F11 or Esc: all again")},
+      {{}, QObject::tr("Window")},
+      {QObject::tr("F6, Shift+F6"), QObject::tr("the keyboard goes to the next panel, the one before")},
+      {QObject::tr("Ctrl+F"), QObject::tr("find a preset; Enter uses it and goes on to the picture")},
+      {{}, QObject::tr("Presets")},
+      {QObject::tr("Point at one, arrows"), QObject::tr("see it for a while; a click or Enter uses it")},
+      {QObject::tr("F, F2, Del"), QObject::tr("favourite; rename, delete one of your own")},
+      {QObject::tr("Ctrl+L"), QObject::tr("the look of the volume that was open before")},
+      {QObject::tr("Ctrl+B, Ctrl+Shift+B"), QObject::tr("remember a look, compare it with now")},
+  };
+}
+
+QList<HelpRow> sliceRows() {
+  return {
+      {{}, QObject::tr("Slices")},
+      {QObject::tr("Left drag"), QObject::tr("crosshair, or what the chosen tool does")},
+      {QObject::tr("Wheel, PgUp PgDn"), QObject::tr("through the slices; Shift+keys: ten at a time")},
+      {QObject::tr("Right drag, Alt+left drag"), QObject::tr("window and level")},
+      {QObject::tr("0, 1 2 3 4"), QObject::tr("full range; soft tissue, lung, bone, brain")},
+      {QObject::tr("Middle drag, Shift+left drag"), QObject::tr("pan")},
+      {QObject::tr("Ctrl+wheel, + −, F"), QObject::tr("zoom, show all of the slice")},
+      {keys({"C", "W", "D"}), QObject::tr("tools: crosshair, window and level, distance")},
+      {QObject::tr("Esc"), QObject::tr("the crosshair again")},
+      {QObject::tr("Arrows, Home"), QObject::tr("move the crosshair; to the middle")},
+      {QObject::tr("Del"), QObject::tr("remove the distance")},
+      {QObject::tr("Double click"), QObject::tr("one slice large, and back")},
+      {QObject::tr("Shift+click the picture"), QObject::tr("the crosshair goes to that place")},
+  };
+}
+
+QList<HelpRow> curveRows() {
+  return {
+      {{}, QObject::tr("Curve")},
+      {QObject::tr("Click the curve, double click"), QObject::tr("add a point")},
+      {QObject::tr("Drag a point"), QObject::tr("move; Shift locks an axis, Alt moves finely")},
+      {QObject::tr("Middle click, Del"), QObject::tr("delete")},
+      {QObject::tr("Rest on a point, H"), QObject::tr("what it governs lights up in slices and picture")},
+      {QObject::tr("Double click a point"), QObject::tr("colour and numbers")},
+      {QObject::tr("Drag the handle"), QObject::tr("shift the curve; Alt: width")},
+      {QObject::tr("Wheel, Shift+wheel"), QObject::tr("zoom, pan the value axis")},
+      {QObject::tr("Tab, arrows, Enter"), QObject::tr("walk the points, move, type numbers")},
+      {QObject::tr("N, Ins"), QObject::tr("add a point beside the one in hand")},
+      {QObject::tr("Menu key"), QObject::tr("colour and numbers, delete, show all values")},
+      {QObject::tr("Ctrl with + − 0 ← →"), QObject::tr("zoom the value axis, show all of it, pan")},
+  };
+}
+
+// As the menus have them, so that both always say the same.
+QList<HelpRow> menuRows(const ActionList& actions) {
+  QList<HelpRow> rows{{{}, QObject::tr("Menus")}};
+  for (const char* name :
+       {"openFile", "openFolder", "saveSession", "savePicture", "saveFigure", "copyPicture", "undo", "redo",
+        "findPreset", "settings", "guide", "closeVolume", "quit"}) {
+    const QAction& action = actions.find(name);
+    // Undo also says what it would undo.
+    QString does = action.objectName() == QLatin1String("undo")   ? QObject::tr("Undo")
+                   : action.objectName() == QLatin1String("redo") ? QObject::tr("Redo")
+                                                                  : action.text();
+    does.remove(QLatin1Char('&')).remove(QChar(0x2026));
+    rows << HelpRow{action.shortcut().toString(QKeySequence::NativeText), does};
+  }
+  return rows;
+}
+
+QString lastLine(const QByteArray& text) {
+  return QString::fromUtf8(text).trimmed().section(QLatin1Char('\n'), -1);
+}
+
+QString withoutMnemonic(QString text) {
+  return text.remove(QLatin1Char('&'));
+}
+
+void showChoice(QComboBox& box, const QActionGroup& group) {
+  const QSignalBlocker quiet(box);
+  const QList<QAction*> actions = group.actions();
+  box.clear();
+  for (qsizetype i = 0; i < actions.size(); ++i) {
+    box.addItem(withoutMnemonic(actions[i]->text()));
+    box.setItemData(static_cast<int>(i), actions[i]->toolTip(), Qt::ToolTipRole);
+    if (!actions[i]->isEnabled())
+      static_cast<QStandardItemModel*>(box.model())->item(static_cast<int>(i))->setEnabled(false);
+    if (actions[i]->isChecked())
+      box.setCurrentIndex(static_cast<int>(i));
+  }
+}
+
+} // namespace
+
+HelpRows helpRows(const ActionList& actions) {
+  return {pictureRows(), sliceRows(), curveRows(), menuRows(actions)};
+}
+
+namespace {
+
+// One grid for all that stands below each other, so that its columns do, too.
+void addRows(QGridLayout& grid, const QList<HelpRow>& rows) {
+  for (const HelpRow& row : rows) {
+    const int line = grid.rowCount();
+    auto* effect = new QLabel(row.effect);
+    if (row.gesture.isEmpty()) {
+      QFont bold = effect->font();
+      bold.setWeight(QFont::DemiBold);
+      effect->setFont(bold);
+      effect->setContentsMargins(0, line > 1 ? 12 : 0, 0, 2);
+      grid.addWidget(effect, line, 0, 1, 2);
+      continue;
+    }
+    effect->setForegroundRole(QPalette::PlaceholderText);
+    grid.addWidget(new QLabel(row.gesture), line, 0);
+    grid.addWidget(effect, line, 1);
+  }
+}
+
+QGridLayout* columnOf(const QList<QList<HelpRow>>& groups) {
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(20);
+  grid->setVerticalSpacing(3);
+  grid->setColumnStretch(1, 1);
+  for (const QList<HelpRow>& rows : groups)
+    addRows(*grid, rows);
+  grid->setRowStretch(grid->rowCount(), 1);
+  return grid;
+}
+
+} // namespace
+
+// Side by side, because one below the other they are higher than a small screen.
+void showShortcuts(const ActionList& actions, QWidget* parent) {
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(QObject::tr("Mouse and keys"));
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(40);
+  const HelpRows rows = helpRows(actions);
+  columns->addLayout(columnOf({rows.picture, rows.curve}), 1);
+  columns->addLayout(columnOf({rows.slices, rows.menus}), 1);
+  auto* close = new QPushButton(QObject::tr("Close"), dialog);
+  QObject::connect(close, &QPushButton::clicked, dialog, &QDialog::close);
+  auto* all = new QVBoxLayout(dialog);
+  all->setContentsMargins(16, 12, 16, 12);
+  all->setSpacing(12);
+  all->addLayout(columns);
+  all->addWidget(close, 0, Qt::AlignRight);
+  dialog->show();
+}
+
+void showAbout(QWidget* parent) {
+  const QString text =
+      QObject::tr("<h3>Limn %1</h3><p>Shows CT and MR volumes in three dimensions: you shape which tissue is "
+                  "seen, in which colour and how solid, and compare ways of lighting it side by "
+                  "side.</p><p><b>Not for diagnosis.</b></p><p>Free software under the GNU General Public "
+                  "License, version 3 or later.</p>")
+          .arg(QStringLiteral(LIMN_VERSION));
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, QObject::tr("About Limn"), text, QMessageBox::Close, parent);
+  box->setIconPixmap(programIcon().pixmap(QSize(64, 64), parent->devicePixelRatioF()));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setWindowModality(Qt::NonModal);
+  box->show();
+}
+
+StabilityDialog::StabilityDialog(const QString& program, const QString& folder, QWidget* parent)
+    : QDialog(parent), m_program(program), m_folder(folder), m_text(new QLabel(this)),
+      m_bar(new QProgressBar(this)), m_start(new QPushButton(tr("Check"), this)),
+      m_stop(new QPushButton(tr("Stop"), this)), m_open(new QPushButton(tr("Open the report"), this)) {
+  setWindowTitle(tr("Stability checks"));
+  m_text->setWordWrap(true);
+  m_text->setMinimumWidth(420);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_text->setText(
+      tr("Checks the graphics driver of this computer with pictures whose right result is known. Takes some "
+         "minutes; you can go on working."));
+  m_bar->setRange(0, 0);
+  m_bar->setTextVisible(false);
+  m_bar->setAccessibleName(tr("Checking"));
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  for (QPushButton* button : {m_open, m_stop, m_start})
+    row->addWidget(button);
+  auto* close = new QPushButton(tr("Close"), this);
+  close->setToolTip(tr("Running checks go on."));
+  row->addWidget(close);
+  m_start->setDefault(true);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(m_text);
+  column->addWidget(m_bar);
+  column->addLayout(row);
+  showRunning(false);
+  m_open->hide();
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  connect(m_start, &QPushButton::clicked, this, &StabilityDialog::start);
+  connect(m_stop, &QPushButton::clicked, &m_process, &QProcess::kill);
+  connect(m_open, &QPushButton::clicked, this, [this] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QDir(m_folder).filePath(QStringLiteral("stability.html"))));
+  });
+  connect(&m_process, &QProcess::finished, this, &StabilityDialog::showEnd);
+  connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart)
+      return; // finished tells
+    showRunning(false);
+    m_text->setText(tr("The checks could not be started: %1.").arg(m_process.errorString()));
+  });
+}
+
+// Nobody is told of its end any more.
+StabilityDialog::~StabilityDialog() {
+  m_process.disconnect(this);
+  m_process.kill();
+  m_process.waitForFinished();
+}
+
+void StabilityDialog::start() {
+  m_open->hide();
+  m_text->setText(tr("Checking…"));
+  showRunning(true);
+  m_process.start(m_program, {QStringLiteral("stability"), QStringLiteral("-o"), m_folder});
+}
+
+void StabilityDialog::showEnd(int exitCode, QProcess::ExitStatus status) {
+  showRunning(false);
+  const QString summary = lastLine(m_process.readAllStandardOutput());
+  const QString error = lastLine(m_process.readAllStandardError());
+  if (status == QProcess::CrashExit)
+    m_text->setText(tr("The checks ended before they were complete, by you or by the driver."));
+  else
+    m_text->setText(exitCode == 0 || error.isEmpty() ? summary : summary + QLatin1Char('\n') + error);
+  m_open->setVisible(status == QProcess::NormalExit &&
+                     QDir(m_folder).exists(QStringLiteral("stability.html")));
+}
+
+void StabilityDialog::showRunning(bool runs) {
+  m_bar->setVisible(runs);
+  m_stop->setVisible(runs);
+  m_start->setVisible(!runs);
+}
+
+SettingsDialog::SettingsDialog(const ActionList& actions, QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Settings"));
+  auto* rows = new QGridLayout(this); // boxes of one width
+  rows->setColumnStretch(1, 1);
+  const auto addWhole = [&](QWidget* widget) { rows->addWidget(widget, rows->rowCount(), 0, 1, 2); };
+  for (const ActionList::Setting& setting : actions.settings()) {
+    if (setting.choice) {
+      auto* label = new QLabel(setting.label);
+      QComboBox* box = choiceOf(*setting.choice, setting.label);
+      label->setBuddy(box);
+      rows->addWidget(label, rows->rowCount(), 0);
+      rows->addWidget(box, rows->rowCount() - 1, 1);
+    } else if (setting.action->isCheckable()) {
+      addWhole(switchOf(*setting.action));
+    } else {
+      addWhole(buttonOf(*setting.action));
+    }
+  }
+  auto* buttons = new QDialogButtonBox;
+  buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  addWhole(buttons);
+}
+
+QComboBox* SettingsDialog::choiceOf(QActionGroup& group, const QString& name) {
+  auto* box = new QComboBox;
+  box->setMinimumWidth(220); // all alike
+  box->setAccessibleName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  showChoice(*box, group);
+  for (QAction* action : group.actions())
+    connect(action, &QAction::changed, box, [box, &group] { showChoice(*box, group); });
+  connect(box, &QComboBox::activated, this, [&group](int index) { group.actions()[index]->trigger(); });
+  return box;
+}
+
+QPushButton* SettingsDialog::buttonOf(QAction& action) {
+  auto* button = new QPushButton(action.text());
+  button->setAutoDefault(false);
+  button->setToolTip(action.toolTip());
+  connect(button, &QPushButton::clicked, &action, &QAction::trigger);
+  return button;
+}
+
+QCheckBox* SettingsDialog::switchOf(QAction& action) {
+  auto* box = new QCheckBox(withoutMnemonic(action.text()));
+  box->setToolTip(action.toolTip());
+  box->setChecked(action.isChecked());
+  connect(&action, &QAction::toggled, box, &QCheckBox::setChecked);
+  connect(box, &QCheckBox::clicked, &action, &QAction::trigger);
+  return box;
+}
 
 DialogController::DialogController(WindowContext& context) : QObject(&context.window), m_context(context) {
   QAction* settings =

@@ -1,15 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QDialog>
+#include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QProcess>
+#include <QString>
+
+class QAction;
+class QActionGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QWidget;
 
 namespace limn {
 
+class ActionList;
 class GuideWindow;
-class SettingsDialog;
-class StabilityDialog;
 struct WindowContext;
+
+/// What one gesture or key does, in the words of the window's language.
+struct HelpRow {
+  QString gesture; ///< empty: `effect` is a heading
+  QString effect;
+};
+
+/// Every gesture and key, by where it is made.
+struct HelpRows {
+  QList<HelpRow> picture;
+  QList<HelpRow> slices;
+  QList<HelpRow> curve;
+  QList<HelpRow> menus; ///< as the menus have them, so that both always say the same
+};
+
+/// Those of the menus are read from the actions, shortcuts as they are set.
+HelpRows helpRows(const ActionList& actions);
+
+/// Lists what mouse and keys do, and the keys of the menus' actions, in a box that blocks nothing.
+void showShortcuts(const ActionList& actions, QWidget* parent);
+
+/// Says what Limn is, in a box that blocks nothing.
+void showAbout(QWidget* parent);
+
+/// Runs `limn stability` on this computer and tells what it found. It runs in a process of its own: a driver
+/// that crashes in a check takes nothing along, and the window goes on.
+class StabilityDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  /// `program` is Limn's own executable; the report goes into `folder`.
+  StabilityDialog(const QString& program, const QString& folder, QWidget* parent);
+  ~StabilityDialog() override;
+
+private:
+  void start();
+  void showEnd(int exitCode, QProcess::ExitStatus status);
+  void showRunning(bool runs);
+
+  QString m_program;
+  QString m_folder;
+  QProcess m_process;
+  QLabel* m_text;
+  QProgressBar* m_bar;
+  QPushButton* m_start;
+  QPushButton* m_stop;
+  QPushButton* m_open;
+};
+
+/// What stays from run to run, whatever is open: its only place. It shows and triggers the actions that were
+/// registered as settings.
+class SettingsDialog : public QDialog {
+  Q_OBJECT
+
+public:
+  SettingsDialog(const ActionList& actions, QWidget* parent);
+
+private:
+  QComboBox* choiceOf(QActionGroup& group, const QString& name);
+  QCheckBox* switchOf(QAction& action);
+  QPushButton* buttonOf(QAction& action);
+};
 
 /// The dialogs that are about the program and not about what is shown: settings, guide, keys, stability
 /// checks, about. None blocks the window.

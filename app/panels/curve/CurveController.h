@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/panels/curve/HistogramController.h"
 #include "scene/Scene.h"
+#include "scene/view/HistogramView.h"
 #include "scene/volume/Histogram.h"
+#include "widgets/controls/BackgroundWork.h"
 
 #include <QObject>
+
+#include <memory>
 
 namespace limn {
 
 class CurvePanel;
+class HistogramButton;
+class Settings;
+class TransferFunctionEditor;
 struct WindowContext;
+
+/// The histogram behind the curve: of the voxels that were chosen, counted beside the event loop where that
+/// is not known already. The choice is kept from run to run.
+class HistogramController : public QObject {
+  Q_OBJECT
+
+public:
+  HistogramController(TransferFunctionEditor& editor, Settings& settings);
+
+  /// What is hidden, and what the curve shows.
+  void showScene(const Scene& scene);
+
+  /// A volume that was opened, with the histogram of all its values; null: none is open any more.
+  void showVolume(const std::shared_ptr<const Volume>& volume, const Histogram& whole);
+
+signals:
+  void failed(const QString& sentence);
+
+private:
+  /// What a histogram of the kept voxels is of.
+  struct Kept {
+    std::shared_ptr<const Volume> volume;
+    Region keep;
+    CropBox crop;
+    bool operator==(const Kept&) const = default;
+  };
+
+  void choose(const HistogramView& view);
+  void show();
+  void count();
+
+  TransferFunctionEditor& m_editor;
+  Settings& m_settings;
+  HistogramButton* m_button;
+  HistogramView m_view;
+  Histogram m_whole;
+  TransferFunction m_function;
+  Kept m_wanted;
+  Kept m_known; ///< of which `m_kept` is
+  Histogram m_kept;
+  Histogram m_shown;
+  Kept m_inWork;
+  BackgroundWork m_counting;
+};
 
 /// Shows in the curve panel what is open: the curves of the scene over the histograms of its volume.
 class CurveController : public QObject {

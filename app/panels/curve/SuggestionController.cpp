@@ -2,7 +2,6 @@
 #include "app/panels/curve/SuggestionController.h"
 
 #include "app/panels/curve/SuggestionDialog.h"
-#include "app/panels/curve/SuggestionText.h"
 #include "app/window/WindowContext.h"
 #include "scene/presets/PresetFit.h"
 

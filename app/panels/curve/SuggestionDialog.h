@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/panels/curve/SuggestionText.h"
+#include "scene/presets/Suggestion.h"
 
 #include <QDialog>
+#include <QString>
 
 #include <optional>
 #include <vector>
@@ -14,6 +15,18 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace limn {
+
+/// How the values of a volume are told.
+struct ValueNames {
+  QString unit;
+  bool isHounsfield = false; ///< tissues have names
+};
+
+/// What a boundary is called: "Bone", "Fat to soft tissue, blood", "Surface at 460".
+QString boundaryName(const Boundary& boundary, const ValueNames& names);
+
+/// Where it lies and how much of all boundaries it is.
+QString boundaryExplained(const Boundary& boundary, const ValueNames& names);
 
 /// Lists the bands that are proposed for a volume. A row under the pointer, or with the focus, is previewed;
 /// its button takes it over.

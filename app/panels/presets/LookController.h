@@ -1,15 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/panels/presets/LookImport.h"
+#include "app/presets/PresetStore.h"
+#include "io/looks/Look.h"
 #include "widgets/controls/BackgroundWork.h"
 
+#include <QDialog>
 #include <QObject>
+#include <QStringList>
+
+#include <vector>
 
 namespace limn {
 
 class PresetController;
 struct WindowContext;
+
+/// What became of a file, and a sentence for each thing that is no longer as it was.
+struct LookReportEntry {
+  QString file;
+  QString outcome; ///< "imported as "Bones"", "refused"
+  QStringList sentences;
+  bool isRefused = false;
+};
+
+/// Shows what changed or was lost when looks were imported or exported. Its text can be selected, by mouse
+/// and keys, and copied as a whole. Never modal.
+class LookReport : public QDialog {
+  Q_OBJECT
+
+public:
+  LookReport(const QString& title, const QString& summary, const std::vector<LookReportEntry>& entries,
+             QWidget* parent);
+
+  /// All that it says, as it is copied.
+  const QString& plainText() const { return m_plainText; }
+
+private:
+  QString m_plainText;
+};
+
+/// What became of files that were imported.
+struct LookImport {
+  std::vector<LookReportEntry> files;
+  QStringList presets; ///< by what they are called now
+};
+
+/// Makes presets of the user's own from files. Nothing that the user has is replaced, what is there already
+/// is not kept twice, and a file that cannot be read or kept does not keep others from it. Without a target a
+/// look over fractions of a volume's range is refused: a list of presets is no place for what shows nothing
+/// anywhere.
+LookImport importLooks(const QStringList& paths, const std::optional<LookTarget>& target,
+                       const PresetStore& store);
 
 /// Makes presets of the user's own from files of Limn and other programs, and writes looks as such files.
 /// What changes on the way is told: nothing in the status bar, one refusal in the message bar, the rest in a

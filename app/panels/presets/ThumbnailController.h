@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/panels/presets/ThumbnailPainter.h"
 #include "scene/presets/Preset.h"
 #include "widgets/controls/BackgroundWork.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -14,6 +13,38 @@ namespace limn {
 
 class PresetController;
 struct WindowContext;
+
+/// A small picture that is wanted.
+struct Thumbnail {
+  QString name; ///< of what it shows
+  Scene scene;  ///< of the whole volume, with the camera that fits its shape
+};
+
+/// Draws small pictures on the processor, one after the other, of a copy of the volume that is no finer than
+/// they need. For one thread at a time.
+class ThumbnailPainter {
+public:
+  ThumbnailPainter();
+  ~ThumbnailPainter();
+
+  using IsEnded = std::function<bool()>;
+  /// `showsNothing`: nothing of the volume is visible in the picture.
+  using Drawn = std::function<void(const QString& name, const QImage& picture, bool showsNothing)>;
+
+  /// Draws what is wanted, as far as it can be, with `size` pixels each; throws Cancelled some milliseconds
+  /// after the word.
+  void draw(const std::vector<Thumbnail>& wanted, const QSize& size, const IsEnded& isEnded,
+            const Drawn& drawn);
+
+private:
+  Scene reducedScene(const Scene& scene, const IsEnded& isEnded);
+
+  std::unique_ptr<DrawingEngine> m_engine;
+  std::weak_ptr<const Volume> m_whole; ///< what `m_volume` was made of
+  std::shared_ptr<const Volume> m_volume;
+  Region m_wholeKeep;
+  Region m_keep;
+};
 
 /// Has the list of presets show what each makes of the volume that is open: from where it is looked at, cut
 /// as it is, lit with its model. Pictures are drawn in spare time: while the ones of the view are at rest and

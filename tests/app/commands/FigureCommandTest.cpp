@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/sources/SceneSource.h"
 #include "app/figures/FigureMaker.h"
-#include "app/figures/FigureScenes.h"
 #include "io/ImageFile.h"
 #include "support/ProgramRun.h"
 #include "support/TemporaryFolder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/document/SceneEdits.h"
+#include "app/document/Session.h"
 
 #include "scene/volume/Phantom.h"
 

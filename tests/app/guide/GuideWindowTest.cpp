@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guide/GuideWindow.h"
 #include "app/WindowHarness.h"
-#include "app/frame/dialogs/HelpBoxes.h"
-#include "app/guide/GuideView.h"
+#include "app/frame/dialogs/DialogController.h"
 #include "documentation/Matches.h"
 #include "documentation/Tree.h"
 #include "widgets/controls/FoldingSection.h"

@@ -2,7 +2,7 @@
 #include "app/window/ActionList.h"
 
 #include "app/WindowHarness.h"
-#include "app/frame/dialogs/SettingsDialog.h"
+#include "app/frame/dialogs/DialogController.h"
 #include "scene/view/CompareLayout.h"
 
 #include <QCheckBox>

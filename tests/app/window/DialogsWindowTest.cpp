@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/frame/dialogs/SettingsDialog.h"
-#include "app/frame/dialogs/StabilityDialog.h"
+#include "app/frame/dialogs/DialogController.h"
 #include "support/Places.h"
 #include "widgets/FindWidget.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/picture/OrientationDialog.h"
+#include "app/picture/OrientationController.h"
 #include "app/picture/RegionController.h"
 #include "scene/volume/Orientation.h"
 #include "support/FileBytes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
-#include "app/frame/FocusMode.h"
+#include "app/frame/Frame.h"
 #include "scene/view/PlaneSettings.h"
 #include "widgets/curve/GradientOpacityEditor.h"
 #include "widgets/planes/PlaneDeck.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "reference/ProfileAlong.h"
-#include "widgets/ray/ProfileChart.h"
 #include "widgets/ray/RayPanel.h"
 #include "widgets/view/gestures/ViewInput.h"
 

@@ -2,7 +2,6 @@
 #include "PlaneHost.h"
 
 #include "widgets/controls/NumberField.h"
-#include "widgets/planes/PlaneBar.h"
 #include "widgets/planes/PlaneDeck.h"
 #include "widgets/planes/PlaneView.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/ray/ProfileChart.h"
+#include "widgets/ray/RayPanel.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/gestures/ViewDrag.h"
 
-#include "widgets/properties/AxisNames.h"
-
 #include <QObject>
 
 #include <algorithm>

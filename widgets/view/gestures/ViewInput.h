@@ -1,23 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "scene/framing/Framing.h"
 #include "scene/light/Gradient.h"
 #include "widgets/view/gestures/Probe.h"
 #include "widgets/view/gestures/ViewDrag.h"
-#include "widgets/view/gestures/ViewKeys.h"
 #include "widgets/view/overlay/ViewOrder.h"
 
 #include <QCursor>
 #include <QObject>
+#include <QPoint>
 
 #include <functional>
 #include <optional>
+#include <variant>
 
+class QKeyEvent;
 class QMouseEvent;
 class QWheelEvent;
 class QWidget;
 
 namespace limn {
+
+/// What a key of the 3D view asks for.
+namespace viewcommand {
+struct LookFrom {
+  StandardView view;
+  bool operator==(const LookFrom&) const = default;
+};
+struct LookFromNearest { ///< the standard view nearest to the present one
+  bool operator==(const LookFromNearest&) const = default;
+};
+struct Reset { ///< the camera of a freshly opened volume
+  bool operator==(const Reset&) const = default;
+};
+struct Rotate { ///< in steps, as if the pointer were dragged right and down
+  int right = 0;
+  int down = 0;
+  bool operator==(const Rotate&) const = default;
+};
+struct Zoom { ///< in notches of the wheel
+  int notches = 0;
+  bool operator==(const Zoom&) const = default;
+};
+struct UseTool {
+  ViewTool tool;
+  bool operator==(const UseTool&) const = default;
+};
+struct WindowPreset { ///< 0 is the full dynamic range, 1..9 the presets
+  int number = 0;
+  bool operator==(const WindowPreset&) const = default;
+};
+struct Swap { ///< show the other side while held
+  bool operator==(const Swap&) const = default;
+};
+struct Cancel {
+  bool operator==(const Cancel&) const = default;
+};
+struct ListShortcuts {
+  bool operator==(const ListShortcuts&) const = default;
+};
+} // namespace viewcommand
+
+using ViewCommand =
+    std::variant<std::monostate, viewcommand::LookFrom, viewcommand::LookFromNearest, viewcommand::Reset,
+                 viewcommand::Rotate, viewcommand::Zoom, viewcommand::UseTool, viewcommand::WindowPreset,
+                 viewcommand::Swap, viewcommand::Cancel, viewcommand::ListShortcuts>;
+
+/// The command of a key; monostate where the view does not use it. Slicer's keys choose the standard views
+/// (End or keypad 1 anterior, with Shift posterior; PgDn or 3 left, right; Home or 7 superior, inferior;
+/// Insert or 0 the nearest), and so do the letters A P L S I. R resets, as in VTK programs: the right side
+/// is reached by Shift+PgDn.
+ViewCommand commandOf(const QKeyEvent& event);
+
+/// On what views are framed, asked only where one is wanted, and width over height of a picture.
+struct ViewFrame {
+  std::function<IndexBox()> visibleBox;
+  double aspect = 1.0;
+};
+
+/// The camera that a command asks for, of this volume; nothing where the command moves none.
+std::optional<Camera> cameraAfter(const ViewCommand& command, const Camera& camera, const Volume& volume,
+                                  const ViewFrame& frame);
 
 /// The pointer that tells what a drag of this kind does; the plain arrow for rotating. Seen on light and dark
 /// pictures. Needs a QGuiApplication.

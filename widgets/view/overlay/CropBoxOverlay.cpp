@@ -2,7 +2,7 @@
 #include "widgets/view/overlay/CropBoxOverlay.h"
 
 #include "widgets/ValueText.h"
-#include "widgets/properties/AxisNames.h"
+#include "widgets/properties/CropFaces.h"
 
 #include <QObject>
 #include <QPainter>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/drawing/EngineChoice.h"
-#include "app/core/drawing/EngineTrial.h"
 #include "app/core/drawing/RealRenderers.h"
 #include "app/document/Settings.h"
 #include "cpu/CpuRenderer.h"

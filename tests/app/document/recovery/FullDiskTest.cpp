@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/naming/UserFolders.h"
 #include "app/document/Settings.h"
-#include "app/document/recovery/Autosave.h"
-#include "app/document/recovery/UnsavedSessions.h"
+#include "app/document/recovery/SessionKeeper.h"
 #include "app/presets/PresetStore.h"
 #include "io/AtomicFile.h"
 #include "scene/basics/Error.h"

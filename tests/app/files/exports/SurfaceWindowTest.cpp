@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/files/exports/SurfaceDialog.h"
-#include "app/files/exports/SurfaceText.h"
 #include "support/FileBytes.h"
 
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
+#include "app/figures/FigureMaker.h"
 #include "app/figures/FigureOptions.h"
-#include "app/figures/FigureScenes.h"
 #include "app/files/figure/FigureDialog.h"
 #include "app/files/figure/FigurePreview.h"
 #include "io/ImageFile.h"

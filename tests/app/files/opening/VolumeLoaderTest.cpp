@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Loading on a thread of its own, with an event loop and without a window: what ThreadSanitizer watches.
-#include "app/files/opening/VolumeLoader.h"
+#include "app/files/opening/OpeningController.h"
 #include "io/dicom/SyntheticSeries.h"
 #include "support/FileBytes.h"
 #include "support/Openings.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/presets/LookImport.h"
+#include "app/panels/presets/LookController.h"
 #include "support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/WindowHarness.h"
 #include "app/panels/presets/LookController.h"
-#include "app/panels/presets/LookReport.h"
 #include "io/looks/Look.h"
 #include "support/FileBytes.h"
 #include "widgets/PresetNames.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/presets/ProjectionCurves.h"
+#include "app/panels/Panels.h"
 
 #include "scene/volume/Phantom.h"
 

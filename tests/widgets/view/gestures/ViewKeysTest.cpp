@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/view/gestures/ViewKeys.h"
+#include "widgets/view/gestures/ViewInput.h"
 
 #include <QKeyEvent>
 
