@@ -38,8 +38,8 @@ struct Pixels {
     const bool isPreintegrated = terms.effects.has(Effect::preintegration);
     for (int x = fromX; x < toX; x += lanes()) {
       Rays rays(terms, x, toX, y);
-      // Error-controlled steps walk from block to block themselves.
-      if (terms.empty.distances && !terms.local)
+      // Cells are walked from block to block.
+      if (terms.empty.distances && !terms.fineness)
         leapToFirst(terms.empty, isPreintegrated, rays);
       for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
         glm::vec4 pixel(0.0f);
@@ -63,7 +63,7 @@ struct Shares {
     std::int64_t samples = 0;
     for (int x = fromX; x < toX; x += lanes()) {
       Rays rays(terms, x, toX, y);
-      if (terms.empty.distances && !terms.local)
+      if (terms.empty.distances && !terms.fineness)
         leapToFirst(terms.empty, isPreintegrated, rays);
       for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
         const int pixel = x + lane - fromX;
