@@ -23,7 +23,7 @@ int wholeBelow(double value) {
 
 } // namespace
 
-CellWalk::CellWalk(const PictureTerms& terms, const Ray& ray)
+CellWalk::CellWalk(const PictureTerms& terms, const Ray& ray, double from)
     : m_empty(terms.empty), m_end((ray.span.end - ray.span.begin) / terms.lengthMm) {
   const FramedRay framed = framedRay(terms.frame, ray.pixel.x, ray.pixel.y, terms.size);
   m_first = framed.anchor + ray.span.begin * framed.direction + terms.centre;
@@ -32,7 +32,7 @@ CellWalk::CellWalk(const PictureTerms& terms, const Ray& ray)
     if (std::abs(m_advance[axis]) > 1e-20)
       m_inverse[axis] = 1.0 / m_advance[axis];
   addBreaks(terms, ray);
-  enterAt(0.0);
+  enterAt(from);
 }
 
 // Near a cut face its normal takes the gradient's place, from one length on; fog sets in at a distance.

@@ -10,8 +10,9 @@ namespace limn::cpu {
 /// which nothing shows are leapt over. Chords are found from planes and ray alone, so that leaps move none.
 class CellWalk {
 public:
-  /// Of a ray in unit lengths (inLengths) whose span holds what is to be walked.
-  CellWalk(const PictureTerms& terms, const Ray& ray);
+  /// Of a ray in unit lengths (inLengths) whose span holds what is to be walked. Nothing shows before `from`,
+  /// lengths behind the span's begin.
+  CellWalk(const PictureTerms& terms, const Ray& ray, double from);
 
   /// Where up to `most` next chords begin and end, in lengths behind the span's begin. Returns how many; 0
   /// behind the ray's end.

@@ -431,9 +431,10 @@ private:
 template <VoxelSource::Kind kind>
 class CellMarch {
 public:
+  /// Nothing shows before the first of the ray's equal steps that may show, unless it is a part of one.
   CellMarch(const PictureTerms& terms, const Ray& ray)
-      : m_terms(terms), m_ray(inLengths(terms, ray)), m_samples(terms, m_ray), m_maker(terms, m_samples),
-        m_batch(terms, m_samples) {}
+      : m_terms(terms), m_ray(inLengths(terms, ray)), m_samples(terms, m_ray),
+        m_maker(terms, m_samples, terms.brick ? 0.0 : beforeSeen(terms, ray)), m_batch(terms, m_samples) {}
 
   glm::vec4 gathered() {
     PieceSum sum;
@@ -447,6 +448,12 @@ public:
   }
 
 private:
+  // The last sample of the equal steps before what may show, in lengths.
+  static double beforeSeen(const PictureTerms& terms, const Ray& ray) {
+    const double stepMm = (ray.span.end - ray.span.begin) / ray.count;
+    return std::max(0.0, (ray.from - 1 + double(ray.offset)) * stepMm / terms.lengthMm);
+  }
+
   const PictureTerms& m_terms;
   Ray m_ray;
   Samples<kind> m_samples;

@@ -67,8 +67,9 @@ inline void cutPiece(const Pieces& of, int n, int part, Pieces& pieces) {
 template <VoxelSource::Kind kind>
 class PieceMaker {
 public:
-  PieceMaker(const PictureTerms& terms, const Samples<kind>& samples)
-      : m_samples(samples), m_table(*terms.function), m_walk(terms, samples.ray) {}
+  /// Nothing shows before `from`, lengths behind the span's begin.
+  PieceMaker(const PictureTerms& terms, const Samples<kind>& samples, double from)
+      : m_samples(samples), m_table(*terms.function), m_walk(terms, samples.ray, from) {}
 
   /// The next pieces that show; false where none is left.
   bool fill(Pieces& pieces) {
@@ -226,7 +227,8 @@ private:
         next = 0.5f * (a + b);
       const float step = std::abs(next - s);
       s = next;
-      if (step < leastShare)
+      // The next step would be its square.
+      if (step < 1e-3f)
         break;
     }
     return s;
