@@ -7,6 +7,7 @@
 #include "gl/HeadlessContext.h"
 #include "gl/PictureTarget.h"
 #include "raycaster/RayCasterEngine.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
 #include <array>
