@@ -97,7 +97,7 @@ PictureArea::PictureArea(WindowContext& context)
   context.followers.add(SceneFollowers::Stage::after, [this](const Scene& scene) { showScene(scene); });
 }
 
-// The keys belong to the picture (ViewKeys), which is why these only name them.
+// The keys belong to the picture (ViewInput), which is why these only name them.
 void PictureArea::addTools() {
   int row = 0;
   QMenu* menu = m_context.actions.addMenu(tr("Left dra&g"), {Menu::view, 2, 4});
