@@ -164,9 +164,7 @@ private:
       sum = glm::dvec4(glm::dvec3(sum) + sum.a * light.color, sum.a - sum.a * light.alpha);
       return sum.a;
     };
-    const int cuts = m_terms.mostSamples > mostSamples ? mostConvergingCuts : cellCuts;
-    m_samples =
-        CellMarch<T>(m_terms, m_ray).march(*m_terms.fineness, cuts, node, add, [&] { return isEnd(sum); });
+    m_samples = CellMarch<T>(m_terms, m_ray).march(*m_terms.fineness, node, add, [&] { return isEnd(sum); });
     return sum;
   }
 
@@ -259,9 +257,6 @@ private:
 
   // Light through so little cannot change the last digit of 1 in double precision, however bright.
   static constexpr double nothingLeft = 1e-20;
-
-  // Of a piece of a picture that is to converge.
-  static constexpr int mostConvergingCuts = 5;
 
   const PictureTerms& m_terms;
   RaySamples<T> m_ray;

@@ -104,8 +104,8 @@ private:
 /// What every ray of a picture shares.
 struct PictureTerms {
   const Scene& scene;
-  EffectSet effects;     ///< that the scene calls for; decides on the steps only
-  bool isByCells = true; ///< how a tolerance is kept
+  EffectSet effects;      ///< that the scene calls for; decides on the steps only
+  bool converges = false; ///< cell by cell, where a tolerance is set
   LightingTerms terms = lightingTerms(scene.shading);
   const Grid& grid = scene.volume->grid();
   IndexBox box = croppedBox(grid, scene.crop);
@@ -122,9 +122,9 @@ struct PictureTerms {
   bool changesOpacity = hasRegion || hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
   bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
   std::optional<double> fineness =
-      effects.has(Effect::localSteps) && isByCells ? finenessOf(scene.quality) : std::nullopt;
+      effects.has(Effect::localSteps) && converges ? finenessOf(scene.quality) : std::nullopt;
   std::optional<LocalStepTerms> local =
-      effects.has(Effect::localSteps) && !isByCells ? localStepTerms(scene) : std::nullopt;
+      effects.has(Effect::localSteps) && !converges ? localStepTerms(scene) : std::nullopt;
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 
