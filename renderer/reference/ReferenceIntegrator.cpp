@@ -52,14 +52,13 @@ struct Work {
   Limiting limiting = Limiting::clampOrKnee;
   int mostSamples = limn::mostSamples;
   std::optional<PixelRect> tile; ///< absent: the whole picture
-  bool converges = false;
 };
 
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
   const glm::ivec2 size = picture.size;
   const PixelRect tile = work.tile.value_or(PixelRect{{0, 0}, size});
-  PictureTerms terms{scene, effectsOf(scene), work.converges};
+  PictureTerms terms{scene, effectsOf(scene)};
   terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
@@ -95,7 +94,7 @@ ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int
   const auto pixels = static_cast<std::size_t>(size.x) * size.y;
   picture.pixels.assign(pixels, glm::dvec4(0.0));
   picture.samples.assign(pixels, 0);
-  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples, tile, false});
+  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples, tile});
   return picture;
 }
 
@@ -103,7 +102,7 @@ void redrawReference(ReferencePicture& picture, const Scene& scene, const std::v
                      int threads, const std::function<bool()>& isCancelled) {
   assert(wanted.size() == picture.pixels.size());
   drawInto(picture, scene,
-           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max(), {}, true});
+           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max(), {}});
 }
 
 Image toImage(const ReferencePicture& picture) {

@@ -33,9 +33,8 @@ ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int
                                  const std::optional<PixelRect>& tile = {});
 
 /// Draws again, with the scene as it is now, those pixels of a picture of the same size whose entry in
-/// `wanted` is not 0, as a picture that is to converge: rays are as long as the step asks for, and with a
-/// tolerance they are integrated cell by cell (CellMarch). Throws as above; cancelled, the picture holds both
-/// old and new rows.
+/// `wanted` is not 0, their rays as long as the step asks for: the limit on samples is for pictures that
+/// people wait for. Throws as above; cancelled, the picture holds both old and new rows.
 void redrawReference(ReferencePicture& picture, const Scene& scene, const std::vector<std::uint8_t>& wanted,
                      int threads = 0, const std::function<bool()>& isCancelled = {});
 
