@@ -3,6 +3,7 @@
 
 #include "scene/ProjectionFacts.h"
 #include "scene/steps/BlockRanges.h"
+#include "scene/steps/LocalSteps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,6 @@ void SceneData::update(const Scene& scene, const std::function<bool()>& isCancel
   }
   m_region.update(scene.keep, m_voxels->part(), m_volume->room(), effort);
   updateEmptySpace(scene, effort);
-  updateLocalSteps(scene, effort);
 }
 
 void SceneData::makeReady(const Scene& scene, const Effort& effort) {
@@ -165,8 +165,6 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   }
   m_voxels.reset();
   m_volume.reset(); // should the new one be refused
-  m_facts.reset();
-  m_localSteps.reset();
   m_empty = {};
   m_voxels.emplace(scene.volume, part, effort);
   m_volume = scene.volume;
@@ -176,20 +174,6 @@ void SceneData::updateVolume(const Scene& scene, const Effort& effort) {
   m_gradientOpacityKept.reset();
   m_emptySpaceKept.reset();
   m_empty.distances = BlockDistances(m_volume->room());
-}
-
-void SceneData::updateLocalSteps(const Scene& scene, const Effort& effort) {
-  const std::optional<double> fineness = finenessOf(scene.quality);
-  if (!fineness)
-    return;
-  if (!m_facts)
-    m_facts = blockFacts(*m_volume, effort);
-  if (!m_localSteps || m_localStepsFunction != scene.transferFunction || m_localStepsKeep != scene.keep) {
-    m_localSteps = localStepTerms(scene, *m_facts, effort);
-    m_localStepsFunction = scene.transferFunction;
-    m_localStepsKeep = scene.keep;
-  }
-  m_localSteps->fineness = *fineness;
 }
 
 void SceneData::updateEmptySpace(const Scene& scene, const Effort& effort) {
@@ -223,7 +207,7 @@ SceneFacts SceneData::facts(const Scene& scene) {
 
 double SceneData::steepestPerMm() {
   if (!m_steepness)
-    m_steepness = m_facts ? m_facts->commonPerMm : steepness(*m_volume);
+    m_steepness = steepness(*m_volume);
   return *m_steepness;
 }
 
@@ -258,11 +242,12 @@ PictureTerms SceneData::terms(const Scene& scene, const glm::ivec2& size, Effect
   terms.gradientCurve = &m_gradientCurve;
   terms.light = lightingTerms(scene.shading);
   if (effects.has(Effect::localSteps))
-    terms.local = &*m_localSteps;
+    terms.fineness = finenessOf(scene.quality);
   terms.frame = rayFrame(scene.camera, grid, size);
   terms.size = size;
   terms.box = terms.visibleBox = croppedBox(grid, scene.crop);
-  const bool skips = effects.has(Effect::emptySpaceSkipping) && !classifiesOnce(scene.projection);
+  const bool skips = m_skipsEmptySpace && !classifiesOnce(scene.projection) &&
+                     (effects.has(Effect::emptySpaceSkipping) || effects.has(Effect::localSteps));
   if (skips) {
     terms.empty = {m_empty.distances.data(), m_voxels->blocks().blocks(), m_voxels->part().lower};
     // A surface may be met before the first sample or behind the last, where another brick shows it.

@@ -81,7 +81,6 @@ private:
   void updateVolume(const Scene& scene, const Effort& effort);
   BlockBox partOf(const Scene& scene) const;
   void updateEmptySpace(const Scene& scene, const Effort& effort);
-  void updateLocalSteps(const Scene& scene, const Effort& effort);
   IndexBox visibleBox(const Scene& scene) const;
 
   int m_threads;
@@ -99,11 +98,6 @@ private:
   FewSegments m_segments; // of the function
   std::optional<GradientOpacity> m_gradientOpacityKept;
   PiecewiseTable m_gradientCurve;
-
-  std::optional<BlockFacts> m_facts;
-  std::optional<LocalStepTerms> m_localSteps;
-  TransferFunction m_localStepsFunction; // whose steps they are
-  Region m_localStepsKeep;               // likewise
 
   std::optional<EmptySpaceKey> m_emptySpaceKept;
   EmptySpaceMap m_empty;

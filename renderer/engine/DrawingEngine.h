@@ -35,6 +35,7 @@ struct DrawingFacts {
   double steepestPerMm = 0.0; ///< what its field commonly changes by at most, value/mm (scene/light/Gradient)
   bool takesAllSamples = true; ///< false: rays end at a limit, past which a smaller step changes nothing
   bool isReady = true;         ///< nothing need be compiled before it is drawn
+  bool goesByCells = false; ///< a tolerance is kept cell by cell (scene/steps/CellRule), not in local steps
 };
 
 /// What came out of measuring the effects of a picture so far.

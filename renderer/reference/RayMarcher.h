@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "reference/CellMarch.h"
 #include "reference/RaySamples.h"
 #include "reference/SampleLighting.h"
 #include "scene/steps/BlockWalk.h"
@@ -150,15 +151,34 @@ private:
     return sum;
   }
 
+  // Integrates cell by cell; `nodeOf(place, material)` says what lies at a place of a known material.
+  template <class NodeOf, class IsEnd>
+  glm::dvec4 marchedByCells(const NodeOf& nodeOf, const IsEnd& isEnd) {
+    m_ray.countInMm();
+    glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
+    const auto node = [&](double place, std::size_t segment, double scalar) {
+      const Piece piece = nodeOf(place, m_ray.materialIn(segment, scalar));
+      return CellNode{piece.extinction, piece.color};
+    };
+    const auto add = [&](const CellLight& light) {
+      sum = glm::dvec4(glm::dvec3(sum) + sum.a * light.color, sum.a - sum.a * light.alpha);
+      return sum.a;
+    };
+    const int cuts = m_terms.mostSamples > mostSamples ? mostConvergingCuts : cellCuts;
+    m_samples =
+        CellMarch<T>(m_terms, m_ray).march(*m_terms.fineness, cuts, node, add, [&] { return isEnd(sum); });
+    return sum;
+  }
+
   glm::dvec4 composite() {
     const bool endsEarly = m_terms.scene.quality.earlyTermination < 1.0;
     const double last = lastTransmittance(m_terms.scene.quality.earlyTermination);
     const auto isEnd = [&](const glm::dvec4& sum) {
       return (endsEarly && sum.a <= last) || sum.a < nothingLeft;
     };
-    if (m_terms.local) {
-      const glm::dvec4 sum = marchedLocally(
-          [&](double place, const Material& material) { return pieceAt(place, material); }, isEnd);
+    if (m_terms.fineness || m_terms.local) {
+      const auto piece = [&](double place, const Material& material) { return pieceAt(place, material); };
+      const glm::dvec4 sum = m_terms.fineness ? marchedByCells(piece, isEnd) : marchedLocally(piece, isEnd);
       return {glm::dvec3(sum), 1.0 - sum.a};
     }
     glm::dvec4 sum(0.0, 0.0, 0.0, 1.0);
@@ -200,12 +220,12 @@ private:
   }
 
   glm::dvec4 xray() {
-    if (m_terms.local) {
-      const glm::dvec4 sum = marchedLocally(
-          [this](double place, const Material& material) {
-            return Piece{m_ray.absorptionAt(place, material), glm::dvec3(0.0)};
-          },
-          [](const glm::dvec4&) { return false; });
+    if (m_terms.fineness || m_terms.local) {
+      const auto piece = [this](double place, const Material& material) {
+        return Piece{m_ray.absorptionAt(place, material), glm::dvec3(0.0)};
+      };
+      const auto never = [](const glm::dvec4&) { return false; };
+      const glm::dvec4 sum = m_terms.fineness ? marchedByCells(piece, never) : marchedLocally(piece, never);
       return glm::dvec4(1.0 - sum.a);
     }
     double depth = 0.0;
@@ -239,6 +259,9 @@ private:
 
   // Light through so little cannot change the last digit of 1 in double precision, however bright.
   static constexpr double nothingLeft = 1e-20;
+
+  // Of a piece of a picture that is to converge.
+  static constexpr int mostConvergingCuts = 5;
 
   const PictureTerms& m_terms;
   RaySamples<T> m_ray;

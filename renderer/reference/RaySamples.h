@@ -104,7 +104,8 @@ private:
 /// What every ray of a picture shares.
 struct PictureTerms {
   const Scene& scene;
-  EffectSet effects; ///< that the scene calls for; decides on the steps only
+  EffectSet effects;     ///< that the scene calls for; decides on the steps only
+  bool isByCells = true; ///< how a tolerance is kept
   LightingTerms terms = lightingTerms(scene.shading);
   const Grid& grid = scene.volume->grid();
   IndexBox box = croppedBox(grid, scene.crop);
@@ -120,8 +121,10 @@ struct PictureTerms {
   bool hasRegion = isRestricting(scene.keep);
   bool changesOpacity = hasRegion || hasGradientOpacity || terms.mapsOpacity() || terms.opacity.atFlat != 1.0;
   bool readsGradient = terms.usesNormal() || terms.usesRatio() || hasGradientOpacity;
+  std::optional<double> fineness =
+      effects.has(Effect::localSteps) && isByCells ? finenessOf(scene.quality) : std::nullopt;
   std::optional<LocalStepTerms> local =
-      effects.has(Effect::localSteps) ? localStepTerms(scene) : std::nullopt;
+      effects.has(Effect::localSteps) && !isByCells ? localStepTerms(scene) : std::nullopt;
   GradientScale scale = readsGradient ? gradientScale(*scene.volume, scene.shading) : GradientScale{};
 };
 
@@ -186,6 +189,18 @@ public:
     }
     const Classified classified = classify(m_terms.scene.transferFunction, scalarAt(place));
     return {classified.opacity, minusLog1mOpacity(classified.opacity), classified.color};
+  }
+
+  /// What lies between two neighbouring points of the function, `segment - 1` and `segment`, the outer ones
+  /// without end.
+  Material materialIn(std::size_t segment, double scalar) const {
+    const std::vector<ControlPoint>& points = m_terms.scene.transferFunction.points;
+    const ControlPoint& below = points[segment > 0 ? segment - 1 : 0];
+    const ControlPoint& above = points[std::min(segment, points.size() - 1)];
+    const double width = above.value - below.value;
+    const double share = width > 0.0 ? std::clamp((scalar - below.value) / width, 0.0, 1.0) : 0.0;
+    const double opacity = below.opacity + share * (above.opacity - below.opacity);
+    return {opacity, minusLog1mOpacity(opacity), below.color + share * (above.color - below.color)};
   }
 
   Steepness steepnessAt(double place) const {

@@ -52,13 +52,14 @@ struct Work {
   Limiting limiting = Limiting::clampOrKnee;
   int mostSamples = limn::mostSamples;
   std::optional<PixelRect> tile; ///< absent: the whole picture
+  ToTolerance way = ToTolerance::byCells;
 };
 
 void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
   requireDrawable(scene);
   const glm::ivec2 size = picture.size;
   const PixelRect tile = work.tile.value_or(PixelRect{{0, 0}, size});
-  PictureTerms terms{scene, effectsOf(scene)};
+  PictureTerms terms{scene, effectsOf(scene), work.way == ToTolerance::byCells};
   terms.mostSamples = work.mostSamples;
   terms.terms.isUnlimited = work.limiting == Limiting::none;
   const RayFrame frame = rayFrame(scene.camera, scene.volume->grid(), size);
@@ -89,12 +90,12 @@ void drawInto(ReferencePicture& picture, const Scene& scene, const Work& work) {
 
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads,
                                  const std::function<bool()>& isCancelled, Limiting limiting,
-                                 const std::optional<PixelRect>& tile) {
+                                 const std::optional<PixelRect>& tile, ToTolerance way) {
   ReferencePicture picture{size, {}, {}};
   const auto pixels = static_cast<std::size_t>(size.x) * size.y;
   picture.pixels.assign(pixels, glm::dvec4(0.0));
   picture.samples.assign(pixels, 0);
-  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples, tile});
+  drawInto(picture, scene, {nullptr, threads, isCancelled, limiting, mostSamples, tile, way});
   return picture;
 }
 
@@ -102,7 +103,7 @@ void redrawReference(ReferencePicture& picture, const Scene& scene, const std::v
                      int threads, const std::function<bool()>& isCancelled) {
   assert(wanted.size() == picture.pixels.size());
   drawInto(picture, scene,
-           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max(), {}});
+           {&wanted, threads, isCancelled, Limiting::clampOrKnee, std::numeric_limits<int>::max(), {}, {}});
 }
 
 Image toImage(const ReferencePicture& picture) {

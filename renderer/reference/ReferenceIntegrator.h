@@ -24,13 +24,18 @@ struct ReferencePicture {
 /// much it overflows.
 enum class Limiting { clampOrKnee, none };
 
+/// How rays keep a tolerance: cell by cell, as the CPU engine's do (scene/steps/CellRule), or in the steps
+/// that shaders take (scene/steps/LocalSteps), whose twin this is.
+enum class ToTolerance { byCells, byLocalSteps };
+
 /// Draws the definition itself (DEFINITION section 7) in double precision, on every
 /// core, without lookup tables. `isCancelled` may be empty; true ends the work with Cancelled. Pixels outside
 /// `tile` stay zero.
 ReferencePicture renderReference(const Scene& scene, const glm::ivec2& size, int threads = 0,
                                  const std::function<bool()>& isCancelled = {},
                                  Limiting limiting = Limiting::clampOrKnee,
-                                 const std::optional<PixelRect>& tile = {});
+                                 const std::optional<PixelRect>& tile = {},
+                                 ToTolerance way = ToTolerance::byCells);
 
 /// Draws again, with the scene as it is now, those pixels of a picture of the same size whose entry in
 /// `wanted` is not 0, their rays as long as the step asks for: the limit on samples is for pictures that

@@ -170,7 +170,8 @@ private:
     std::optional<ReferencePicture> reference;
     if (random->isComparable) {
       ++report.referenceCompared;
-      reference = renderReference(random->scene, random->size);
+      reference = renderReference(random->scene, random->size, 0, {}, Limiting::clampOrKnee, {},
+                                  ToTolerance::byLocalSteps);
       // Error-controlled steps may fall on other sides of a limit in float: a picture as good, not the same
       // one.
       if (!random->scene.quality.toleranceLevels)

@@ -44,12 +44,12 @@ void measure(const std::string& name, const Scene& scene) {
   };
   draw(scene, glm::ivec2(64)); // what is made once for a volume
   const double start = now();
-  const WithinTolerance found = withinTolerance(scene, size, draw);
+  const WithinTolerance found = withinTolerance(scene, size, draw, StepControl::cells);
   const double searched = now();
   const Image picture = draw(found.scene, size);
   const double drawn = now();
   Scene finer = found.scene;
-  finer.quality.fineness = *finer.quality.fineness + 2.0 * rungsPerHalving;
+  finer.quality.fineness = *finer.quality.fineness + 8.0;
   finer.quality.earlyTermination = 1.0;
   const double error = imageError(picture, draw(finer, size)).p99_9;
   const double tolerance = *scene.quality.toleranceLevels;

@@ -39,7 +39,8 @@ TEST_F(LocalSteps, theShaderTakesTheStepsOfTheReference) {
       SCOPED_TRACE(std::string(variation.what) + ", fineness " + std::to_string(fineness));
       Scene scene = baseScene(fineness);
       variation.apply(scene);
-      const ReferencePicture reference = renderReference(scene, pictureSize);
+      const ReferencePicture reference =
+          renderReference(scene, pictureSize, 0, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
       const ImageError error = imageError(caster.render(scene, pictureSize), reference.pixels);
       // Where float and double fall on different sides of a limit, a ray takes other steps, a few in a
       // thousand rays: that is a picture as good, not the same one. The rest differ by rounding, 1e-4 of a

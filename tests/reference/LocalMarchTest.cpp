@@ -23,6 +23,10 @@ Scene phantomScene(int fineness) {
   return scene;
 }
 
+ReferencePicture inLocalSteps(const Scene& scene, const glm::ivec2& size, int threads) {
+  return renderReference(scene, size, threads, {}, Limiting::clampOrKnee, {}, ToTolerance::byLocalSteps);
+}
+
 TEST(BlockWalk, itsChordsFollowOneAnotherFromTheBeginOfASpanToItsEnd) {
   const Scene scene = phantomScene(4);
   const Grid& grid = scene.volume->grid();
@@ -68,7 +72,7 @@ TEST(LocalMarch, aHomogeneousSlabIsExactWithAnyFineness) {
     scene.transferFunction = test::constantFunction(0.4, glm::dvec3(1.0, 0.5, 0.25));
     scene.quality.toleranceLevels = 1.0;
     scene.quality.fineness = fineness;
-    const glm::dvec4 pixel = renderReference(scene, {1, 1}, 1).pixels[0];
+    const glm::dvec4 pixel = inLocalSteps(scene, {1, 1}, 1).pixels[0];
     const double alpha = 1.0 - 0.6 * 0.6;
     EXPECT_NEAR(pixel.a, alpha, 1e-12);
     EXPECT_NEAR(pixel.g, 0.5 * alpha, 1e-12);
@@ -88,7 +92,7 @@ TEST(LocalMarch, anEdgeOfTheFunctionIsFoundToTheFinestStep) {
                              {1.0 / 3.0 + 1.0 / 32.0, glm::dvec3(1.0), 1.0}}};
   scene.quality.toleranceLevels = 1.0;
   scene.quality.fineness = 8;
-  const ReferencePicture picture = renderReference(scene, {1, 1}, 1);
+  const ReferencePicture picture = inLocalSteps(scene, {1, 1}, 1);
   EXPECT_NEAR(picture.pixels[0].a, 1.0, 1e-6);
   EXPECT_LT(picture.pixels[0].r, 2.0 / 2048.0);
   EXPECT_LT(picture.samples[0], 200) << "an edge is bracketed, not sampled through";
@@ -97,7 +101,7 @@ TEST(LocalMarch, anEdgeOfTheFunctionIsFoundToTheFinestStep) {
 TEST(LocalMarch, finerStepsTakeMoreSamplesAndCropAndSurfaceEndThem) {
   int before = 0;
   for (const int fineness : {0, 4, 8}) {
-    const ReferencePicture picture = renderReference(phantomScene(fineness), {16, 16}, 2);
+    const ReferencePicture picture = inLocalSteps(phantomScene(fineness), {16, 16}, 2);
     int sum = 0;
     for (const int samples : picture.samples)
       sum += samples;
@@ -107,7 +111,7 @@ TEST(LocalMarch, finerStepsTakeMoreSamplesAndCropAndSurfaceEndThem) {
   Scene cropped = phantomScene(8);
   cropped.crop.upper.x = 0.4;
   int sum = 0;
-  for (const int samples : renderReference(cropped, {16, 16}, 2).samples)
+  for (const int samples : inLocalSteps(cropped, {16, 16}, 2).samples)
     sum += samples;
   EXPECT_LT(sum, before);
 }

@@ -118,7 +118,7 @@ void makeWithCpu(const Sitting& sitting, const MakingOptions& order) {
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return inStrips(renderer, scene, pixels, effort);
   };
-  makeWith(renderer, draw, sitting, order.effort, StepControl::local, {Engine::cpu, renderer.name()});
+  makeWith(renderer, draw, sitting, order.effort, StepControl::cells, {Engine::cpu, renderer.name()});
 }
 
 // The reference has no limits of its own to tell of.
@@ -131,7 +131,7 @@ void makeWithReference(const Sitting& sitting, const MakingOptions& order) {
   const auto draw = [&](const Scene& scene, const glm::ivec2& pixels, const Effort& effort) {
     return toImage(renderReference(scene, pixels, order.effort.threads, effort.isCancelled));
   };
-  makeWith(renderer, draw, sitting, order.effort, StepControl::local,
+  makeWith(renderer, draw, sitting, order.effort, StepControl::cells,
            {Engine::reference, "reference (double precision)"});
 }
 
@@ -172,7 +172,7 @@ PictureFigures figuresBy(const Draw& draw, const Scene& scene) {
 
 MadePicture pictureDrawnBy(const std::function<Image(const Scene& scene, const glm::ivec2& size)>& draw,
                            const Scene& scene, const glm::ivec2& size, const std::string& name) {
-  return makeWithin(scene, size, draw, StepControl::local, {Engine::cpu, name});
+  return makeWithin(scene, size, draw, StepControl::cells, {Engine::cpu, name});
 }
 
 PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine engine, int threads) {

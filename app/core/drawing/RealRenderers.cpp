@@ -48,6 +48,7 @@ struct RealRenderers::Parts {
 
   void draw(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   void drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
+  Image byProcessor(const Scene& scene, const glm::ivec2& size);
   Image whole(const Scene& scene, const glm::ivec2& size);
   Scene withSteps(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
   double peakMb(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size);
@@ -73,11 +74,15 @@ void RealRenderers::Parts::draw(const Scene& scene, const OperatingPoint& point,
   }
 }
 
+Image RealRenderers::Parts::byProcessor(const Scene& scene, const glm::ivec2& size) {
+  if (!processor)
+    processor = makeCpuEngine();
+  return *processor->draw(scene, size, {{0, 0}, size}, isCancelled);
+}
+
 void RealRenderers::Parts::drawRays(const Scene& scene, const OperatingPoint& point, const glm::ivec2& size) {
   if (!context) {
-    if (!processor)
-      processor = makeCpuEngine();
-    picture = processor->draw(scene, size, {{0, 0}, size}, isCancelled);
+    picture = byProcessor(scene, size);
     return;
   }
   if (!target || targetSize != size) {
@@ -106,8 +111,7 @@ Image RealRenderers::Parts::whole(const Scene& scene, const glm::ivec2& size) {
       rays.emplace();
     return rays->render(scene, size);
   }
-  drawRays(scene, {}, size);
-  return *std::exchange(picture, std::nullopt);
+  return byProcessor(scene, size);
 }
 
 // The steps that keep the point's tolerance, found when the scene is first drawn at it.
@@ -119,8 +123,13 @@ Scene RealRenderers::Parts::withSteps(const Scene& scene, const OperatingPoint& 
   }
   auto known = withinTolerances.find(*point.toleranceLevels);
   if (known == withinTolerances.end()) {
-    const auto draw = [this](const Scene& tried, const glm::ivec2& pixels) { return whole(tried, pixels); };
-    const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw);
+    // What goes cell by cell in double does so as far in floats, and sooner.
+    const bool isByCells = !context || point.engine == Engine::reference;
+    const auto draw = [this, isByCells](const Scene& tried, const glm::ivec2& pixels) {
+      return isByCells ? byProcessor(tried, pixels) : whole(tried, pixels);
+    };
+    const WithinTolerance found = withinTolerance(atPoint(scene, point), size, draw,
+                                                  isByCells ? StepControl::cells : StepControl::local);
     known = withinTolerances.emplace(*point.toleranceLevels, found.scene).first;
   }
   return known->second;
@@ -196,6 +205,10 @@ DrawPrecisely RealRenderers::precisely() {
     redrawReference(picture, scene, wanted, parts.threads, parts.isCancelled);
     pixels = std::move(picture.pixels);
   };
+}
+
+StepControl RealRenderers::control() const {
+  return m_parts->context ? StepControl::local : StepControl::cells;
 }
 
 Image RealRenderers::render(const Scene& scene, const glm::ivec2& size) {

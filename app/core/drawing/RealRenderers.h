@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/Tolerance.h"
 #include "accuracy/sweep/AccuracySweep.h"
 
 #include <functional>
@@ -32,6 +33,9 @@ public:
   /// Valid while this lives.
   SweepRenderers forSweep();
   DrawPrecisely precisely();
+
+  /// How rays keep a tolerance.
+  StepControl control() const;
 
   /// A picture of a scene as it is, drawn with rays.
   Image render(const Scene& scene, const glm::ivec2& size);

@@ -4,7 +4,7 @@
 #include "scene/effects/EffectSet.h"
 #include "scene/function/PiecewiseTable.h"
 #include "scene/light/LightingTerms.h"
-#include "scene/steps/BlockWalk.h"
+#include "scene/steps/RayFrame.h"
 
 #include <cstdint>
 #include <optional>
@@ -60,7 +60,7 @@ struct PictureTerms {
   const FewSegments* segments = nullptr; ///< of the same function
   const PiecewiseTable* gradientCurve = nullptr;
   LightingTerms light;
-  const LocalStepTerms* local = nullptr; ///< null: equal steps
+  std::optional<double> fineness; ///< of the integral cell by cell; absent: equal steps
 
   RayFrame frame;
   glm::ivec2 size{0};

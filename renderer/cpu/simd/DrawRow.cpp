@@ -38,12 +38,12 @@ struct Pixels {
     const bool isPreintegrated = terms.effects.has(Effect::preintegration);
     for (int x = fromX; x < toX; x += lanes()) {
       Rays rays(terms, x, toX, y);
-      // Error-controlled steps walk from block to block themselves.
-      if (terms.empty.distances && !terms.local)
+      if (terms.empty.distances)
         leapToFirst(terms.empty, isPreintegrated, rays);
       for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
         glm::vec4 pixel(0.0f);
-        if (rays.hasSamples(lane)) {
+        // Cells may show between the last sample and the exit.
+        if (terms.fineness ? rays.isSeen(lane) : rays.hasSamples(lane)) {
           const Ray ray = rays.ray(lane);
           pixel = Marcher<kind>(terms, ray).pixel();
         }
@@ -63,7 +63,7 @@ struct Shares {
     std::int64_t samples = 0;
     for (int x = fromX; x < toX; x += lanes()) {
       Rays rays(terms, x, toX, y);
-      if (terms.empty.distances && !terms.local)
+      if (terms.empty.distances)
         leapToFirst(terms.empty, isPreintegrated, rays);
       for (int lane = 0; lane < std::min(lanes(), toX - x); ++lane) {
         const int pixel = x + lane - fromX;

@@ -51,27 +51,39 @@ public:
   /// Normalised scalars at continuous voxel indices.
   HWY_NOINLINE VF scalarAt(const V3& index) const {
     const Cells cells = cellsAt(index);
-    VW words4[4], next4[4];
-    wordsOf(placesOf(cells), words4);
-    if constexpr (kind == VoxelSource::Kind::single) {
-      Places next = placesOf(cells);
-      next.bytes = hn::Add(next.bytes, hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0));
-      wordsOf(next, next4);
-    }
     VF first[4], second[4];
-    for (int row = 0; row < 4; ++row) {
-      if constexpr (kind == VoxelSource::Kind::single) {
-        first[row] = hn::BitCast(floats, words4[row]);
-        second[row] = hn::BitCast(floats, next4[row]);
-      } else {
-        first[row] = numberIn<0>(words4[row]);
-        second[row] = numberIn<1>(words4[row]);
-      }
-    }
+    cornersOf(cells, first, second);
     // In the order of VoxelRows-inl.h: both give the same bits.
     const V3& w = cells.weight;
     return normalised(mix(mix(mix(first[0], first[2], w.z), mix(first[1], first[3], w.z), w.y),
                           mix(mix(second[0], second[2], w.z), mix(second[1], second[3], w.z), w.y), w.x));
+  }
+
+  /// The normalised scalars along chords between two continuous voxel indices, each within a cell: cubics, by
+  /// their Bernstein coefficients, which are the means of the field's polar form at the chord's ends.
+  HWY_NOINLINE void cubicsAlong(const V3& from, const V3& to, VF cubic[4]) const {
+    const VF half = all(0.5f);
+    const Cells cells = cellsAt({hn::Mul(half, hn::Add(from.x, to.x)), hn::Mul(half, hn::Add(from.y, to.y)),
+                                 hn::Mul(half, hn::Add(from.z, to.z))});
+    VF first[4], second[4];
+    cornersOf(cells, first, second);
+    const V3 a = weightsIn(cells, from);
+    const V3 b = weightsIn(cells, to);
+    // At the chord's begin or end along y and z, each at the voxels along x.
+    const Across low = across(first, a, b), high = across(second, a, b);
+    const VF begin = mix(low.beginBegin, high.beginBegin, a.x);
+    const VF end = mix(low.endEnd, high.endEnd, b.x);
+    const VF third = all(1.0f / 3.0f);
+    const VF nearBegin = hn::Add(hn::Sub(mix(low.beginBegin, high.beginBegin, b.x), begin),
+                                 hn::Add(hn::Sub(mix(low.endBegin, high.endBegin, a.x), begin),
+                                         hn::Sub(mix(low.beginEnd, high.beginEnd, a.x), begin)));
+    const VF nearEnd = hn::Add(hn::Sub(mix(low.endEnd, high.endEnd, a.x), end),
+                               hn::Add(hn::Sub(mix(low.endBegin, high.endBegin, b.x), end),
+                                       hn::Sub(mix(low.beginEnd, high.beginEnd, b.x), end)));
+    cubic[0] = normalised(begin);
+    cubic[1] = normalised(hn::MulAdd(third, nearBegin, begin));
+    cubic[2] = normalised(hn::MulAdd(third, nearEnd, end));
+    cubic[3] = normalised(end);
   }
 
   HWY_INLINE VF normalised(VF voxel) const {
@@ -161,6 +173,49 @@ private:
     const VF low = hn::Min(hn::Floor(clampedIndex), all(static_cast<float>(dim > 1 ? dim - 2 : 0)));
     weight = hn::Sub(clampedIndex, low);
     return intOf(low);
+  }
+
+  // The voxels of some cells at the lower and the upper x, each at (y, z), (y+1, z), (y, z+1), (y+1, z+1).
+  HWY_INLINE void cornersOf(const Cells& cells, VF first[4], VF second[4]) const {
+    VW words4[4], next4[4];
+    wordsOf(placesOf(cells), words4);
+    if constexpr (kind == VoxelSource::Kind::single) {
+      Places next = placesOf(cells);
+      next.bytes = hn::Add(next.bytes, hn::Set(ints, m_voxels.dims.x > 1 ? 4 : 0));
+      wordsOf(next, next4);
+    }
+    for (int row = 0; row < 4; ++row) {
+      if constexpr (kind == VoxelSource::Kind::single) {
+        first[row] = hn::BitCast(floats, words4[row]);
+        second[row] = hn::BitCast(floats, next4[row]);
+      } else {
+        first[row] = numberIn<0>(words4[row]);
+        second[row] = numberIn<1>(words4[row]);
+      }
+    }
+  }
+
+  // Where indices lie in cells, 0..1.
+  HWY_INLINE V3 weightsIn(const Cells& cells, const V3& index) const {
+    return {weightIn(cells.x, index.x, m_voxels.dims.x), weightIn(cells.y, index.y, m_voxels.dims.y),
+            weightIn(cells.z, index.z, m_voxels.dims.z)};
+  }
+
+  HWY_INLINE static VF weightIn(VI low, VF index, int dim) {
+    const VF inside = clamped(index, 0.0f, static_cast<float>(dim - 1));
+    return clamped(hn::Sub(inside, hn::ConvertTo(floats, low)), 0.0f, 1.0f);
+  }
+
+  // Interpolated along y (named first) and z with the weights of a chord's begin or end.
+  struct Across {
+    VF beginBegin, endBegin, beginEnd, endEnd;
+  };
+
+  HWY_INLINE static Across across(const VF corners[4], const V3& begin, const V3& end) {
+    const VF low0 = mix(corners[0], corners[2], begin.z), low1 = mix(corners[1], corners[3], begin.z);
+    const VF high0 = mix(corners[0], corners[2], end.z), high1 = mix(corners[1], corners[3], end.z);
+    return {mix(low0, low1, begin.y), mix(low0, low1, end.y), mix(high0, high1, begin.y),
+            mix(high0, high1, end.y)};
   }
 
   HWY_INLINE static int lowAt(VI low, int lane) {

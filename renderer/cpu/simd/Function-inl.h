@@ -129,6 +129,16 @@ public:
     return sum;
   }
 
+  /// The segment that holds a scalar.
+  HWY_INLINE std::size_t segmentOf(float x) const {
+    const float place = (x - m_table.domain.x) * m_table.domain.y;
+    const float bin = std::min(std::max(place, 0.0f), m_table.domain.z);
+    std::size_t segment = static_cast<std::size_t>(m_table.bins[static_cast<std::size_t>(bin)].w);
+    while (x >= m_table.segments[4 * segment + 2].y)
+      ++segment;
+    return segment;
+  }
+
 private:
   // The segments of a run of samples are few among many: each is read once for all of them.
   struct Stretch {
@@ -207,15 +217,6 @@ private:
 
   HWY_INLINE static VF colorAt(const glm::vec4* texels, int channel, VF within) {
     return clamped(hn::MulAdd(within, all(texels[1][channel]), all(texels[0][channel])), 0.0f, 1.0f);
-  }
-
-  HWY_INLINE std::size_t segmentOf(float x) const {
-    const float place = (x - m_table.domain.x) * m_table.domain.y;
-    const float bin = std::min(std::max(place, 0.0f), m_table.domain.z);
-    std::size_t segment = static_cast<std::size_t>(m_table.bins[static_cast<std::size_t>(bin)].w);
-    while (x >= m_table.segments[4 * segment + 2].y)
-      ++segment;
-    return segment;
   }
 
   const PiecewiseTable& m_table;

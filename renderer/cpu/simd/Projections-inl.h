@@ -8,9 +8,9 @@
 #define LIMN_CPU_PROJECTIONS_INL_H
 #endif
 
+#include "cpu/simd/CellMarch-inl.h"
 #include "cpu/simd/Composite-inl.h"
 #include "cpu/simd/EmptySpace-inl.h"
-#include "cpu/simd/LocalSteps-inl.h"
 #include "cpu/simd/Rays-inl.h"
 #include "cpu/simd/Samples-inl.h"
 
@@ -102,16 +102,18 @@ private:
 
   // The integral along the ray.
   glm::vec4 gathered() const {
-    if (m_terms.local)
-      return gatheredInLocalSteps();
+    if (m_terms.fineness)
+      return gatheredCellByCell();
     return m_terms.effects.has(Effect::xray) ? xray() : Composite<kind>(m_terms, m_samples).gathered();
   }
 
-  glm::vec4 gatheredInLocalSteps() const {
+  glm::vec4 gatheredCellByCell() const {
     if (!m_terms.brick)
-      return LocalMarch<kind>(m_terms, m_ray).gathered();
-    const Ray part = LocalMarch<kind>::inBrick(m_terms, m_ray);
-    return part.span.isEmpty() ? glm::vec4(0.0f) : LocalMarch<kind>(m_terms, part).gathered();
+      return CellMarch<kind>(m_terms, m_ray).gathered();
+    Ray part = m_ray;
+    part.span =
+        partInBrick(m_terms, framedRay(m_terms.frame, part.pixel.x, part.pixel.y, m_terms.size), part.span);
+    return part.span.isEmpty() ? glm::vec4(0.0f) : CellMarch<kind>(m_terms, part).gathered();
   }
 
   // One by one, so that the sum does not depend on which samples are computed together.

@@ -73,7 +73,9 @@ RestTurn Refinement::chooseRoad(DrawingEngine& engine, std::span<SidePicture> si
     std::vector<Scene> scenes;
     for (const SidePicture& side : sides)
       scenes.push_back(side.scene());
-    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs);
+    const bool goesByCells = engine.facts(scenes.front()).goesByCells;
+    m_search.emplace(scenes, sides.front().size(), toleranceLevels, m_stripMs,
+                     goesByCells ? StepControl::cells : StepControl::local);
   }
   if (m_search) {
     const RestTurn turn = m_search->step(engine, *m_sheet, budgetMs);

@@ -34,12 +34,12 @@ struct StepSearch::Job {
 };
 
 StepSearch::StepSearch(const std::vector<Scene>& scenes, const glm::ivec2& size, double levels,
-                       double stripMs)
+                       double stripMs, StepControl control)
     : m_size(size), m_levels(levels), m_stripMs(stripMs) {
   for (Scene scene : scenes) {
     scene.quality.toleranceLevels = levels;
     scene.quality.fineness.reset();
-    m_sides.emplace_back().search = std::make_shared<ToleranceSearch>(scene, size);
+    m_sides.emplace_back().search = std::make_shared<ToleranceSearch>(scene, size, control);
   }
 }
 

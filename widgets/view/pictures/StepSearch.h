@@ -34,8 +34,10 @@ struct NeededSteps {
 /// pictures that tell it strip by strip, one side after the other, and compares them on other threads.
 class StepSearch {
 public:
-  /// Pictures of `size` of the scenes are to lie within `levels`; strips should take `stripMs`.
-  StepSearch(const std::vector<Scene>& scenes, const glm::ivec2& size, double levels, double stripMs);
+  /// Pictures of `size` of the scenes are to lie within `levels`, kept as the engine does; strips should take
+  /// `stripMs`.
+  StepSearch(const std::vector<Scene>& scenes, const glm::ivec2& size, double levels, double stripMs,
+             StepControl control);
 
   /// Does a piece of at most about `budgetMs`, drawing into `sheet`; `finished` once all is found.
   RestTurn step(DrawingEngine& engine, PictureSheet& sheet, double budgetMs);

@@ -256,7 +256,7 @@ TEST_F(PicturesWithoutWindow, theSearchForStepsFindsWhatTheCommandLineFinds) {
   const auto screen = makeGlScreen();
   const auto sheet = screen->makeSheet();
   constexpr glm::ivec2 size{160, 120};
-  StepSearch search(scenes, size, 1.0, screen->stripMs());
+  StepSearch search(scenes, size, 1.0, screen->stripMs(), StepControl::local);
   while (search.step(*engine, *sheet, 5.0) != RestTurn::finished) {
   }
   RayCaster caster;

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pieces of a ray on which everything is smooth: within one cell the scalars are a cubic, and within one
+// segment of the function its colours and opacities are linear in them.
+#if defined(LIMN_CPU_CELL_PIECES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_CPU_CELL_PIECES_INL_H
+#undef LIMN_CPU_CELL_PIECES_INL_H
+#else
+#define LIMN_CPU_CELL_PIECES_INL_H
+#endif
+
+#include "cpu/rays/CellWalk.h"
+#include "cpu/simd/Samples-inl.h"
+#include "scene/steps/CellRule.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::cpu::HWY_NAMESPACE {
+
+/// Some consecutive pieces, column by column. As many on every instruction set, so that all decide alike.
+struct Pieces {
+  static constexpr int most = 8;
+
+  int count = 0;
+  HWY_ALIGN float from[most] = {}, to[most] = {}; ///< lengths behind the span's begin
+  HWY_ALIGN float cubic[4][most] = {};            ///< Bernstein coefficients of the scalars
+  HWY_ALIGN float start[most] = {}, low[most] = {}, high[most] = {}; ///< of the segment; the scalars it holds
+  HWY_ALIGN float values[4][most] = {}, slopes[4][most] = {};        ///< its colour and opacity
+
+  void move(int n, int place) {
+    for (float* column : {from, to, start, low, high})
+      column[place] = column[n];
+    for (int i = 0; i < 4; ++i) {
+      cubic[i][place] = cubic[i][n];
+      values[i][place] = values[i][n];
+      slopes[i][place] = slopes[i][n];
+    }
+  }
+};
+
+HWY_INLINE float mixed(float p, float q, float w) {
+  return p + w * (q - p);
+}
+
+/// The polar form of a cubic.
+HWY_INLINE float polar(const float cubic[4], float x, float y, float z) {
+  const float p0 = mixed(cubic[0], cubic[1], x), p1 = mixed(cubic[1], cubic[2], x),
+              p2 = mixed(cubic[2], cubic[3], x);
+  return mixed(mixed(p0, p1, y), mixed(p1, p2, y), z);
+}
+
+/// Gives piece `n` the part from `a` to `b` of a cubic on 0..1.
+HWY_INLINE void cutCubic(const float cubic[4], float a, float b, Pieces& pieces, int n) {
+  const bool isWhole = a == 0.0f && b == 1.0f;
+  pieces.cubic[0][n] = isWhole ? cubic[0] : polar(cubic, a, a, a);
+  pieces.cubic[1][n] = isWhole ? cubic[1] : polar(cubic, a, a, b);
+  pieces.cubic[2][n] = isWhole ? cubic[2] : polar(cubic, a, b, b);
+  pieces.cubic[3][n] = isWhole ? cubic[3] : polar(cubic, b, b, b);
+}
+
+/// Makes part `part` of piece `n` a piece of its own, at that place among others.
+inline void cutPiece(const Pieces& of, int n, int part, Pieces& pieces) {
+  const float a = static_cast<float>(part) / cellParts, b = static_cast<float>(part + 1) / cellParts;
+  const float length = of.to[n] - of.from[n];
+  pieces.from[part] = of.from[n] + a * length;
+  pieces.to[part] = part + 1 == cellParts ? of.to[n] : of.from[n] + b * length;
+  const float cubic[4] = {of.cubic[0][n], of.cubic[1][n], of.cubic[2][n], of.cubic[3][n]};
+  cutCubic(cubic, a, b, pieces, part);
+  pieces.start[part] = of.start[n];
+  pieces.low[part] = of.low[n];
+  pieces.high[part] = of.high[n];
+  for (int channel = 0; channel < 4; ++channel) {
+    pieces.values[channel][part] = of.values[channel][n];
+    pieces.slopes[channel][part] = of.slopes[channel][n];
+  }
+}
+
+/// Cuts a ray into pieces, as far as they show.
+template <VoxelSource::Kind kind>
+class PieceMaker {
+public:
+  /// Nothing shows before `from`, lengths behind the span's begin.
+  PieceMaker(const PictureTerms& terms, const Samples<kind>& samples, double from)
+      : m_samples(samples), m_table(*terms.function), m_walk(terms, samples.ray, from) {}
+
+  /// Adds the next pieces that show to those that are there; false where none is left.
+  bool fill(Pieces& pieces) {
+    const int before = pieces.count;
+    while (pieces.count < Pieces::most && (isInCell() || enterCell()))
+      cut(pieces);
+    return pieces.count > before;
+  }
+
+private:
+  static constexpr int cells = 8;
+  static constexpr float leastShare = 1e-6f; // of a chord, by which a cut goes on at least
+
+  bool isInCell() const { return m_shares < 1.0f; }
+
+  // Goes on to the next cell in which something may show.
+  bool enterCell() {
+    while (true) {
+      while (m_open == 0) {
+        m_count = m_walk.next(m_entries, m_exits, cells);
+        if (m_count == 0)
+          return false;
+        look();
+      }
+      m_cell = std::countr_zero(m_open);
+      m_open &= m_open - 1;
+      for (int i = 0; i < 4; ++i)
+        m_cubic[i] = m_cubics[i][m_cell];
+      m_lowest = std::min({m_cubic[0], m_cubic[1], m_cubic[2], m_cubic[3]});
+      m_highest = std::max({m_cubic[0], m_cubic[1], m_cubic[2], m_cubic[3]});
+      m_segment = m_samples.function.segmentOf(m_cubic[0]);
+      m_shares = 0.0f;
+      return true;
+    }
+  }
+
+  // The scalars in the cells that were walked, and in which of them something may show.
+  HWY_NOINLINE void look() {
+    for (int cell = m_count; cell < cells; ++cell)
+      m_entries[cell] = m_exits[cell] = m_exits[m_count - 1];
+    for (int part = 0; part < cells; part += lanes()) {
+      VF cubic[4];
+      m_samples.field.cubicsAlong(m_samples.indexAt(hn::Load(floats, m_entries + part)),
+                                  m_samples.indexAt(hn::Load(floats, m_exits + part)), cubic);
+      const VF low = hn::Min(hn::Min(cubic[0], cubic[1]), hn::Min(cubic[2], cubic[3]));
+      const VF high = hn::Max(hn::Max(cubic[0], cubic[1]), hn::Max(cubic[2], cubic[3]));
+      Mask seen = m_samples.function.mayBeSeenBetween(low, high);
+      if (m_samples.terms.effects.has(Effect::region))
+        seen = hn::And(seen, hn::Gt(largestWeight(part), hn::Zero(floats)));
+      m_open |= bitsOf(seen) << part;
+      for (int i = 0; i < 4; ++i)
+        hn::Store(cubic[i], floats, m_cubics[i] + part);
+    }
+    m_open &= (1u << m_count) - 1;
+  }
+
+  // The most that the kept region leaves of opacities in some cells.
+  HWY_NOINLINE VF largestWeight(int part) const {
+    const V3 from = m_samples.indexAt(hn::Load(floats, m_entries + part));
+    const V3 to = m_samples.indexAt(hn::Load(floats, m_exits + part));
+    const VoxelSource& region = m_samples.terms.region;
+    VF weight[4];
+    if (region.kind == VoxelSource::Kind::byte)
+      Field<VoxelSource::Kind::byte>(region).cubicsAlong(from, to, weight);
+    else
+      Field<VoxelSource::Kind::half>(region).cubicsAlong(from, to, weight);
+    return hn::Max(hn::Max(weight[0], weight[1]), hn::Max(weight[2], weight[3]));
+  }
+
+  // Cuts the next piece off the cell, up to where the scalars leave the segment.
+  HWY_NOINLINE void cut(Pieces& pieces) {
+    const glm::vec4* texels = &m_table.segments[4 * m_segment];
+    const bool isFirst = m_segment == 0;
+    const bool isLast = static_cast<int>(m_segment) + 1 == m_table.segmentCount;
+    const float low = isFirst ? -3e38f : texels[2].x;
+    const float high = isLast ? 3e38f : texels[2].y;
+    const float from = m_shares;
+    std::size_t next = m_segment;
+    m_shares = 1.0f;
+    if (m_highest >= high || m_lowest < low)
+      leave(from, low, high, next);
+    // An opacity that is linear shows somewhere if it does at an end.
+    const float faint = std::clamp(m_lowest, low, high) - texels[2].x;
+    const float dense = std::clamp(m_highest, low, high) - texels[2].x;
+    const bool shows = std::max(faint * texels[1].a, dense * texels[1].a) + texels[0].a > 0.0f;
+    if (shows && m_shares > from)
+      add(pieces, from, texels, low, high);
+    m_segment = next;
+  }
+
+  // Finds where behind `from` the scalars first leave [low, high), and for which segment.
+  void leave(float from, float low, float high, std::size_t& next) {
+    float places[4] = {from, 0.0f, 0.0f, 0.0f};
+    int count = 1;
+    addExtrema(from, places, count);
+    places[count++] = 1.0f;
+    for (int i = 0; i + 1 < count; ++i) {
+      const float end = cubicAt(places[i + 1]);
+      const bool isAbove = end >= high;
+      if (!isAbove && !(end < low))
+        continue;
+      m_shares =
+          std::max(crossing(places[i], places[i + 1], isAbove ? high : low, isAbove), from + leastShare);
+      // Steps of the function are segments of no length.
+      do
+        next += isAbove ? 1 : -1;
+      while (!(m_table.segments[4 * next + 2].y > m_table.segments[4 * next + 2].x) && next > 0 &&
+             static_cast<int>(next) + 1 < m_table.segmentCount);
+      if (m_shares < 1.0f)
+        return;
+      m_shares = 1.0f;
+      return;
+    }
+  }
+
+  // The places behind `from` where the cubic turns, in order.
+  void addExtrema(float from, float* places, int& count) const {
+    const double d0 = double(m_cubic[1]) - m_cubic[0], d1 = double(m_cubic[2]) - m_cubic[1],
+                 d2 = double(m_cubic[3]) - m_cubic[2];
+    if (d0 * d1 >= 0.0 && d1 * d2 >= 0.0 && d0 * d2 >= 0.0)
+      return;
+    const double a = d0 - 2.0 * d1 + d2, b = d1 - d0;
+    const double root = b * b - a * d0;
+    if (root <= 0.0)
+      return;
+    // Of both quotients the one that cancels nothing.
+    const double q = -(b + std::copysign(std::sqrt(root), b));
+    double first = a != 0.0 ? q / a : 2.0;
+    double second = q != 0.0 ? d0 / q : 2.0;
+    if (second < first)
+      std::swap(first, second);
+    for (const double at : {first, second})
+      if (at > from && at < 1.0)
+        places[count++] = static_cast<float>(at);
+  }
+
+  float cubicAt(float s) const {
+    const float r = 1.0f - s;
+    return r * r * (r * m_cubic[0] + 3.0f * s * m_cubic[1]) +
+           s * s * (3.0f * r * m_cubic[2] + s * m_cubic[3]);
+  }
+
+  // Where the cubic, which runs one way between two places, comes to a value: by Newton's steps from the
+  // chord, and halves where one would leave what is known to hold it.
+  float crossing(float a, float b, float value, bool rises) const {
+    const float atA = cubicAt(a) - value, atB = cubicAt(b) - value;
+    if (rises ? atA >= 0.0f : atA < 0.0f)
+      return a;
+    float s = a + (b - a) * (atA / (atA - atB));
+    for (int k = 0; k < mostNewtonSteps; ++k) {
+      const float found = cubicAt(s) - value;
+      (rises == (found < 0.0f) ? a : b) = s;
+      float next = s - found / slopeAt(s);
+      if (!(next > a && next < b))
+        next = 0.5f * (a + b);
+      const float step = std::abs(next - s);
+      s = next;
+      // The next step would be its square, and less than floats tell.
+      if (step < 1e-5f)
+        break;
+    }
+    return s;
+  }
+
+  float slopeAt(float s) const {
+    const float r = 1.0f - s;
+    return 3.0f * (r * r * (m_cubic[1] - m_cubic[0]) + 2.0f * r * s * (m_cubic[2] - m_cubic[1]) +
+                   s * s * (m_cubic[3] - m_cubic[2]));
+  }
+
+  void add(Pieces& pieces, float from, const glm::vec4* texels, float low, float high) {
+    const int n = pieces.count++;
+    const float begin = m_entries[m_cell], length = m_exits[m_cell] - begin;
+    pieces.from[n] = from == 0.0f ? begin : begin + from * length;
+    pieces.to[n] = m_shares == 1.0f ? m_exits[m_cell] : begin + m_shares * length;
+    cutCubic(m_cubic, from, m_shares, pieces, n);
+    pieces.start[n] = texels[2].x;
+    pieces.low[n] = low;
+    pieces.high[n] = high;
+    for (int channel = 0; channel < 4; ++channel) {
+      pieces.values[channel][n] = texels[0][channel];
+      pieces.slopes[channel][n] = texels[1][channel];
+    }
+  }
+
+  static constexpr int mostNewtonSteps = 24;
+
+  const Samples<kind>& m_samples;
+  const PiecewiseTable& m_table;
+  CellWalk m_walk;
+  int m_count = 0;          // of the chords that were walked
+  std::uint32_t m_open = 0; // which of them are yet to be cut
+  int m_cell = 0;           // the one that is cut
+  float m_shares = 1.0f;    // of its chord that are cut
+  std::size_t m_segment = 0;
+  float m_cubic[4] = {};
+  float m_lowest = 0.0f, m_highest = 0.0f;
+  HWY_ALIGN float m_entries[cells] = {}, m_exits[cells] = {};
+  HWY_ALIGN float m_cubics[4][cells] = {};
+};
+
+} // namespace limn::cpu::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
