@@ -4,8 +4,11 @@
 #include "accuracy/sweep/FigureText.h"
 #include "app/commands/NamedLook.h"
 #include "app/commands/SceneArguments.h"
+#include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/PictureMaker.h"
 #include "app/core/drawing/RealRenderers.h"
 #include "app/document/PrivateNames.h"
+#include "app/document/Settings.h"
 #include "app/lab/accuracy/AccuracyTable.h"
 #include "app/lab/accuracy/ExactBy.h"
 #include "app/lab/accuracy/MeasureDecisions.h"
@@ -32,6 +35,7 @@ struct AccuracyArguments {
   SceneArguments scene;
   std::vector<std::string> reports; ///< to be joined instead of measuring
   std::string folder;
+  std::string engine = "auto";
   std::string exactBy; ///< a program that draws the converged picture; empty: the reference
   int threads = 0;
   bool isQuick = false;
@@ -100,10 +104,17 @@ ConvergedPicture exactPicture(const LoadedScene& loaded, const Scene& scene, Rea
   return picture;
 }
 
+// Who casts the rays: as `limn render` would, where nobody chose.
+Engine raysOf(const AccuracyArguments& arguments, const Scene& scene) {
+  if (arguments.engine == "auto")
+    return staysOnDisk(scene) ? Engine::cpu : engineFor(scene, Settings().engineMemory());
+  return arguments.engine == "cpu" ? Engine::cpu : Engine::rayCaster;
+}
+
 // Error and time of a scene: the converged picture, then every point, then each decision where wanted.
 AccuracyReport measuredReport(const LoadedScene& loaded, const Scene& scene,
                               const AccuracyArguments& arguments, const Progress& progress) {
-  const Engine rays = raysAtHand(scene);
+  const Engine rays = raysOf(arguments, scene);
   RealRenderers renderers(arguments.threads, {}, rays);
   const glm::ivec2 size(scene.image.width, scene.image.height);
   const double end = arguments.isQuick ? 1.0 : 0.7;
@@ -200,6 +211,11 @@ void addAccuracyCommand(CommandSyntax& root) {
       .option("--join", arguments->reports,
               "instead of measuring: reports (accuracy.json, or their folders) as one table, cohort.csv")
       .file({".json"});
+  command
+      .option("--engine", arguments->engine,
+              "who casts the rays: auto (the one that limn render would take), gl, or cpu; without gl neither "
+              "slices nor decisions about textures are measured")
+      .words([] { return std::vector<std::string>{"auto", "gl", "cpu"}; });
   command.option("--exact-by", arguments->exactBy,
                  "a program that draws the exact picture in the reference's place, in single precision: one "
                  "that takes what limn render takes, such as \"mpirun -n 4 limn-mpi\"");

@@ -112,6 +112,10 @@ void runRender(const RenderArguments& arguments, const MakeAll& make) {
     note(warning.english());
   for (const Message& remark : picture.notes)
     note(remark.english());
+  // Whoever asks for a tolerance is told what it came to.
+  if (scene.quality.toleranceLevels && !isComparison)
+    if (const auto chance = chanceOf(picture.scene, picture.image, {arguments.threads, {}, {}}))
+      note(describe(*chance).english());
   char line[160];
   std::snprintf(line, sizeof line, ": %d x %d pixels in %.0f ms (set-up included) on %s",
                 picture.image.size.x, picture.image.size.y, ms.count(), picture.engine.c_str());

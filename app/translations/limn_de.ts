@@ -938,12 +938,20 @@
         <translation>Fehler höchstens %1 von 255 Stufen, gemessen</translation>
     </message>
     <message>
-        <source>within about %1 of 255 levels</source>
-        <translation>Fehler höchstens etwa %1 von 255 Stufen</translation>
+        <source>estimated within about %1 of 255 levels</source>
+        <translation>Fehler geschätzt höchstens etwa %1 von 255 Stufen</translation>
     </message>
     <message>
-        <source>within %1 of 255 levels</source>
-        <translation>Fehler höchstens %1 von 255 Stufen</translation>
+        <source>estimated within %1 of 255 levels</source>
+        <translation>Fehler geschätzt höchstens %1 von 255 Stufen</translation>
+    </message>
+    <message>
+        <source>99.9 % of pixels within %1 of 255 levels (95 % sure)</source>
+        <translation>99,9 % der Bildpunkte höchstens %1 von 255 Stufen falsch (zu 95 % sicher)</translation>
+    </message>
+    <message>
+        <source>Black and white are 255 levels apart.</source>
+        <translation>Schwarz und Weiß liegen 255 Stufen auseinander.</translation>
     </message>
     <message>
         <source>not resolved</source>
@@ -4310,6 +4318,10 @@
     <message>
         <source>The tolerance of %1 cannot be kept: the finest step comes within about %2; make the steps of the transfer function less steep, or allow that many levels.</source>
         <translation>Die Toleranz von %1 lässt sich nicht einhalten: Der feinste Schritt kommt bis auf etwa %2 heran; machen Sie die Flanken der Transferfunktion weniger steil, oder lassen Sie so viele Stufen zu.</translation>
+    </message>
+    <message>
+        <source>99.9 % of the pixels lie within %1 of 255 levels of the exact picture (95 % sure: of %2 drawn at random and integrated exactly none lies farther off).</source>
+        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
     </message>
     <message>
         <source>error-controlled steps of fineness %1</source>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/WindowContext.h"
 
+#include "app/core/drawing/PictureMaker.h"
 #include "cpu/CpuEngine.h"
 #include "raycaster/RayCasterEngine.h"
 #include "widgets/Translated.h"
@@ -27,7 +28,9 @@ QVBoxLayout& columnIn(QMainWindow& window) {
 // The view never draws with OpenGL that the computer does not offer.
 DrawingEngines enginesOf(const OpenGlOffer& openGl, const std::optional<MemoryBudget>& memory) {
   return {openGl.problem.isEmpty() ? MakeEngine(makeRayCasterEngine) : MakeEngine(),
-          [memory] { return makeCpuEngine(0, memory.value_or(MemoryBudget())); }};
+          [memory] { return makeCpuEngine(0, memory.value_or(MemoryBudget())); },
+          // Beside the picture: one thread, however many there are.
+          [](std::function<bool()> isCancelled) { return preciselyBy(1, std::move(isCancelled)); }};
 }
 
 } // namespace

@@ -118,10 +118,20 @@ public:
 
 using MakeEngine = std::function<std::unique_ptr<DrawingEngine>()>;
 
+/// Draws, in double precision, those pixels of a picture of `size` that are wanted (not 0) and leaves the
+/// others as they are: premultiplied RGBA without background, rows from the top.
+using DrawPrecisely =
+    std::function<void(const Scene& scene, const glm::ivec2& size, const std::vector<std::uint8_t>& wanted,
+                       std::vector<glm::dvec4>& pixels)>;
+
+/// Makes what draws precisely beside everything else; it ends with Cancelled where it is told to.
+using MakePrecise = std::function<DrawPrecisely(std::function<bool()> isCancelled)>;
+
 /// What a view draws with, chosen by the program.
 struct DrawingEngines {
   MakeEngine driver;    ///< draws in strips while the graphics driver works; called with its context current
   MakeEngine processor; ///< draws in memory when the driver has failed; may be empty: then a sentence says so
+  MakePrecise precisely; ///< says of pictures at rest how exact they are; may be empty
 };
 
 } // namespace limn

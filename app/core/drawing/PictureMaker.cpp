@@ -199,6 +199,17 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
   return figuresWith(caster);
 }
 
+Engine engineFor(const Scene& scene, const EngineMemory& memory) {
+  try {
+    requireInMemory(*scene.volume);
+    return processorIsFaster(scene, memory) ? Engine::cpu : Engine::rayCaster;
+  } catch (const Error& error) {
+    if (error.kind() != Error::Kind::openGl)
+      throw;
+    return Engine::cpu;
+  }
+}
+
 void makeEach(const std::vector<Scene>& scenes, const glm::ivec2& size, const MakingOptions& order,
               const TakePicture& take) {
   std::size_t taken = 0;
@@ -253,6 +264,22 @@ std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine
     return renderReference(scene, size, threads).samples;
   const HeadlessContext context;
   return RayCaster().sampleCounts(scene, size);
+}
+
+DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled) {
+  return [threads, isCancelled = std::move(isCancelled)](const Scene& scene, const glm::ivec2& size,
+                                                         const std::vector<std::uint8_t>& wanted,
+                                                         PrecisePixels& pixels) {
+    ReferencePicture picture{size, std::move(pixels), std::vector<int>(wanted.size(), 0)};
+    redrawReference(picture, scene, wanted, threads, isCancelled);
+    pixels = std::move(picture.pixels);
+  };
+}
+
+std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort) {
+  if (staysOnDisk(scene))
+    return std::nullopt;
+  return errorByChance(scene, picture, preciselyBy(effort.threads, effort.isCancelled));
 }
 
 Image sideBySide(const Image& left, const Image& right) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "accuracy/sweep/ErrorByChance.h"
 #include "app/core/drawing/EngineChoice.h"
 #include "glsl/textures/GraphicsMemory.h"
 #include "scene/PictureFigures.h"
@@ -36,6 +37,10 @@ struct MakingOptions {
   Effort effort; ///< threads of the CPU engine and the reference; told and asked between strips or tiles
 };
 
+/// Who draws a scene where nobody chose, as `makeEach` finds out: the CPU engine without OpenGL and where the
+/// voxels stay on disk, otherwise the faster one.
+Engine engineFor(const Scene& scene, const EngineMemory& memory);
+
 /// Takes the picture of the scene at `index`.
 using TakePicture = std::function<void(std::size_t index, MadePicture picture)>;
 
@@ -70,6 +75,13 @@ PictureFigures measureFigures(const Scene& scene, const glm::ivec2& size, Engine
 /// How many samples each pixel took of the picture of a scene: those of error-controlled steps, or the number
 /// of equal ones. Throws Error, of kind usage for engines that count none.
 std::vector<int> countSamples(const Scene& scene, const glm::ivec2& size, Engine engine, int threads);
+
+/// Draws pixels with the reference.
+DrawPrecisely preciselyBy(int threads, std::function<bool()> isCancelled);
+
+/// What exact pixels drawn at random say of a picture (accuracy/sweep/ErrorByChance); absent where they do
+/// not settle, or where the voxels stay on disk. Throws Cancelled.
+std::optional<ErrorByChance> chanceOf(const Scene& scene, const Image& picture, const Effort& effort);
 
 /// Two pictures of one height side by side.
 Image sideBySide(const Image& left, const Image& right);

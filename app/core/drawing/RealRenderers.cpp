@@ -3,6 +3,7 @@
 
 #include "accuracy/Tolerance.h"
 #include "app/core/drawing/OnDisk.h"
+#include "app/core/drawing/PictureMaker.h"
 #include "app/core/drawing/ProcessCost.h"
 #include "cpu/CpuEngine.h"
 #include "gl/HeadlessContext.h"
@@ -198,13 +199,7 @@ SweepRenderers RealRenderers::forSweep() {
 }
 
 DrawPrecisely RealRenderers::precisely() {
-  Parts& parts = *m_parts;
-  return [&parts](const Scene& scene, const glm::ivec2& size, const std::vector<std::uint8_t>& wanted,
-                  PrecisePixels& pixels) {
-    ReferencePicture picture{size, std::move(pixels), std::vector<int>(wanted.size(), 0)};
-    redrawReference(picture, scene, wanted, parts.threads, parts.isCancelled);
-    pixels = std::move(picture.pixels);
-  };
+  return preciselyBy(m_parts->threads, m_parts->isCancelled);
 }
 
 StepControl RealRenderers::control() const {

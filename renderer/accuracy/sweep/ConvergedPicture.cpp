@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy/sweep/ConvergedPicture.h"
 
-#include "scene/ProjectionFacts.h"
-#include "scene/steps/LocalSteps.h"
+#include "accuracy/sweep/Halvings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +9,6 @@
 namespace limn {
 namespace {
 
-constexpr double firstStep = 0.25;
-constexpr double smallestStep = 1.0 / 1024.0;
-constexpr double firstFineness = 6.0;
-constexpr int leastHalvings = 4; ///< that are tried, however fine the scene's own step
 constexpr double enoughP99_9 = 0.15;
 constexpr double enoughMean = 0.005;
 constexpr double enoughMeanOfLocal = 0.0005; ///< they cost little
@@ -26,45 +21,6 @@ bool changes(const glm::dvec4& before, const glm::dvec4& after) {
   const glm::dvec4 change = glm::abs(after - before) * 255.0;
   return !(std::max({change.r, change.g, change.b, change.a}) <= stillLevels);
 }
-
-// Qualities whose steps halve.
-class Halvings {
-public:
-  Halvings(const Quality& quality, Projection projection, StepControl control)
-      : m_quality(quality), m_isLocal(control == StepControl::local && integrates(projection)),
-        m_isEqual(!m_isLocal || showsSurface(projection)) {
-    m_quality.earlyTermination = 1.0;
-    m_quality.jitter = false;
-    m_quality.toleranceLevels.reset();
-    m_quality.fineness.reset();
-    m_quality.stepVoxels = std::min(firstStep, quality.stepVoxels);
-    m_smallestStep = std::min(smallestStep, std::ldexp(m_quality.stepVoxels, -leastHalvings));
-    if (m_isLocal) {
-      m_quality.toleranceLevels = 1.0; // any: the fineness is what counts
-      m_quality.fineness = firstFineness;
-    }
-  }
-
-  const Quality& quality() const { return m_quality; }
-
-  // False where the steps cannot be halved any more.
-  bool halve() {
-    if (m_isEqual)
-      m_quality.stepVoxels /= 2.0;
-    if (m_isLocal)
-      *m_quality.fineness += rungsPerHalving;
-    return (!m_isEqual || m_quality.stepVoxels >= m_smallestStep) &&
-           (!m_isLocal || *m_quality.fineness <= Fineness::most);
-  }
-
-  double stepVoxels() const { return m_isLocal ? stepOfRung(*m_quality.fineness) : m_quality.stepVoxels; }
-
-private:
-  Quality m_quality;
-  bool m_isLocal;
-  bool m_isEqual;
-  double m_smallestStep;
-};
 
 } // namespace
 

@@ -3,17 +3,13 @@
 
 #include "accuracy/Tolerance.h"
 #include "accuracy/sweep/OperatingPoint.h"
+#include "engine/DrawingEngine.h"
 #include "scene/basics/Message.h"
 
 #include <cstdint>
 #include <functional>
 
 namespace limn {
-
-/// Draws, in double precision, those pixels of a picture of `size` that are wanted (not 0) and leaves the
-/// others as they are.
-using DrawPrecisely = std::function<void(const Scene& scene, const glm::ivec2& size,
-                                         const std::vector<std::uint8_t>& wanted, PrecisePixels& pixels)>;
 
 /// Told how far long work is, 0..1, and what it does; throws Cancelled to end it.
 using ReportProgress = std::function<void(double fraction, const Message& doing)>;

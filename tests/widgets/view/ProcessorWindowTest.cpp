@@ -206,7 +206,7 @@ TEST(Engines, oneReplacesTheOtherAndEachDrawsItsPicture) {
 
 // The driver may have one megabyte: the finer phantom does not fit, the coarser one does.
 TEST(Engines, aVolumeThatIsTooLargeForTheDriverGoesToTheProcessorAloneAndSaysSo) {
-  CompareView view({[] { return makeRayCasterEngineWithin(1.0); }, onOneThread});
+  CompareView view({[] { return makeRayCasterEngineWithin(1.0); }, onOneThread, {}});
   view.resize(200, 120);
   view.setRefinesAtRest(false);
   Scene scene;

@@ -25,7 +25,7 @@ public:
   /// Pictures rest at the scene's own step unless a test is about what comes after.
   explicit ViewHost(const QSize& size = {400, 240}, MakeEngine processor = {},
                     Engine engine = Engine::rayCaster)
-      : view({makeRayCasterEngine, std::move(processor)}, engine) {
+      : view({makeRayCasterEngine, std::move(processor), {}}, engine) {
     view.resize(size);
     view.setRefinesAtRest(false);
     const auto moveTo = [this](const Camera& camera) {

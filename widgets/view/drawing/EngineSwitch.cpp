@@ -58,11 +58,12 @@ void clearTo(QOpenGLFunctions& gl, const glm::dvec3& background) {
 
 } // namespace
 
-DriverDrawing::DriverDrawing(MakeEngine makeEngine, DriverRecovery& recovery, QWidget& view)
+DriverDrawing::DriverDrawing(MakeEngine makeEngine, MakePrecise makePrecise, DriverRecovery& recovery,
+                             QWidget& view)
     : ViewDrawing(&view), m_recovery(recovery), m_canvas(new GlCanvas(*this, view)),
       m_loop(*new PictureLoop(
-          [makeEngine = std::move(makeEngine)] {
-            return std::make_unique<Pictures>(makeEngine(), makeGlScreen());
+          [makeEngine = std::move(makeEngine), makePrecise = std::move(makePrecise)] {
+            return std::make_unique<Pictures>(makeEngine(), makeGlScreen(), makePrecise);
           },
           contextOf(m_canvas, recovery), {}, this)) {
   // Receivers set widgets, which must not happen in the middle of painting.
@@ -140,7 +141,7 @@ EngineSwitch::~EngineSwitch() {
 }
 
 ViewDrawing* EngineSwitch::makeDriverDrawing() {
-  auto* drawing = new DriverDrawing(m_engines.driver, m_recovery, m_view);
+  auto* drawing = new DriverDrawing(m_engines.driver, m_engines.precisely, m_recovery, m_view);
   connect(&m_recovery, &DriverRecovery::rebuildNeeded, drawing, [this, drawing](bool isLost) {
     drawing->rebuild(isLost);
     retry();
@@ -160,8 +161,9 @@ ViewDrawing* EngineSwitch::makeDriverDrawing() {
 void EngineSwitch::draw(Engine engine) {
   delete std::exchange(m_drawing, nullptr);
   m_engine = engine;
-  m_drawing =
-      drawsWithOpenGl(engine) ? makeDriverDrawing() : new ProcessorDrawing(m_engines.processor, m_view);
+  m_drawing = drawsWithOpenGl(engine)
+                  ? makeDriverDrawing()
+                  : new ProcessorDrawing(m_engines.processor, m_engines.precisely, m_view);
   connect(m_drawing, &ViewDrawing::told, this, &EngineSwitch::take);
   m_drawing->canvas().lower();
   m_drawing->canvas().show();

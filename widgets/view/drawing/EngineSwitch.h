@@ -16,7 +16,7 @@ class DriverDrawing : public ViewDrawing {
   Q_OBJECT
 
 public:
-  DriverDrawing(MakeEngine makeEngine, DriverRecovery& recovery, QWidget& view);
+  DriverDrawing(MakeEngine makeEngine, MakePrecise makePrecise, DriverRecovery& recovery, QWidget& view);
   ~DriverDrawing() override;
 
   QWidget& canvas() override;

@@ -20,11 +20,12 @@ constexpr PicturePace workerPace{0, 12.0, 12.0};
 
 } // namespace
 
-PictureWorker::PictureWorker(MakeEngine makeEngine)
+PictureWorker::PictureWorker(MakeEngine makeEngine, MakePrecise makePrecise)
     : m_loop(
-          [this, makeEngine = std::move(makeEngine)] {
+          [this, makeEngine = std::move(makeEngine), makePrecise = std::move(makePrecise)] {
             return std::make_unique<Pictures>(
-                makeEngine(), makeMemoryScreen([this] { return m_isInterrupted && !m_isCoarse; }));
+                makeEngine(), makeMemoryScreen([this] { return m_isInterrupted && !m_isCoarse; }),
+                makePrecise);
           },
           {[] {}, [] {}, [this](const auto& work) { guard(work); },
            [this] { return m_endsPreparing.load(); }},
@@ -139,9 +140,9 @@ private:
   ProcessorDrawing& m_drawing;
 };
 
-ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, QWidget& view)
+ProcessorDrawing::ProcessorDrawing(MakeEngine makeEngine, MakePrecise makePrecise, QWidget& view)
     : ViewDrawing(&view), m_canvas(new Canvas(*this, view)),
-      m_worker(new PictureWorker(std::move(makeEngine))) {
+      m_worker(new PictureWorker(std::move(makeEngine), std::move(makePrecise))) {
   m_askTimer.setSingleShot(true);
   connect(&m_askTimer, &QTimer::timeout, this, [this] { m_worker->ask(m_pictures, m_number); });
   connect(m_worker, &PictureWorker::delivered, this, &ProcessorDrawing::receive);

@@ -26,7 +26,7 @@ class PictureWorker : public QObject {
   Q_OBJECT
 
 public:
-  explicit PictureWorker(MakeEngine makeEngine);
+  explicit PictureWorker(MakeEngine makeEngine, MakePrecise makePrecise = {});
   ~PictureWorker() override;
 
   /// From any thread: asks for pictures instead of whatever was asked for before. What is being drawn at rest
@@ -71,7 +71,7 @@ class ProcessorDrawing : public ViewDrawing {
 
 public:
   /// `makeEngine` makes one that draws in memory.
-  ProcessorDrawing(MakeEngine makeEngine, QWidget& view);
+  ProcessorDrawing(MakeEngine makeEngine, MakePrecise makePrecise, QWidget& view);
   ~ProcessorDrawing() override;
 
   QWidget& canvas() override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/ErrorEstimate.h"
+#include "accuracy/sweep/ErrorByChance.h"
 #include "engine/DrawingEngine.h"
 #include "engine/Engine.h"
 #include "engine/PixelRect.h"
@@ -43,14 +44,17 @@ struct SideState {
                                     ///< unlit
   std::optional<ErrorEstimate> estimate; ///< of the error of what is shown; absent while nothing is known
   bool isRough = true;                   ///< the estimate comes from small pictures
+  std::optional<ErrorByChance> chance;   ///< of the error of what is shown, once it is final
   std::optional<double> measuredLevels;  ///< error of what is shown, 99.9th percentile, where it was measured
   bool isResolved = true;                ///< the step sees the transfer function; otherwise no estimate holds
   bool operator==(const SideState&) const = default;
 };
 
-/// The error that is told of a side, in levels: the measured one where there is one; absent while nothing is
-/// known.
+/// The error that is told of a side, in levels: what chance found of the picture itself, otherwise the one
+/// measured of a smaller one; absent while nothing is known.
 inline std::optional<double> levelsOf(const SideState& side) {
+  if (side.chance)
+    return side.chance->p99_9;
   if (side.measuredLevels || !side.estimate)
     return side.measuredLevels;
   return side.estimate->p99_9;
@@ -85,8 +89,10 @@ inline PictureState staleState(PictureState state) {
   state.resting = false;
   state.refines = false;
   state.refinementEnd.reset();
-  for (SideState& side : state.sides)
+  for (SideState& side : state.sides) {
     side.fraction = 0.0;
+    side.chance.reset();
+  }
   return state;
 }
 

@@ -16,10 +16,11 @@ double msSince(std::chrono::steady_clock::time_point start) {
 
 } // namespace
 
-Pictures::Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen)
+Pictures::Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen,
+                   MakePrecise makePrecise)
     : m_engine(std::move(engine)),
       m_screen(std::move(screen)), m_sides{SidePicture(*m_screen), SidePicture(*m_screen)}, m_rest(*m_screen),
-      m_probe(*m_screen), m_refinement(*m_screen) {}
+      m_probe(*m_screen), m_refinement(*m_screen), m_chance(std::move(makePrecise)) {}
 
 Pictures::~Pictures() = default;
 
@@ -29,6 +30,7 @@ void Pictures::want(const std::vector<Scene>& scenes, const glm::ivec2& size) {
     m_sides[i].want(scenes[i], size);
   m_rest.want(scenes, size);
   m_refinement.reset();
+  m_chance.reset();
 }
 
 // Follow what is shown: its error is estimated, and whether it sees the transfer function.
@@ -61,7 +63,7 @@ RestTurn Pictures::workAtRest(bool refines, double budgetMs) {
   const RestTurn turn = m_refinement.step(*m_engine, sides(), rough, budgetMs);
   for (int i = 0; turn == RestTurn::finished && i < m_count; ++i)
     m_isResolved[i] = m_refinement.hasResolved() || isResolved(*m_engine, m_sides[i].shownScene());
-  return turn;
+  return turn == RestTurn::nothing ? m_chance.step(sides()) : turn;
 }
 
 SideState Pictures::stateOf(int index) const {
@@ -83,6 +85,7 @@ SideState Pictures::stateOf(int index) const {
   state.isRough = !state.estimate;
   if (state.isRough)
     state.estimate = m_probe.estimate(index, shown.quality.stepVoxels);
+  state.chance = m_chance.error(index);
   state.isResolved = m_isResolved[index];
   return state;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/view/pictures/ChanceCheck.h"
 #include "widgets/view/pictures/ErrorProbe.h"
 #include "widgets/view/pictures/PictureScreen.h"
 #include "widgets/view/pictures/PictureState.h"
@@ -23,7 +24,8 @@ namespace limn {
 /// OpenGL context is current for every call, construction and destruction.
 class Pictures {
 public:
-  Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen);
+  Pictures(std::unique_ptr<DrawingEngine> engine, std::unique_ptr<PictureScreen> screen,
+           MakePrecise makePrecise = {});
   ~Pictures();
 
   /// Asks for pictures of these scenes (one or two), all of one size.
@@ -44,7 +46,7 @@ public:
   bool probeError();
 
   /// Does one piece, of at most about `budgetMs`, of what is done at rest: small measures first, then, where
-  /// `refines`, pictures of smaller steps.
+  /// `refines`, pictures of smaller steps, and last what chance says of their error.
   RestTurn workAtRest(bool refines, double budgetMs);
   void leaveRefinementPass() { m_refinement.leavePass(sides()); }
   void giveUpRefinement() {
@@ -85,6 +87,7 @@ private:
   RestWork m_rest;
   ErrorProbe m_probe;
   Refinement m_refinement;
+  ChanceCheck m_chance;
   std::array<bool, 2> m_isResolved{true, true}; ///< what is shown of each side
   QString m_limitation;                         ///< of the scenes at their own step
   int m_count = 0;

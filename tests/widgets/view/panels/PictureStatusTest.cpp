@@ -29,7 +29,7 @@ std::string lineOf(const PictureState& state) {
 
 TEST(PictureStatusText, tellsErrorStepAndTimeOfThePictureAtRest) {
   EXPECT_EQ(lineOf(resting({sideWithin(0.74)})),
-            "within 0.7 of 255 levels · step 1/4 voxel · 12 ms · OpenGL");
+            "estimated within 0.7 of 255 levels · step 1/4 voxel · 12 ms · OpenGL");
   EXPECT_EQ(lineOf({}), "") << "no picture";
 }
 
@@ -64,7 +64,7 @@ TEST(PictureStatusText, tellsThatWhatMovesHasFewerVoxelsAndHowFarTheyAreOff) {
 
 TEST(PictureStatusText, tellsTheWorseOfTwoSidesAndTheTimeOfBoth) {
   EXPECT_EQ(lineOf(resting({sideWithin(12.4), sideWithin(3.0)})),
-            "within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
+            "estimated within 12 of 255 levels · step 1/4 voxel · 23 ms · OpenGL");
 }
 
 TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
@@ -75,19 +75,32 @@ TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
   EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured"));
 }
 
+TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureItselfBeforeAllElse) {
+  PictureState state = resting({sideWithin(0.76), sideWithin(0.3)});
+  state.sides[0].chance = ErrorByChance{0.912, 0.005, 0.6, chancePixels};
+  state.sides[1].chance = ErrorByChance{0.4, 0.005, 0.2, chancePixels};
+  EXPECT_TRUE(lineOf(state).starts_with("99.9 % of pixels within 0.92 of 255 levels (95 % sure)")) << lineOf(state);
+  const QString toolTip = pictureStatusText(state, {}).toolTip;
+  EXPECT_TRUE(toolTip.contains(QStringLiteral("of 2995 drawn at random"))) << toolTip.toStdString();
+  EXPECT_TRUE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")));
+  state.sides[0].chance->p99_9 = 1.2;
+  EXPECT_FALSE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")))
+      << "whatever was estimated";
+}
+
 TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
   PictureState state = resting({sideWithin(0.3), sideWithin(0.76)});
-  EXPECT_TRUE(lineOf(state).starts_with("within 0.8 of 255 levels"));
+  EXPECT_TRUE(lineOf(state).starts_with("estimated within 0.8 of 255 levels"));
   state.sides[1].measuredLevels = 0.347;
   EXPECT_TRUE(lineOf(state).starts_with("right within 0.35 of 255 levels, measured")) << lineOf(state);
   state.sides[0].estimate->p99_9 = 2.0;
-  EXPECT_TRUE(lineOf(state).starts_with("left within 2.0 of 255 levels")) << lineOf(state);
+  EXPECT_TRUE(lineOf(state).starts_with("left estimated within 2.0 of 255 levels")) << lineOf(state);
 }
 
 TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {
   PictureState state = resting({sideWithin(2.0), sideWithin(1.0)});
   state.sides[0].isRough = true;
-  EXPECT_TRUE(lineOf(state).starts_with("within about 2.0 of 255 levels"));
+  EXPECT_TRUE(lineOf(state).starts_with("estimated within about 2.0 of 255 levels"));
   state.sides[1].estimate.reset();
   EXPECT_TRUE(lineOf(state).starts_with("estimating…"));
   state.sides[1].isResolved = false;
@@ -95,8 +108,8 @@ TEST(PictureStatusText, saysWhereAnEstimateIsRoughMissingOrWorthNothing) {
 }
 
 TEST(PictureStatusText, neverClaimsThatThereIsNoErrorNorMoreThanThereCanBe) {
-  EXPECT_TRUE(lineOf(resting({sideWithin(0.0)})).starts_with("within 0.1 of 255 levels"));
-  EXPECT_TRUE(lineOf(resting({sideWithin(400.0)})).starts_with("within 255 of 255 levels"));
+  EXPECT_TRUE(lineOf(resting({sideWithin(0.0)})).starts_with("estimated within 0.1 of 255 levels"));
+  EXPECT_TRUE(lineOf(resting({sideWithin(400.0)})).starts_with("estimated within 255 of 255 levels"));
 }
 
 TEST(PictureStatusText, saysHowCoarseThePreviewIs) {
@@ -130,7 +143,7 @@ TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
   PictureState state = resting({sideWithin(0.46)});
   state.sides[0].toleranceLevels = 0.5;
   state.refinementEnd = RefinementEnd::withinHalfALevel;
-  EXPECT_EQ(lineOf(state), "within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
+  EXPECT_EQ(lineOf(state), "estimated within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
   const QString tip = pictureStatusText(state, {}).toolTip;
   EXPECT_TRUE(tip.contains(QStringLiteral("--tolerance 0.5"))) << tip.toStdString();
   EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
