@@ -12,6 +12,7 @@
 #include "scene/basics/Error.h"
 #include "scene/light/ModulusSearch.h"
 #include "scene/volume/Phantom.h"
+#include "stability/FilterBits.h"
 
 #include <QString>
 #include <QSysInfo>
@@ -115,6 +116,7 @@ void printSystemInfo() {
     const HeadlessContext context;
     printDriver(driverFacts());
     printTrial();
+    std::printf("filter      %s\n", filterText(filterBits()).c_str());
     engines.renderer = rendererName();
     engines.times = settings.engineMemory().recall(machineWith(engines.renderer));
   } catch (const Error& error) {

@@ -947,7 +947,7 @@
     </message>
     <message>
         <source>99.9 % of pixels within %1 of 255 levels (95 % sure)</source>
-        <translation>99,9 % der Bildpunkte höchstens %1 von 255 Stufen falsch (zu 95 % sicher)</translation>
+        <translation>99,9 % der Bildpunkte höchstens %1 von 255 Stufen falsch (zu 95 % sicher)</translation>
     </message>
     <message>
         <source>Black and white are 255 levels apart.</source>
@@ -4321,7 +4321,7 @@
     </message>
     <message>
         <source>99.9 % of the pixels lie within %1 of 255 levels of the exact picture (95 % sure: of %2 drawn at random and integrated exactly none lies farther off).</source>
-        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
+        <translation>99,9 % der Bildpunkte weichen höchstens um %1 von 255 Stufen vom exakten Bild ab (zu 95 % sicher: Von %2 zufällig gewählten und exakt integrierten liegt keiner weiter daneben).</translation>
     </message>
     <message>
         <source>error-controlled steps of fineness %1</source>
