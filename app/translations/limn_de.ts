@@ -6993,6 +6993,17 @@
     </message>
 </context>
 <context>
+    <name>limn::NumberField</name>
+    <message>
+        <source>%1 does not fit: give a number from %2 to %3, or per cent such as 10 %.</source>
+        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein, oder Prozent wie 10 %.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit: give a number from %2 to %3.</source>
+        <translation>%1 passt nicht: Geben Sie eine Zahl von %2 bis %3 ein.</translation>
+    </message>
+</context>
+<context>
     <name>limn::MessageBar</name>
     <message>
         <source>Details</source>
@@ -7780,12 +7791,12 @@
         <translation>Farbe des gewählten Punkts</translation>
     </message>
     <message>
-        <source>How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)</source>
-        <translation>Wie viel Gewebe dieses Werts von dem verdeckt, was dahinter liegt: 0 (unsichtbar) – 1 (deckend)</translation>
+        <source>How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid), or per cent such as 10 %</source>
+        <translation>Wie viel Gewebe dieses Werts von dem verdeckt, was dahinter liegt: 0 (unsichtbar) – 1 (deckend), oder Prozent wie 10 %</translation>
     </message>
     <message>
-        <source>How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all)</source>
-        <translation>Wie viel von der Deckkraft bleibt, wo sich der Wert so schnell ändert: 0 (nichts) – 1 (alles)</translation>
+        <source>How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all), or per cent such as 10 %</source>
+        <translation>Wie viel von der Deckkraft bleibt, wo sich der Wert so schnell ändert: 0 (nichts) – 1 (alles), oder Prozent wie 10 %</translation>
     </message>
     <message>
         <source>The colour in which tissue of this value is drawn</source>

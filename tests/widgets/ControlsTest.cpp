@@ -90,6 +90,64 @@ TEST(NumberField, keepsTheExactNumberWhereItShowsARoundedOne) {
   EXPECT_EQ(field.text(), QLocale().toString(0.0005));
 }
 
+// What "10" is typed over in a field of 0 to 1, and how it ends.
+struct Typed {
+  double number = 0.0;
+  QString text, refusal;
+  std::vector<double> edits;
+};
+
+Typed typedInto(NumberField& field, const QString& keys) {
+  Typed typed;
+  const auto connection = QObject::connect(&field, &NumberField::numberEdited,
+                                           [&](double number) { typed.edits.push_back(number); });
+  field.setNumber(0.55);
+  field.selectAll();
+  QTest::keyClicks(&field, keys);
+  QTest::keyClick(&field, Qt::Key_Return);
+  QObject::disconnect(connection);
+  typed.number = field.number();
+  typed.text = field.text();
+  typed.refusal = field.refusal();
+  return typed;
+}
+
+TEST(NumberField, refusesWhatDoesNotFitWithASentenceAndKeepsTheNumberBefore) {
+  NumberField field(0.0, 1.0, 4);
+  field.show();
+  for (const char* keys : {"10", "-1", "1.5"}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_TRUE(typed.edits.empty()) << keys << " became " << typed.number;
+    EXPECT_EQ(typed.number, 0.55) << keys;
+    EXPECT_EQ(typed.text, QLocale().toString(0.55)) << keys;
+    EXPECT_TRUE(typed.refusal.contains(QStringLiteral("from 0 to 1"))) << typed.refusal.toStdString();
+    EXPECT_EQ(field.accessibleDescription(), typed.refusal);
+  }
+  QTest::keyClicks(&field, QStringLiteral("1"));
+  EXPECT_TRUE(field.refusal().isEmpty()) << "once something else is typed";
+}
+
+TEST(NumberField, takesPerCentWhereThatIsMeant) {
+  NumberField field(0.0, 1.0, 4);
+  field.setTakesPercent(true);
+  field.show();
+  for (const char* keys : {"10 %", "10%"}) {
+    const Typed typed = typedInto(field, QString::fromLatin1(keys));
+    EXPECT_EQ(typed.edits, std::vector<double>{0.1}) << keys << ": " << typed.refusal.toStdString();
+    EXPECT_EQ(typed.text, QLocale().toString(0.1));
+  }
+  EXPECT_TRUE(typedInto(field, QStringLiteral("120 %")).refusal.contains(QStringLiteral("120 %")));
+  EXPECT_EQ(typedInto(field, QStringLiteral("0.25")).number, 0.25);
+  EXPECT_TRUE(typedInto(field, QStringLiteral("10")).refusal.contains(QStringLiteral("per cent")));
+}
+
+TEST(NumberField, readsBothMinusSigns) {
+  NumberField field(-1000.0, 1000.0, 1);
+  field.show();
+  EXPECT_EQ(typedInto(field, QStringLiteral("-250")).number, -250.0);
+  EXPECT_EQ(typedInto(field, QString(QChar(0x2212)) + QStringLiteral("31.5")).number, -31.5);
+}
+
 class RangeSliderTest : public testing::Test {
 protected:
   RangeSliderTest() : m_range(spec(false)) {

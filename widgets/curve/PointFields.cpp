@@ -53,6 +53,7 @@ PointFields::PointFields(CurveSubject subject, QWidget* parent)
   m_opacity->setFixedWidth(64);
   m_opacity->setShownAs(opacityText);
   m_opacity->setSingleStep(0.01);
+  m_opacity->setTakesPercent(true);
   nameFields();
 
   connect(m_value, &NumberField::numberEdited, this, [this](double value) {
@@ -81,9 +82,10 @@ void PointFields::nameFields() {
                                      : tr("Gradient of the selected point"));
   m_opacity->setAccessibleName(tr("Opacity of the selected point"));
   m_color->setAccessibleName(tr("Colour of the selected point"));
-  m_opacity->setToolTip(
-      ofValue ? tr("How much tissue of this value hides what lies behind it: 0 (invisible) – 1 (solid)")
-              : tr("How much is left of the opacity where the value changes this fast: 0 (none) – 1 (all)"));
+  m_opacity->setToolTip(ofValue ? tr("How much tissue of this value hides what lies behind it: 0 (invisible) "
+                                     "– 1 (solid), or per cent such as 10 %")
+                                : tr("How much is left of the opacity where the value changes this fast: 0 "
+                                     "(none) – 1 (all), or per cent such as 10 %"));
   m_color->setToolTip(tr("The colour in which tissue of this value is drawn"));
 }
 
@@ -128,6 +130,10 @@ bool PointFields::eventFilter(QObject* watched, QEvent* event) {
     field->commit();
   else
     return false;
+  if (!field->refusal().isEmpty()) { // to be typed once more
+    field->selectAll();
+    return true;
+  }
   emit typingEnded();
   return true;
 }

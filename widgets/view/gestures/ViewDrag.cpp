@@ -105,6 +105,12 @@ Camera wheelZoomed(const Camera& camera, int angleDelta) {
   return zoomed(camera, std::pow(1.2, angleDelta / 120.0));
 }
 
+Camera wheelZoomed(const Camera& camera, int angleDelta, const QPointF& pointer, const QRectF& side) {
+  const double factor = std::pow(1.2, angleDelta / 120.0);
+  const QPointF fromCentre = (pointer - side.center()) / std::max(1.0, side.height());
+  return panned(zoomed(camera, factor), (1.0 - factor) * fromCentre.x(), (factor - 1.0) * fromCentre.y());
+}
+
 StandardView nearestStandardView(const Camera& camera) {
   // LPS: looking along +y shows the patient's front, along -x the left side, along -z the top.
   const glm::dvec3 forward = basisOf(camera).forward;

@@ -41,6 +41,10 @@ Camera dragged(const Camera& camera, DragKind kind, const QPointF& from, const Q
 /// a fifth nearer per notch away from the user.
 Camera wheelZoomed(const Camera& camera, int angleDelta);
 
+/// The same towards the pointer over a picture that fills `side`: what lies under it in the target's plane
+/// stays there.
+Camera wheelZoomed(const Camera& camera, int angleDelta, const QPointF& pointer, const QRectF& side);
+
 /// The standard view that looks most nearly where the camera looks.
 StandardView nearestStandardView(const Camera& camera);
 

@@ -266,11 +266,14 @@ void ViewInput::uncut(const Scene& shown, CropFace face) {
 }
 
 void ViewInput::turnWheel(QWheelEvent& event) {
-  const Scene& shown = m_facts.shown().comparison.scene;
+  const OverlaySource source = m_facts.shown();
+  const Scene& shown = source.comparison.scene;
   const int turn = event.angleDelta().y();
   event.setAccepted(shown.volume && turn != 0);
-  if (event.isAccepted())
-    emit cameraEdited(wheelZoomed(shown.camera, turn));
+  if (!event.isAccepted())
+    return;
+  const QRectF side = pictureRect(source.geometry, positionAt(source.geometry, event.position()));
+  emit cameraEdited(wheelZoomed(shown.camera, turn, event.position(), side));
 }
 
 void ViewInput::hover(const QMouseEvent& event) {

@@ -286,7 +286,9 @@ std::vector<PictureStatusText> commonStatusTexts() {
   side.shownMs = 88800.0;
   const PictureStatusText refining = pictureStatusText(state, {});
   side.estimate = ErrorEstimate{exactLevels, 0.0, 1.0};
-  return {preview, refining, pictureStatusText(state, {})};
+  const PictureStatusText exact = pictureStatusText(state, {});
+  side.chance = ErrorByChance{0.88, 0.0, 0.88, chancePixels};
+  return {preview, refining, exact, pictureStatusText(state, {})};
 }
 
 PictureStatus::PictureStatus(QWidget* parent) : QWidget(parent), m_badge(new QToolButton(this)) {

@@ -88,6 +88,32 @@ TEST(CameraGesture, aNotchOfTheWheelIsAFifth) {
   EXPECT_NEAR(wheelZoomed(front, -120).position.y, -120.0, 1e-9);
 }
 
+// Where a place of the target's plane is seen, as a fraction of the picture's height.
+glm::dvec2 seenAt(const Camera& camera, const glm::dvec3& place) {
+  const CameraBasis basis = basisOf(camera);
+  const glm::dvec3 from = place - camera.target;
+  const double height =
+      2.0 * glm::length(camera.target - camera.position) * std::tan(0.5 * glm::radians(camera.fovYDeg));
+  return glm::dvec2(glm::dot(from, basis.right), glm::dot(from, basis.up)) / height;
+}
+
+TEST(CameraGesture, theWheelZoomsTowardsThePointer) {
+  // A quarter of the height right of the centre, a tenth above it.
+  const QPointF pointer = dragPlace.center() + QPointF(0.25, -0.1) * dragPlace.height();
+  const double height = 200.0 * std::tan(0.5 * glm::radians(front.fovYDeg));
+  const CameraBasis basis = basisOf(front);
+  const glm::dvec3 place = front.target + height * (0.25 * basis.right + 0.1 * basis.up);
+  ASSERT_NEAR(seenAt(front, place).x, 0.25, 1e-9);
+  for (const int turn : {120, 360, -120}) {
+    const Camera camera = wheelZoomed(front, turn, pointer, dragPlace);
+    EXPECT_NEAR(seenAt(camera, place).x, 0.25, 1e-9) << turn;
+    EXPECT_NEAR(seenAt(camera, place).y, 0.1, 1e-9) << turn;
+    EXPECT_NEAR(glm::length(camera.position - camera.target), 100.0 * std::pow(1.2, -turn / 120.0), 1e-9);
+  }
+  expectNear(wheelZoomed(wheelZoomed(front, 240, pointer, dragPlace), -240, pointer, dragPlace).target,
+             front.target, 1e-9);
+}
+
 TEST(CameraGesture, nearestStandardViewOfEveryStandardViewIsItself) {
   Grid grid;
   grid.dims = {10, 10, 10};
