@@ -255,8 +255,16 @@
         <translation>verschieben</translation>
     </message>
     <message>
-        <source>Right drag, wheel, + −</source>
-        <translation>Ziehen mit rechts, Mausrad, + −</translation>
+        <source>Right drag, + −</source>
+        <translation>Ziehen mit rechts, + −</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>zoom towards the pointer</source>
+        <translation>zum Zeiger hin zoomen</translation>
     </message>
     <message>
         <source>zoom</source>

@@ -90,8 +90,16 @@ protected:
     ASSERT_TRUE(refined());
     // A turn aims at 30 ms of drawing and a few of showing.
     test::expectShortTurns(heart, "until " + statusText().toStdString(), 100.0);
-    const bool isClose = statedLevels() >= 0.0 && statedLevels() <= 0.5;
-    EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
+    for (const SideState& side : view().pictureState().sides) {
+      ASSERT_TRUE(side.estimate && side.chance);
+      const bool isClose = side.estimate->p99_9 <= halfALevel;
+      EXPECT_TRUE(isClose || statusText().contains(QStringLiteral("smallest"))) << statusText().toStdString();
+      // Of three thousand pixels the one that is farthest off, not one in a thousand channels: twice that.
+      EXPECT_LE(side.chance->levels, 2.0 * side.estimate->p99_9 + side.chance->own)
+          << statusText().toStdString();
+    }
+    EXPECT_TRUE(statusText().startsWith(QStringLiteral("99.9 % of pixels within")))
+        << statusText().toStdString();
     EXPECT_EQ(scene().quality.stepVoxels, step) << "the step that the user chose stays";
     saving().writeScene(pathTo("scene.json"));
     for (int side = 0; side < static_cast<int>(view().pictureState().sides.size()); ++side) {
