@@ -212,10 +212,13 @@ void addAccuracyCommand(CommandSyntax& root) {
               "instead of measuring: reports (accuracy.json, or their folders) as one table, cohort.csv")
       .file({".json"});
   command
-      .option("--engine", arguments->engine,
-              "who casts the rays: auto (the one that limn render would take), gl, or cpu; without gl neither "
-              "slices nor decisions about textures are measured")
-      .words([] { return std::vector<std::string>{"auto", "gl", "cpu"}; });
+      .option(
+          "--engine", arguments->engine,
+          "who casts the rays: auto (the one that limn render would take), gl, or cpu; without gl neither "
+          "slices nor decisions about textures are measured")
+      .words([] {
+        return std::vector<std::string>{"auto", "gl", "cpu"};
+      });
   command.option("--exact-by", arguments->exactBy,
                  "a program that draws the exact picture in the reference's place, in single precision: one "
                  "that takes what limn render takes, such as \"mpirun -n 4 limn-mpi\"");
