@@ -49,11 +49,11 @@ bool isResolved(const PictureState& state) {
 }
 
 QString worstText(const SideState& worst) {
+  if (worst.measuredLevels)
+    return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
   if (worst.chance)
     return QObject::tr("99.9 % of pixels within %1 of 255 levels (95 % sure)")
         .arg(promisedLevels(worst.chance->levels));
-  if (worst.measuredLevels)
-    return QObject::tr("within %1 of 255 levels, measured").arg(promisedLevels(*worst.measuredLevels));
   const QString levels = levelsText(worst.estimate->p99_9);
   return (worst.isRough ? QObject::tr("estimated within about %1 of 255 levels")
                         : QObject::tr("estimated within %1 of 255 levels"))
@@ -167,14 +167,14 @@ QString explanationOf(const PictureState& state) {
                        "steps, or smaller ones, see it.");
   if (!isKnown(state))
     return QObject::tr("How far the picture lies from the exact one is being estimated.");
-  if (const std::optional<ErrorByChance>& chance = worstOf(state).chance)
-    return translated(describe(*chance)) + QLatin1Char(' ') +
-           QObject::tr("Black and white are 255 levels apart.");
   if (const std::optional<double> measured = worstOf(state).measuredLevels)
     return QObject::tr(
                "999 of 1000 colour values of a smaller picture of the same scene were measured to lie "
                "within %1 levels of the exact one; black and white are 255 levels apart.")
         .arg(promisedLevels(*measured));
+  if (const std::optional<ErrorByChance>& chance = worstOf(state).chance)
+    return translated(describe(*chance)) + QLatin1Char(' ') +
+           QObject::tr("Black and white are 255 levels apart.");
   QString text = QObject::tr("999 of 1000 colour values of the picture are estimated to lie within %1 levels "
                              "of the exact picture; black and white are 255 levels apart.")
                      .arg(levelsText(worstOf(state).estimate->p99_9));

@@ -50,10 +50,10 @@ struct SideState {
   bool operator==(const SideState&) const = default;
 };
 
-/// The error that is told of a side, in levels: what chance found of the picture itself, otherwise the one
-/// measured of a smaller one; absent while nothing is known.
+/// The error that is told of a side, in levels: the measured one where there is one, which stands in the
+/// accuracy panel, too; then what chance found; absent while nothing is known.
 inline std::optional<double> levelsOf(const SideState& side) {
-  if (side.chance)
+  if (!side.measuredLevels && side.chance)
     return side.chance->p99_9;
   if (side.measuredLevels || !side.estimate)
     return side.measuredLevels;

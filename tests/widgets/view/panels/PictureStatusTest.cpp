@@ -75,17 +75,22 @@ TEST(PictureStatusText, tellsWhatWasMeasuredInPlaceOfAnEstimate) {
   EXPECT_TRUE(lineOf(state).starts_with("within 0.35 of 255 levels, measured"));
 }
 
-TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureItselfBeforeAllElse) {
+TEST(PictureStatusText, tellsWhatChanceSaysOfThePictureInPlaceOfAnEstimate) {
   PictureState state = resting({sideWithin(0.76), sideWithin(0.3)});
   state.sides[0].chance = ErrorByChance{0.912, 0.005, 0.6, chancePixels};
   state.sides[1].chance = ErrorByChance{0.4, 0.005, 0.2, chancePixels};
-  EXPECT_TRUE(lineOf(state).starts_with("99.9 % of pixels within 0.92 of 255 levels (95 % sure)")) << lineOf(state);
+  EXPECT_TRUE(lineOf(state).starts_with("99.9 % of pixels within 0.92 of 255 levels (95 % sure)"))
+      << lineOf(state);
   const QString toolTip = pictureStatusText(state, {}).toolTip;
   EXPECT_TRUE(toolTip.contains(QStringLiteral("of 2995 drawn at random"))) << toolTip.toStdString();
   EXPECT_TRUE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")));
   state.sides[0].chance->p99_9 = 1.2;
   EXPECT_FALSE(pictureStatusText(state, {}).badge.contains(QStringLiteral("exact to the screen")))
       << "whatever was estimated";
+  state.sides[0].measuredLevels = 0.347;
+  state.sides[1].measuredLevels = 0.2;
+  EXPECT_TRUE(lineOf(state).contains("within 0.35 of 255 levels, measured"))
+      << "the accuracy panel tells the same number: " << lineOf(state);
 }
 
 TEST(PictureStatusText, ofTwoPicturesSaysWhichIsWorseWhereOneWasMeasured) {
@@ -143,7 +148,8 @@ TEST(PictureStatusText, tellsOfErrorControlledStepsTheirTolerance) {
   PictureState state = resting({sideWithin(0.46)});
   state.sides[0].toleranceLevels = 0.5;
   state.refinementEnd = RefinementEnd::withinHalfALevel;
-  EXPECT_EQ(lineOf(state), "estimated within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
+  EXPECT_EQ(lineOf(state),
+            "estimated within 0.5 of 255 levels · refined, step chosen by error · 12 ms · OpenGL");
   const QString tip = pictureStatusText(state, {}).toolTip;
   EXPECT_TRUE(tip.contains(QStringLiteral("--tolerance 0.5"))) << tip.toStdString();
   EXPECT_FALSE(tip.contains(QStringLiteral("order"))) << "which no halving has shown";
