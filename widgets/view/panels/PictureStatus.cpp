@@ -44,8 +44,9 @@ bool isKnown(const PictureState& state) {
 }
 
 bool isResolved(const PictureState& state) {
-  return std::ranges::all_of(state.sides,
-                             [](const SideState& side) { return side.isResolved || side.measuredLevels; });
+  return std::ranges::all_of(state.sides, [](const SideState& side) {
+    return side.isResolved || side.measuredLevels || side.chance;
+  });
 }
 
 QString worstText(const SideState& worst) {
