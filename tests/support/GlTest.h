@@ -23,8 +23,7 @@ protected:
     }
   }
 
-  // Whether another driver draws than GALLIUM_DRIVER asks for: Mesa is silent about names that it does not
-  // know.
+  // Whether another driver draws than GALLIUM_DRIVER asks for: Mesa is silent about one that it has not.
   static bool isAnotherRasteriser() {
     const char* const asked = std::getenv("GALLIUM_DRIVER");
     return asked != nullptr && rendererName().find(asked) == std::string::npos;
