@@ -10,6 +10,8 @@ namespace {
 using RayCasterAnalytic = test::GlTest;
 
 TEST_F(RayCasterAnalytic, everyGridExactCaseMeetsItsClosedForm) {
+  if (isAnotherRasteriser())
+    GTEST_SKIP() << "GALLIUM_DRIVER names none that this driver has; it draws with " << rendererName();
   RayCaster caster;
   test::expectClosedForms(
       [&](const Scene& scene, const glm::ivec2& size) { return caster.render(scene, size); });

@@ -2,112 +2,24 @@
 // Every program that a scene can ask for links, and is valid GLSL 1.30 for the reference compiler.
 #include "glsl/programs/ShaderVariant.h"
 #include "gl/DriverHealth.h"
-#include "scene/effects/EffectSet.h"
 #include "support/GlTest.h"
 #include "support/Places.h"
+#include "support/ReachableSets.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <regex>
-#include <set>
 
 namespace limn {
 namespace {
-
-using Groups = std::vector<std::vector<Effect>>;
-
-const Groups lights{
-    {},
-    {Effect::lighting},
-    {Effect::lighting, Effect::diffuse},
-    {Effect::lighting, Effect::specular},
-    {Effect::lighting, Effect::diffuse, Effect::specular},
-    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong},
-    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::fixedLight},
-    {Effect::lighting, Effect::diffuse, Effect::specular, Effect::phong, Effect::fixedLight},
-};
-
-const Groups maps{
-    {},
-    {Effect::exponentMap, Effect::opacityMap},
-    {Effect::exponentMap},
-    {Effect::opacityMap},
-    {Effect::exponentMap, Effect::opacityMap, Effect::gammaCurve},
-    {Effect::exponentMap, Effect::opacityMap, Effect::logCurve},
-    {Effect::exponentMap, Effect::opacityMap, Effect::energyFactor, Effect::significance, Effect::knee},
-    {Effect::opacityFactor},
-    {Effect::significance},
-};
-
-const Groups others{
-    {},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogLinear},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::fogExp2},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::cutFaces},
-    {Effect::emptySpaceSkipping, Effect::earlyTermination, Effect::twoSided, Effect::specularOfLight},
-    {Effect::emptySpaceSkipping, Effect::gradientOpacity, Effect::knee},
-    {Effect::emptySpaceSkipping, Effect::longRays, Effect::denseFunctions},
-    {Effect::emptySpaceSkipping, Effect::preintegration},
-    {Effect::emptySpaceSkipping, Effect::preintegration, Effect::gradientOpacity, Effect::earlyTermination},
-    {Effect::preintegration, Effect::longRays, Effect::denseFunctions},
-    {Effect::emptySpaceSkipping, Effect::jitter, Effect::knee},
-    {Effect::emptySpaceSkipping, Effect::unlimited},
-    {Effect::emptySpaceSkipping, Effect::isosurface, Effect::cutFaces},
-    {Effect::emptySpaceSkipping, Effect::isosurface, Effect::jitter, Effect::fogExp, Effect::knee},
-    {Effect::emptySpaceSkipping, Effect::hybrid, Effect::earlyTermination},
-    {Effect::emptySpaceSkipping, Effect::hybrid, Effect::preintegration, Effect::cutFaces},
-    {Effect::hybrid, Effect::longRays, Effect::fogLinear},
-    {Effect::emptySpaceSkipping, Effect::xray},
-    {Effect::emptySpaceSkipping, Effect::xray, Effect::preintegration},
-    {Effect::xray, Effect::jitter, Effect::longRays},
-    {Effect::emptySpaceSkipping, Effect::localSteps, Effect::earlyTermination},
-    {Effect::localSteps, Effect::gradientOpacity, Effect::fogLinear},
-    {Effect::emptySpaceSkipping, Effect::localSteps, Effect::cutFaces, Effect::knee, Effect::unlimited},
-    {Effect::emptySpaceSkipping, Effect::localSteps, Effect::hybrid, Effect::longRays},
-    {Effect::emptySpaceSkipping, Effect::localSteps, Effect::xray, Effect::denseFunctions},
-    {Effect::emptySpaceSkipping, Effect::localSteps, Effect::earlyTermination, Effect::sampleCounts},
-    {Effect::localSteps, Effect::xray, Effect::sampleCounts},
-    {Effect::mip},
-    {Effect::minip, Effect::jitter},
-    {Effect::average, Effect::denseFunctions},
-    {Effect::emptySpaceSkipping, Effect::region, Effect::earlyTermination},
-    {Effect::emptySpaceSkipping, Effect::region, Effect::preintegration, Effect::gradientOpacity},
-    {Effect::emptySpaceSkipping, Effect::region, Effect::hybrid, Effect::longRays},
-    {Effect::region, Effect::isosurface},
-    {Effect::region, Effect::xray},
-    {Effect::region, Effect::localSteps, Effect::earlyTermination},
-    {Effect::region, Effect::localSteps, Effect::xray},
-    {Effect::region, Effect::mip},
-    {Effect::region, Effect::minip},
-    {Effect::region, Effect::average},
-    {Effect::sampleCounts},
-};
-
-// The canonical sets that scenes can reach: every combination of what belongs together, the groups that do
-// not touch each other's code (fog, knee, cut faces, …) varied one against all.
-std::set<EffectSet> reachableSets() {
-  std::set<EffectSet> sets;
-  for (const auto& light : lights)
-    for (const auto& map : maps)
-      for (const auto& other : others) {
-        EffectSet effects;
-        for (const auto* group : {&light, &map, &other})
-          for (const Effect effect : *group)
-            effects = effects.with(effect);
-        sets.insert(canonical(effects));
-      }
-  return sets;
-}
 
 using ShaderVariants = test::GlTest;
 
 TEST_F(ShaderVariants, everyReachableProgramLinks) {
   int count = 0;
-  for (const EffectSet& effects : reachableSets()) {
+  for (const EffectSet& effects : test::reachableSets()) {
     EXPECT_NO_THROW(ShaderProgram(vertexSource(), fragmentSource(effects)));
     ++count;
   }
@@ -122,7 +34,7 @@ TEST(ShaderVariantText, everyReachableProgramIsValidGlsl130) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "full_screen.vert") << vertexSource().text;
   int count = 0;
-  for (const EffectSet& effects : reachableSets())
+  for (const EffectSet& effects : test::reachableSets())
     std::ofstream(folder / (std::to_string(++count) + ".frag")) << fragmentSource(effects).text;
   const std::string log = (folder / "log.txt").string();
   const std::string command =

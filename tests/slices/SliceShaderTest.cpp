@@ -5,6 +5,7 @@
 #include "scene/effects/EffectSet.h"
 #include "support/GlTest.h"
 #include "support/Places.h"
+#include "support/ReachableSets.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,35 +15,12 @@
 namespace limn {
 namespace {
 
-// Refused or dropped by sliceEffects, or drawn by tests alone.
-const EffectSet notOfSlices{Effect::mip,
-                            Effect::minip,
-                            Effect::average,
-                            Effect::isosurface,
-                            Effect::hybrid,
-                            Effect::earlyTermination,
-                            Effect::emptySpaceSkipping,
-                            Effect::longRays,
-                            Effect::unlimited,
-                            Effect::sampleCounts};
-
-std::set<EffectSet> sliceSets() {
-  const EffectSet lit{Effect::lighting, Effect::diffuse, Effect::specular};
-  const EffectSet mapped = lit.with({Effect::exponentMap, Effect::opacityMap});
-  std::set<EffectSet> sets;
-  for (const EffectSet& base : {EffectSet(), lit, mapped})
-    for (int i = 0; i < effectCount; ++i)
-      if (const auto effect = static_cast<Effect>(i); !notOfSlices.has(effect))
-        sets.insert(canonical(base.with(effect)));
-  return sets;
-}
-
 using SliceShaders = test::GlTest;
 
 TEST_F(SliceShaders, everyProgramLinks) {
-  for (const EffectSet& effects : sliceSets())
+  for (const EffectSet& effects : test::sliceSets())
     EXPECT_NO_THROW(ShaderProgram(sliceVertexSource(), sliceSource(effects)));
-  EXPECT_GT(sliceSets().size(), 30u);
+  EXPECT_GT(test::sliceSets().size(), 30u);
 }
 
 TEST(SliceShaderText, everyProgramIsValidGlsl130) {
@@ -53,7 +31,7 @@ TEST(SliceShaderText, everyProgramIsValidGlsl130) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "slice.vert") << sliceVertexSource().text;
   int count = 0;
-  for (const EffectSet& effects : sliceSets())
+  for (const EffectSet& effects : test::sliceSets())
     std::ofstream(folder / (std::to_string(++count) + ".frag")) << sliceSource(effects).text;
   const std::string log = (folder / "log.txt").string();
   const std::string command =

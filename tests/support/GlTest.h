@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <optional>
+#include <string>
 
 namespace limn::test {
 
@@ -19,6 +21,12 @@ protected:
     } catch (const Error& error) {
       GTEST_SKIP() << error.what();
     }
+  }
+
+  // Whether another driver draws than GALLIUM_DRIVER asks for: Mesa is silent about one that it has not.
+  static bool isAnotherRasteriser() {
+    const char* const asked = std::getenv("GALLIUM_DRIVER");
+    return asked != nullptr && rendererName().find(asked) == std::string::npos;
   }
 
 private:
