@@ -2,6 +2,7 @@
 #include "widgets/view/pictures/ErrorProbe.h"
 
 #include "engine/DrawingEngine.h"
+#include "scene/basics/Error.h"
 #include "widgets/view/pictures/InteractionQuality.h"
 #include "widgets/view/pictures/RestWork.h"
 
@@ -39,8 +40,13 @@ bool ErrorProbe::step(DrawingEngine& engine) {
     bool isReady = true;
     for (const double part : {0.5, 0.25})
       isReady = isReady && engine.facts(withStep(side.scene, part * step)).isReady;
-    if (isReady)
-      side.measured = measure(engine, side.scene);
+    try {
+      if (isReady)
+        side.measured = measure(engine, side.scene);
+    } catch (const Cancelled&) {
+      side.isDue = true;
+      throw;
+    }
     return true;
   }
   return false;

@@ -237,7 +237,7 @@ void PictureLoop::probeError() {
   try {
     didSomething = m_pictures->probeError();
   } catch (const Cancelled&) {
-    // Something else is to be shown.
+    didSomething = true; // an order came, perhaps the same once more
   } catch (const std::exception& error) {
     // The picture stays; only the estimate of its error is missing.
     tell(m_news.failureAtRest, translated(error));
@@ -273,7 +273,8 @@ RestTurn PictureLoop::restTurn() {
   try {
     turn = m_pictures->workAtRest(m_order.refines, m_pace.restBudgetMs);
   } catch (const Cancelled&) {
-    // Something else is to be shown.
+    // An order came. Another one ends this, but it may be the same once more: then nothing else would go on.
+    turn = RestTurn::waiting;
   } catch (const std::exception& error) {
     // The picture is complete: it stays, only what was to be measured or refined is missing.
     m_pictures->giveUpRefinement();

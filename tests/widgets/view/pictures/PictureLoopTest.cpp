@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/view/pictures/PictureLoop.h"
+#include "cpu/CpuEngine.h"
 #include "engine/DrawingEngine.h"
 #include "raycaster/RayCaster.h"
 #include "raycaster/RayCasterEngine.h"
+#include "scene/basics/Error.h"
 #include "scene/volume/Phantom.h"
 #include "stability/scenes/SimpleScenes.h"
 #include "support/GlTest.h"
@@ -201,6 +203,47 @@ TEST_F(Loop, stopsWhereNothingIsSeen) {
   loop->release(false);
   EXPECT_EQ(loop->pictures(), nullptr);
   EXPECT_EQ(loop->state(), PictureState{});
+}
+
+// An order that is the same as the last, after one in between that nobody began, ends what is drawn and
+// brings nothing else to show. Without OpenGL, as only the processor's pictures are interrupted.
+TEST(LoopInMemory, whatIsInterruptedAtRestIsTakenUpAgain) {
+  bool isCoarse = false;
+  int interruptions = 0;
+  PictureContext context;
+  context.makeCurrent = context.doneCurrent = [] {};
+  context.guard = [](const PictureContext::Work& work) {
+    try {
+      work();
+    } catch (const Cancelled&) {
+    }
+  };
+  PictureLoop loop(
+      [&] {
+        return std::make_unique<Pictures>(makeCpuEngine(2), makeMemoryScreen([&] {
+                                            // Every kind of work at rest, and the estimate before it.
+                                            const bool ends = !isCoarse && interruptions < 9;
+                                            interruptions += ends ? 1 : 0;
+                                            return ends;
+                                          }));
+      },
+      context);
+  const auto draw = [&] {
+    isCoarse = true;
+    loop.drawIfStale();
+    isCoarse = false;
+  };
+  QObject::connect(&loop, &PictureLoop::showNeeded, draw);
+  PictureOrder order = phantomOrder();
+  order.refines = true;
+  loop.show(order);
+  draw();
+  while (!loop.state().refinementEnd || !loop.isIdle())
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  EXPECT_EQ(interruptions, 9);
+  ASSERT_EQ(loop.state().sides.size(), 1u);
+  EXPECT_TRUE(loop.state().sides[0].estimate);
+  EXPECT_TRUE(loop.state().sides[0].overflow);
 }
 
 TEST_F(Loop, withoutRoomDrawsNothing) {
