@@ -38,16 +38,8 @@ TEST(CellMarch, aHomogeneousSlabIsExactWithAnyFinenessHoweverOpaque) {
 }
 
 TEST(CellMarch, anEdgeOfTheFunctionIsMetWhereItIs) {
-  // A ramp over 16 mm, opaque from the value 1/3 on: colour by value tells where the ray stopped. κ is 16.6
-  // per micrometre there, and the colour gains 2 per mm.
-  std::vector<double> values;
-  for (int i = 0; i <= 16; ++i)
-    values.push_back(i / 16.0);
-  Scene scene = test::rayThrough(test::columnOf(values, 1.0));
-  scene.transferFunction = {1e-3,
-                            {{1.0 / 3.0, glm::dvec3(0.0), 0.0},
-                             {1.0 / 3.0, glm::dvec3(0.0), 1.0},
-                             {1.0 / 3.0 + 1.0 / 32.0, glm::dvec3(1.0), 1.0}}};
+  // κ is 16.6 per micrometre behind the edge, and the colour gains 2 per mm.
+  Scene scene = test::edgeScene();
   keepTolerance(scene, 12);
   const ReferencePicture picture = renderReference(scene, {1, 1}, 1);
   EXPECT_NEAR(picture.pixels[0].a, 1.0, 1e-12);

@@ -4,6 +4,7 @@
 #include "reference/ReferenceIntegrator.h"
 #include "scene/volume/Phantom.h"
 #include "support/AnalyticScenes.h"
+#include "support/NeedleScene.h"
 
 #include <gtest/gtest.h>
 
@@ -80,16 +81,8 @@ TEST(LocalMarch, aHomogeneousSlabIsExactWithAnyFineness) {
 }
 
 TEST(LocalMarch, anEdgeOfTheFunctionIsFoundToTheFinestStep) {
-  // A ramp over 16 mm, opaque from the value 1/3 on: colour by value tells where the ray stopped. The finest
-  // step is 1/2048 voxel of 1 mm and the colour is 2 per mm there.
-  std::vector<double> values;
-  for (int i = 0; i <= 16; ++i)
-    values.push_back(i / 16.0);
-  Scene scene = test::rayThrough(test::columnOf(values, 1.0));
-  scene.transferFunction = {1e-3,
-                            {{1.0 / 3.0, glm::dvec3(0.0), 0.0},
-                             {1.0 / 3.0, glm::dvec3(0.0), 1.0},
-                             {1.0 / 3.0 + 1.0 / 32.0, glm::dvec3(1.0), 1.0}}};
+  // The finest step is 1/2048 voxel of 1 mm and the colour gains 2 per mm.
+  Scene scene = test::edgeScene();
   scene.quality.toleranceLevels = 1.0;
   scene.quality.fineness = 8;
   const ReferencePicture picture = inLocalSteps(scene, {1, 1}, 1);

@@ -30,4 +30,17 @@ inline NeedleScene needleScene(double width) {
   return needle;
 }
 
+/// A ray along a ramp over 16 mm, opaque from the value 1/3 on: colour by value tells where the ray stopped.
+inline Scene edgeScene() {
+  std::vector<double> values;
+  for (int i = 0; i <= 16; ++i)
+    values.push_back(i / 16.0);
+  Scene scene = rayThrough(columnOf(values, 1.0));
+  scene.transferFunction = {1e-3,
+                            {{1.0 / 3.0, glm::dvec3(0.0), 0.0},
+                             {1.0 / 3.0, glm::dvec3(0.0), 1.0},
+                             {1.0 / 3.0 + 1.0 / 32.0, glm::dvec3(1.0), 1.0}}};
+  return scene;
+}
+
 } // namespace limn::test
